@@ -1,0 +1,164 @@
+#include "comparisons/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "comparisons/memory.hpp"
+#include "comparisons/progress.hpp"
+#include "comparisons/reproduce.hpp"
+#include "comparisons/result_file.hpp"
+#include "comparisons/result_json.hpp"
+#include "comparisons/scene_file.hpp"
+#include "comparisons/shipped.hpp"
+#include "meshing/input_error.hpp"
+#include "meshing/mesh_files.hpp"
+
+namespace springcheck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+RunSettings settings_of(const std::string& scene, const std::vector<GivenSetting>& options) {
+  SceneFile file = read_scene(scene);
+  file.settings.insert(file.settings.end(), options.begin(), options.end());
+  return make_run_settings(file.name, file.file, file.settings);
+}
+
+std::string shown(const std::optional<double>& value, const char* format,
+                  double factor = 1) {
+  return value ? fmt::format(fmt::runtime(format), factor * *value) : "-";
+}
+
+/// The results as an aligned table, reasons and reference below it.
+std::string text_of(const std::vector<CaseResult>& results) {
+  std::vector<std::vector<std::string>> rows{{"method", "status", "volume error %",
+                                              "plate force N", "resultant N",
+                                              "torque N m", "tip m", "deviation L2 %",
+                                              "solve s"}};
+  for (const CaseResult& result : results) {
+    const Measures& m = result.measures;
+    rows.push_back({label(result.request.settings), std::string(name_of(result.status)),
+                    shown(m.volume_error, "{:.4f}", 100), shown(m.plate_force, "{:.6g}"),
+                    shown(m.plate_force_norm, "{:.6g}"), shown(m.plate_torque, "{:.6g}"),
+                    shown(m.tip_deflection, "{:.6g}"),
+                    shown(m.deviation_l2_relative, "{:.3f}", 100),
+                    fmt::format("{:.2f}", result.solve_wall_s)});
+  }
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], row[i].size());
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      text += i == 0 ? fmt::format("{:<{}}", row[i], widths[i])
+                     : fmt::format("  {:>{}}", row[i], widths[i]);
+    text += "\n";
+  }
+  for (const CaseResult& result : results)
+    if (!result.reason.empty())
+      text += fmt::format("{}: {}\n", label(result.request.settings), result.reason);
+  for (const CaseResult& result : results)
+    if (result.request.reference) {
+      text += fmt::format("Deviations are from {} on the same mesh.\n",
+                          label(*result.request.reference));
+      break;
+    }
+  return text;
+}
+
+}  // namespace
+
+ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
+                       const std::optional<std::filesystem::path>& result_file,
+                       Output output) {
+  const RunSettings run = settings_of(scene, options);
+  const std::vector<Request> all = requests(run);
+  check_memory(all, 1);
+  if (result_file) check_writable(*result_file);
+
+  MeshStore meshes;
+  std::vector<CaseResult> results;
+  {
+    Progress progress("simulations");
+    results = run_study(
+        all, meshes, 1, [](const Request&, const std::string&) { return std::nullopt; },
+        [&](std::size_t done, std::size_t of) { progress.show(done, of); });
+  }
+  if (result_file) write_results(*result_file, results, meshes);
+  if (output == Output::json)
+    fmt::print("{}\n", run_json(run.common.scene, results, meshes).dump(2));
+  else
+    fmt::print("{}", text_of(results));
+
+  const bool as_expected =
+      results.size() > 1 || std::ranges::count(run.expect, results.front().status) > 0;
+  return as_expected ? ExitStatus::done : ExitStatus::unexpected_status;
+}
+
+ExitStatus table_command(const std::string& name,
+                         const std::optional<std::filesystem::path>& from,
+                         const std::string& reference, TableFormat format, int parallel) {
+  std::map<std::string, StoredCase> stored;
+  if (from) stored = read_results(*from);
+  std::optional<ReferenceMethod> chosen;
+  if (!reference.empty())
+    chosen = reference_named(Given::from_text("--reference", reference));
+  MeshStore meshes;
+  const std::vector<Table> tables = compute_tables(
+      {name}, chosen, meshes, parallel,
+      [&](const Request& request, const std::string& key) -> std::optional<CaseResult> {
+        const auto found = stored.find(key);
+        if (found == stored.end()) return std::nullopt;
+        return with_stored(request, key, found->second);
+      });
+  fmt::print("{}", format_table(tables.front(), format));
+  return ExitStatus::done;
+}
+
+ExitStatus list_command(const std::string& what, Output output) {
+  Json lists;
+  for (const Method& method : methods())
+    lists["methods"][std::string(method.name)] = method.description;
+  for (const ShippedFile& scene : shipped_scenes()) {
+    // Its first comment line describes it.
+    const std::size_t end = scene.text.find('\n');
+    lists["scenes"][std::filesystem::path(scene.name).stem().string()] =
+        scene.text.substr(2, end - 2);
+  }
+  for (const ElementName& element : elements())
+    lists["elements"][std::string(element.name)] = element.description;
+  lists["materials"] = {{"hooke", "small-strain Hooke (fem-hooke)"},
+                        {"stvk", "St-Venant-Kirchhoff (fem-stvk)"}};
+  if (!what.empty()) {
+    if (!lists.contains(what))
+      throw InputError("list", "", "one of methods, scenes, elements, materials",
+                       "'" + what + "'");
+    lists = Json{{what, lists[what]}};
+  }
+  if (output == Output::json) {
+    fmt::print("{}\n", lists.dump(2));
+    return ExitStatus::done;
+  }
+  for (const auto& [heading, entries] : lists.items()) {
+    fmt::print("{}\n", heading);
+    for (const auto& [name, description] : entries.items())
+      fmt::print("  {:<12} {}\n", name, description.get<std::string>());
+  }
+  return ExitStatus::done;
+}
+
+ExitStatus mesh_command(const std::string& scene, const std::vector<GivenSetting>& options,
+                        const std::filesystem::path& file) {
+  const RunSettings run = settings_of(scene, options);
+  check_writable(file);
+  const Mesh mesh = generate_block(run.common.block);
+  write_mesh(mesh, file);
+  fmt::print("{}: {} nodes, {} hexahedra, {:.6g} m^3, SHA-256 {}\n", file.string(),
+             mesh.nodes().size(), mesh.hexahedra().size(), mesh.volume(), mesh.sha256());
+  return ExitStatus::done;
+}
+
+}  // namespace springcheck

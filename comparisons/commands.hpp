@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/run_settings.hpp"
+#include "comparisons/table_format.hpp"
+
+namespace springcheck {
+
+/// Exit statuses that scripts depend on.
+enum ExitStatus { done = 0, fell_short = 1, bad_input = 2, unexpected_status = 3 };
+
+enum class Output { text, json };
+
+/// `springcheck run`: prints the results, writes them to `result_file` when given.
+ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
+                       const std::optional<std::filesystem::path>& result_file,
+                       Output output);
+
+/// `springcheck table`: prints one table, with what `from` holds taken from there.
+ExitStatus table_command(const std::string& name,
+                         const std::optional<std::filesystem::path>& from,
+                         const std::string& reference, TableFormat format, int parallel);
+
+/// `springcheck list`; an empty `what` lists everything.
+ExitStatus list_command(const std::string& what, Output output);
+
+/// `springcheck mesh`.
+ExitStatus mesh_command(const std::string& scene, const std::vector<GivenSetting>& options,
+                        const std::filesystem::path& file);
+
+}  // namespace springcheck

@@ -1,0 +1,139 @@
+#include "comparisons/hdf5.hpp"
+
+#include <stdexcept>
+
+namespace springcheck::hdf5 {
+namespace {
+
+void check(herr_t status, const std::string& what) {
+  if (status < 0) throw std::runtime_error("HDF5: " + what + " failed");
+}
+
+void write_numbers(hid_t object, const std::string& name, hid_t type, hid_t space,
+                   const void* values) {
+  const Handle attribute(
+      H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+      "attribute " + name);
+  check(H5Awrite(attribute, type, values), "writing attribute " + name);
+}
+
+void write_any_table(hid_t parent, const std::string& name, hid_t type, const void* values,
+                     hsize_t count, hsize_t columns) {
+  const std::array<hsize_t, 2> shape{count / columns, columns};
+  const Handle space(H5Screate_simple(columns == 1 ? 1 : 2, shape.data(), nullptr),
+                     H5Sclose, name);
+  const Handle table(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT,
+                                H5P_DEFAULT, H5P_DEFAULT),
+                     H5Dclose, "dataset " + name);
+  check(H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
+        "writing dataset " + name);
+}
+
+Handle text_type(std::size_t length) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "text type");
+  check(H5Tset_size(type, length), "text size");
+  check(H5Tset_cset(type, H5T_CSET_UTF8), "text encoding");
+  return type;
+}
+
+}  // namespace
+
+Handle::Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what)
+    : id_(id), close_(close) {
+  if (id < 0) throw std::runtime_error("HDF5: cannot open or create " + what);
+}
+
+Handle create_file(const std::filesystem::path& file) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are thrown, not printed
+  return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
+          file.string()};
+}
+
+Handle open_file(const std::filesystem::path& file) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, file.string()};
+}
+
+Handle create_group(hid_t parent, const std::string& name) {
+  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+          H5Gclose, "group " + name};
+}
+
+Handle open_group(hid_t parent, const std::string& name) {
+  return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, "group " + name};
+}
+
+bool has_link(hid_t parent, const std::string& name) {
+  return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> links(hid_t parent) {
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
+    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+    return 0;
+  };
+  check(H5Literate(parent, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names),
+        "listing a group");
+  return names;
+}
+
+void write_attribute(hid_t object, const std::string& name, const std::string& text) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, name);
+  const Handle type = text_type(text.size() + 1);
+  write_numbers(object, name, type, space, text.c_str());
+}
+
+void write_attribute(hid_t object, const std::string& name,
+                     std::span<const double> values) {
+  const hsize_t count = values.size();
+  const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, name);
+  write_numbers(object, name, H5T_NATIVE_DOUBLE, space, values.data());
+}
+
+void write_attribute(hid_t object, const std::string& name, double value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, name);
+  write_numbers(object, name, H5T_NATIVE_DOUBLE, space, &value);
+}
+
+void write_attribute(hid_t object, const std::string& name, long long value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, name);
+  write_numbers(object, name, H5T_NATIVE_LLONG, space, &value);
+}
+
+std::optional<std::string> read_text(hid_t object, const std::string& name) {
+  if (H5Aexists(object, name.c_str()) <= 0) return std::nullopt;
+  const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose,
+                         "attribute " + name);
+  const Handle type(H5Aget_type(attribute), H5Tclose, "type of " + name);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
+    throw std::runtime_error("HDF5: attribute " + name + " is not fixed-length text");
+  const std::size_t length = H5Tget_size(type);
+  std::string text(length + 1, '\0');
+  check(H5Aread(attribute, type, text.data()), "reading attribute " + name);
+  return std::string(text.c_str());
+}
+
+std::optional<std::vector<double>> read_numbers(hid_t object, const std::string& name) {
+  if (H5Aexists(object, name.c_str()) <= 0) return std::nullopt;
+  const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose,
+                         "attribute " + name);
+  const Handle space(H5Aget_space(attribute), H5Sclose, "shape of " + name);
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  if (count < 0) throw std::runtime_error("HDF5: attribute " + name + " has no size");
+  std::vector<double> values(static_cast<std::size_t>(count));
+  check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), "reading attribute " + name);
+  return values;
+}
+
+void write_table(hid_t parent, const std::string& name, std::span<const double> values,
+                 hsize_t columns) {
+  write_any_table(parent, name, H5T_NATIVE_DOUBLE, values.data(), values.size(), columns);
+}
+
+void write_table(hid_t parent, const std::string& name,
+                 std::span<const std::uint32_t> values, hsize_t columns) {
+  write_any_table(parent, name, H5T_NATIVE_UINT32, values.data(), values.size(), columns);
+}
+
+}  // namespace springcheck::hdf5

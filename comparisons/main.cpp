@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <thread>
+
+#include "comparisons/build_info.hpp"
+#include "comparisons/commands.hpp"
+#include "comparisons/reproduce.hpp"
+#include "meshing/input_error.hpp"
+
+extern "C" void openblas_set_num_threads(int);
+
+namespace {
+
+using namespace springcheck;
+
+/// The settings among a subcommand's options that were given, as text.
+class SettingOptions {
+ public:
+  explicit SettingOptions(CLI::App* command) {
+    for (const SettingKey& key : option_keys()) {
+      const std::string name(key.name);
+      if (name == "force-dt")
+        options_[name] = command->add_flag("--" + name)->description(std::string(key.help));
+      else
+        options_[name] =
+            command->add_option("--" + name, texts_[name], std::string(key.help));
+    }
+  }
+
+  [[nodiscard]] std::vector<GivenSetting> given() const {
+    std::vector<GivenSetting> settings;
+    for (const auto& [name, option] : options_)
+      if (option->count() > 0)
+        settings.push_back(
+            {name, Given::from_text("--" + name,
+                                    texts_.contains(name) ? texts_.at(name) : "true")});
+    return settings;
+  }
+
+ private:
+  std::map<std::string, CLI::Option*> options_;
+  std::map<std::string, std::string> texts_;
+};
+
+TableFormat table_format(const std::string& name) {
+  if (name == "md") return TableFormat::markdown;
+  if (name == "csv") return TableFormat::csv;
+  if (name == "json") return TableFormat::json;
+  throw InputError("--format", "", "one of md, csv, json", "'" + name + "'");
+}
+
+std::optional<std::filesystem::path> path_or_none(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return text;
+}
+
+int command_line(int argc, char** argv) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  CLI::App app("Cross-validates mass-spring soft-tissue models against finite elements.");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("springcheck ") + build_info::version +
+                                        " (" + build_info::commit + ")");
+  bool verbose = false;
+  app.add_flag("--verbose", verbose, "log every Newton iteration to stderr");
+
+  std::string scene, out, name, from, reference, format = "md", what;
+  bool json = false;
+  int threads = cores;
+  int status = ExitStatus::done;
+  const auto output = [&] { return json ? Output::json : Output::text; };
+  const auto add_threads = [&](CLI::App* command) {
+    command->add_option("--threads", threads, "at most this many (default: all cores)")
+        ->check(CLI::Range(1, 1024));
+  };
+
+  CLI::App* run = app.add_subcommand("run", "Run one scene with one or more methods");
+  run->add_option("scene", scene, "name of a shipped scene, or a .toml file")->required();
+  const SettingOptions run_options(run);
+  run->add_option("--out", out, "HDF5 file for measures and fields");
+  run->add_flag("--json", json, "print one JSON document");
+  add_threads(run);
+
+  CLI::App* table =
+      app.add_subcommand("table", "Print one of the thesis's tables beside ours");
+  table->add_option("name", name, "5.1, 5.2, 5.3, 5.4, deviation or bending")->required();
+  table->add_option("--from", from, "result file to take cases from; computes the rest");
+  table->add_option("--reference", reference, "METHOD or METHOD:ELEMENT");
+  table->add_option("--format", format, "md (default), csv or json");
+  add_threads(table);
+
+  CLI::App* everything = app.add_subcommand("reproduce", "Regenerate every table");
+  everything->add_option("--out", out, "folder for tables, results and summary")->required();
+  add_threads(everything);
+
+  CLI::App* list = app.add_subcommand("list", "List what there is");
+  list->add_option("what", what, "methods, scenes, elements or materials");
+  list->add_flag("--json", json, "print one JSON document");
+
+  CLI::App* mesh = app.add_subcommand("mesh", "Write the mesh that both solvers use");
+  mesh->add_option("scene", scene, "name of a shipped scene, or a .toml file")->required();
+  const SettingOptions mesh_options(mesh);
+  mesh->add_option("--out", out, "a .msh, .vtu or .inp file")->required();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const bool asked = error.get_exit_code() == 0;  // --help, --version
+    app.exit(error);
+    return asked ? ExitStatus::done : ExitStatus::bad_input;
+  }
+  spdlog::set_default_logger(spdlog::stderr_color_mt("springcheck"));
+  spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
+  // Factorisations stay on one thread: the same bits on every machine, and simulations
+  // are what runs in parallel.
+  openblas_set_num_threads(1);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+
+  if (*run)
+    status = run_command(scene, run_options.given(), path_or_none(out), output());
+  else if (*table)
+    status = table_command(name, path_or_none(from), reference, table_format(format),
+                           threads);
+  else if (*list)
+    status = list_command(what, output());
+  else if (*mesh)
+    status = mesh_command(scene, mesh_options.given(), out);
+  else {
+    reproduce(out, threads);
+    fmt::print("Tables, results and summary are in {}\n", out);
+  }
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return command_line(argc, argv);
+  } catch (const springcheck::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return springcheck::ExitStatus::bad_input;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "springcheck: {}\n", error.what());
+    return springcheck::ExitStatus::fell_short;
+  }
+}

@@ -1,0 +1,42 @@
+#include "comparisons/methods.hpp"
+
+#include <algorithm>
+
+namespace springcheck {
+namespace {
+
+template <class Entries>
+auto find(const Entries& entries, std::string_view name) {
+  const auto found = std::ranges::find_if(
+      entries, [&](const auto& entry) { return entry.name == name; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const std::vector<Method>& methods() {
+  using fem_reference::Law;
+  static const std::vector<Method> all{
+      {"mss-baudet", mss::Method::baudet, "edge and inner-diagonal springs after Baudet"},
+      {"mss-nfd", mss::Method::nfd,
+       "edge and inner-diagonal springs with volume correction"},
+      {"mss-fd", mss::Method::fd, "all springs without correction: right at nu = 0.25 only"},
+      {"mss-cf", mss::Method::cf, "all springs with volume correction (Golec 2018)"},
+      {"fem-hooke", Law::hooke, "finite elements, small-strain Hooke"},
+      {"fem-stvk", Law::st_venant_kirchhoff, "finite elements, St-Venant-Kirchhoff"}};
+  return all;
+}
+
+const std::vector<ElementName>& elements() {
+  using fem_reference::Element;
+  static const std::vector<ElementName> all{
+      {"q1", Element::q1, "trilinear, 2x2x2 points: locks near nu = 0.5"},
+      {"q1-sri", Element::q1_sri,
+       "trilinear, volumetric part at the centroid (selective reduced integration)"}};
+  return all;
+}
+
+const Method* find_method(std::string_view name) { return find(methods(), name); }
+const ElementName* find_element(std::string_view name) { return find(elements(), name); }
+
+}  // namespace springcheck

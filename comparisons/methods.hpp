@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "fem_reference/solve.hpp"
+#include "mss/network.hpp"
+
+namespace springcheck {
+
+/// A method by its name on the command line: springs, or a law for finite elements.
+struct Method {
+  std::string_view name;
+  std::variant<mss::Method, fem_reference::Law> model;
+  std::string_view description;
+};
+
+struct ElementName {
+  std::string_view name;
+  fem_reference::Element element;
+  std::string_view description;
+};
+
+const std::vector<Method>& methods();
+const std::vector<ElementName>& elements();
+
+/// The entry of that name in methods() or elements(); nullptr when there is none.
+const Method* find_method(std::string_view name);
+const ElementName* find_element(std::string_view name);
+
+inline bool is_finite_element(const Method& method) {
+  return std::holds_alternative<fem_reference::Law>(method.model);
+}
+
+/// "a, b, c" of the entries' names, for messages and help.
+template <class Entries>
+std::string names_of(const Entries& entries) {
+  std::string names;
+  for (const auto& entry : entries)
+    names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  return names;
+}
+
+}  // namespace springcheck

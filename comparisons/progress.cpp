@@ -1,0 +1,33 @@
+#include "comparisons/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace springcheck {
+
+Progress::Progress(std::string what)
+    : what_(std::move(what)),
+      on_terminal_(isatty(STDERR_FILENO) != 0),
+      start_(std::chrono::steady_clock::now()) {}
+
+Progress::~Progress() {
+  if (on_terminal_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void Progress::show(std::size_t done, std::size_t all) {
+  if (!on_terminal_ || all == 0) return;
+  constexpr std::size_t width = 30;
+  const std::size_t filled = width * done / all;
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+  fmt::print(stderr, "\r\x1b[K{} [{}{}] {}/{}", what_, std::string(filled, '#'),
+             std::string(width - filled, '.'), done, all);
+  if (done > 0 && done < all)
+    fmt::print(stderr, ", about {:.0f} s left",
+               elapsed.count() / static_cast<double>(done) *
+                   static_cast<double>(all - done));
+  std::fflush(stderr);
+}
+
+}  // namespace springcheck

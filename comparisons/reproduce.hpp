@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "comparisons/tables.hpp"
+
+namespace springcheck {
+
+/// Computes the named tables with everything they need, each simulation once, `parallel`
+/// of them at a time. `known` supplies results by key, see run_study. `results`, when
+/// given, receives the results of every request.
+std::vector<Table> compute_tables(
+    const std::vector<std::string>& names,
+    const std::optional<ReferenceMethod>& reference, MeshStore& meshes, int parallel,
+    const std::function<std::optional<CaseResult>(const Request& request,
+                                                  const std::string& key)>& known,
+    std::vector<CaseResult>* results = nullptr);
+
+/// Regenerates every table into `directory`, created if need be:
+///
+///     summary.md          what was computed, what agrees with the thesis, what fails
+///     tables/NAME.md .csv .json
+///     results.h5 .xdmf    every case with its fields, settings and provenance
+///
+/// Throws InputError before computing when the directory cannot be written.
+void reproduce(const std::filesystem::path& directory, int parallel);
+
+}  // namespace springcheck

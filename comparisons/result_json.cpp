@@ -1,0 +1,61 @@
+#include "comparisons/result_json.hpp"
+
+#include "comparisons/build_info.hpp"
+
+namespace springcheck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json(const Measures::Value& value) { return value ? Json(*value) : Json(); }
+Json json(const Measures::Vector& value) {
+  return value ? Json{value->x(), value->y(), value->z()} : Json();
+}
+
+Json case_json(const CaseResult& result, const Mesh& mesh) {
+  const CaseSettings& settings = result.request.settings;
+  const bool fem = is_finite_element(settings.method);
+  Json flags = Json::array();
+  for (const Status flag : result.flags) flags.push_back(name_of(flag));
+  Json out{{"method", settings.method.name},
+           {"element", fem ? Json(settings.element.name) : Json()},
+           {"solver", settings_json(settings)["solver"]},
+           {"nu", settings.material.poisson_ratio},
+           {"young", settings.material.young_modulus},
+           {"density", settings.material.density},
+           {"deformation", json(settings.deformation)},
+           {"mesh",
+            {{"cells", mesh.hexahedra().size()},
+             {"nodes", mesh.nodes().size()},
+             {"types", {{"hexahedron", mesh.hexahedra().size()}}},
+             {"sha256", mesh.sha256()}}},
+           {"status", name_of(result.status)},
+           {"flags", flags},
+           {"reason", result.reason.empty() ? Json() : Json(result.reason)}};
+  for_each_measure(result.measures, [&](const char* name, const auto& value) {
+    out[name] = json(value);
+  });
+  const Solution& solution = result.solution;
+  out["reference"] = result.request.reference ? Json(label(*result.request.reference)) : Json();
+  out["load_fraction"] = solution.load_fraction;
+  out["steps"] = solution.steps;
+  out["dt"] = json(solution.dt);
+  out["dt_limit"] = json(solution.dt_limit);
+  out["force_evaluations"] = solution.force_evaluations;
+  out["wall_s"] = result.wall_s;
+  out["solve_wall_s"] = result.solve_wall_s;
+  out["key"] = result.key;
+  return out;
+}
+
+}  // namespace
+
+Json run_json(const std::string& scene, const std::vector<CaseResult>& results,
+              MeshStore& meshes) {
+  Json cases = Json::array();
+  for (const CaseResult& result : results)
+    cases.push_back(case_json(result, meshes.mesh(result.request.settings.block)));
+  return {{"springcheck", build_info::version}, {"scene", scene}, {"results", cases}};
+}
+
+}  // namespace springcheck

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace springcheck {
+
+/// A text file compiled into the program; comparisons/CMakeLists.txt lists them.
+struct ShippedFile {
+  std::string_view name;  // "compression.toml"
+  std::string_view text;
+};
+
+/// comparisons/scenes/*.toml
+const std::vector<ShippedFile>& shipped_scenes();
+
+/// comparisons/thesis/printed.csv
+std::string_view shipped_figures();
+
+}  // namespace springcheck

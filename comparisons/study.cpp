@@ -1,0 +1,212 @@
+#include "comparisons/study.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "comparisons/build_info.hpp"
+#include "comparisons/wrinkles.hpp"
+#include "meshing/sha256.hpp"
+
+namespace springcheck {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Solution solve(const CaseSettings& settings, const Mesh& mesh) {
+  const Scene scene = mechanical_scene(settings);
+  if (is_finite_element(settings.method))
+    return fem_reference::solve(
+        mesh, scene,
+        {.law = std::get<fem_reference::Law>(settings.method.model),
+         .element = settings.element.element});
+  return mss::solve(mesh, scene,
+                    {.network = {.method = std::get<mss::Method>(settings.method.model),
+                                 .stiffness_form = settings.stiffness_form,
+                                 .diagonal_ratio = settings.diagonal_ratio},
+                     .solver = settings.solver,
+                     .dynamics = settings.dynamics,
+                     .seed = settings.seed});
+}
+
+bool has_equilibrium(const Solution& solution) {
+  return solution.status == SolveStatus::ok ||
+         solution.status == SolveStatus::indefinite;
+}
+
+/// One simulation without its reference.
+CaseResult simulate(const CaseSettings& settings, const Mesh& mesh) {
+  const auto start = std::chrono::steady_clock::now();
+  CaseResult result{.request = {.settings = settings, .reference = std::nullopt},
+                    .key = {},
+                    .status = Status::ok,
+                    .flags = {},
+                    .reason = {},
+                    .measures = {},
+                    .wrinkle_alternation = 0,
+                    .wrinkle_amplitude = 0,
+                    .solution = solve(settings, mesh),
+                    .wall_s = 0,
+                    .solve_wall_s = seconds_since(start)};
+  const Solution& solution = result.solution;
+  result.reason = solution.reason;
+  bool inverted = false;
+  Wrinkling wrinkling{.alternation = 0, .amplitude = 0};
+  if (has_equilibrium(solution)) {
+    result.measures = measure(settings, mesh, solution);
+    inverted = *result.measures.corner_jacobian_ratio_min < 0;
+    wrinkling = measure_wrinkling(mesh, mechanical_scene(settings),
+                                  imposed_strain(settings), solution.displacements);
+  }
+  result.wrinkle_alternation = wrinkling.alternation;
+  result.wrinkle_amplitude = wrinkling.amplitude;
+  const Verdict verdict = judge(solution.status, inverted, is_wrinkled(wrinkling));
+  result.status = verdict.status;
+  result.flags = verdict.flags;
+  const auto add_reason = [&](const std::string& text) {
+    result.reason += (result.reason.empty() ? "" : "; ") + text;
+  };
+  if (inverted) add_reason("a cell is turned inside out at a corner");
+  if (is_wrinkled(wrinkling)) add_reason("a free face zigzags from cell to cell");
+  result.wall_s = seconds_since(start);
+  return result;
+}
+
+}  // namespace
+
+const std::vector<Status>& all_statuses() {
+  static const std::vector<Status> all{
+      Status::ok,             Status::wrinkled, Status::inverted,      Status::indefinite,
+      Status::no_equilibrium, Status::diverged, Status::not_converged, Status::refused};
+  return all;
+}
+
+std::string_view name_of(Status status) {
+  switch (status) {
+    case Status::ok: return "ok";
+    case Status::wrinkled: return "wrinkled";
+    case Status::inverted: return "inverted";
+    case Status::indefinite: return "indefinite";
+    case Status::no_equilibrium: return "no_equilibrium";
+    case Status::diverged: return "diverged";
+    case Status::not_converged: return "not_converged";
+    case Status::refused: return "refused";
+  }
+  return {};
+}
+
+std::string case_key(const Request& request, const Mesh& mesh) {
+  nlohmann::json all{{"settings", settings_json(request.settings)},
+                     {"mesh", mesh.sha256()},
+                     {"version", build_info::version}};
+  if (request.reference) all["reference"] = settings_json(*request.reference);
+  return sha256(all.dump());
+}
+
+Verdict judge(SolveStatus solved, bool inverted, bool wrinkled) {
+  Verdict verdict{.status = Status::ok, .flags = {}};
+  switch (solved) {
+    case SolveStatus::no_equilibrium: verdict.status = Status::no_equilibrium; break;
+    case SolveStatus::diverged: verdict.status = Status::diverged; break;
+    case SolveStatus::not_converged: verdict.status = Status::not_converged; break;
+    case SolveStatus::refused: verdict.status = Status::refused; break;
+    case SolveStatus::ok:
+    case SolveStatus::indefinite:
+      if (inverted) verdict.flags.push_back(Status::inverted);
+      if (wrinkled) verdict.flags.push_back(Status::wrinkled);
+      if (solved == SolveStatus::indefinite) verdict.flags.push_back(Status::indefinite);
+      if (!verdict.flags.empty()) verdict.status = verdict.flags.front();
+  }
+  return verdict;
+}
+
+const Mesh& MeshStore::mesh(const BlockSize& block) {
+  auto& mesh = meshes_[{block.size, block.cells}];
+  if (!mesh) mesh = std::make_unique<const Mesh>(generate_block(block));
+  return *mesh;
+}
+
+std::vector<CaseResult> run_study(
+    const std::vector<Request>& requests, MeshStore& meshes, int parallel,
+    const std::function<std::optional<CaseResult>(const Request& request,
+                                                  const std::string& key)>& known,
+    const std::function<void(std::size_t done, std::size_t all)>& finished) {
+  // A simulation is known by its key without a reference.
+  struct Simulation {
+    CaseSettings settings;
+    const Mesh* mesh;
+    CaseResult result;
+  };
+  std::vector<Simulation> simulations;
+  std::map<std::string, std::size_t> place_of;
+  const auto plan = [&](const CaseSettings& settings) {
+    const Mesh& mesh = meshes.mesh(settings.block);
+    const auto [place, is_new] =
+        place_of.try_emplace(case_key({settings, {}}, mesh), simulations.size());
+    if (is_new) simulations.push_back({settings, &mesh, {}});
+    return place->second;
+  };
+
+  struct Answer {
+    std::optional<CaseResult> known;
+    std::size_t simulation, reference;
+  };
+  std::vector<Answer> answers;
+  for (const Request& request : requests) {
+    Answer answer{
+        known(request, case_key(request, meshes.mesh(request.settings.block))), 0, 0};
+    if (!answer.known) {
+      answer.simulation = plan(request.settings);
+      answer.reference =
+          request.reference ? plan(*request.reference) : answer.simulation;
+    }
+    answers.push_back(std::move(answer));
+  }
+
+  std::size_t done = 0;
+  std::mutex one_at_a_time;
+  tbb::task_arena arena(parallel);
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, simulations.size(), 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            Simulation& simulation = simulations[i];
+            // Isolated: a thread that waits for its own inner loops must not start
+            // another simulation meanwhile, whose time would count twice.
+            simulation.result = tbb::this_task_arena::isolate(
+                [&] { return simulate(simulation.settings, *simulation.mesh); });
+            const std::lock_guard lock(one_at_a_time);
+            finished(++done, simulations.size());
+          }
+        },
+        tbb::simple_partitioner());
+  });
+
+  std::vector<CaseResult> results;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    if (answers[i].known) {
+      results.push_back(std::move(*answers[i].known));
+      continue;
+    }
+    CaseResult result = simulations[answers[i].simulation].result;
+    const CaseResult& reference = simulations[answers[i].reference].result;
+    const Mesh& mesh = *simulations[answers[i].simulation].mesh;
+    if (requests[i].reference && has_equilibrium(result.solution) &&
+        has_equilibrium(reference.solution))
+      measure_deviation(result.measures, requests[i].settings, mesh,
+                        result.solution.displacements, reference.solution.displacements);
+    result.request = requests[i];
+    result.key = case_key(requests[i], mesh);
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/case.hpp"
+#include "comparisons/measures.hpp"
+
+namespace springcheck {
+
+/// How a case ended. The words are those of the command-line interface.
+enum class Status {
+  ok,
+  wrinkled,
+  inverted,
+  indefinite,
+  no_equilibrium,
+  diverged,
+  not_converged,
+  refused
+};
+
+std::string_view name_of(Status status);
+const std::vector<Status>& all_statuses();
+
+/// A simulation that was asked for, with what its deviations are measured against.
+struct Request {
+  CaseSettings settings;
+  std::optional<CaseSettings> reference;
+};
+
+struct CaseResult {
+  Request request;
+  std::string key;  // identifies all that determines the result, see case_key
+  Status status;
+  std::vector<Status> flags;  // all of wrinkled, indefinite, inverted that apply
+  std::string reason;         // in words, unless status is ok
+  Measures measures;          // all empty when there is no equilibrium to measure
+  double wrinkle_alternation;  // what the wrinkle detector saw, see wrinkles.hpp
+  double wrinkle_amplitude;
+  Solution solution;
+  double wall_s;        // solution and measures
+  double solve_wall_s;  // solution alone
+};
+
+/// SHA-256 of settings, reference, mesh and program version.
+std::string case_key(const Request& request, const Mesh& mesh);
+
+/// Status and flags. Failed solutions keep the solver's word; else the first that applies
+/// of inverted (a corner Jacobian below 0), wrinkled, indefinite, ok.
+struct Verdict {
+  Status status;
+  std::vector<Status> flags;
+};
+Verdict judge(SolveStatus solved, bool inverted, bool wrinkled);
+
+/// Meshes of blocks, each generated once.
+class MeshStore {
+ public:
+  const Mesh& mesh(const BlockSize& block);
+
+ private:
+  std::map<std::pair<std::array<double, 3>, std::array<int, 3>>,
+           std::unique_ptr<const Mesh>>
+      meshes_;
+};
+
+/// Runs every request and returns the results in the same order. Simulations that several
+/// requests share, references included, run once; `parallel` of them at a time.
+/// `known` may supply a result by its key instead. `finished(done, all)` is called after
+/// each simulation, from any thread but one at a time.
+std::vector<CaseResult> run_study(
+    const std::vector<Request>& requests, MeshStore& meshes, int parallel,
+    const std::function<std::optional<CaseResult>(const Request& request,
+                                                  const std::string& key)>& known,
+    const std::function<void(std::size_t done, std::size_t all)>& finished);
+
+}  // namespace springcheck

@@ -1,0 +1,186 @@
+#include "comparisons/table_format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "comparisons/build_info.hpp"
+
+namespace springcheck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number(const Quantity& quantity, const std::optional<double>& value) {
+  return value ? fmt::format(fmt::runtime(quantity.format), *value) : std::string();
+}
+
+std::string signed_number(const Quantity& quantity, const std::optional<double>& value) {
+  const std::string text = number(quantity, value);
+  return value && *value >= 0 ? "+" + text : text;
+}
+
+std::string heading(const Quantity& quantity) {
+  return quantity.unit == "-" ? quantity.name
+                              : fmt::format("{} [{}]", quantity.name, quantity.unit);
+}
+
+/// What stands where a value is missing: the status and how far the load was carried.
+std::string instead_of_value(const CaseResult& result) {
+  const double fraction = result.solution.load_fraction;
+  std::string text(name_of(result.status));
+  if (fraction > 0 && result.request.settings.deformation)
+    text += fmt::format(" beyond {:.4g}", fraction * *result.request.settings.deformation);
+  return text;
+}
+
+std::string statuses(const CaseResult& result) {
+  if (result.flags.size() < 2) return std::string(name_of(result.status));
+  std::vector<std::string_view> names;
+  for (const Status flag : result.flags) names.push_back(name_of(flag));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string reference_of(const CaseResult& result) {
+  return result.request.reference ? label(*result.request.reference) : "itself";
+}
+
+/// All footnotes of the table: on the whole first, then the rows', each once.
+std::vector<std::string> footnotes(const Table& table) {
+  std::vector<std::string> notes;
+  for (const TableRow& row : table.rows)
+    for (const std::string& note : row.plan.notes)
+      if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+  return notes;
+}
+
+std::string note_marks(const TableRow& row, const std::vector<std::string>& notes) {
+  std::vector<std::ptrdiff_t> marks;
+  for (const std::string& note : row.plan.notes)
+    marks.push_back(std::ranges::find(notes, note) - notes.begin() + 1);
+  return fmt::format("{}", fmt::join(marks, " "));
+}
+
+std::vector<std::string> headings(const Table& table) {
+  const Quantity& quantity = table.plan.quantity;
+  std::vector<std::string> all = table.plan.label_headings;
+  all.insert(all.end(), {"printed " + heading(quantity), "ours " + heading(quantity),
+                         "ours - printed", "reference's " + heading(quantity), "reference",
+                         "mesh", "printed instabilities", "status"});
+  for (const Quantity& further : table.plan.further) all.push_back(heading(further));
+  all.insert(all.end(), {"notes", "case"});
+  return all;
+}
+
+std::vector<std::string> cells(const Table& table, const TableRow& row,
+                               const std::vector<std::string>& notes) {
+  const Quantity& quantity = table.plan.quantity;
+  std::vector<std::string> all = row.plan.labels;
+  all.insert(all.end(),
+             {row.plan.printed_text,
+              row.ours ? number(quantity, row.ours) : instead_of_value(row.result),
+              signed_number(quantity, row.difference),
+              number(quantity, row.reference_value), reference_of(row.result),
+              fmt::format("{}", fmt::join(row.result.request.settings.block.cells, "x")),
+              row.plan.verdict, statuses(row.result)});
+  for (std::size_t i = 0; i < table.plan.further.size(); ++i)
+    all.push_back(number(table.plan.further[i], row.further[i]));
+  all.insert(all.end(), {note_marks(row, notes), row.result.key.substr(0, 12)});
+  return all;
+}
+
+std::string markdown(const Table& table) {
+  const std::vector<std::string> notes = footnotes(table);
+  const std::vector<std::string> top = headings(table);
+  std::string text = fmt::format("## {}\n\n| {} |\n|", table.plan.title,
+                                 fmt::join(top, " | "));
+  for (std::size_t i = 0; i < top.size(); ++i) text += " --- |";
+  text += "\n";
+  for (const TableRow& row : table.rows) {
+    text += "|";
+    for (const std::string& cell : cells(table, row, notes))
+      text += fmt::format(" {} |", cell);
+    text += "\n";
+  }
+  text += "\nReference: the finite-element solution on the same mesh (law:element) that "
+          "deviations and the column \"reference's\" belong to.\n";
+  for (const std::string& note : table.plan.notes) text += "\n" + note + "\n";
+  if (!notes.empty()) text += "\n";
+  for (std::size_t i = 0; i < notes.size(); ++i)
+    text += fmt::format("{}. {}\n", i + 1, notes[i]);
+  return text;
+}
+
+std::string quoted(const std::string& cell) {
+  if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
+  std::string text = "\"";
+  for (const char c : cell) text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + "\"";
+}
+
+/// Comma-separated values by RFC 4180: one head line, then the rows, full numbers.
+std::string csv(const Table& table) {
+  const std::vector<std::string> notes = footnotes(table);
+  std::string text;
+  const auto add_line = [&](const std::vector<std::string>& line) {
+    for (std::size_t i = 0; i < line.size(); ++i)
+      text += (i == 0 ? "" : ",") + quoted(line[i]);
+    text += "\n";
+  };
+  add_line(headings(table));
+  for (const TableRow& row : table.rows) add_line(cells(table, row, notes));
+  return text;
+}
+
+Json json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+std::string json_text(const Table& table) {
+  Json rows = Json::array();
+  for (const TableRow& row : table.rows) {
+    Json out;
+    for (std::size_t i = 0; i < row.plan.labels.size(); ++i)
+      out[table.plan.label_headings[i]] = row.plan.labels[i];
+    Json flags = Json::array();
+    for (const Status flag : row.result.flags) flags.push_back(name_of(flag));
+    out["printed"] = json(row.plan.printed);
+    out["ours"] = json(row.ours);
+    out["difference"] = json(row.difference);
+    out["reference_value"] = json(row.reference_value);
+    out["reference"] = row.result.request.reference
+                           ? Json(label(*row.result.request.reference))
+                           : Json();
+    out["cells"] = row.result.request.settings.block.cells;
+    out["printed_instabilities"] = row.plan.verdict.empty() ? Json() : Json(row.plan.verdict);
+    out["status"] = name_of(row.result.status);
+    out["flags"] = flags;
+    out["reason"] = row.result.reason.empty() ? Json() : Json(row.result.reason);
+    out["load_fraction"] = row.result.solution.load_fraction;
+    for (std::size_t i = 0; i < table.plan.further.size(); ++i)
+      out[heading(table.plan.further[i])] = json(row.further[i]);
+    out["notes"] = row.plan.notes;
+    out["case"] = row.result.key;
+    rows.push_back(out);
+  }
+  const Json document{{"springcheck", build_info::version},
+                      {"table", table.plan.name},
+                      {"title", table.plan.title},
+                      {"quantity", table.plan.quantity.name},
+                      {"unit", table.plan.quantity.unit},
+                      {"rows", rows},
+                      {"notes", table.plan.notes}};
+  return document.dump(2) + "\n";
+}
+
+}  // namespace
+
+std::string format_table(const Table& table, TableFormat format) {
+  switch (format) {
+    case TableFormat::markdown: return markdown(table);
+    case TableFormat::csv: return csv(table);
+    case TableFormat::json: return json_text(table);
+  }
+  return {};
+}
+
+}  // namespace springcheck

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "comparisons/tables.hpp"
+
+namespace springcheck {
+
+enum class TableFormat { markdown, csv, json };
+
+/// The table as text. Every row names its reference, its status and the key of its case
+/// in the result file; a row without a value shows its status in the value's place.
+std::string format_table(const Table& table, TableFormat format);
+
+}  // namespace springcheck

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+
+#include "comparisons/case.hpp"
+
+namespace springcheck {
+
+/// How much a free face's grid lines zigzag, on the worst face and direction.
+struct Wrinkling {
+  double alternation;  // -sum d2_k d2_(k+1) / sum d2^2: -1 for a smooth curve, 1 for a
+                       // zigzag of one cell's period
+  double amplitude;    // rms(d2) / (4 h strain): height of the zigzag over h strain
+};
+
+/// d2 are the second differences of the displacement normal to the face along its grid
+/// lines; every boundary region that no plate holds is a free face. `strain` is the
+/// largest strain the test imposes, see imposed_strain.
+/// Valid for regions of quadrilaterals whose inner nodes have four neighbours.
+Wrinkling measure_wrinkling(const Mesh& mesh, const Scene& scene, double strain,
+                            std::span<const Vector3> displacements);
+
+/// Alternation above 1/2 and amplitude above .02: between the smooth (<= -.08) and the
+/// wrinkled (>= .79) states of an independent prototype.
+bool is_wrinkled(const Wrinkling& wrinkling);
+
+/// Largest strain a test imposes on its faces [-]: the deformation itself; in torsion
+/// angle * half width / height; in bending that of Euler-Bernoulli's outer fibre at the
+/// clamp, (h/2) w L^2 / (2 E I).
+double imposed_strain(const CaseSettings& settings);
+
+}  // namespace springcheck

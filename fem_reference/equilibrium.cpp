@@ -1,0 +1,186 @@
+#include "fem_reference/equilibrium.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem_reference/newton.hpp"
+
+namespace springcheck::fem_reference {
+namespace {
+
+constexpr double smallest_load_step = 1. / 1024;
+constexpr double first_indefinite_load_step = 1. / 64;
+
+/// Root mean square of the displacement gradient in the first load step: 20 % compression
+/// begins with about a quarter of the load, 5 % is one step.
+constexpr double first_gradient = 0.06;
+
+/// Where the path ran with an indefinite tangent.
+struct LossOfDefiniteness {
+  double last_definite = 1;
+  double regained = 1;
+  [[nodiscard]] bool happened() const { return last_definite < 1; }
+};
+
+/// A converged state on the path, its factor in the body.
+struct Path {
+  Eigen::VectorXd displacements;
+  Elasticity::Internal internal;
+  double load_fraction = 0;
+  bool definite = true;
+};
+
+class Follower {
+ public:
+  Follower(Elasticity& body, Law law, const LoadProgram& program)
+      : body_(body), law_(law), program_(program) {}
+
+  Equilibrium run() {
+    rest();
+    double step = first_step();
+    bool failed_before = false;
+    while (path_.load_fraction < 1) {
+      const double to = path_.load_fraction + step > 1 - smallest_load_step
+                            ? 1
+                            : path_.load_fraction + step;
+      NewtonResult result = attempt(to);
+      evaluations_ += result.force_evaluations;
+      spdlog::debug("load {:.5f}: {}, relative residual {:.2e}", to,
+                    words(result.outcome), result.residual);
+      if (result.outcome == NewtonOutcome::converged) {
+        accept(std::move(result), to);
+        if (!failed_before) step *= 2;
+        failed_before = false;
+        continue;
+      }
+      failed_before = true;
+      step = std::min(step, to - path_.load_fraction) / 2;
+      if (step < smallest_load_step) {
+        if (result.outcome != NewtonOutcome::indefinite) return give_up(result, to);
+        tangents_ = Tangents::any;
+        step = first_indefinite_load_step;
+      }
+      refactor();
+    }
+    return finish(path_.definite ? SolveStatus::ok : SolveStatus::indefinite,
+                  history(path_.definite));
+  }
+
+ private:
+  void rest() {
+    path_.displacements = Eigen::VectorXd::Zero(program_.forces.size());
+    path_.internal = body_.internal(path_.displacements);
+    ++evaluations_;
+    refactor();
+  }
+
+  void refactor() {
+    path_.definite = body_.factor(path_.displacements);
+    if (path_.definite) return;
+    body_.factor_indefinite();
+    if (!loss_.happened()) loss_.last_definite = path_.load_fraction;
+  }
+
+  [[nodiscard]] Eigen::VectorXd predicted(double to) const {
+    return path_.displacements +
+           body_.step(to * program_.forces - path_.internal.forces,
+                      program_.displacements(to) - path_.displacements);
+  }
+
+  double first_step() {
+    if (law_ == Law::hooke) return 1;
+    const double gradient = body_.internal(predicted(1)).mean_gradient;
+    ++evaluations_;
+    return gradient > first_gradient ? first_gradient / gradient : 1;
+  }
+
+  NewtonResult attempt(double to) {
+    return newton(body_, law_, predicted(to), to * program_.forces, tangents_);
+  }
+
+  void accept(NewtonResult result, double to) {
+    if (path_.definite && !result.definite && !loss_.happened())
+      loss_.last_definite = path_.load_fraction;
+    if (!path_.definite && result.definite) loss_.regained = to;
+    if (result.definite) tangents_ = Tangents::definite;
+    path_ = {.displacements = std::move(result.displacements),
+             .internal = std::move(result.internal),
+             .load_fraction = to,
+             .definite = result.definite};
+    ++steps_;
+  }
+
+  [[nodiscard]] std::string history(bool definite) const {
+    if (!loss_.happened()) return "";
+    if (definite)
+      return fmt::format(
+          "the tangent was not positive definite between {:.2f} % and "
+          "{:.2f} % of the load",
+          100 * loss_.last_definite, 100 * loss_.regained);
+    return fmt::format(
+        "the tangent lost positive definiteness at {:.2f} % of the load "
+        "(negative eigenvalues now: {})",
+        100 * loss_.last_definite, body_.negative_eigenvalues());
+  }
+
+  Equilibrium give_up(const NewtonResult& result, double to) {
+    const bool limit_point = tangents_ == Tangents::any;
+    std::string reason = fmt::format(
+        "{} at {:.2f} % of the load: from there to {:.2f} % Newton's method {} (relative "
+        "residual {:.1e})",
+        limit_point ? "limit point" : "gave up", 100 * path_.load_fraction, 100 * to,
+        words(result.outcome), result.residual);
+    if (limit_point)
+      reason += fmt::format("; the tangent loses positive definiteness at {:.2f} %",
+                            100 * std::min(loss_.last_definite, path_.load_fraction));
+    return finish(limit_point ? SolveStatus::no_equilibrium : SolveStatus::not_converged,
+                  std::move(reason));
+  }
+
+  static std::string_view words(NewtonOutcome outcome) {
+    switch (outcome) {
+      case NewtonOutcome::converged:
+        return "converged";
+      case NewtonOutcome::indefinite:
+        return "met an indefinite tangent";
+      case NewtonOutcome::inverted:
+        return "turned a cell inside out";
+      case NewtonOutcome::stalled:
+        break;
+    }
+    return "did not converge";
+  }
+
+  Equilibrium finish(SolveStatus status, std::string reason) {
+    const Eigen::VectorXd difference =
+        path_.internal.forces - path_.load_fraction * program_.forces;
+    return {.status = status,
+            .reason = std::move(reason),
+            .displacements = path_.displacements,
+            .reactions = difference - body_.free_part(difference),
+            .energy = path_.internal.energy,
+            .load_fraction = path_.load_fraction,
+            .steps = steps_,
+            .force_evaluations = evaluations_};
+  }
+
+  Elasticity& body_;
+  Law law_;
+  const LoadProgram& program_;
+  Path path_;
+  Tangents tangents_ = Tangents::definite;
+  LossOfDefiniteness loss_;
+  int steps_ = 0;
+  int evaluations_ = 0;
+};
+
+}  // namespace
+
+Equilibrium find_equilibrium(Elasticity& body, Law law, const LoadProgram& program) {
+  return Follower(body, law, program).run();
+}
+
+}  // namespace springcheck::fem_reference

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+
+#include "meshing/mesh.hpp"
+
+namespace springcheck {
+
+/// A box with one corner at the origin, cut into a regular grid of cells.
+struct BlockSize {
+  std::array<double, 3> size;  // [m] along x, y, z
+  std::array<int, 3> cells;    // along x, y, z
+};
+
+/// Hexahedral mesh of the block by gmsh's transfinite algorithm, with the regions
+/// bottom (z = 0), top (z = height), x_min, x_max, y_min, y_max. Nodes are numbered
+/// lexicographically, x fastest, and stand exactly on the grid (gmsh leaves them
+/// about 1e-10 of a cell off it); cells are ordered likewise.
+///
+/// Throws InputError for sizes that are not positive and finite, fewer than one cell
+/// along an axis, and more nodes than NodeIndex counts; and when the total volume is
+/// not the box's.
+Mesh generate_block(const BlockSize& block);
+
+/// Writes nodes, cells and named regions as gmsh .msh 4.1 (ASCII); node and cell tags
+/// are our indices plus one.
+void write_msh(const Mesh& mesh, const std::filesystem::path& file);
+
+}  // namespace springcheck

@@ -1,0 +1,113 @@
+#include "mss/dynamics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mss/forces.hpp"
+#include "mss/time_step.hpp"
+
+namespace springcheck::mss {
+namespace {
+
+constexpr double safety = 0.9;            // of the stability limit, for time_step = none
+constexpr int steps_between_checks = 100;
+constexpr double lost = 100;              // body sizes
+
+/// Forces on every node: springs, correction, dashpots and `gravity` [m/s^2].
+void total_forces(const Network& network, double damping_ratio, const Vector3& gravity,
+                  const std::vector<Vector3>& x, const std::vector<Vector3>& v,
+                  std::vector<Vector3>& forces) {
+  nodal_forces(network, x, forces);
+  if (damping_ratio > 0) add_dashpot_forces(network, damping_ratio, x, v, forces);
+  if (!gravity.isZero(0))
+    for (std::size_t n = 0; n < x.size(); ++n) forces[n] += network.masses[n] * gravity;
+}
+
+double body_size(const std::vector<Vector3>& nodes) {
+  Vector3 low = nodes.front(), high = low;
+  for (const Vector3& x : nodes) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  return (high - low).norm();
+}
+
+}  // namespace
+
+Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& network,
+                      const DynamicsSettings& settings) {
+  const auto prescribed = prescribed_nodes(mesh, scene);
+  std::vector<bool> is_free(mesh.nodes().size(), true);
+  for (const auto& [node, plate] : prescribed) is_free[node] = false;
+
+  const double limit = largest_stable_step(network, settings.damping_ratio, is_free);
+  const double wanted = settings.time_step.value_or(safety * limit);
+  Solution solution{.status = SolveStatus::ok,
+                    .reason = {},
+                    .displacements = {},
+                    .reactions = {},
+                    .lever_arms = LeverArms::deformed,
+                    .strain_energy = 0,
+                    .load_fraction = 0,
+                    .steps = 0,
+                    .force_evaluations = 0,
+                    .dt = wanted,
+                    .dt_limit = limit};
+  if (wanted > limit && !settings.force_time_step) {
+    solution.status = SolveStatus::refused;
+    solution.reason = fmt::format(
+        "dt = {:.4g} s is above the stability limit {:.4g} s of this mesh, material and "
+        "damping; force-dt runs it all the same",
+        wanted, limit);
+    return solution;
+  }
+  const auto steps =
+      std::max<std::int64_t>(1, std::llround(std::ceil(settings.duration / wanted - 1e-9)));
+  const double dt = settings.duration / static_cast<double>(steps);
+  solution.dt = dt;
+
+  std::vector<Vector3> x = mesh.nodes(), v(x.size(), Vector3::Zero()), forces(x.size());
+  const double far = lost * body_size(mesh.nodes());
+  const auto escaped = [&] {
+    return std::ranges::any_of(
+        x, [&](const Vector3& p) { return !p.allFinite() || p.norm() > far; });
+  };
+  for (std::int64_t step = 1; step <= steps; ++step) {
+    const double load = static_cast<double>(step) / static_cast<double>(steps);
+    total_forces(network, settings.damping_ratio, load * scene.gravity, x, v, forces);
+    for (std::size_t n = 0; n < x.size(); ++n)
+      if (is_free[n]) {
+        v[n] += dt / network.masses[n] * forces[n];
+        x[n] += dt * v[n];
+      }
+    for (const auto& [node, plate] : prescribed) {
+      const Vector3& rest = mesh.nodes()[node];
+      const Vector3 next = rest + displacement(scene.plates[plate].motion, rest, load);
+      v[node] = (next - x[node]) / dt;
+      x[node] = next;
+    }
+    solution.steps = static_cast<int>(step);
+    solution.load_fraction = load;
+    if ((step % steps_between_checks == 0 || step == steps) && escaped()) {
+      solution.status = SolveStatus::diverged;
+      solution.reason = fmt::format(
+          "positions left all bounds by step {} of {} (t = {:.4g} s, dt = {:.4g} s, "
+          "stability limit at rest {:.4g} s)",
+          step, steps, static_cast<double>(step) * dt, dt, limit);
+      break;
+    }
+  }
+  total_forces(network, settings.damping_ratio, solution.load_fraction * scene.gravity, x,
+               v, forces);
+  solution.force_evaluations = solution.steps + 1;
+  solution.strain_energy = strain_energy(network, x);
+  solution.reactions.assign(x.size(), Vector3::Zero());
+  for (const auto& [node, plate] : prescribed) solution.reactions[node] = -forces[node];
+  for (std::size_t n = 0; n < x.size(); ++n)
+    solution.displacements.push_back(x[n] - mesh.nodes()[n]);
+  return solution;
+}
+
+}  // namespace springcheck::mss

@@ -1,0 +1,106 @@
+#include "mss/network.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "mss/cell.hpp"
+
+namespace springcheck::mss {
+namespace {
+
+LatticeStiffness lattice_stiffness(const Material& material, double cell_edge,
+                                   const NetworkSettings& settings) {
+  if (settings.method == Method::baudet)
+    return baudet_stiffness(material.young_modulus, material.poisson_ratio, cell_edge);
+  const double A = settings.method == Method::nfd ? 0 : settings.diagonal_ratio;
+  return settings.stiffness_form == StiffnessForm::shear_modulus
+             ? shear_modulus_form(lame_constants(material).mu, cell_edge, A)
+             : young_modulus_form(material.young_modulus, cell_edge, A);
+}
+
+bool corrects_volume(Method method) {
+  return method == Method::nfd || method == Method::cf;
+}
+
+/// Puts springs between the same two nodes together, in ascending order of nodes.
+std::vector<Spring> merged(std::vector<Spring> springs) {
+  std::ranges::stable_sort(
+      springs, {}, [](const Spring& spring) { return std::tie(spring.a, spring.b); });
+  std::vector<Spring> unique;
+  for (const Spring& spring : springs)
+    if (!unique.empty() && unique.back().a == spring.a && unique.back().b == spring.b)
+      unique.back().stiffness += spring.stiffness;
+    else
+      unique.push_back(spring);
+  return unique;
+}
+
+}  // namespace
+
+std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Material& material,
+                                            Method method) {
+  if (method == Method::baudet && material.poisson_ratio <= -0.25)
+    return fmt::format(
+        "mss-baudet covers nu in (-0.25, 0.5): its edge stiffness is not positive at "
+        "nu = {:g}",
+        material.poisson_ratio);
+  for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c) {
+    const HexahedronCorners x = corners(mesh.hexahedra()[c], mesh.nodes());
+    const double h = std::cbrt(mesh.cell_volumes()[c]);
+    const auto deviates = [&](const LocalSpring& spring, double length) {
+      return std::abs((x[spring[1]] - x[spring[0]]).norm() - length) > 1e-6 * h;
+    };
+    if (std::ranges::any_of(cell_edges, [&](auto& s) { return deviates(s, h); }) ||
+        std::ranges::any_of(cell_inner_diagonals,
+                            [&](auto& s) { return deviates(s, std::sqrt(3.) * h); }))
+      return fmt::format("its springs need cubic cells, and hexahedron {} is none", c);
+  }
+  return std::nullopt;
+}
+
+Network build_network(const Mesh& mesh, const Material& material,
+                      const NetworkSettings& settings) {
+  Network network{
+      .rest_positions = mesh.nodes(),
+      .springs = {},
+      .cells = {},
+      .volume_modulus =
+          corrects_volume(settings.method) ? volume_correction_modulus(material) : 0,
+      .masses = std::vector<double>(mesh.nodes().size(), 0)};
+  std::vector<Spring> springs;
+  for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c) {
+    const Hexahedron& nodes = mesh.hexahedra()[c];
+    const HexahedronCorners x = corners(nodes, mesh.nodes());
+    const double volume = mesh.cell_volumes()[c];
+    const LatticeStiffness k =
+        lattice_stiffness(material, std::cbrt(volume), settings);
+    const LatticeStiffness share{.edge = k.edge / 4,
+                                 .face_diagonal = k.face_diagonal / 2,
+                                 .inner_diagonal = k.inner_diagonal};
+    network.cells.push_back(
+        {.nodes = nodes, .share = share, .rest_volume = mean_edge_volume(x)});
+    for (const NodeIndex node : nodes)
+      network.masses[node] += material.density * volume / 8;
+
+    const auto add = [&](const auto& pairs, double stiffness) {
+      if (stiffness == 0) return;
+      for (const auto& [i, j] : pairs) {
+        const auto [a, b] = std::minmax(nodes[i], nodes[j]);
+        springs.push_back({.a = a,
+                           .b = b,
+                           .stiffness = stiffness,
+                           .rest_length = (x[j] - x[i]).norm()});
+      }
+    };
+    add(cell_edges, share.edge);
+    add(cell_face_diagonals, share.face_diagonal);
+    add(cell_inner_diagonals, share.inner_diagonal);
+  }
+  network.springs = merged(std::move(springs));
+  return network;
+}
+
+}  // namespace springcheck::mss

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <random>
+#include <string>
+
+#include "meshing/gmsh.hpp"
+#include "meshing/scene.hpp"
+#include "mss/network.hpp"
+
+// What several tests of the mass-spring systems are made from.
+namespace springcheck::mss {
+
+/// n x n x n cells of edge h [m].
+inline Mesh cube(int n, double h) {
+  return generate_block({.size = {n * h, n * h, n * h}, .cells = {n, n, n}});
+}
+
+inline NetworkSettings in_shear_modulus_form(Method method) {
+  return {.method = method,
+          .stiffness_form = StiffnessForm::shear_modulus,
+          .diagonal_ratio = 1};
+}
+
+struct NamedMethod {
+  const char* name;
+  Method method;
+};
+inline constexpr NamedMethod methods[] = {{"mss-baudet", Method::baudet},
+                                          {"mss-nfd", Method::nfd},
+                                          {"mss-fd", Method::fd},
+                                          {"mss-cf", Method::cf}};
+
+/// One vector per node, components uniform in [-size, size].
+inline std::vector<Vector3> random_field(std::size_t nodes, double size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> component(-size, size);
+  std::vector<Vector3> field(nodes);
+  for (Vector3& v : field) v = {component(random), component(random), component(random)};
+  return field;
+}
+
+inline std::vector<Vector3> sum(std::vector<Vector3> a, const std::vector<Vector3>& b) {
+  for (std::size_t n = 0; n < a.size(); ++n) a[n] += b[n];
+  return a;
+}
+
+/// A plate that only moves along.
+inline RigidMotion translation(const Vector3& by) {
+  return {
+      .translation = by, .axis = Vector3::UnitZ(), .centre = Vector3::Zero(), .angle = 0};
+}
+
+}  // namespace springcheck::mss

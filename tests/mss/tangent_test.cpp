@@ -1,0 +1,129 @@
+#define BOOST_TEST_MODULE tangent
+#include "mss/tangent.hpp"
+
+#include <Eigen/Dense>
+#include <boost/test/unit_test.hpp>
+
+#include "blocks.hpp"
+#include "mss/forces.hpp"
+
+using namespace springcheck;
+using namespace springcheck::mss;
+
+namespace {
+
+/// 2^3 cells of edge 1 m and E = 1 Pa: stiffnesses are of the order of 1.
+Network unit_network(Method method, double nu) {
+  return build_network(cube(2, 1),
+                       {.young_modulus = 1, .poisson_ratio = nu, .density = 1},
+                       in_shear_modulus_form(method));
+}
+
+std::vector<Vector3> deformed(const Network& network, unsigned seed) {
+  return sum(network.rest_positions,
+             random_field(network.rest_positions.size(), 0.3, seed));
+}
+
+/// The cell matrices put together in the plainest way, all nodes.
+Eigen::MatrixXd dense(const Network& network, const std::vector<CellMatrix>& cells) {
+  const auto unknowns = static_cast<Eigen::Index>(3 * network.masses.size());
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (Eigen::Index i = 0; i < 8; ++i)
+      for (Eigen::Index j = 0; j < 8; ++j) {
+        const auto node = [&](Eigen::Index corner) {
+          return static_cast<Eigen::Index>(
+              network.cells[c].nodes[static_cast<std::size_t>(corner)]);
+        };
+        K.block<3, 3>(3 * node(i), 3 * node(j)) += cells[c].block<3, 3>(3 * i, 3 * j);
+      }
+  return K;
+}
+
+Eigen::VectorXd stacked_forces(const Network& network, const std::vector<Vector3>& x) {
+  std::vector<Vector3> forces(x.size());
+  nodal_forces(network, x, forces);
+  Eigen::VectorXd stacked(static_cast<Eigen::Index>(3 * x.size()));
+  for (std::size_t n = 0; n < x.size(); ++n)
+    stacked.segment<3>(static_cast<Eigen::Index>(3 * n)) = forces[n];
+  return stacked;
+}
+
+}  // namespace
+
+// Central difference with a step of 1e-5 cells: truncation of the order of step^2 =
+// 1e-10, round-off 1e-16/1e-5 = 1e-11 of the forces.
+BOOST_AUTO_TEST_CASE(cell_tangents_add_up_to_minus_the_slope_of_the_forces) {
+  constexpr double step = 1e-5;
+  for (const auto& [name, method] : methods)
+    for (const double nu : {-0.2, 0., 0.25, 0.4, 0.49}) {
+      const Network network = unit_network(method, nu);
+      std::vector<Vector3> x = deformed(network, 1);
+      const Eigen::MatrixXd K = dense(network, cell_tangents(network, x));
+      Eigen::MatrixXd slopes(K.rows(), K.cols());
+      for (Eigen::Index column = 0; column < K.cols(); ++column) {
+        double& coordinate = x[static_cast<std::size_t>(column / 3)][column % 3];
+        const double here = coordinate;
+        coordinate = here + step;
+        const Eigen::VectorXd ahead = stacked_forces(network, x);
+        coordinate = here - step;
+        slopes.col(column) = (ahead - stacked_forces(network, x)) / (2 * step);
+        coordinate = here;
+      }
+      BOOST_TEST((K + slopes).cwiseAbs().maxCoeff() < 1e-8 * K.cwiseAbs().maxCoeff(),
+                 name << ", nu = " << nu);
+    }
+}
+
+// Eigenvalues from -11 to 12 on random axes. The result is known exactly; 1e-12 is
+// round-off of the decomposition relative to their size.
+BOOST_AUTO_TEST_CASE(clamp_removes_negative_eigenvalues_and_leaves_the_others) {
+  const Eigen::Matrix<double, 24, 1> spectrum =
+      Eigen::Matrix<double, 24, 1>::LinSpaced(-11, 12);
+  std::srand(1);  // Eigen's Random draws from rand()
+  const CellMatrix Q =
+      Eigen::HouseholderQR<CellMatrix>(CellMatrix::Random()).householderQ();
+  std::vector<CellMatrix> matrices{Q * spectrum.asDiagonal() * Q.transpose()};
+  clamp_to_positive(matrices);
+  const CellMatrix expected = Q * spectrum.cwiseMax(0).asDiagonal() * Q.transpose();
+  BOOST_TEST((matrices.front() - expected).norm() < 1e-12);
+}
+
+// A swollen cell's springs all pull, and its tangent has no negative eigenvalue:
+// round-off.
+BOOST_AUTO_TEST_CASE(clamp_leaves_a_positive_tangent_alone) {
+  const Network network = unit_network(Method::cf, 0.4);
+  std::vector<Vector3> x = network.rest_positions;
+  for (Vector3& place : x) place *= 1.01;
+  const std::vector<CellMatrix> tangents = cell_tangents(network, x);
+  std::vector<CellMatrix> clamped = tangents;
+  clamp_to_positive(clamped);
+  for (std::size_t c = 0; c < tangents.size(); ++c)
+    BOOST_TEST((clamped[c] - tangents[c]).norm() < 1e-13 * tangents[c].norm());
+}
+
+// The same sums in the same order, cell by cell: to the bit. The second assembly must
+// not remember the first.
+BOOST_AUTO_TEST_CASE(
+    assembly_is_the_lower_triangle_of_the_dense_one_over_the_free_nodes) {
+  const Network network = unit_network(Method::cf, 0.4);
+  std::vector<bool> is_free(network.masses.size(), true);
+  for (const std::size_t node : {0, 4, 13, 26}) is_free[node] = false;
+  FreeAssembly assembly(network, is_free);
+  BOOST_TEST(assembly.size() == 3 * 23);
+
+  std::vector<Eigen::Index> rows;
+  for (NodeIndex node = 0; node < is_free.size(); ++node) {
+    BOOST_TEST(assembly.unknown(node) ==
+               (is_free[node] ? static_cast<Eigen::Index>(rows.size()) : -1));
+    for (Eigen::Index r = 0; is_free[node] && r < 3; ++r)
+      rows.push_back(3 * static_cast<Eigen::Index>(node) + r);
+  }
+  for (const unsigned seed : {1U, 2U}) {
+    const auto tangents = cell_tangents(network, deformed(network, seed));
+    const Eigen::MatrixXd expected =
+        dense(network, tangents)(rows, rows).triangularView<Eigen::Lower>();
+    const Eigen::MatrixXd assembled = assembly.assemble(tangents);
+    BOOST_TEST((assembled == expected));
+  }
+}
