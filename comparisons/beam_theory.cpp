@@ -64,11 +64,13 @@ std::vector<BeamPoint> elastica(const Cantilever& beam, const std::vector<double
       end_moment, 0., straight * (1 + 1e-6), boost::math::tools::eps_tolerance<double>(48),
       iterations);
 
-  std::vector<double> at{0};  // integration starts at the clamp, whatever s begins with
-  at.insert(at.end(), s.begin(), s.end());
-  const auto states = shoot(beam, (bracket.first + bracket.second) / 2, at);
+  // Integration starts at the clamp, and no two of its stations may be equal.
+  std::vector<double> stations(s.begin(), s.end());
+  const bool from_clamp = !s.empty() && s.front() == 0;
+  if (!from_clamp) stations.insert(stations.begin(), 0);
+  const auto states = shoot(beam, (bracket.first + bracket.second) / 2, stations);
   std::vector<BeamPoint> points;
-  for (std::size_t i = 1; i < states.size(); ++i)
+  for (std::size_t i = from_clamp ? 0 : 1; i < states.size(); ++i)
     points.push_back({.drop = states[i][2], .axial = states[i][3]});
   return points;
 }

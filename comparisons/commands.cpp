@@ -153,6 +153,7 @@ ExitStatus list_command(const std::string& what, Output output) {
 ExitStatus mesh_command(const std::string& scene, const std::vector<GivenSetting>& options,
                         const std::filesystem::path& file) {
   const RunSettings run = settings_of(scene, options);
+  check_mesh_memory(run.common.scene, run.common.block);
   check_writable(file);
   const Mesh mesh = generate_block(run.common.block);
   write_mesh(mesh, file);

@@ -10,22 +10,41 @@
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
+namespace {
+
+void refuse_if_too_large(const std::string& scene, const BlockSize& block,
+                         const std::string& what, double bytes, int parallel) {
+  const double available = available_memory();
+  if (parallel * bytes > available)
+    throw InputError(
+        fmt::format("{}: cells {}", scene, fmt::join(block.cells, ",")), what,
+        fmt::format("at most {:.1f} GB, which this machine has left", available / 1e9),
+        fmt::format("an estimate of {:.1f} GB{}", parallel * bytes / 1e9,
+                    parallel > 1 ? fmt::format(" for {} at once", parallel) : ""));
+}
+
+}  // namespace
+
+double estimated_mesh_memory(const BlockSize& block) {
+  const auto [nx, ny, nz] = block.cells;
+  constexpr double program = 165e6, per_cell = 3e3;
+  return program + per_cell * nx * ny * nz;
+}
 
 double estimated_memory(const CaseSettings& settings) {
-  const auto [nx, ny, nz] = settings.block.cells;
-  const double cells = 1. * nx * ny * nz;
-  // A direct solver's factor grows with the nodes of the largest separator; these
-  // constants were fitted to peak memories, see the tests.
-  std::array<double, 3> sides{nx + 1., ny + 1., nz + 1.};
-  std::ranges::sort(sides);
-  const double separator = sides[0] * sides[1];
-  const double nodes = separator * sides[2];
-  constexpr double program = 200e6, mesh = 2e3, assembly = 15e3, factor = 60;
-  double bytes = program + mesh * cells;
   const bool is_direct = is_finite_element(settings.method) ||
                          settings.solver == mss::Solver::static_equilibrium;
-  if (is_direct) bytes += assembly * cells + factor * nodes * separator;
-  return bytes;
+  double bytes = estimated_mesh_memory(settings.block);
+  if (!is_direct) return bytes;
+  // Peak of `run compression`, one method, at 10^3, 20^3, 30^3 cells: 188, 432, 1264 MB
+  // (mss-cf), 191, 400, 1181 MB (fem-stvk). Fitted: so much per cell for matrices, and a
+  // Cholesky factor that grows like nested dissection's, nodes * sqrt(cross-section).
+  constexpr double matrices_per_cell = 12.5e3, factor = 740;
+  const auto [nx, ny, nz] = settings.block.cells;
+  std::array<double, 3> nodes{nx + 1., ny + 1., nz + 1.};
+  std::ranges::sort(nodes);
+  return bytes + matrices_per_cell * nx * ny * nz +
+         factor * nodes[0] * nodes[1] * nodes[2] * std::sqrt(nodes[0] * nodes[1]);
 }
 
 double available_memory() {
@@ -39,28 +58,19 @@ double available_memory() {
   return INFINITY;  // not Linux: nothing to compare with
 }
 
+void check_mesh_memory(const std::string& scene, const BlockSize& block) {
+  refuse_if_too_large(scene, block, "mesh", estimated_mesh_memory(block), 1);
+}
+
 void check_memory(const std::vector<Request>& requests, int parallel) {
-  double largest = 0;
-  const CaseSettings* settings = nullptr;
-  const auto consider = [&](const CaseSettings& candidate) {
-    const double bytes = estimated_memory(candidate);
-    if (bytes > largest) {
-      largest = bytes;
-      settings = &candidate;
-    }
+  const auto check = [&](const CaseSettings& settings) {
+    refuse_if_too_large(settings.scene, settings.block, label(settings),
+                        estimated_memory(settings), parallel);
   };
   for (const Request& request : requests) {
-    consider(request.settings);
-    if (request.reference) consider(*request.reference);
+    check(request.settings);
+    if (request.reference) check(*request.reference);
   }
-  const double available = available_memory();
-  if (settings != nullptr && parallel * largest > available)
-    throw InputError(
-        fmt::format("{} x {} cells", settings->scene,
-                    fmt::join(settings->block.cells, " x ")),
-        label(*settings), fmt::format("at most {:.1f} GB, available here", available / 1e9),
-        fmt::format("an estimate of {:.1f} GB{}", parallel * largest / 1e9,
-                    parallel > 1 ? fmt::format(" for {} at once", parallel) : ""));
 }
 
 }  // namespace springcheck

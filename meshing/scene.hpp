@@ -62,7 +62,7 @@ enum class LeverArms { undeformed, deformed };
 /// What a solver returns. Vectors hold one entry per node of the mesh.
 struct Solution {
   SolveStatus status;
-  std::string reason;                  // why, unless status is ok
+  std::string reason;                  // why; with ok, what was passed on the way
   std::vector<Vector3> displacements;  // [m]; of the last state reached; empty when refused
   std::vector<Vector3> reactions;      // [N] what the plates apply to the body; 0 on free nodes
   LeverArms lever_arms;

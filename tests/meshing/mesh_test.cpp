@@ -169,6 +169,8 @@ BOOST_AUTO_TEST_CASE(hash_changes_with_nodes_cells_and_regions_but_not_with_the_
   Parts renamed = parts;
   renamed.regions["Bottom"] = parts.regions.at("bottom");
   renamed.regions.erase("bottom");
-  for (const Parts& other : {moved, reordered, renamed})
+  Parts elsewhere = parts;
+  elsewhere.regions["bottom"] = {{1, 2, 6, 5}};
+  for (const Parts& other : {moved, reordered, renamed, elsewhere})
     BOOST_TEST(hash != built(other).sha256());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <random>
 #include <string>
 
@@ -42,6 +43,19 @@ inline std::vector<Vector3> random_field(std::size_t nodes, double size, unsigne
 inline std::vector<Vector3> sum(std::vector<Vector3> a, const std::vector<Vector3>& b) {
   for (std::size_t n = 0; n < a.size(); ++n) a[n] += b[n];
   return a;
+}
+
+/// Of all the vectors as one: the root of the sum of squares.
+inline double norm(const std::vector<Vector3>& vectors) {
+  double squares = 0;
+  for (const Vector3& v : vectors) squares += v.squaredNorm();
+  return std::sqrt(squares);
+}
+
+inline Vector3 total(const std::vector<Vector3>& vectors) {
+  Vector3 all = Vector3::Zero();
+  for (const Vector3& v : vectors) all += v;
+  return all;
 }
 
 /// A plate that only moves along.

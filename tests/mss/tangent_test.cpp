@@ -12,16 +12,17 @@ using namespace springcheck::mss;
 
 namespace {
 
-/// 2^3 cells of edge 1 m and E = 1 Pa: stiffnesses are of the order of 1.
-Network unit_network(Method method, double nu) {
-  return build_network(cube(2, 1),
+/// 2^3 cells of edge 2 m (so that no volume is 1) and E = 1 Pa: stiffnesses are of the
+/// order of 1.
+Network soft_block(Method method, double nu) {
+  return build_network(cube(2, 2),
                        {.young_modulus = 1, .poisson_ratio = nu, .density = 1},
                        in_shear_modulus_form(method));
 }
 
 std::vector<Vector3> deformed(const Network& network, unsigned seed) {
   return sum(network.rest_positions,
-             random_field(network.rest_positions.size(), 0.3, seed));
+             random_field(network.rest_positions.size(), 0.6, seed));
 }
 
 /// The cell matrices put together in the plainest way, all nodes.
@@ -51,13 +52,13 @@ Eigen::VectorXd stacked_forces(const Network& network, const std::vector<Vector3
 
 }  // namespace
 
-// Central difference with a step of 1e-5 cells: truncation of the order of step^2 =
+// Central difference with a step of 1e-5 m: truncation of the order of step^2 =
 // 1e-10, round-off 1e-16/1e-5 = 1e-11 of the forces.
 BOOST_AUTO_TEST_CASE(cell_tangents_add_up_to_minus_the_slope_of_the_forces) {
   constexpr double step = 1e-5;
   for (const auto& [name, method] : methods)
     for (const double nu : {-0.2, 0., 0.25, 0.4, 0.49}) {
-      const Network network = unit_network(method, nu);
+      const Network network = soft_block(method, nu);
       std::vector<Vector3> x = deformed(network, 1);
       const Eigen::MatrixXd K = dense(network, cell_tangents(network, x));
       Eigen::MatrixXd slopes(K.rows(), K.cols());
@@ -92,7 +93,7 @@ BOOST_AUTO_TEST_CASE(clamp_removes_negative_eigenvalues_and_leaves_the_others) {
 // A swollen cell's springs all pull, and its tangent has no negative eigenvalue:
 // round-off.
 BOOST_AUTO_TEST_CASE(clamp_leaves_a_positive_tangent_alone) {
-  const Network network = unit_network(Method::cf, 0.4);
+  const Network network = soft_block(Method::cf, 0.4);
   std::vector<Vector3> x = network.rest_positions;
   for (Vector3& place : x) place *= 1.01;
   const std::vector<CellMatrix> tangents = cell_tangents(network, x);
@@ -106,7 +107,7 @@ BOOST_AUTO_TEST_CASE(clamp_leaves_a_positive_tangent_alone) {
 // not remember the first.
 BOOST_AUTO_TEST_CASE(
     assembly_is_the_lower_triangle_of_the_dense_one_over_the_free_nodes) {
-  const Network network = unit_network(Method::cf, 0.4);
+  const Network network = soft_block(Method::cf, 0.4);
   std::vector<bool> is_free(network.masses.size(), true);
   for (const std::size_t node : {0, 4, 13, 26}) is_free[node] = false;
   FreeAssembly assembly(network, is_free);

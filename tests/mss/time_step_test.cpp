@@ -54,8 +54,8 @@ BOOST_AUTO_TEST_CASE(single_oscillator_has_the_limit_of_the_textbook,
   }
 }
 
-// Figures of an independent dense eigenvalue computation on a free block, printed to
-// three digits; its number of cells is not recorded, and from 4^3 on moves them by .3 %.
+// Figures of an independent prototype on a free block, printed to three digits; its
+// number of cells is not recorded, and from 4^3 on moves them by .3 %.
 BOOST_AUTO_TEST_CASE(free_block_has_the_limits_computed_independently,
                      *boost::unit_test::tolerance(0.02)) {
   struct Row {

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds and runs the tests. --all: the slow ones too.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+labels=(--label-exclude slow)
+case "${1:-}" in
+  "") ;;
+  --all) labels=() ;;
+  *) echo "usage: bash scripts/test.sh [--all]" >&2; exit 2 ;;
+esac
+bash scripts/build.sh
+ctest --preset release --parallel "$(nproc)" "${labels[@]}"

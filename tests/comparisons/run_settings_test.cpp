@@ -1,0 +1,160 @@
+#define BOOST_TEST_MODULE run_settings
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "meshing/input_error.hpp"
+#include "settings.hpp"
+
+using namespace springcheck;
+namespace data = boost::unit_test::data;
+
+namespace {
+
+/// The message of reading this text as a scene file.
+std::string message_of_scene(const std::string& text) {
+  const auto file = std::filesystem::temp_directory_path() / "springcheck_scene.toml";
+  std::ofstream(file) << text;
+  try {
+    const SceneFile scene = read_scene(file.string());
+    make_run_settings(scene.name, "scene.toml", scene.settings);
+  } catch (const InputError& error) {
+    std::string message = error.what();
+    if (const auto at = message.find(file.string()); at != std::string::npos)
+      message.replace(at, file.string().size(), "scene.toml");
+    return message;
+  }
+  return "accepted";
+}
+
+std::string message_of_option(const std::string& scene, const std::string& change) {
+  try {
+    run_of(scene, {change});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+const std::string good =
+    "test = \"compression\"\nsize = [1, 1, 1]\ncells = [2, 2, 2]\nyoung = 1e4\n"
+    "nu = 0.25\ndensity = 1000\ndeformation = 0.05\nmethod = \"mss-cf\"\n";
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = good;
+  return text.replace(text.find(from), from.size(), to);
+}
+
+struct Bad {
+  std::string scene;
+  std::string message_start;
+};
+std::ostream& operator<<(std::ostream& out, const Bad& bad) {
+  return out << bad.message_start;
+}
+
+const std::vector<Bad> bad_scenes{
+    {"", "scene.toml:1:1: expected settings, got an empty scene"},
+    {"test = ", "scene.toml:1:"},
+    {good + "colour = 3\n", "scene.toml:9:1: expected one of test, gravity"},
+    {with("nu = 0.25", "nu = \"soft\""), "scene.toml:5:6: nu: expected a finite number, got 'soft'"},
+    {with("nu = 0.25\n", ""), "scene.toml:1:1: key 'nu': expected a number in (-1, 0.5), got none"},
+    {with("nu = 0.25", "nu = 0.5"), "scene.toml:5:6: nu: expected a number in (-1, 0.5), got 0.5"},
+    {with("nu = 0.25", "nu = -1"), "scene.toml:5:6: nu: expected a number in (-1, 0.5), got -1"},
+    {with("nu = 0.25", "nu = nan"), "scene.toml:5:6: nu: expected a finite number, got nan"},
+    {with("young = 1e4", "young = -1"), "scene.toml:4:9: young: expected a positive finite number"},
+    {with("young = 1e4", "young = inf"), "scene.toml:4:9: young: expected a positive finite number"},
+    {with("density = 1000", "density = 0"), "scene.toml:6:11: density: expected a positive"},
+    {with("density = 1000", "density = {x = 1}"), "scene.toml:6:11: density: expected a number"},
+    {with("[1, 1, 1]", "[1, 1]"), "scene.toml:2:8: size: expected three finite numbers, got [1, 1]"},
+    {with("[1, 1, 1]", "[1, 0, 1]"), "scene.toml:2:8: size: expected three positive lengths"},
+    {with("[2, 2, 2]", "[2, 0, 2]"), "scene.toml:3:9: cells: expected three counts of at least 1"},
+    {with("[2, 2, 2]", "[2, 2.5, 2]"), "scene.toml:3:9: cells: expected three integers"},
+    {with("[2, 2, 2]", "[2, 99999999999, 2]"), "scene.toml:3:9: cells: expected three counts"},
+    {with("deformation = 0.05", "deformation = -0.05"), "scene.toml:7:15: deformation: expected a positive"},
+    {with("deformation = 0.05", "deformation = 1"), "scene.toml:7:15: deformation: expected a strain below 1"},
+    {with("deformation = 0.05", "deformation = \"5kg\""), "scene.toml:7:15: deformation: expected a finite"},
+    {with("\"mss-cf\"", "\"mss-fc\""), "scene.toml:8:10: method: method: expected one of mss-baudet, mss-nfd"},
+    {with("\"mss-cf\"", "[]"), "scene.toml:8:10: method: expected at least one name, got []"},
+    {with("\"mss-cf\"", "[\"mss-cf\", \"mss-cf\"]"), "scene.toml:8:10: method: method: expected each name once"},
+    {with("\"compression\"", "\"squeezing\""), "scene.toml:1:8: test: expected one of compression, tension"},
+    {good + "element = \"q9\"\n", "scene.toml:9:11: element: element: expected one of q1, q1-sri"},
+    {good + "solver = \"magic\"\n", "scene.toml:9:10: solver: expected one of static, semi-implicit"},
+    {good + "dt = 0\n", "scene.toml:9:6: dt: expected a positive finite number, got 0"},
+    {good + "dt = \"soon\"\n", "scene.toml:9:6: dt: expected a positive time [s] or 'auto', got 'soon'"},
+    {good + "damping = -1\n", "scene.toml:9:11: damping: expected a number of at least 0"},
+    {good + "gravity = [0, 0, -1]\n", "scene.toml:9:11: gravity: expected no gravity but in bending"},
+    {good + "expect = \"fine\"\n", "scene.toml:9:10: expect: expected statuses among ok, wrinkled"},
+    {good + "reference = \"fem-stvk@converged\"\n", "scene.toml:9:13: reference: expected METHOD or"},
+    {good + "nu = 0.3\n", "scene.toml:9:6: expected TOML, got"}};  // a key twice
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE(a_bad_scene_is_refused_with_line_and_column, data::make(bad_scenes)) {
+  const std::string message = message_of_scene(sample.scene);
+  BOOST_TEST(message.starts_with(sample.message_start), message);
+  BOOST_TEST(message.find('\n') == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_that_cannot_be_read_is_named) {
+  BOOST_CHECK_EXCEPTION(read_scene("no/such.toml"), InputError, [](const InputError& e) {
+    return std::string(e.what()).starts_with("no/such.toml:1:1: expected a readable scene");
+  });
+  BOOST_CHECK_EXCEPTION(read_scene("compresion"), InputError, [](const InputError& e) {
+    return std::string(e.what()).find("compression, shearing") != std::string::npos;
+  });
+}
+
+BOOST_AUTO_TEST_CASE(options_are_checked_like_keys) {
+  BOOST_TEST(message_of_option("compression", "nu=.5") ==
+             "--nu: expected a number in (-1, 0.5), got 0.5");
+  BOOST_TEST(message_of_option("compression", "nu=a").starts_with("--nu: expected"));
+  BOOST_TEST(message_of_option("compression", "cells=3,3").starts_with("--cells: expected"));
+  BOOST_TEST(message_of_option("bending", "deformation=.1").starts_with("--deformation"));
+  BOOST_TEST(message_of_option("bending", "gravity=0,0,0").starts_with("--gravity"));
+}
+
+BOOST_AUTO_TEST_CASE(deformations_are_understood_with_units,
+                     *boost::unit_test::tolerance(1e-15)) {
+  BOOST_TEST(*case_of("compression", {"deformation=5%"}).deformation == 0.05);
+  BOOST_TEST(*case_of("torsion", {"deformation=45deg"}).deformation == std::numbers::pi / 4);
+  BOOST_TEST(*case_of("compression", {"deformation=.2"}).deformation == 0.2);
+}
+
+// INTERFACE: fem-hooke:q1-sri up to .02, fem-stvk:q1-sri above, on the same mesh.
+BOOST_AUTO_TEST_CASE(the_default_reference_depends_on_the_deformation) {
+  const auto reference = [](const std::string& scene, const std::string& change) {
+    return label(*requests(run_of(scene, {"method=mss-cf", change})).front().reference);
+  };
+  BOOST_TEST(reference("compression", "deformation=.02") == "fem-hooke:q1-sri");
+  BOOST_TEST(reference("compression", "deformation=.021") == "fem-stvk:q1-sri");
+  BOOST_TEST(reference("torsion", "deformation=1deg") == "fem-hooke:q1-sri");
+  BOOST_TEST(reference("bending", "nu=.2") == "fem-stvk:q1-sri");
+  BOOST_TEST(reference("bending-cm", "nu=.2") == "fem-hooke:q1-sri");
+  BOOST_TEST(reference("compression", "reference=fem-hooke:q1") == "fem-hooke:q1");
+  BOOST_TEST(reference("compression", "reference=mss-fd") == "mss-fd");
+}
+
+BOOST_AUTO_TEST_CASE(the_reference_itself_has_none) {
+  const auto all = requests(run_of("compression", {"method=mss-cf,fem-stvk"}));
+  BOOST_TEST_REQUIRE(all.size() == 2U);
+  BOOST_TEST(all[0].reference.has_value());
+  BOOST_TEST(!all[1].reference.has_value());
+}
+
+// Two cases that cannot differ must share a key, two that can must not.
+BOOST_AUTO_TEST_CASE(settings_json_holds_what_a_method_reads) {
+  const auto json = [](const std::vector<std::string>& changes) {
+    return settings_json(case_of("compression", changes)).dump();
+  };
+  BOOST_TEST(json({"method=fem-hooke"}) == json({"method=fem-hooke", "seed=7"}));
+  BOOST_TEST(json({"method=fem-hooke"}) != json({"method=fem-hooke", "element=q1"}));
+  BOOST_TEST(json({"method=mss-cf"}) == json({"method=mss-cf", "element=q1"}));
+  BOOST_TEST(json({"method=mss-cf"}) != json({"method=mss-cf", "diagonal-ratio=2"}));
+  BOOST_TEST(json({"method=mss-nfd"}) == json({"method=mss-nfd", "diagonal-ratio=2"}));
+  BOOST_TEST(json({"method=mss-cf"}) != json({"method=mss-cf", "seed=7"}));
+  BOOST_TEST(json({"method=mss-cf"}) == json({"method=mss-cf", "dt=.001"}));
+  BOOST_TEST(json({"method=mss-cf"}) != json({"method=mss-cf", "solver=semi-implicit"}));
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/run_settings.hpp"
+#include "comparisons/scene_file.hpp"
+
+namespace springcheck {
+
+/// A run of a shipped scene with settings changed, each "key=value".
+inline RunSettings run_of(const std::string& scene, const std::vector<std::string>& changes) {
+  SceneFile file = read_scene(scene);
+  for (const std::string& change : changes) {
+    const std::size_t equals = change.find('=');
+    const std::string key = change.substr(0, equals);
+    file.settings.push_back({key, Given::from_text("--" + key, change.substr(equals + 1))});
+  }
+  return make_run_settings(file.name, file.file, file.settings);
+}
+
+/// Settings of its only method.
+inline CaseSettings case_of(const std::string& scene,
+                            const std::vector<std::string>& changes) {
+  return requests(run_of(scene, changes)).front().settings;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,148 @@
+#define BOOST_TEST_MODULE study
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "comparisons/hdf5.hpp"
+#include "comparisons/memory.hpp"
+#include "comparisons/result_file.hpp"
+#include "meshing/input_error.hpp"
+#include "settings.hpp"
+
+using namespace springcheck;
+
+namespace {
+
+const std::vector<std::string> small{"cells=4,4,4", "method=mss-cf,fem-hooke"};
+
+std::vector<CaseResult> study(const std::vector<Request>& requests, MeshStore& meshes,
+                              int parallel, std::size_t* simulations = nullptr) {
+  return run_study(
+      requests, meshes, parallel,
+      [](const Request&, const std::string&) { return std::nullopt; },
+      [&](std::size_t, std::size_t all) {
+        if (simulations != nullptr) *simulations = all;
+      });
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_verdict_lists_all_flags_and_takes_the_first) {
+  using Flags = std::vector<Status>;
+  const auto is = [](const Verdict& verdict, Status status, const Flags& flags) {
+    return verdict.status == status && verdict.flags == flags;
+  };
+  BOOST_TEST(is(judge(SolveStatus::ok, false, false), Status::ok, {}));
+  BOOST_TEST(is(judge(SolveStatus::ok, false, true), Status::wrinkled, {Status::wrinkled}));
+  BOOST_TEST(is(judge(SolveStatus::indefinite, true, true), Status::inverted,
+                {Status::inverted, Status::wrinkled, Status::indefinite}));
+  BOOST_TEST(is(judge(SolveStatus::indefinite, false, false), Status::indefinite,
+                {Status::indefinite}));
+  BOOST_TEST(is(judge(SolveStatus::no_equilibrium, true, true), Status::no_equilibrium, {}));
+  BOOST_TEST(is(judge(SolveStatus::refused, false, false), Status::refused, {}));
+}
+
+BOOST_AUTO_TEST_CASE(shared_simulations_run_once) {
+  MeshStore meshes;
+  std::vector<Request> all = requests(run_of("compression", small));
+  all.push_back(all.front());
+  std::size_t simulations = 0;
+  const auto results = study(all, meshes, 2, &simulations);
+  BOOST_TEST(simulations == 3U);  // mss-cf, fem-hooke and the reference fem-stvk
+  BOOST_TEST_REQUIRE(results.size() == 3U);
+  BOOST_TEST(results[0].key == results[2].key);
+  BOOST_TEST(results[0].key != results[1].key);
+}
+
+// The same bits whatever runs beside: every simulation is sequential in its sums.
+BOOST_AUTO_TEST_CASE(results_do_not_depend_on_how_many_run_at_once) {
+  MeshStore meshes;
+  const auto all = requests(run_of("torsion", small));
+  const auto alone = study(all, meshes, 1), together = study(all, meshes, 2);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    BOOST_TEST((alone[i].solution.displacements == together[i].solution.displacements));
+    BOOST_TEST(*alone[i].measures.plate_torque == *together[i].measures.plate_torque);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_refused_case_is_a_result_without_measures) {
+  MeshStore meshes;
+  const auto results = study(
+      requests(run_of("compression", {"size=.05,.05,.06", "cells=4,4,4", "method=mss-cf"})),
+      meshes, 1);
+  BOOST_TEST((results.front().status == Status::refused));
+  BOOST_TEST(results.front().reason.find("cubic") != std::string::npos);
+  for_each_measure(results.front().measures, [](const char* name, const auto& value) {
+    BOOST_TEST(!value.has_value(), name);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
+  const auto file = std::filesystem::temp_directory_path() / "springcheck_study.h5";
+  MeshStore meshes;
+  const auto written = study(requests(run_of("compression", small)), meshes, 1);
+  write_results(file, written, meshes);
+  const auto stored = read_results(file);
+  BOOST_TEST_REQUIRE(stored.size() == 2U);
+  for (const CaseResult& result : written) {
+    const CaseResult read = with_stored(result.request, result.key, stored.at(result.key));
+    BOOST_TEST((read.status == result.status));
+    BOOST_TEST(read.solution.steps == result.solution.steps);
+    BOOST_TEST(read.wall_s == result.wall_s);
+    std::vector<double> before, after;  // exact: binary numbers
+    const auto collect = [](std::vector<double>& into) {
+      return [&](const char*, const auto& value) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Measures::Value>)
+          into.push_back(value.value_or(-1e300));
+        else
+          into.insert(into.end(), {value ? value->x() : -1e300, value ? value->z() : -1e300});
+      };
+    };
+    for_each_measure(result.measures, collect(before));
+    for_each_measure(read.measures, collect(after));
+    BOOST_TEST(before == after, boost::test_tools::per_element());
+  }
+  BOOST_TEST(!std::filesystem::exists(file.string() + ".part"));
+  const auto root = hdf5::open_file(file);
+  const auto meshes_group = hdf5::open_group(root, "meshes");
+  BOOST_TEST(hdf5::links(meshes_group).size() == 1U);  // stored once
+  auto xdmf = file;
+  BOOST_TEST(std::filesystem::exists(xdmf.replace_extension(".xdmf")));
+}
+
+BOOST_AUTO_TEST_CASE(foreign_and_broken_files_are_refused_by_name) {
+  const auto folder = std::filesystem::temp_directory_path();
+  const auto message = [](const std::filesystem::path& file) {
+    try {
+      read_results(file);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  BOOST_TEST(message(folder / "none.h5").find("no such file") != std::string::npos);
+  std::ofstream(folder / "text.h5") << "not HDF5";
+  BOOST_TEST(message(folder / "text.h5").find("text.h5") != std::string::npos);
+  { hdf5::create_file(folder / "foreign.h5"); }
+  BOOST_TEST(message(folder / "foreign.h5").find("layout") != std::string::npos);
+  {
+    const auto root = hdf5::create_file(folder / "newer.h5");
+    hdf5::write_attribute(root, "layout", 2LL);
+  }
+  BOOST_TEST(message(folder / "newer.h5") ==
+             (folder / "newer.h5").string() + ": layout: expected 1, got 2");
+  {
+    const auto root = hdf5::create_file(folder / "cut.h5");
+    hdf5::write_attribute(root, "layout", 1LL);
+  }
+  BOOST_TEST(message(folder / "cut.h5").find("cases") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(too_many_cells_are_refused_before_allocating) {
+  const auto all =
+      requests(run_of("compression", {"cells=2000,2000,2000", "method=mss-cf"}));
+  BOOST_CHECK_EXCEPTION(check_memory(all, 1), InputError, [](const InputError& error) {
+    return std::string(error.what()).find("GB") != std::string::npos;
+  });
+  BOOST_CHECK_NO_THROW(check_memory(requests(run_of("compression", small)), 2));
+}

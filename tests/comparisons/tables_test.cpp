@@ -1,0 +1,128 @@
+#define BOOST_TEST_MODULE tables
+#include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+
+#include "comparisons/printed_figures.hpp"
+#include "comparisons/table_format.hpp"
+#include "meshing/input_error.hpp"
+
+using namespace springcheck;
+
+namespace {
+
+/// Results of table_requests without computing: e = .0317, or a limit point.
+std::vector<CaseResult> invented(const TablePlan& plan, Status status) {
+  std::vector<CaseResult> results;
+  for (const Request& request : table_requests(plan)) {
+    CaseResult result{};
+    result.request = request;
+    result.key = "0123456789abcdef";
+    result.status = status;
+    result.solution.load_fraction = status == Status::ok ? 1 : 0.5;
+    if (status == Status::ok) result.measures.volume_error = 0.0317;
+    results.push_back(result);
+  }
+  return results;
+}
+
+}  // namespace
+
+// Spot checks against the thesis's own pages: first, middle and last printed rows.
+BOOST_AUTO_TEST_CASE(printed_figures_are_the_thesis_s) {
+  BOOST_TEST(printed_figures("5.1").size() == 24U);
+  BOOST_TEST(printed_figures("5.2").size() == 24U);
+  BOOST_TEST(printed_figures("5.3").size() == 8U);
+  BOOST_TEST(printed_figures("5.4").size() == 8U);
+  BOOST_TEST(printed_figures("deviation").size() == 6U);
+  const PrintedFigure first = printed_figures("5.1").front();
+  BOOST_TEST(first.method == "mss-baudet");
+  BOOST_TEST(first.text == "2.6");
+  BOOST_TEST(first.verdict == "yes");
+  const PrintedFigure last = printed_figures("5.4").back();
+  BOOST_TEST(last.value == 57981);
+  BOOST_TEST(last.deformation == std::numbers::pi / 4, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(every_printed_figure_has_its_row) {
+  for (const char* name : {"5.1", "5.2", "5.3", "5.4", "deviation"}) {
+    std::multiset<double> printed, planned;
+    for (const PrintedFigure& figure : printed_figures(name)) printed.insert(figure.value);
+    for (const PlannedRow& row : plan_table(name, std::nullopt).rows)
+      if (label(row.request.settings) != "fem-hooke:q1-sri" &&
+          row.request.settings.stiffness_form == mss::StiffnessForm::shear_modulus)
+        planned.insert(*row.printed);
+    BOOST_TEST((printed == planned), name);
+  }
+}
+
+// The printed nu = 0 rows of 5.1 need the E-form (MODEL.md section 1).
+BOOST_AUTO_TEST_CASE(table_5_1_shows_the_young_modulus_form_at_nu_0_only) {
+  int rows = 0;
+  for (const PlannedRow& row : plan_table("5.1", std::nullopt).rows)
+    if (row.request.settings.stiffness_form == mss::StiffnessForm::young_modulus) {
+      ++rows;
+      BOOST_TEST(row.request.settings.material.poisson_ratio == 0);
+      BOOST_TEST(row.labels.back().find("E-form") != std::string::npos);
+    }
+  BOOST_TEST(rows == 4);  // mss-nfd and mss-cf at 5 and 20 %
+}
+
+BOOST_AUTO_TEST_CASE(a_row_holds_the_difference_its_reference_and_its_case) {
+  const TablePlan plan = plan_table("5.1", std::nullopt);
+  const Table table = fill_table(plan, invented(plan, Status::ok));
+  const auto json = nlohmann::json::parse(format_table(table, TableFormat::json));
+  const auto& row = json["rows"][0];
+  BOOST_TEST(row["printed"] == 2.6);
+  BOOST_TEST(row["ours"].get<double>() == 3.17, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(row["difference"].get<double>() == 0.57, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(row["reference"] == "fem-stvk:q1-sri");
+  BOOST_TEST(row["case"] == "0123456789abcdef");
+  BOOST_TEST(row["printed_instabilities"] == "yes");
+}
+
+BOOST_AUTO_TEST_CASE(a_method_without_equilibrium_shows_its_status_in_its_cell) {
+  const TablePlan plan = plan_table("5.2", std::nullopt);
+  const Table table = fill_table(plan, invented(plan, Status::no_equilibrium));
+  const std::string markdown = format_table(table, TableFormat::markdown);
+  BOOST_TEST(markdown.find("| no_equilibrium beyond 0.1 |") != std::string::npos);
+  const auto json = nlohmann::json::parse(format_table(table, TableFormat::json));
+  BOOST_TEST(json["rows"][0]["ours"].is_null());
+  BOOST_TEST(json["rows"][0]["difference"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(markdown_and_csv_are_rectangular) {
+  for (const std::string& name : table_names()) {
+    const TablePlan plan = plan_table(name, std::nullopt);
+    const Table table = fill_table(plan, invented(plan, Status::ok));
+    std::istringstream markdown(format_table(table, TableFormat::markdown));
+    std::set<std::ptrdiff_t> bars;
+    for (std::string line; std::getline(markdown, line);)
+      if (line.starts_with('|')) bars.insert(std::ranges::count(line, '|'));
+    BOOST_TEST(bars.size() == 1U, name);
+
+    std::istringstream csv(format_table(table, TableFormat::csv));
+    std::set<std::ptrdiff_t> commas;
+    std::size_t lines = 0;
+    for (std::string line; std::getline(csv, line); ++lines) {
+      bool in_quotes = false;
+      std::ptrdiff_t count = 0;
+      for (const char c : line) {
+        if (c == '"') in_quotes = !in_quotes;
+        count += c == ',' && !in_quotes;
+      }
+      commas.insert(count);
+    }
+    BOOST_TEST(commas.size() == 1U, name);
+    BOOST_TEST(lines == plan.rows.size() + 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_table_is_refused) {
+  BOOST_CHECK_EXCEPTION(plan_table("5.9", std::nullopt), InputError,
+                        [](const InputError& error) {
+                          return std::string(error.what()).find("5.1, 5.2") !=
+                                 std::string::npos;
+                        });
+}
