@@ -61,8 +61,8 @@ std::vector<BeamPoint> elastica(const Cantilever& beam, const std::vector<double
       beam.load_per_length * beam.length * beam.length / 2 / bending_stiffness(beam);
   std::uintmax_t iterations = 100;
   const auto bracket = boost::math::tools::toms748_solve(
-      end_moment, 0., straight * (1 + 1e-6), boost::math::tools::eps_tolerance<double>(48),
-      iterations);
+      end_moment, 0., straight * (1 + 1e-6),
+      boost::math::tools::eps_tolerance<double>(48), iterations);
 
   // Integration starts at the clamp, and no two of its stations may be equal.
   std::vector<double> stations(s.begin(), s.end());

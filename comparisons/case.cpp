@@ -6,11 +6,16 @@ namespace springcheck {
 
 std::string_view name_of(Test test) {
   switch (test) {
-    case Test::compression: return "compression";
-    case Test::tension: return "tension";
-    case Test::shearing: return "shearing";
-    case Test::torsion: return "torsion";
-    case Test::bending: return "bending";
+    case Test::compression:
+      return "compression";
+    case Test::tension:
+      return "tension";
+    case Test::shearing:
+      return "shearing";
+    case Test::torsion:
+      return "torsion";
+    case Test::bending:
+      return "bending";
   }
   return {};
 }
@@ -37,11 +42,20 @@ Scene mechanical_scene(const CaseSettings& settings) {
   RigidMotion motion = at_rest;
   const double deformation = settings.deformation.value();
   switch (settings.test) {
-    case Test::compression: motion.translation.z() = -deformation * height; break;
-    case Test::tension: motion.translation.z() = deformation * height; break;
-    case Test::shearing: motion.translation.x() = deformation * height; break;
-    case Test::torsion: motion.angle = deformation; break;
-    case Test::bending: break;
+    case Test::compression:
+      motion.translation.z() = -deformation * height;
+      break;
+    case Test::tension:
+      motion.translation.z() = deformation * height;
+      break;
+    case Test::shearing:
+      motion.translation.x() = deformation * height;
+      break;
+    case Test::torsion:
+      motion.angle = deformation;
+      break;
+    case Test::bending:
+      break;
   }
   scene.plates.push_back({.region = "top", .motion = motion});
   return scene;
@@ -88,7 +102,8 @@ nlohmann::json settings_json(const CaseSettings& settings) {
 
 std::string label(const CaseSettings& settings) {
   std::string text(settings.method.name);
-  if (is_finite_element(settings.method)) text += ":" + std::string(settings.element.name);
+  if (is_finite_element(settings.method))
+    text += ":" + std::string(settings.element.name);
   return text;
 }
 

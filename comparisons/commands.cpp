@@ -20,7 +20,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-RunSettings settings_of(const std::string& scene, const std::vector<GivenSetting>& options) {
+RunSettings settings_of(const std::string& scene,
+                        const std::vector<GivenSetting>& options) {
   SceneFile file = read_scene(scene);
   file.settings.insert(file.settings.end(), options.begin(), options.end());
   return make_run_settings(file.name, file.file, file.settings);
@@ -33,10 +34,9 @@ std::string shown(const std::optional<double>& value, const char* format,
 
 /// The results as an aligned table, reasons and reference below it.
 std::string text_of(const std::vector<CaseResult>& results) {
-  std::vector<std::vector<std::string>> rows{{"method", "status", "volume error %",
-                                              "plate force N", "resultant N",
-                                              "torque N m", "tip m", "deviation L2 %",
-                                              "solve s"}};
+  std::vector<std::vector<std::string>> rows{
+      {"method", "status", "volume error %", "plate force N", "resultant N", "torque N m",
+       "tip m", "deviation L2 %", "solve s"}};
   for (const CaseResult& result : results) {
     const Measures& m = result.measures;
     rows.push_back({label(result.request.settings), std::string(name_of(result.status)),
@@ -83,9 +83,9 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
   std::vector<CaseResult> results;
   {
     Progress progress("simulations");
-    results = run_study(
-        all, meshes, 1, [](const Request&, const std::string&) { return std::nullopt; },
-        [&](std::size_t done, std::size_t of) { progress.show(done, of); });
+    results = run_study(all, meshes, 1, [&](std::size_t done, std::size_t of) {
+      progress.show(done, of);
+    });
   }
   if (result_file) write_results(*result_file, results, meshes);
   if (output == Output::json)
@@ -107,14 +107,14 @@ ExitStatus table_command(const std::string& name,
   if (!reference.empty())
     chosen = reference_named(Given::from_text("--reference", reference));
   MeshStore meshes;
-  const std::vector<Table> tables = compute_tables(
+  const ComputedTables computed = compute_tables(
       {name}, chosen, meshes, parallel,
       [&](const Request& request, const std::string& key) -> std::optional<CaseResult> {
         const auto found = stored.find(key);
         if (found == stored.end()) return std::nullopt;
         return with_stored(request, key, found->second);
       });
-  fmt::print("{}", format_table(tables.front(), format));
+  fmt::print("{}", format_table(computed.tables.front(), format));
   return ExitStatus::done;
 }
 
@@ -150,7 +150,8 @@ ExitStatus list_command(const std::string& what, Output output) {
   return ExitStatus::done;
 }
 
-ExitStatus mesh_command(const std::string& scene, const std::vector<GivenSetting>& options,
+ExitStatus mesh_command(const std::string& scene,
+                        const std::vector<GivenSetting>& options,
                         const std::filesystem::path& file) {
   const RunSettings run = settings_of(scene, options);
   check_mesh_memory(run.common.scene, run.common.block);

@@ -29,7 +29,8 @@ ExitStatus table_command(const std::string& name,
 ExitStatus list_command(const std::string& what, Output output);
 
 /// `springcheck mesh`.
-ExitStatus mesh_command(const std::string& scene, const std::vector<GivenSetting>& options,
+ExitStatus mesh_command(const std::string& scene,
+                        const std::vector<GivenSetting>& options,
                         const std::filesystem::path& file);
 
 }  // namespace springcheck

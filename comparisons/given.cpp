@@ -15,7 +15,8 @@ namespace {
 template <class Number>
 std::optional<Number> parsed(std::string_view text) {
   Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || end != text.data() + text.size() || text.empty())
     return std::nullopt;
   return number;

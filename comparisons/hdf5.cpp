@@ -17,8 +17,8 @@ void write_numbers(hid_t object, const std::string& name, hid_t type, hid_t spac
   check(H5Awrite(attribute, type, values), "writing attribute " + name);
 }
 
-void write_any_table(hid_t parent, const std::string& name, hid_t type, const void* values,
-                     hsize_t count, hsize_t columns) {
+void write_any_table(hid_t parent, const std::string& name, hid_t type,
+                     const void* values, hsize_t count, hsize_t columns) {
   const std::array<hsize_t, 2> shape{count / columns, columns};
   const Handle space(H5Screate_simple(columns == 1 ? 1 : 2, shape.data(), nullptr),
                      H5Sclose, name);
@@ -122,7 +122,8 @@ std::optional<std::vector<double>> read_numbers(hid_t object, const std::string&
   const hssize_t count = H5Sget_simple_extent_npoints(space);
   if (count < 0) throw std::runtime_error("HDF5: attribute " + name + " has no size");
   std::vector<double> values(static_cast<std::size_t>(count));
-  check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), "reading attribute " + name);
+  check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()),
+        "reading attribute " + name);
   return values;
 }
 

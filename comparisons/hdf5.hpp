@@ -15,8 +15,12 @@ namespace springcheck::hdf5 {
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what);
-  ~Handle() { if (id_ >= 0) close_(id_); }
-  Handle(Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = -1; }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle(Handle&& other) noexcept : id_(other.id_), close_(other.close_) {
+    other.id_ = -1;
+  }
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
   Handle& operator=(Handle&&) = delete;
@@ -36,7 +40,8 @@ bool has_link(hid_t parent, const std::string& name);
 std::vector<std::string> links(hid_t parent);
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
-void write_attribute(hid_t object, const std::string& name, std::span<const double> values);
+void write_attribute(hid_t object, const std::string& name,
+                     std::span<const double> values);
 void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, long long value);
 std::optional<std::string> read_text(hid_t object, const std::string& name);

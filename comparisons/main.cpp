@@ -25,7 +25,8 @@ class SettingOptions {
     for (const SettingKey& key : option_keys()) {
       const std::string name(key.name);
       if (name == "force-dt")
-        options_[name] = command->add_flag("--" + name)->description(std::string(key.help));
+        options_[name] =
+            command->add_flag("--" + name)->description(std::string(key.help));
       else
         options_[name] =
             command->add_option("--" + name, texts_[name], std::string(key.help));
@@ -94,7 +95,8 @@ int command_line(int argc, char** argv) {
   add_threads(table);
 
   CLI::App* everything = app.add_subcommand("reproduce", "Regenerate every table");
-  everything->add_option("--out", out, "folder for tables, results and summary")->required();
+  everything->add_option("--out", out, "folder for tables, results and summary")
+      ->required();
   add_threads(everything);
 
   CLI::App* list = app.add_subcommand("list", "List what there is");
@@ -102,7 +104,8 @@ int command_line(int argc, char** argv) {
   list->add_flag("--json", json, "print one JSON document");
 
   CLI::App* mesh = app.add_subcommand("mesh", "Write the mesh that both solvers use");
-  mesh->add_option("scene", scene, "name of a shipped scene, or a .toml file")->required();
+  mesh->add_option("scene", scene, "name of a shipped scene, or a .toml file")
+      ->required();
   const SettingOptions mesh_options(mesh);
   mesh->add_option("--out", out, "a .msh, .vtu or .inp file")->required();
 
@@ -124,8 +127,8 @@ int command_line(int argc, char** argv) {
   if (*run)
     status = run_command(scene, run_options.given(), path_or_none(out), output());
   else if (*table)
-    status = table_command(name, path_or_none(from), reference, table_format(format),
-                           threads);
+    status =
+        table_command(name, path_or_none(from), reference, table_format(format), threads);
   else if (*list)
     status = list_command(what, output());
   else if (*mesh)

@@ -30,9 +30,9 @@ void measure_volumes(Measures& measures, const Mesh& mesh,
     const double ratio = volumes[c] / mesh.cell_volumes()[c];
     smallest = std::min(smallest, ratio);
     largest = std::max(largest, ratio);
-    smallest_jacobian =
-        std::min(smallest_jacobian, smallest_corner_jacobian(corners(cell, positions)) /
-                                        smallest_corner_jacobian(corners(cell, mesh.nodes())));
+    smallest_jacobian = std::min(
+        smallest_jacobian, smallest_corner_jacobian(corners(cell, positions)) /
+                               smallest_corner_jacobian(corners(cell, mesh.nodes())));
   }
   measures.cell_volume_ratio_min = smallest;
   measures.cell_volume_ratio_max = largest;
@@ -46,9 +46,9 @@ void measure_plate(Measures& measures, const CaseSettings& settings, const Mesh&
   const Plate& plate = scene.plates.back();
   const std::vector<NodeIndex>& nodes = mesh.region(plate.region).nodes;
   const bool moved_arms = solution.lever_arms == LeverArms::deformed;
-  const Vector3 centre =
-      moved_arms ? Vector3(plate.motion.centre + plate.motion.translation)
-                 : plate.motion.centre;
+  const Vector3 centre = moved_arms
+                             ? Vector3(plate.motion.centre + plate.motion.translation)
+                             : plate.motion.centre;
   Vector3 force = Vector3::Zero(), torque = Vector3::Zero();
   for (const NodeIndex node : nodes) {
     const Vector3& at = moved_arms ? positions[node] : mesh.nodes()[node];
@@ -92,14 +92,13 @@ void measure_beam(Measures& measures, const CaseSettings& settings, const Mesh& 
   // The theories know a load across one side of the section only.
   const bool along_x = std::abs(down.x()) > 1 - 1e-12;
   if (!along_x && std::abs(down.y()) < 1 - 1e-12) return;
-  const Cantilever beam{
-      .length = length,
-      .width = along_x ? size_y : size_x,
-      .height = along_x ? size_x : size_y,
-      .young_modulus = settings.material.young_modulus,
-      .shear_modulus = lame_constants(settings.material).mu,
-      .load_per_length =
-          settings.material.density * settings.gravity.norm() * size_x * size_y};
+  const Cantilever beam{.length = length,
+                        .width = along_x ? size_y : size_x,
+                        .height = along_x ? size_x : size_y,
+                        .young_modulus = settings.material.young_modulus,
+                        .shear_modulus = lame_constants(settings.material).mu,
+                        .load_per_length = settings.material.density *
+                                           settings.gravity.norm() * size_x * size_y};
   const std::vector<NodeIndex> line = centre_line(settings, mesh);
   std::vector<double> s;
   for (const NodeIndex n : line) s.push_back(mesh.nodes()[n].z());
@@ -144,8 +143,7 @@ std::optional<double> imposed_length(const CaseSettings& settings, const Mesh& m
   const Plate plate = mechanical_scene(settings).plates.back();
   double largest = 0;
   for (const NodeIndex n : mesh.region(plate.region).nodes)
-    largest =
-        std::max(largest, displacement(plate.motion, mesh.nodes()[n], 1).norm());
+    largest = std::max(largest, displacement(plate.motion, mesh.nodes()[n], 1).norm());
   return largest;
 }
 
@@ -198,7 +196,8 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
   }
 
   const auto volumes = cell_volumes(mesh.hexahedra(), deformed(mesh, displacements));
-  const auto reference_volumes = cell_volumes(mesh.hexahedra(), deformed(mesh, reference));
+  const auto reference_volumes =
+      cell_volumes(mesh.hexahedra(), deformed(mesh, reference));
   double square_sum = 0;
   for (std::size_t c = 0; c < volumes.size(); ++c)
     square_sum += std::pow(volumes[c] - reference_volumes[c], 2) / mesh.cell_volumes()[c];

@@ -14,34 +14,34 @@ struct Measures {
   using Value = std::optional<double>;
   using Vector = std::optional<Vector3>;
 
-  Value volume_error{};   // |V0 - V|/V0, exact trilinear volume
-  Value volume_change{};  // (V - V0)/V0
+  Value volume_error{};           // |V0 - V|/V0, exact trilinear volume
+  Value volume_change{};          // (V - V0)/V0
   Value cell_volume_ratio_min{};  // V/V0 of a cell
   Value cell_volume_ratio_max{};
   Value corner_jacobian_ratio_min{};  // smallest corner Jacobian of a cell over its rest
                                       // value; the cell is inverted below 0
 
   // What the moved plate applies to the body; empty without a moved plate.
-  Vector force{};             // [N]
-  Vector torque{};            // [N m] about the plate's axis directions, through its centre
-  Value plate_force{};        // component along the imposed motion; empty in torsion
-  Value plate_force_norm{};   // length of the resultant
-  Value plate_torque{};       // component about z
+  Vector force{};       // [N]
+  Vector torque{};      // [N m] about the plate's axis directions, through its centre
+  Value plate_force{};  // component along the imposed motion; empty in torsion
+  Value plate_force_norm{};  // length of the resultant
+  Value plate_torque{};      // component about z
 
   // Distances between equal nodes of this solution and the reference's [m].
-  Value mean_deviation{};          // mean over all nodes
+  Value mean_deviation{};  // mean over all nodes
   Value max_deviation{};
   Value middle_layer_deviation{};  // mean over the nodes at half height (the thesis's
                                    // measure); even cell counts only
   // Over the free nodes, divided by the largest imposed displacement (bending: by the
   // reference's tip deflection):
-  Value deviation_l2_relative{};   // volume-weighted root mean square
+  Value deviation_l2_relative{};  // volume-weighted root mean square
   Value deviation_max_relative{};
   Value cell_volume_ratio_rms_difference{};  // volume-weighted, V/V0 against reference's
 
   // Bending: the tip is the node at the centre of the end face (even cell counts).
-  Value tip_deflection{};          // [m] along gravity
-  Value tip_euler_bernoulli{};     // [m] theories, see beam_theory.hpp
+  Value tip_deflection{};       // [m] along gravity
+  Value tip_euler_bernoulli{};  // [m] theories, see beam_theory.hpp
   Value tip_timoshenko{};
   Value tip_elastica{};
   // Largest distance between centre-line nodes and the theory's points [m].
@@ -49,7 +49,7 @@ struct Measures {
   Value centre_line_timoshenko{};
   Value centre_line_elastica{};
 
-  Value strain_energy{};           // [J]
+  Value strain_energy{};  // [J]
 };
 
 /// Calls visit(name, value) for every measure, in the order they are reported; names as
@@ -83,7 +83,8 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
 }
 
 /// All measures that need no reference.
-Measures measure(const CaseSettings& settings, const Mesh& mesh, const Solution& solution);
+Measures measure(const CaseSettings& settings, const Mesh& mesh,
+                 const Solution& solution);
 
 /// Fills in the deviations from the reference's displacements (one per node, same mesh).
 void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,

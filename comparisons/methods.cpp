@@ -20,7 +20,8 @@ const std::vector<Method>& methods() {
       {"mss-baudet", mss::Method::baudet, "edge and inner-diagonal springs after Baudet"},
       {"mss-nfd", mss::Method::nfd,
        "edge and inner-diagonal springs with volume correction"},
-      {"mss-fd", mss::Method::fd, "all springs without correction: right at nu = 0.25 only"},
+      {"mss-fd", mss::Method::fd,
+       "all springs without correction: right at nu = 0.25 only"},
       {"mss-cf", mss::Method::cf, "all springs with volume correction (Golec 2018)"},
       {"fem-hooke", Law::hooke, "finite elements, small-strain Hooke"},
       {"fem-stvk", Law::st_venant_kirchhoff, "finite elements, St-Venant-Kirchhoff"}};
@@ -36,7 +37,11 @@ const std::vector<ElementName>& elements() {
   return all;
 }
 
-const Method* find_method(std::string_view name) { return find(methods(), name); }
-const ElementName* find_element(std::string_view name) { return find(elements(), name); }
+const Method* find_method(std::string_view name) {
+  return find(methods(), name);
+}
+const ElementName* find_element(std::string_view name) {
+  return find(elements(), name);
+}
 
 }  // namespace springcheck

@@ -10,7 +10,8 @@ namespace springcheck {
 namespace {
 
 Test test_named(const std::string& name) {
-  for (const Test test : {Test::compression, Test::tension, Test::shearing, Test::torsion})
+  for (const Test test :
+       {Test::compression, Test::tension, Test::shearing, Test::torsion})
     if (name_of(test) == name) return test;
   throw std::logic_error("printed.csv: unknown test " + name);
 }

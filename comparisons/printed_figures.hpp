@@ -9,14 +9,14 @@ namespace springcheck {
 
 /// A figure printed in Golec 2018; units and origin in comparisons/thesis/printed.csv.
 struct PrintedFigure {
-  std::string table;   // "5.1"
+  std::string table;  // "5.1"
   Test test;
   std::string method;  // "mss-cf", or "fem" for the LS-DYNA column
   double nu;
   double deformation;  // strain, [rad] in torsion
   double value;
-  std::string text;    // the value as printed, with its digits
-  std::string verdict; // on instabilities: "yes", "no", or "" where none is printed
+  std::string text;     // the value as printed, with its digits
+  std::string verdict;  // on instabilities: "yes", "no", or "" where none is printed
 };
 
 /// The figures of one table, in printed order.

@@ -24,9 +24,9 @@ void Progress::show(std::size_t done, std::size_t all) {
   fmt::print(stderr, "\r\x1b[K{} [{}{}] {}/{}", what_, std::string(filled, '#'),
              std::string(width - filled, '.'), done, all);
   if (done > 0 && done < all)
-    fmt::print(stderr, ", about {:.0f} s left",
-               elapsed.count() / static_cast<double>(done) *
-                   static_cast<double>(all - done));
+    fmt::print(
+        stderr, ", about {:.0f} s left",
+        elapsed.count() / static_cast<double>(done) * static_cast<double>(all - done));
   std::fflush(stderr);
 }
 

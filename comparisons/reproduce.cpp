@@ -28,7 +28,8 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   out << text;
   out.close();
   if (!out)
-    throw std::system_error(std::make_error_code(std::errc::io_error), unfinished.string());
+    throw std::system_error(std::make_error_code(std::errc::io_error),
+                            unfinished.string());
   std::filesystem::rename(unfinished, file);
 }
 
@@ -55,10 +56,11 @@ std::string worst_against_thesis(const Table& table) {
     }
   }
   if (worst == nullptr) return "no printed figure of mss-cf to compare with";
-  return points ? fmt::format("{} mss-cf rows; furthest from print: {} ({:+.2f} points)",
-                              compared, row_name(*worst), *worst->difference)
-                : fmt::format("{} mss-cf rows; furthest from print: {} ({:+.1f} %)", compared,
-                              row_name(*worst), 100 * *worst->difference / *worst->plan.printed);
+  return fmt::format(
+      "{} mss-cf rows; furthest from print: {} ({}){}", compared, row_name(*worst),
+      points ? fmt::format("{:+.2f} points", *worst->difference)
+             : fmt::format("{:+.1f} %", 100 * *worst->difference / *worst->plan.printed),
+      worst->plan.notes.empty() ? "" : ": see its notes in the table");
 }
 
 std::string summary(const std::vector<Table>& tables,
@@ -81,8 +83,9 @@ std::string summary(const std::vector<Table>& tables,
   for (const Table& table : tables)
     text += fmt::format("- [{}](tables/{}.md): {}\n", table.plan.title, table.plan.name,
                         worst_against_thesis(table));
-  text += "\n## Cases that are not ok\n\n| table | case | status | why |\n"
-          "| --- | --- | --- | --- |\n";
+  text +=
+      "\n## Cases that are not ok\n\n| table | case | status | why |\n"
+      "| --- | --- | --- | --- |\n";
   for (const Table& table : tables)
     for (const TableRow& row : table.rows)
       if (row.result.status != Status::ok)
@@ -93,12 +96,9 @@ std::string summary(const std::vector<Table>& tables,
 
 }  // namespace
 
-std::vector<Table> compute_tables(
-    const std::vector<std::string>& names,
-    const std::optional<ReferenceMethod>& reference, MeshStore& meshes, int parallel,
-    const std::function<std::optional<CaseResult>(const Request& request,
-                                                  const std::string& key)>& known,
-    std::vector<CaseResult>* results) {
+ComputedTables compute_tables(const std::vector<std::string>& names,
+                              const std::optional<ReferenceMethod>& reference,
+                              MeshStore& meshes, int parallel, const KnownResult& known) {
   std::vector<TablePlan> plans;
   std::vector<Request> all;
   for (const std::string& name : names) {
@@ -108,18 +108,18 @@ std::vector<Table> compute_tables(
   }
   check_memory(all, parallel);
   Progress progress("simulations");
-  const std::vector<CaseResult> found =
-      run_study(all, meshes, parallel, known,
-                [&](std::size_t done, std::size_t of) { progress.show(done, of); });
-  std::vector<Table> tables;
-  auto next = found.begin();
+  ComputedTables computed{
+      .tables = {},
+      .results = run_study(
+          all, meshes, parallel,
+          [&](std::size_t done, std::size_t of) { progress.show(done, of); }, known)};
+  auto next = computed.results.begin();
   for (TablePlan& plan : plans) {
     const auto count = static_cast<std::ptrdiff_t>(table_requests(plan).size());
-    tables.push_back(fill_table(std::move(plan), {next, next + count}));
+    computed.tables.push_back(fill_table(std::move(plan), {next, next + count}));
     next += count;
   }
-  if (results != nullptr) *results = found;
-  return tables;
+  return computed;
 }
 
 void reproduce(const std::filesystem::path& directory, int parallel) {
@@ -134,10 +134,8 @@ void reproduce(const std::filesystem::path& directory, int parallel) {
   check_writable(directory / "tables" / "5.1.md");
 
   MeshStore meshes;
-  std::vector<CaseResult> results;
-  const std::vector<Table> tables = compute_tables(
-      table_names(), std::nullopt, meshes, parallel,
-      [](const Request&, const std::string&) { return std::nullopt; }, &results);
+  const auto [tables, results] =
+      compute_tables(table_names(), std::nullopt, meshes, parallel);
   write_results(result_file, results, meshes);
   for (const Table& table : tables) {
     const std::filesystem::path stem = directory / "tables" / table.plan.name;

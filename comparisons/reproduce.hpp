@@ -8,15 +8,17 @@
 
 namespace springcheck {
 
+struct ComputedTables {
+  std::vector<Table> tables;
+  std::vector<CaseResult> results;  // of every request behind them
+};
+
 /// Computes the named tables with everything they need, each simulation once, `parallel`
-/// of them at a time. `known` supplies results by key, see run_study. `results`, when
-/// given, receives the results of every request.
-std::vector<Table> compute_tables(
-    const std::vector<std::string>& names,
-    const std::optional<ReferenceMethod>& reference, MeshStore& meshes, int parallel,
-    const std::function<std::optional<CaseResult>(const Request& request,
-                                                  const std::string& key)>& known,
-    std::vector<CaseResult>* results = nullptr);
+/// of them at a time; see run_study for `known`.
+ComputedTables compute_tables(const std::vector<std::string>& names,
+                              const std::optional<ReferenceMethod>& reference,
+                              MeshStore& meshes, int parallel,
+                              const KnownResult& known = {});
 
 /// Regenerates every table into `directory`, created if need be:
 ///

@@ -28,7 +28,8 @@ std::string cpu_name() {
 }
 
 std::string utc_now() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  const std::time_t now =
+      std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   std::array<char, 32> text{};
   std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
   return text.data();
@@ -44,8 +45,8 @@ void write_provenance(hid_t root) {
   hdf5::write_attribute(root, "Eigen", std::string(build_info::eigen_version));
   hdf5::write_attribute(root, "HDF5", std::string(build_info::hdf5_version));
   hdf5::write_attribute(root, "cpu", cpu_name());
-  hdf5::write_attribute(
-      root, "cores", static_cast<long long>(std::thread::hardware_concurrency()));
+  hdf5::write_attribute(root, "cores",
+                        static_cast<long long>(std::thread::hardware_concurrency()));
   hdf5::write_attribute(root, "date", utc_now());
 }
 
@@ -74,7 +75,8 @@ void write_mesh_group(hid_t meshes, const Mesh& mesh) {
 
 std::string joined(const std::vector<Status>& flags) {
   std::string text;
-  for (const Status flag : flags) text += (text.empty() ? "" : ",") + std::string(name_of(flag));
+  for (const Status flag : flags)
+    text += (text.empty() ? "" : ",") + std::string(name_of(flag));
   return text;
 }
 
@@ -86,7 +88,8 @@ void write_settings(hid_t group, const nlohmann::json& settings) {
       hdf5::write_attribute(group, name,
                             std::span<const double>(value.get<std::vector<double>>()));
     else if (value.is_boolean())
-      hdf5::write_attribute(group, name, std::string(value.get<bool>() ? "true" : "false"));
+      hdf5::write_attribute(group, name,
+                            std::string(value.get<bool>() ? "true" : "false"));
     else
       hdf5::write_attribute(group, name, value.get<double>());
 }
@@ -95,15 +98,18 @@ void write_measure(hid_t group, const char* name, const Measures::Value& value) 
   if (value) hdf5::write_attribute(group, name, *value);
 }
 void write_measure(hid_t group, const char* name, const Measures::Vector& value) {
-  if (value) hdf5::write_attribute(group, name, std::span<const double>(value->data(), 3));
+  if (value)
+    hdf5::write_attribute(group, name, std::span<const double>(value->data(), 3));
 }
 
 void read_measure(hid_t group, const char* name, Measures::Value& value) {
-  if (const auto numbers = hdf5::read_numbers(group, name); numbers && numbers->size() == 1)
+  if (const auto numbers = hdf5::read_numbers(group, name);
+      numbers && numbers->size() == 1)
     value = numbers->front();
 }
 void read_measure(hid_t group, const char* name, Measures::Vector& value) {
-  if (const auto numbers = hdf5::read_numbers(group, name); numbers && numbers->size() == 3)
+  if (const auto numbers = hdf5::read_numbers(group, name);
+      numbers && numbers->size() == 3)
     value = Vector3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
 }
 
@@ -231,7 +237,8 @@ std::map<std::string, StoredCase> read_results(const std::filesystem::path& file
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {
-    throw InputError(file.string(), "", "a readable springcheck result file", error.what());
+    throw InputError(file.string(), "", "a readable springcheck result file",
+                     error.what());
   }
 }
 

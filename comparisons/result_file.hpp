@@ -16,8 +16,8 @@ namespace springcheck {
 ///                          displacement, reaction (or partial_ of both, when the case
 ///                          ended without an equilibrium), cell_volume_ratio
 ///
-/// Writes the results and beside it FILE.xdmf for ParaView. Both are written under another
-/// name and renamed, so that an unfinished file never replaces a good one.
+/// Writes the results and beside it FILE.xdmf for ParaView. Both are written under
+/// another name and renamed, so that an unfinished file never replaces a good one.
 void write_results(const std::filesystem::path& file,
                    const std::vector<CaseResult>& results, MeshStore& meshes);
 
@@ -34,8 +34,8 @@ struct StoredCase {
   double wall_s, solve_wall_s;
 };
 
-/// The cases of a result file by key, without fields. Throws InputError for a file that is
-/// not HDF5, not ours, damaged, or of another layout.
+/// The cases of a result file by key, without fields. Throws InputError for a file that
+/// is not HDF5, not ours, damaged, or of another layout.
 std::map<std::string, StoredCase> read_results(const std::filesystem::path& file);
 
 /// The stored case as a CaseResult of this request, without fields.

@@ -7,7 +7,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json(const Measures::Value& value) { return value ? Json(*value) : Json(); }
+Json json(const Measures::Value& value) {
+  return value ? Json(*value) : Json();
+}
 Json json(const Measures::Vector& value) {
   return value ? Json{value->x(), value->y(), value->z()} : Json();
 }
@@ -32,11 +34,11 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
            {"status", name_of(result.status)},
            {"flags", flags},
            {"reason", result.reason.empty() ? Json() : Json(result.reason)}};
-  for_each_measure(result.measures, [&](const char* name, const auto& value) {
-    out[name] = json(value);
-  });
+  for_each_measure(result.measures,
+                   [&](const char* name, const auto& value) { out[name] = json(value); });
   const Solution& solution = result.solution;
-  out["reference"] = result.request.reference ? Json(label(*result.request.reference)) : Json();
+  out["reference"] =
+      result.request.reference ? Json(label(*result.request.reference)) : Json();
   out["load_fraction"] = solution.load_fraction;
   out["steps"] = solution.steps;
   out["dt"] = json(solution.dt);

@@ -33,8 +33,8 @@ Value value_or(const Settings& settings, std::string_view key, Value otherwise,
 Test test_of(const Given& given) {
   const std::string name = given.text();
   std::string names;
-  for (const Test test : {Test::compression, Test::tension, Test::shearing, Test::torsion,
-                          Test::bending}) {
+  for (const Test test :
+       {Test::compression, Test::tension, Test::shearing, Test::torsion, Test::bending}) {
     if (name_of(test) == name) return test;
     names += (names.empty() ? "" : ", ") + std::string(name_of(test));
   }
@@ -62,8 +62,7 @@ std::vector<Method> methods_of(const Given& given) {
   for (const std::string& name : given.texts()) {
     all.push_back(method_of(given, name));
     if (std::ranges::count(all, name, &Method::name) > 1)
-      throw InputError(given.place(), "method", "each name once",
-                       "'" + name + "' twice");
+      throw InputError(given.place(), "method", "each name once", "'" + name + "' twice");
   }
   return all;
 }
@@ -192,7 +191,8 @@ const std::vector<SettingKey>& option_keys() {
       {"nu", "Poisson ratio, in (-1, 0.5)"},
       {"young", "Young's modulus [Pa]"},
       {"density", "mass density [kg/m^3]"},
-      {"deformation", "strain, or angle of torsion [rad]; '5%' and '45deg' are understood"},
+      {"deformation",
+       "strain, or angle of torsion [rad]; '5%' and '45deg' are understood"},
       {"diagonal-ratio", "A = k_f/k_c of mss-fd and mss-cf (default 1)"},
       {"stiffness-form", "spring constants from mu (default) or, as Eq. 5.12 prints, E"},
       {"cells", "number of cells along x,y,z"},
@@ -234,7 +234,8 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
       .test = test,
       .block = {.size = size_of(need("size", "three lengths [m]")),
                 .cells = cells_of(need("cells", "three counts"))},
-      .material = {.young_modulus = need("young", "Young's modulus [Pa]").positive_number(),
+      .material = {.young_modulus =
+                       need("young", "Young's modulus [Pa]").positive_number(),
                    .poisson_ratio = poisson_ratio_of(need("nu", "a number in (-1, 0.5)")),
                    .density = need("density", "a density [kg/m^3]").positive_number()},
       .gravity = Vector3::Zero(),
@@ -246,11 +247,11 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
                                  mss::StiffnessForm::shear_modulus, stiffness_form_of),
       .diagonal_ratio = value_or(settings, "diagonal-ratio", 1., not_negative),
       .solver = value_or(settings, "solver", mss::Solver::static_equilibrium, solver_of),
-      .dynamics = {.duration = value_or(settings, "duration", 10., &Given::positive_number),
-                   .time_step = value_or(settings, "dt", std::optional<double>{},
-                                         time_step_of),
-                   .force_time_step = value_or(settings, "force-dt", false, &Given::truth),
-                   .damping_ratio = value_or(settings, "damping", 0.05, not_negative)},
+      .dynamics =
+          {.duration = value_or(settings, "duration", 10., &Given::positive_number),
+           .time_step = value_or(settings, "dt", std::optional<double>{}, time_step_of),
+           .force_time_step = value_or(settings, "force-dt", false, &Given::truth),
+           .damping_ratio = value_or(settings, "damping", 0.05, not_negative)},
       .seed = value_or(settings, "seed", 1U, seed_of)};
   if (test == Test::bending)
     common.gravity = gravity_of(need("gravity", "an acceleration [m/s^2]"));
@@ -271,9 +272,8 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
 std::vector<Request> requests(const RunSettings& run) {
   constexpr double small_deformation = 0.02;
   const bool is_small = run.common.deformation.value_or(1) <= small_deformation;
-  const ReferenceMethod reference = run.reference.value_or(
-      ReferenceMethod{*find_method(is_small ? "fem-hooke" : "fem-stvk"),
-                      *find_element("q1-sri")});
+  const ReferenceMethod reference = run.reference.value_or(ReferenceMethod{
+      *find_method(is_small ? "fem-hooke" : "fem-stvk"), *find_element("q1-sri")});
   std::vector<Request> all;
   for (const Method& method : run.methods) {
     Request request{.settings = run.common, .reference = run.common};

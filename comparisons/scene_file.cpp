@@ -42,8 +42,7 @@ Given::Scalar scalar(const toml::node& node, const std::string& where) {
 }
 
 Given given(const toml::node& node, const std::string& file, std::string_view key) {
-  const std::string where =
-      fmt::format("{}: {}", place(file, node.source()), key);
+  const std::string where = fmt::format("{}: {}", place(file, node.source()), key);
   std::vector<Given::Scalar> values;
   if (const toml::array* list = node.as_array())
     for (const toml::node& element : *list) values.push_back(scalar(element, where));

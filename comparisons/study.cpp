@@ -36,8 +36,7 @@ Solution solve(const CaseSettings& settings, const Mesh& mesh) {
 }
 
 bool has_equilibrium(const Solution& solution) {
-  return solution.status == SolveStatus::ok ||
-         solution.status == SolveStatus::indefinite;
+  return solution.status == SolveStatus::ok || solution.status == SolveStatus::indefinite;
 }
 
 /// One simulation without its reference.
@@ -81,22 +80,35 @@ CaseResult simulate(const CaseSettings& settings, const Mesh& mesh) {
 }  // namespace
 
 const std::vector<Status>& all_statuses() {
-  static const std::vector<Status> all{
-      Status::ok,             Status::wrinkled, Status::inverted,      Status::indefinite,
-      Status::no_equilibrium, Status::diverged, Status::not_converged, Status::refused};
+  static const std::vector<Status> all{Status::ok,
+                                       Status::wrinkled,
+                                       Status::inverted,
+                                       Status::indefinite,
+                                       Status::no_equilibrium,
+                                       Status::diverged,
+                                       Status::not_converged,
+                                       Status::refused};
   return all;
 }
 
 std::string_view name_of(Status status) {
   switch (status) {
-    case Status::ok: return "ok";
-    case Status::wrinkled: return "wrinkled";
-    case Status::inverted: return "inverted";
-    case Status::indefinite: return "indefinite";
-    case Status::no_equilibrium: return "no_equilibrium";
-    case Status::diverged: return "diverged";
-    case Status::not_converged: return "not_converged";
-    case Status::refused: return "refused";
+    case Status::ok:
+      return "ok";
+    case Status::wrinkled:
+      return "wrinkled";
+    case Status::inverted:
+      return "inverted";
+    case Status::indefinite:
+      return "indefinite";
+    case Status::no_equilibrium:
+      return "no_equilibrium";
+    case Status::diverged:
+      return "diverged";
+    case Status::not_converged:
+      return "not_converged";
+    case Status::refused:
+      return "refused";
   }
   return {};
 }
@@ -112,10 +124,18 @@ std::string case_key(const Request& request, const Mesh& mesh) {
 Verdict judge(SolveStatus solved, bool inverted, bool wrinkled) {
   Verdict verdict{.status = Status::ok, .flags = {}};
   switch (solved) {
-    case SolveStatus::no_equilibrium: verdict.status = Status::no_equilibrium; break;
-    case SolveStatus::diverged: verdict.status = Status::diverged; break;
-    case SolveStatus::not_converged: verdict.status = Status::not_converged; break;
-    case SolveStatus::refused: verdict.status = Status::refused; break;
+    case SolveStatus::no_equilibrium:
+      verdict.status = Status::no_equilibrium;
+      break;
+    case SolveStatus::diverged:
+      verdict.status = Status::diverged;
+      break;
+    case SolveStatus::not_converged:
+      verdict.status = Status::not_converged;
+      break;
+    case SolveStatus::refused:
+      verdict.status = Status::refused;
+      break;
     case SolveStatus::ok:
     case SolveStatus::indefinite:
       if (inverted) verdict.flags.push_back(Status::inverted);
@@ -132,11 +152,9 @@ const Mesh& MeshStore::mesh(const BlockSize& block) {
   return *mesh;
 }
 
-std::vector<CaseResult> run_study(
-    const std::vector<Request>& requests, MeshStore& meshes, int parallel,
-    const std::function<std::optional<CaseResult>(const Request& request,
-                                                  const std::string& key)>& known,
-    const std::function<void(std::size_t done, std::size_t all)>& finished) {
+std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStore& meshes,
+                                  int parallel, const Finished& finished,
+                                  const KnownResult& known) {
   // A simulation is known by its key without a reference.
   struct Simulation {
     CaseSettings settings;
@@ -159,12 +177,13 @@ std::vector<CaseResult> run_study(
   };
   std::vector<Answer> answers;
   for (const Request& request : requests) {
-    Answer answer{
-        known(request, case_key(request, meshes.mesh(request.settings.block))), 0, 0};
+    Answer answer{std::nullopt, 0, 0};
+    if (known)
+      answer.known =
+          known(request, case_key(request, meshes.mesh(request.settings.block)));
     if (!answer.known) {
       answer.simulation = plan(request.settings);
-      answer.reference =
-          request.reference ? plan(*request.reference) : answer.simulation;
+      answer.reference = request.reference ? plan(*request.reference) : answer.simulation;
     }
     answers.push_back(std::move(answer));
   }

@@ -37,9 +37,9 @@ struct CaseResult {
   Request request;
   std::string key;  // identifies all that determines the result, see case_key
   Status status;
-  std::vector<Status> flags;  // all of wrinkled, indefinite, inverted that apply
-  std::string reason;         // in words, unless status is ok
-  Measures measures;          // all empty when there is no equilibrium to measure
+  std::vector<Status> flags;   // all of wrinkled, indefinite, inverted that apply
+  std::string reason;          // in words, unless status is ok
+  Measures measures;           // all empty when there is no equilibrium to measure
   double wrinkle_alternation;  // what the wrinkle detector saw, see wrinkles.hpp
   double wrinkle_amplitude;
   Solution solution;
@@ -69,14 +69,18 @@ class MeshStore {
       meshes_;
 };
 
-/// Runs every request and returns the results in the same order. Simulations that several
-/// requests share, references included, run once; `parallel` of them at a time.
-/// `known` may supply a result by its key instead. `finished(done, all)` is called after
-/// each simulation, from any thread but one at a time.
-std::vector<CaseResult> run_study(
-    const std::vector<Request>& requests, MeshStore& meshes, int parallel,
-    const std::function<std::optional<CaseResult>(const Request& request,
-                                                  const std::string& key)>& known,
-    const std::function<void(std::size_t done, std::size_t all)>& finished);
+/// Supplies a result that is known already, by its key.
+using KnownResult = std::function<std::optional<CaseResult>(const Request& request,
+                                                            const std::string& key)>;
+
+/// Called after each simulation, from any thread but one at a time.
+using Finished = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Runs every request that is not known and returns the results in the requests' order.
+/// Simulations that several requests share, references included, run once; `parallel` of
+/// them at a time.
+std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStore& meshes,
+                                  int parallel, const Finished& finished,
+                                  const KnownResult& known = {});
 
 }  // namespace springcheck

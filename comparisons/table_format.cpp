@@ -31,7 +31,8 @@ std::string instead_of_value(const CaseResult& result) {
   const double fraction = result.solution.load_fraction;
   std::string text(name_of(result.status));
   if (fraction > 0 && result.request.settings.deformation)
-    text += fmt::format(" beyond {:.4g}", fraction * *result.request.settings.deformation);
+    text +=
+        fmt::format(" beyond {:.4g}", fraction * *result.request.settings.deformation);
   return text;
 }
 
@@ -66,8 +67,8 @@ std::vector<std::string> headings(const Table& table) {
   const Quantity& quantity = table.plan.quantity;
   std::vector<std::string> all = table.plan.label_headings;
   all.insert(all.end(), {"printed " + heading(quantity), "ours " + heading(quantity),
-                         "ours - printed", "reference's " + heading(quantity), "reference",
-                         "mesh", "printed instabilities", "status"});
+                         "ours - printed", "reference's " + heading(quantity),
+                         "reference", "mesh", "printed instabilities", "status"});
   for (const Quantity& further : table.plan.further) all.push_back(heading(further));
   all.insert(all.end(), {"notes", "case"});
   return all;
@@ -93,8 +94,8 @@ std::vector<std::string> cells(const Table& table, const TableRow& row,
 std::string markdown(const Table& table) {
   const std::vector<std::string> notes = footnotes(table);
   const std::vector<std::string> top = headings(table);
-  std::string text = fmt::format("## {}\n\n| {} |\n|", table.plan.title,
-                                 fmt::join(top, " | "));
+  std::string text =
+      fmt::format("## {}\n\n| {} |\n|", table.plan.title, fmt::join(top, " | "));
   for (std::size_t i = 0; i < top.size(); ++i) text += " --- |";
   text += "\n";
   for (const TableRow& row : table.rows) {
@@ -103,8 +104,9 @@ std::string markdown(const Table& table) {
       text += fmt::format(" {} |", cell);
     text += "\n";
   }
-  text += "\nReference: the finite-element solution on the same mesh (law:element) that "
-          "deviations and the column \"reference's\" belong to.\n";
+  text +=
+      "\nReference: the finite-element solution on the same mesh (law:element) that "
+      "deviations and the column \"reference's\" belong to.\n";
   for (const std::string& note : table.plan.notes) text += "\n" + note + "\n";
   if (!notes.empty()) text += "\n";
   for (std::size_t i = 0; i < notes.size(); ++i)
@@ -133,7 +135,9 @@ std::string csv(const Table& table) {
   return text;
 }
 
-Json json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+Json json(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
 
 std::string json_text(const Table& table) {
   Json rows = Json::array();
@@ -151,7 +155,8 @@ std::string json_text(const Table& table) {
                            ? Json(label(*row.result.request.reference))
                            : Json();
     out["cells"] = row.result.request.settings.block.cells;
-    out["printed_instabilities"] = row.plan.verdict.empty() ? Json() : Json(row.plan.verdict);
+    out["printed_instabilities"] =
+        row.plan.verdict.empty() ? Json() : Json(row.plan.verdict);
     out["status"] = name_of(row.result.status);
     out["flags"] = flags;
     out["reason"] = row.result.reason.empty() ? Json() : Json(row.result.reason);
@@ -162,13 +167,11 @@ std::string json_text(const Table& table) {
     out["case"] = row.result.key;
     rows.push_back(out);
   }
-  const Json document{{"springcheck", build_info::version},
-                      {"table", table.plan.name},
-                      {"title", table.plan.title},
-                      {"quantity", table.plan.quantity.name},
-                      {"unit", table.plan.quantity.unit},
-                      {"rows", rows},
-                      {"notes", table.plan.notes}};
+  const Json document{
+      {"springcheck", build_info::version}, {"table", table.plan.name},
+      {"title", table.plan.title},          {"quantity", table.plan.quantity.name},
+      {"unit", table.plan.quantity.unit},   {"rows", rows},
+      {"notes", table.plan.notes}};
   return document.dump(2) + "\n";
 }
 
@@ -176,9 +179,12 @@ std::string json_text(const Table& table) {
 
 std::string format_table(const Table& table, TableFormat format) {
   switch (format) {
-    case TableFormat::markdown: return markdown(table);
-    case TableFormat::csv: return csv(table);
-    case TableFormat::json: return json_text(table);
+    case TableFormat::markdown:
+      return markdown(table);
+    case TableFormat::csv:
+      return csv(table);
+    case TableFormat::json:
+      return json_text(table);
   }
   return {};
 }

@@ -39,13 +39,16 @@ constexpr const char* note_torsion_angle =
     "The thesis calls 1 and 45 degrees 5 % and 20 %; the angles are inferred from its "
     "torques.";
 constexpr const char* note_exact_volume =
-    "e uses the exact trilinear volume. The mean-edge volume of Eq. 5.19, which drives the "
+    "e uses the exact trilinear volume. The mean-edge volume of Eq. 5.19, which drives "
+    "the "
     "correction, differs by up to 0.02 points.";
 constexpr const char* note_units =
-    "The thesis computed its centimetres as metres: its printed unit stands for 1e-4 N of "
+    "The thesis computed its centimetres as metres: its printed unit stands for 1e-4 N "
+    "of "
     "force and 1e-6 N m of torque in SI.";
 constexpr const char* note_figures_only =
-    "The thesis shows these beams as curves only (figures 5.15 to 5.19), without figures; "
+    "The thesis shows these beams as curves only (figures 5.15 to 5.19), without "
+    "figures; "
     "the instabilities are those its text names.";
 
 Quantity volume_error() {
@@ -89,12 +92,13 @@ PlannedRow row_of(const PrintedFigure& figure, const std::string& method,
   Overrides overrides{{"nu", fmt::format("{}", figure.nu)},
                       {"deformation", fmt::format("{}", figure.deformation)}};
   overrides.insert(overrides.end(), further.begin(), further.end());
-  PlannedRow row{.labels = {fmt::format("{:g}", figure.nu), deformation_text(figure), method},
-                 .request = request_of(scene, method, overrides, reference),
-                 .printed = figure.value,
-                 .printed_text = figure.text,
-                 .verdict = figure.verdict,
-                 .notes = {}};
+  PlannedRow row{
+      .labels = {fmt::format("{:g}", figure.nu), deformation_text(figure), method},
+      .request = request_of(scene, method, overrides, reference),
+      .printed = figure.value,
+      .printed_text = figure.text,
+      .verdict = figure.verdict,
+      .notes = {}};
   row.labels.back() = label(row.request.settings);
   return row;
 }
@@ -151,7 +155,8 @@ TablePlan shear_table(const Reference& reference) {
   return {.name = "5.3",
           .title = "Table 5.3: force on the plate in shearing",
           .label_headings = {"nu", "deformation", "method"},
-          .quantity = scaled("resultant", "1e-4 N", "{:.0f}", &Measures::plate_force_norm, 1e4),
+          .quantity =
+              scaled("resultant", "1e-4 N", "{:.0f}", &Measures::plate_force_norm, 1e4),
           .further = {scaled("sideways force", "1e-4 N", "{:.0f}", &Measures::plate_force,
                              1e4)},
           .rows = rows_of("5.3", reference),
@@ -159,13 +164,14 @@ TablePlan shear_table(const Reference& reference) {
 }
 
 TablePlan torsion_table(const Reference& reference) {
-  return {.name = "5.4",
-          .title = "Table 5.4: torque on the plate in torsion",
-          .label_headings = {"nu", "deformation", "method"},
-          .quantity = scaled("torque", "1e-6 N m", "{:.0f}", &Measures::plate_torque, 1e6),
-          .further = {},
-          .rows = rows_of("5.4", reference),
-          .notes = {note_units, note_torsion_angle}};
+  return {
+      .name = "5.4",
+      .title = "Table 5.4: torque on the plate in torsion",
+      .label_headings = {"nu", "deformation", "method"},
+      .quantity = scaled("torque", "1e-6 N m", "{:.0f}", &Measures::plate_torque, 1e6),
+      .further = {},
+      .rows = rows_of("5.4", reference),
+      .notes = {note_units, note_torsion_angle}};
 }
 
 TablePlan deviation_table(const Reference& reference) {
@@ -178,15 +184,17 @@ TablePlan deviation_table(const Reference& reference) {
       .further = {scaled("mean over all nodes", "cm", "{:.4f}", &Measures::mean_deviation,
                          100),
                   scaled("largest", "cm", "{:.4f}", &Measures::max_deviation, 100),
-                  scaled("relative L2", "%", "{:.2f}", &Measures::deviation_l2_relative, 100),
+                  scaled("relative L2", "%", "{:.2f}", &Measures::deviation_l2_relative,
+                         100),
                   scaled("relative largest", "%", "{:.2f}",
                          &Measures::deviation_max_relative, 100),
                   scaled("rms difference of cells' V/V0", "-", "{:.4f}",
                          &Measures::cell_volume_ratio_rms_difference, 1)},
       .rows = {},
-      .notes = {"The relative measures are volume-weighted over the free nodes and divided "
-                "by the largest imposed displacement.",
-                note_torsion_angle}};
+      .notes = {
+          "The relative measures are volume-weighted over the free nodes and divided "
+          "by the largest imposed displacement.",
+          note_torsion_angle}};
   for (const PrintedFigure& figure : printed_figures("deviation")) {
     PlannedRow row = row_of(figure, figure.method, {}, reference);
     row.labels.insert(row.labels.begin(), std::string(name_of(figure.test)));
@@ -203,14 +211,14 @@ TablePlan bending_table(const Reference& reference) {
       .title = "Beams under gravity, figures 5.15 to 5.19: drop of the tip",
       .label_headings = {"scene", "E [MPa]", "cells", "method"},
       .quantity = scaled("tip drop", "m", "{:.5g}", &Measures::tip_deflection, 1),
-      .further = {scaled("Euler-Bernoulli", "m", "{:.5g}", &Measures::tip_euler_bernoulli, 1),
-                  scaled("Timoshenko", "m", "{:.5g}", &Measures::tip_timoshenko, 1),
-                  scaled("elastica", "m", "{:.5g}", &Measures::tip_elastica, 1),
-                  scaled("centre line off Euler-Bernoulli", "m", "{:.3g}",
-                         &Measures::centre_line_euler_bernoulli, 1),
-                  scaled("off Timoshenko", "m", "{:.3g}", &Measures::centre_line_timoshenko, 1),
-                  scaled("off the elastica", "m", "{:.3g}", &Measures::centre_line_elastica,
-                         1)},
+      .further =
+          {scaled("Euler-Bernoulli", "m", "{:.5g}", &Measures::tip_euler_bernoulli, 1),
+           scaled("Timoshenko", "m", "{:.5g}", &Measures::tip_timoshenko, 1),
+           scaled("elastica", "m", "{:.5g}", &Measures::tip_elastica, 1),
+           scaled("centre line off Euler-Bernoulli", "m", "{:.3g}",
+                  &Measures::centre_line_euler_bernoulli, 1),
+           scaled("off Timoshenko", "m", "{:.3g}", &Measures::centre_line_timoshenko, 1),
+           scaled("off the elastica", "m", "{:.3g}", &Measures::centre_line_elastica, 1)},
       .rows = {},
       .notes = {note_figures_only,
                 "The distances are the largest between a node of the centre line and the "
@@ -219,16 +227,16 @@ TablePlan bending_table(const Reference& reference) {
   const auto add = [&](const std::string& scene, double young, const std::string& cells,
                        const std::string& method, const std::string& element,
                        const std::string& verdict) {
-    PlannedRow row{.labels = {},
-                   .request = request_of(scene, method,
-                                         {{"young", fmt::format("{}", young)},
-                                          {"cells", cells},
-                                          {"element", element}},
-                                         reference),
-                   .printed = std::nullopt,
-                   .printed_text = {},
-                   .verdict = verdict,
-                   .notes = {}};
+    PlannedRow row{
+        .labels = {},
+        .request = request_of(
+            scene, method,
+            {{"young", fmt::format("{}", young)}, {"cells", cells}, {"element", element}},
+            reference),
+        .printed = std::nullopt,
+        .printed_text = {},
+        .verdict = verdict,
+        .notes = {}};
     row.labels = {scene, fmt::format("{:g}", young / 1e6),
                   fmt::format("{}", fmt::join(row.request.settings.block.cells, " x ")),
                   label(row.request.settings)};
@@ -267,8 +275,7 @@ TablePlan plan_table(const std::string& name, const Reference& reference) {
   if (name == "5.4") return torsion_table(reference);
   if (name == "deviation") return deviation_table(reference);
   if (name == "bending") return bending_table(reference);
-  throw InputError("table", "",
-                   fmt::format("one of {}", fmt::join(table_names(), ", ")),
+  throw InputError("table", "", fmt::format("one of {}", fmt::join(table_names(), ", ")),
                    "'" + name + "'");
 }
 

@@ -21,10 +21,10 @@ struct Quantity {
 struct PlannedRow {
   std::vector<std::string> labels;  // under the table's label headings
   Request request;
-  std::optional<double> printed;    // in the table's unit
-  std::string printed_text;         // with the printed digits, or empty
-  std::string verdict;              // the thesis's on instabilities, or empty
-  std::vector<std::string> notes;   // footnotes, shared by equal text
+  std::optional<double> printed;   // in the table's unit
+  std::string printed_text;        // with the printed digits, or empty
+  std::string verdict;             // the thesis's on instabilities, or empty
+  std::vector<std::string> notes;  // footnotes, shared by equal text
 };
 
 /// A comparison table: what is computed, and what the thesis printed for it.

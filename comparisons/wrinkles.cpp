@@ -87,10 +87,12 @@ double imposed_strain(const CaseSettings& settings) {
   switch (settings.test) {
     case Test::compression:
     case Test::tension:
-    case Test::shearing: return *settings.deformation;
+    case Test::shearing:
+      return *settings.deformation;
     case Test::torsion:
       return std::abs(*settings.deformation) * std::min(size_x, size_y) / 2 / length;
-    case Test::bending: break;
+    case Test::bending:
+      break;
   }
   const Vector3 down = settings.gravity.normalized();
   const double height = std::abs(down.x()) > std::abs(down.y()) ? size_x : size_y;

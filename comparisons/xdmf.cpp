@@ -14,17 +14,25 @@ std::string grid_name(const CaseResult& result) {
   const CaseSettings& settings = result.request.settings;
   std::string name = fmt::format("{} {} nu={:g}", settings.scene, label(settings),
                                  settings.material.poisson_ratio);
-  if (settings.deformation) name += fmt::format(" deformation={:g}", *settings.deformation);
+  if (settings.deformation)
+    name += fmt::format(" deformation={:g}", *settings.deformation);
   return fmt::format("{} {}", name, result.key.substr(0, 8));
 }
 
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
     }
   return out;
 }
@@ -74,7 +82,8 @@ void write_xdmf(const std::filesystem::path& result_file,
   fmt::print(out, "</Domain>\n</Xdmf>\n");
   out.close();
   if (!out)
-    throw std::system_error(std::make_error_code(std::errc::io_error), unfinished.string());
+    throw std::system_error(std::make_error_code(std::errc::io_error),
+                            unfinished.string());
   std::filesystem::rename(unfinished, file);
 }
 

@@ -253,7 +253,8 @@ void write_msh(const Mesh& mesh, const std::filesystem::path& file) try {
   for (const auto& [name, region] : mesh.regions()) {
     const int surface = ::gmsh::model::addDiscreteEntity(2);
     add_elements(surface, gmsh_quadrilateral, region.faces);
-    ::gmsh::model::setPhysicalName(2, ::gmsh::model::addPhysicalGroup(2, {surface}), name);
+    ::gmsh::model::setPhysicalName(2, ::gmsh::model::addPhysicalGroup(2, {surface}),
+                                   name);
   }
   ::gmsh::write(file.string());
 } catch (const std::string& message) {

@@ -19,8 +19,8 @@ double trilinear_volume(const HexahedronCorners& x) {
       return x[static_cast<std::size_t>(face[i])] - x[0];
     };
     const Vector3 a = corner(0), b = corner(1), c = corner(2), d = corner(3);
-    twelve_volumes += a.dot(b.cross(c)) + a.dot(c.cross(d)) + a.dot(b.cross(d)) +
-                      b.dot(c.cross(d));
+    twelve_volumes +=
+        a.dot(b.cross(c)) + a.dot(c.cross(d)) + a.dot(b.cross(d)) + b.dot(c.cross(d));
   }
   return twelve_volumes / 12;
 }

@@ -27,12 +27,8 @@ double smallest_corner_jacobian(const HexahedronCorners& x);
 
 /// The six faces of a hexahedron as local node numbers, right-handed about the
 /// outward normal.
-inline constexpr std::array<std::array<int, 4>, 6> hexahedron_faces{{{0, 3, 2, 1},
-                                                                     {4, 5, 6, 7},
-                                                                     {0, 1, 5, 4},
-                                                                     {2, 3, 7, 6},
-                                                                     {0, 4, 7, 3},
-                                                                     {1, 2, 6, 5}}};
+inline constexpr std::array<std::array<int, 4>, 6> hexahedron_faces{
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 4, 7, 3}, {1, 2, 6, 5}}};
 
 /// Exact trilinear volume of each cell with its nodes at `positions`.
 std::vector<double> cell_volumes(std::span<const Hexahedron> cells,

@@ -34,8 +34,8 @@ Quadrilateral ascending(Quadrilateral face) {
 std::string cell_name(std::size_t number, const HexahedronCorners& x) {
   Vector3 centroid = Vector3::Zero();
   for (const Vector3& corner : x) centroid += corner / 8;
-  return fmt::format("hexahedron {} near ({:.6g}, {:.6g}, {:.6g}) m", number, centroid.x(),
-                     centroid.y(), centroid.z());
+  return fmt::format("hexahedron {} near ({:.6g}, {:.6g}, {:.6g}) m", number,
+                     centroid.x(), centroid.y(), centroid.z());
 }
 
 void check_nodes(const std::string& source, const std::vector<Vector3>& nodes,
@@ -147,8 +147,7 @@ const Region& Mesh::region(const std::string& name) const {
   if (found == regions_.end()) {
     std::vector<std::string_view> names;
     for (const auto& [known, region] : regions_) names.push_back(known);
-    throw InputError(source_, "region",
-                     fmt::format("one of {}", fmt::join(names, ", ")),
+    throw InputError(source_, "region", fmt::format("one of {}", fmt::join(names, ", ")),
                      fmt::format("'{}'", name));
   }
   return found->second;

@@ -25,7 +25,8 @@ void write_vtu(const Mesh& mesh, std::ostream& out) {
              "<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
              "format=\"ascii\">\n",
              mesh.nodes().size(), mesh.hexahedra().size());
-  for (const Vector3& x : mesh.nodes()) fmt::print(out, "{} {} {}\n", x.x(), x.y(), x.z());
+  for (const Vector3& x : mesh.nodes())
+    fmt::print(out, "{} {} {}\n", x.x(), x.y(), x.z());
   fmt::print(out,
              "</DataArray>\n</Points>\n<Cells>\n"
              "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n");
@@ -34,13 +35,13 @@ void write_vtu(const Mesh& mesh, std::ostream& out) {
   fmt::print(out,
              "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" "
              "format=\"ascii\">\n");
-  for (std::size_t c = 1; c <= mesh.hexahedra().size(); ++c) fmt::print(out, "{}\n", 8 * c);
-  fmt::print(out,
-             "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n");
+  for (std::size_t c = 1; c <= mesh.hexahedra().size(); ++c)
+    fmt::print(out, "{}\n", 8 * c);
+  fmt::print(
+      out, "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n");
   for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c)
     fmt::print(out, "{}\n", vtk_hexahedron);
-  fmt::print(out,
-             "</DataArray>\n</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  fmt::print(out, "</DataArray>\n</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
 }
 
 void write_inp(const Mesh& mesh, std::ostream& out) {

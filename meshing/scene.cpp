@@ -27,8 +27,9 @@ std::vector<PrescribedNode> prescribed_nodes(const Mesh& mesh, const Scene& scen
   const auto twice = std::ranges::adjacent_find(prescribed, {}, &PrescribedNode::node);
   if (twice != prescribed.end())
     throw InputError(mesh.source(), "node " + std::to_string(twice->node),
-                     "at most one plate", "two ('" + scene.plates[twice->plate].region +
-                         "' and '" + scene.plates[std::next(twice)->plate].region + "')");
+                     "at most one plate",
+                     "two ('" + scene.plates[twice->plate].region + "' and '" +
+                         scene.plates[std::next(twice)->plate].region + "')");
   return prescribed;
 }
 

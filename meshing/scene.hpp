@@ -31,7 +31,8 @@ struct RigidMotion {
 };
 
 /// Displacement of the material point X at load fraction s [m].
-Vector3 displacement(const RigidMotion& motion, const Vector3& point, double load_fraction);
+Vector3 displacement(const RigidMotion& motion, const Vector3& point,
+                     double load_fraction);
 
 /// A region of the mesh glued to a rigid plate: all three components are prescribed.
 struct Plate {
@@ -62,14 +63,16 @@ enum class LeverArms { undeformed, deformed };
 /// What a solver returns. Vectors hold one entry per node of the mesh.
 struct Solution {
   SolveStatus status;
-  std::string reason;                  // why; with ok, what was passed on the way
-  std::vector<Vector3> displacements;  // [m]; of the last state reached; empty when refused
-  std::vector<Vector3> reactions;      // [N] what the plates apply to the body; 0 on free nodes
+  std::string reason;  // why; with ok, what was passed on the way
+  std::vector<Vector3>
+      displacements;  // [m]; of the last state reached; empty when refused
+  std::vector<Vector3>
+      reactions;  // [N] what the plates apply to the body; 0 on free nodes
   LeverArms lever_arms;
-  double strain_energy;       // [J]
-  double load_fraction;       // reached, 1 = all of it
-  int steps;                  // load steps or time steps
-  int force_evaluations;      // of the whole internal force vector
+  double strain_energy;              // [J]
+  double load_fraction;              // reached, 1 = all of it
+  int steps;                         // load steps or time steps
+  int force_evaluations;             // of the whole internal force vector
   std::optional<double> dt{};        // [s] dynamics only
   std::optional<double> dt_limit{};  // [s] dynamics only: largest stable step at rest
 };

@@ -1,6 +1,5 @@
 #include "mss/cell.hpp"
 
-
 namespace springcheck::mss {
 namespace {
 
@@ -25,7 +24,9 @@ Eigen::Matrix3d mean_edges(const HexahedronCorners& x) {
   return edges;
 }
 
-double mean_edge_volume(const HexahedronCorners& x) { return mean_edges(x).determinant(); }
+double mean_edge_volume(const HexahedronCorners& x) {
+  return mean_edges(x).determinant();
+}
 
 Eigen::Matrix<double, 3, 8> mean_edge_volume_gradient(const HexahedronCorners& x) {
   const Eigen::Matrix3d edges = mean_edges(x);
@@ -46,11 +47,10 @@ Eigen::Matrix<double, 24, 24> mean_edge_volume_hessian(const HexahedronCorners& 
       const Vector3 s = corner_signs.col(i), t = corner_signs.col(j);
       // V is the determinant of (X, Y, Z): its second derivative pairs two different
       // edge vectors, det(., ., Z) and its cyclic sisters.
-      hessian.block<3, 3>(3 * i, 3 * j) =
-          -((s.x() * t.y() - s.y() * t.x()) * by_z +
-            (s.y() * t.z() - s.z() * t.y()) * by_x +
-            (s.z() * t.x() - s.x() * t.z()) * by_y) /
-          16;
+      hessian.block<3, 3>(3 * i, 3 * j) = -((s.x() * t.y() - s.y() * t.x()) * by_z +
+                                            (s.y() * t.z() - s.z() * t.y()) * by_x +
+                                            (s.z() * t.x() - s.x() * t.z()) * by_y) /
+                                          16;
     }
   return hessian;
 }

@@ -11,9 +11,9 @@
 namespace springcheck::mss {
 namespace {
 
-constexpr double safety = 0.9;            // of the stability limit, for time_step = none
+constexpr double safety = 0.9;  // of the stability limit, for time_step = none
 constexpr int steps_between_checks = 100;
-constexpr double lost = 100;              // body sizes
+constexpr double lost = 100;  // body sizes
 
 /// Forces on every node: springs, correction, dashpots and `gravity` [m/s^2].
 void total_forces(const Network& network, double damping_ratio, const Vector3& gravity,
@@ -63,8 +63,8 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
         wanted, limit);
     return solution;
   }
-  const auto steps =
-      std::max<std::int64_t>(1, std::llround(std::ceil(settings.duration / wanted - 1e-9)));
+  const auto steps = std::max<std::int64_t>(
+      1, std::llround(std::ceil(settings.duration / wanted - 1e-9)));
   const double dt = settings.duration / static_cast<double>(steps);
   solution.dt = dt;
 

@@ -20,11 +20,11 @@ constexpr double relative_residual = 1e-10;
 constexpr int newton_limit = 150;
 constexpr int inverse_iterations = 12;
 constexpr double smallest_load_step = 1. / 1024;
-constexpr double first_load_step = 1. / 4;
-constexpr double largest_move = 0.5;          // of a node in one iteration, in cell edges
-constexpr double runaway_volume_ratio = 4;    // a cell this large has no way back
-constexpr double near_saddle = 1e-3;          // relative residual
-constexpr double first_escape = 1e-3;         // along negative curvature, in cell edges
+constexpr double gradient_per_step = 0.06;  // see Landscape::gradient
+constexpr double largest_move = 0.5;        // of a node in one iteration, in cell edges
+constexpr double runaway_volume_ratio = 4;  // a cell this large has no way back
+constexpr double near_saddle = 1e-3;        // relative residual
+constexpr double first_escape = 1e-3;       // along negative curvature, in cell edges
 
 using Positions = std::vector<Vector3>;
 
@@ -36,8 +36,8 @@ class Landscape {
         network_(network),
         prescribed_(prescribed_nodes(mesh, scene)),
         assembly_(network, free_nodes(mesh, prescribed_)),
-        cell_edge_(std::cbrt(mesh.volume() /
-                             static_cast<double>(mesh.hexahedra().size()))),
+        cell_edge_(
+            std::cbrt(mesh.volume() / static_cast<double>(mesh.hexahedra().size()))),
         forces_(mesh.nodes().size()) {
     stiffness_ = assembly_.assemble(cell_tangents(network, network.rest_positions))
                      .diagonal()
@@ -49,7 +49,9 @@ class Landscape {
   [[nodiscard]] const std::vector<PrescribedNode>& prescribed() const {
     return prescribed_;
   }
-  [[nodiscard]] bool is_free(NodeIndex node) const { return assembly_.unknown(node) >= 0; }
+  [[nodiscard]] bool is_free(NodeIndex node) const {
+    return assembly_.unknown(node) >= 0;
+  }
 
   void set_load(double load_fraction) { load_fraction_ = load_fraction; }
 
@@ -154,6 +156,18 @@ class Landscape {
     return y;
   }
 
+  /// Root mean square over the springs of |change of d|/L: about the displacement
+  /// gradient between two states.
+  [[nodiscard]] double gradient(const Positions& from, const Positions& to) const {
+    double sum = 0;
+    for (const Spring& spring : network_.springs) {
+      const Vector3 change =
+          to[spring.b] - to[spring.a] - (from[spring.b] - from[spring.a]);
+      sum += change.squaredNorm() / (spring.rest_length * spring.rest_length);
+    }
+    return std::sqrt(sum / static_cast<double>(network_.springs.size()));
+  }
+
   [[nodiscard]] bool runs_away(const Positions& x) const {
     return std::ranges::any_of(network_.cells, [&](const Cell& cell) {
       return mean_edge_volume(corners(cell.nodes, x)) >
@@ -171,7 +185,8 @@ class Landscape {
 
   bool factor_matrix(const Eigen::SparseMatrix<double>& matrix) {
     if (!analysed_) {
-      cholesky_.cholmod().print = 0;  // a failed factorisation is an answer, not a warning
+      cholesky_.cholmod().print =
+          0;  // a failed factorisation is an answer, not a warning
       cholesky_.analyzePattern(matrix);
       analysed_ = true;
     }
@@ -207,9 +222,9 @@ class Landscape {
 struct Minimum {
   Positions positions;
   bool found;
-  bool definite;              // the true tangent there; its factor is in the landscape
-  bool met_indefinite;        // the tangent was indefinite somewhere on the way
-  double residual;            // relative
+  bool definite;        // the true tangent there; its factor is in the landscape
+  bool met_indefinite;  // the tangent was indefinite somewhere on the way
+  double residual;      // relative
 };
 
 double norm(const std::vector<Vector3>& vectors) {
@@ -219,8 +234,7 @@ double norm(const std::vector<Vector3>& vectors) {
 }
 
 double longest_move(const Eigen::VectorXd& step) {
-  return std::sqrt(
-      step.reshaped(3, step.size() / 3).colwise().squaredNorm().maxCoeff());
+  return std::sqrt(step.reshaped(3, step.size() / 3).colwise().squaredNorm().maxCoeff());
 }
 
 /// Moves x along the direction of negative curvature, doubling the step while the energy
@@ -301,14 +315,20 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
   Landscape landscape(mesh, scene, network);
   std::mt19937_64 random(seed);
   Positions x = mesh.nodes();
-  double reached = 0, step = first_load_step;
+  double reached = 0;
   int steps = 0;
   SolveStatus status = SolveStatus::ok;
   std::string reason;
 
   bool definite = landscape.factor(x);
+  if (!definite) landscape.factor_clamped();
+  const double whole_gradient = landscape.gradient(x, landscape.predicted(x, 1));
+  const double largest_step =
+      whole_gradient > gradient_per_step ? gradient_per_step / whole_gradient : 1;
+  double step = largest_step;
   while (reached < 1) {
-    const double to = std::min(1., reached + step);
+    // The last step may be a little longer, not a sliver.
+    const double to = reached + 1.05 * step > 1 ? 1 : reached + step;
     if (!definite) {
       landscape.factor(x);
       landscape.factor_clamped();
@@ -325,10 +345,10 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
       definite = minimum.definite;
       reached = to;
       ++steps;
-      step = std::min(first_load_step, 2 * step);
+      step = std::min(largest_step, 2 * step);
       continue;
     }
-    step /= 2;
+    step = (to - reached) / 2;
     if (step < smallest_load_step) {
       status = minimum.met_indefinite ? SolveStatus::no_equilibrium
                                       : SolveStatus::not_converged;
@@ -349,16 +369,15 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
 
   landscape.set_load(reached);
   const std::vector<Vector3>& forces = landscape.forces(x);
-  Solution solution{
-      .status = status,
-      .reason = reason,
-      .displacements = {},
-      .reactions = std::vector<Vector3>(x.size(), Vector3::Zero()),
-      .lever_arms = LeverArms::deformed,
-      .strain_energy = strain_energy(network, x),
-      .load_fraction = reached,
-      .steps = steps,
-      .force_evaluations = landscape.evaluations()};
+  Solution solution{.status = status,
+                    .reason = reason,
+                    .displacements = {},
+                    .reactions = std::vector<Vector3>(x.size(), Vector3::Zero()),
+                    .lever_arms = LeverArms::deformed,
+                    .strain_energy = strain_energy(network, x),
+                    .load_fraction = reached,
+                    .steps = steps,
+                    .force_evaluations = landscape.evaluations()};
   for (std::size_t n = 0; n < x.size(); ++n)
     solution.displacements.push_back(x[n] - mesh.nodes()[n]);
   for (const auto& [node, plate] : landscape.prescribed())

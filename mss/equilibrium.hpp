@@ -7,14 +7,15 @@ namespace springcheck::mss {
 /// Static equilibrium as a minimum of the total energy, followed from rest to the full
 /// load.
 ///
-/// Load steps: predictor through the tangent from the prescribed increments, then
-/// Newton's method with an energy line search. Where the tangent is not positive
-/// definite the step uses the cells' matrices with negative eigenvalues set to zero.
-/// A state counts as a minimum when its true tangent has a Cholesky factor; near a saddle
-/// the search leaves along the direction of most negative curvature (`seed` starts its
-/// inverse iteration, and so decides between equal directions). A step that finds no
-/// minimum is halved, down to 1/1024 of the load; then the status is no_equilibrium if
-/// definiteness had been lost, and not_converged otherwise.
+/// Load steps, the first so long that the springs turn and stretch by .06 on average:
+/// predictor through the tangent from the prescribed increments, then Newton's method
+/// with an energy line search. Where the tangent is not positive definite the step uses
+/// the cells' matrices with negative eigenvalues set to zero. A state counts as a minimum
+/// when its true tangent has a Cholesky factor; near a saddle the search leaves along the
+/// direction of most negative curvature (`seed` starts its inverse iteration, and so
+/// decides between equal directions). A step that finds no minimum is halved, down to
+/// 1/1024 of the load; then the status is no_equilibrium if definiteness had been lost,
+/// and not_converged otherwise.
 ///
 /// Converged: residual below 1e-10 of the norm of the nodal forces, or below what the
 /// rounding of the positions does to them.

@@ -59,8 +59,8 @@ void add_dashpot_forces(const Network& network, double damping_ratio,
     const double length_squared = d.squaredNorm();
     if (length_squared == 0) continue;
     const double approach = d.dot(velocities[spring.b] - velocities[spring.a]);
-    const Vector3 pull = dashpot_constant(network, spring, damping_ratio) * approach /
-                         length_squared * d;
+    const Vector3 pull =
+        dashpot_constant(network, spring, damping_ratio) * approach / length_squared * d;
     forces[spring.a] += pull;
     forces[spring.b] -= pull;
   }

@@ -63,20 +63,19 @@ std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Material& ma
 
 Network build_network(const Mesh& mesh, const Material& material,
                       const NetworkSettings& settings) {
-  Network network{
-      .rest_positions = mesh.nodes(),
-      .springs = {},
-      .cells = {},
-      .volume_modulus =
-          corrects_volume(settings.method) ? volume_correction_modulus(material) : 0,
-      .masses = std::vector<double>(mesh.nodes().size(), 0)};
+  Network network{.rest_positions = mesh.nodes(),
+                  .springs = {},
+                  .cells = {},
+                  .volume_modulus = corrects_volume(settings.method)
+                                        ? volume_correction_modulus(material)
+                                        : 0,
+                  .masses = std::vector<double>(mesh.nodes().size(), 0)};
   std::vector<Spring> springs;
   for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c) {
     const Hexahedron& nodes = mesh.hexahedra()[c];
     const HexahedronCorners x = corners(nodes, mesh.nodes());
     const double volume = mesh.cell_volumes()[c];
-    const LatticeStiffness k =
-        lattice_stiffness(material, std::cbrt(volume), settings);
+    const LatticeStiffness k = lattice_stiffness(material, std::cbrt(volume), settings);
     const LatticeStiffness share{.edge = k.edge / 4,
                                  .face_diagonal = k.face_diagonal / 2,
                                  .inner_diagonal = k.inner_diagonal};

@@ -5,8 +5,7 @@
 namespace springcheck::mss {
 
 Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
-  if (const auto reason =
-          reason_to_refuse(mesh, scene.material, settings.network.method))
+  if (const auto reason = reason_to_refuse(mesh, scene.material, settings.network.method))
     return {.status = SolveStatus::refused,
             .reason = *reason,
             .displacements = {},

@@ -19,8 +19,8 @@ void add_spring(CellMatrix& tangent, const LocalSpring& spring, double stiffness
   if (length == 0) return;
   const Vector3 n = d / length;
   const double across = 1 - rest_length / length;
-  const Eigen::Matrix3d block =
-      stiffness * (across * Eigen::Matrix3d::Identity() + (1 - across) * n * n.transpose());
+  const Eigen::Matrix3d block = stiffness * (across * Eigen::Matrix3d::Identity() +
+                                             (1 - across) * n * n.transpose());
   const auto i = static_cast<Eigen::Index>(3 * spring[0]),
              j = static_cast<Eigen::Index>(3 * spring[1]);
   tangent.block<3, 3>(i, i) += block;
@@ -49,8 +49,8 @@ CellMatrix cell_tangent(const Cell& cell, double volume_modulus,
     const auto gradient = mean_edge_volume_gradient(x);
     const Eigen::Map<const Eigen::Matrix<double, 24, 1>> g(gradient.data());
     tangent += volume_modulus / cell.rest_volume *
-               (g * g.transpose() + (mean_edge_volume(x) - cell.rest_volume) *
-                                        mean_edge_volume_hessian(x));
+               (g * g.transpose() +
+                (mean_edge_volume(x) - cell.rest_volume) * mean_edge_volume_hessian(x));
   }
   return tangent;
 }
@@ -107,10 +107,9 @@ FreeAssembly::FreeAssembly(const Network& network, const std::vector<bool>& is_f
   places_.reserve(576 * network.cells.size());
   for (const Cell& cell : network.cells)
     for_each_entry(cell, [&](Eigen::Index row, Eigen::Index column, bool kept) {
-      places_.push_back(
-          kept ? static_cast<std::int32_t>(&matrix_.coeffRef(row, column) -
-                                           matrix_.valuePtr())
-               : -1);
+      places_.push_back(kept ? static_cast<std::int32_t>(&matrix_.coeffRef(row, column) -
+                                                         matrix_.valuePtr())
+                             : -1);
     });
 }
 

@@ -22,8 +22,9 @@ class StepOperator {
     for (std::size_t n = 0; n < is_free.size(); ++n)
       inverse_root_mass_.push_back(is_free[n] ? 1 / std::sqrt(network.masses[n]) : 0);
     for (const Spring& spring : network.springs) {
-      axes_.push_back((network.rest_positions[spring.b] - network.rest_positions[spring.a])
-                          .normalized());
+      axes_.push_back(
+          (network.rest_positions[spring.b] - network.rest_positions[spring.a])
+              .normalized());
       dashpots_.push_back(dashpot_constant(network, spring, damping_ratio));
     }
     if (network.volume_modulus != 0)
@@ -51,7 +52,8 @@ class StepOperator {
     for (std::size_t s = 0; s < axes_.size(); ++s) {
       const Spring& spring = network_.springs[s];
       const double weight = dt * dt * spring.stiffness + 2 * dt * dashpots_[s];
-      const Vector3 pull = weight * axes_[s].dot(u.col(spring.b) - u.col(spring.a)) * axes_[s];
+      const Vector3 pull =
+          weight * axes_[s].dot(u.col(spring.b) - u.col(spring.a)) * axes_[s];
       force.col(spring.a) -= pull;
       force.col(spring.b) += pull;
     }
@@ -64,7 +66,8 @@ class StepOperator {
       const double pressure =
           dt * dt * network_.volume_modulus / cell.rest_volume * volume_rate;
       for (std::size_t i = 0; i < 8; ++i)
-        force.col(cell.nodes[i]) += pressure * gradients_[c].col(static_cast<Eigen::Index>(i));
+        force.col(cell.nodes[i]) +=
+            pressure * gradients_[c].col(static_cast<Eigen::Index>(i));
     }
     return force.array().rowwise() * scale.array();
   }

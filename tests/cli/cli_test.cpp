@@ -46,7 +46,9 @@ Run springcheck(const std::string& arguments) {
   return {WEXITSTATUS(status), text_of(folder / "out"), text_of(folder / "err")};
 }
 
-Json json_of(const std::string& arguments) { return Json::parse(springcheck(arguments).out); }
+Json json_of(const std::string& arguments) {
+  return Json::parse(springcheck(arguments).out);
+}
 
 std::size_t lines(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));
@@ -64,7 +66,8 @@ const std::string small = "--cells 4,4,4 ";
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(run_prints_the_documented_json) {
-  const Run run = springcheck("run compression --method mss-cf,fem-hooke --json " + small);
+  const Run run =
+      springcheck("run compression --method mss-cf,fem-hooke --json " + small);
   BOOST_TEST(run.status == 0);
   BOOST_TEST(run.err.empty(), run.err);
   const Json json = Json::parse(run.out);
@@ -72,14 +75,39 @@ BOOST_AUTO_TEST_CASE(run_prints_the_documented_json) {
   BOOST_TEST(json["springcheck"].is_string());
   BOOST_TEST_REQUIRE(json["results"].size() == 2U);
   const Json& springs = json["results"][0];
-  for (const char* key :
-       {"method", "element", "solver", "nu", "young", "density", "deformation", "mesh",
-        "status", "flags", "reason", "volume_error", "volume_change",
-        "cell_volume_ratio_min", "cell_volume_ratio_max", "force", "torque", "plate_force",
-        "plate_force_norm", "plate_torque", "mean_deviation", "max_deviation",
-        "middle_layer_deviation", "deviation_l2_relative", "reference", "tip_deflection",
-        "strain_energy", "steps", "dt", "dt_limit", "force_evaluations", "wall_s",
-        "solve_wall_s"})
+  for (const char* key : {"method",
+                          "element",
+                          "solver",
+                          "nu",
+                          "young",
+                          "density",
+                          "deformation",
+                          "mesh",
+                          "status",
+                          "flags",
+                          "reason",
+                          "volume_error",
+                          "volume_change",
+                          "cell_volume_ratio_min",
+                          "cell_volume_ratio_max",
+                          "force",
+                          "torque",
+                          "plate_force",
+                          "plate_force_norm",
+                          "plate_torque",
+                          "mean_deviation",
+                          "max_deviation",
+                          "middle_layer_deviation",
+                          "deviation_l2_relative",
+                          "reference",
+                          "tip_deflection",
+                          "strain_energy",
+                          "steps",
+                          "dt",
+                          "dt_limit",
+                          "force_evaluations",
+                          "wall_s",
+                          "solve_wall_s"})
     BOOST_TEST(springs.contains(key), key);
   for (const char* key : {"cells", "nodes", "types", "sha256"})
     BOOST_TEST(springs["mesh"].contains(key), key);
@@ -100,9 +128,10 @@ BOOST_AUTO_TEST_CASE(run_prints_a_readable_table) {
 }
 
 BOOST_AUTO_TEST_CASE(options_reach_the_simulation) {
-  const Json result = json_of("run torsion --method mss-cf --nu 0.3 --young 2e4 --density 900 "
-                              "--deformation 10deg --size 0.04,0.04,0.04 --json " + small)
-                          ["results"][0];
+  const Json result = json_of(
+      "run torsion --method mss-cf --nu 0.3 --young 2e4 --density 900 "
+      "--deformation 10deg --size 0.04,0.04,0.04 --json " +
+      small)["results"][0];
   BOOST_TEST(result["nu"] == 0.3);
   BOOST_TEST(result["young"] == 2e4);
   BOOST_TEST(result["density"] == 900);
@@ -114,8 +143,9 @@ BOOST_AUTO_TEST_CASE(options_reach_the_simulation) {
 // Torque scales with E L^3 and force with E L^2 (static).
 BOOST_AUTO_TEST_CASE(results_scale_with_the_units) {
   const auto force = [](const std::string& change) {
-    return json_of("run compression --method mss-cf --json " + small + change)["results"][0]
-                  ["plate_force"].get<double>();
+    return json_of("run compression --method mss-cf --json " + small +
+                   change)["results"][0]["plate_force"]
+        .get<double>();
   };
   BOOST_TEST(force("--young 3e4 --size 0.1,0.1,0.1") == 12 * force(""),
              boost::test_tools::tolerance(1e-9));
@@ -140,7 +170,8 @@ BOOST_AUTO_TEST_CASE(a_scene_s_expectations_decide_the_exit_status) {
   // TOML wants a digit before the point: shown to the user by line and column.
   expect_bad_input("run expecting.toml", "expecting.toml:2:9: ");
   std::ofstream(folder / "expecting.toml")
-      << "test = 'compression'\nsize = [0.05, 0.05, 0.05]\ncells = [6, 6, 6]\nyoung = 1e4\n"
+      << "test = 'compression'\nsize = [0.05, 0.05, 0.05]\ncells = [6, 6, 6]\nyoung = "
+         "1e4\n"
          "nu = 0.25\ndensity = 1000\ndeformation = '20%'\nmethod = 'mss-nfd'\n"
          "expect = ['wrinkled']\n";
   BOOST_TEST(springcheck("run expecting.toml").status == 0);
@@ -148,21 +179,22 @@ BOOST_AUTO_TEST_CASE(a_scene_s_expectations_decide_the_exit_status) {
 }
 
 BOOST_AUTO_TEST_CASE(a_refused_case_has_a_reason_and_null_measures) {
-  const Run run = springcheck("run compression --method mss-cf --json --size 0.05,0.05,0.06 " +
-                              small);
+  const Run run = springcheck(
+      "run compression --method mss-cf --json --size 0.05,0.05,0.06 " + small);
   BOOST_TEST(run.status == 3);
   const Json result = Json::parse(run.out)["results"][0];
   BOOST_TEST(result["status"] == "refused");
   BOOST_TEST(result["reason"].get<std::string>().find("cubic") != std::string::npos);
   BOOST_TEST(result["volume_error"].is_null());
-  const Json baudet =
-      json_of("run compression --method mss-baudet --nu -0.3 --json " + small)["results"][0];
+  const Json baudet = json_of("run compression --method mss-baudet --nu -0.3 --json " +
+                              small)["results"][0];
   BOOST_TEST(baudet["status"] == "refused");
 }
 
 BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_unless_forced) {
   const std::string dynamics =
-      "run shearing --method mss-cf --solver semi-implicit --duration 0.5 --json " + small;
+      "run shearing --method mss-cf --solver semi-implicit --duration 0.5 --json " +
+      small;
   const Json ok = json_of(dynamics)["results"][0];
   BOOST_TEST(ok["status"] == "ok");
   BOOST_TEST(ok["dt"].get<double>() < ok["dt_limit"].get<double>());
@@ -170,7 +202,8 @@ BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_unless_forced) {
   BOOST_TEST(refused.status == 3);
   const Json result = Json::parse(refused.out)["results"][0];
   BOOST_TEST(result["status"] == "refused");
-  BOOST_TEST(result["reason"].get<std::string>().find("stability limit") != std::string::npos);
+  BOOST_TEST(result["reason"].get<std::string>().find("stability limit") !=
+             std::string::npos);
   const Json forced = json_of(dynamics + "--dt 0.01 --force-dt")["results"][0];
   BOOST_TEST(forced["status"] == "diverged");
   BOOST_TEST(forced["volume_error"].is_null());
@@ -178,8 +211,10 @@ BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_unless_forced) {
 
 BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
   expect_bad_input("run compresion", "expected one of bending");
-  expect_bad_input("run nowhere.toml", "nowhere.toml:1:1: expected a readable scene file");
-  expect_bad_input("run compression --method mss-fc", "mss-baudet, mss-nfd, mss-fd, mss-cf");
+  expect_bad_input("run nowhere.toml",
+                   "nowhere.toml:1:1: expected a readable scene file");
+  expect_bad_input("run compression --method mss-fc",
+                   "mss-baudet, mss-nfd, mss-fd, mss-cf");
   expect_bad_input("run compression --element q3", "q1, q1-sri");
   expect_bad_input("run compression --solver magic", "static, semi-implicit");
   expect_bad_input("run compression --nu 0.5", "--nu: expected a number in (-1, 0.5)");

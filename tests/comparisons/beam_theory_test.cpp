@@ -22,7 +22,8 @@ Cantilever thesis_beam(double young) {
 }  // namespace
 
 // w L^4 / (8 E I), exact on paper.
-BOOST_AUTO_TEST_CASE(euler_bernoulli_tip_drops_by_w_l4_over_8_ei, *utf::tolerance(1e-12)) {
+BOOST_AUTO_TEST_CASE(euler_bernoulli_tip_drops_by_w_l4_over_8_ei,
+                     *utf::tolerance(1e-12)) {
   Cantilever beam = thesis_beam(2e6);
   beam.width = 0.3;
   beam.load_per_length = 1200;
@@ -38,7 +39,8 @@ BOOST_AUTO_TEST_CASE(euler_bernoulli_obeys_the_beam_equation, *utf::tolerance(1e
   const double h = 0.05, s = 1;
   const auto y = [&](double at) { return euler_bernoulli(beam, at).drop; };
   const double fourth =
-      (y(s - 2 * h) - 4 * y(s - h) + 6 * y(s) - 4 * y(s + h) + y(s + 2 * h)) / std::pow(h, 4);
+      (y(s - 2 * h) - 4 * y(s - h) + 6 * y(s) - 4 * y(s + h) + y(s + 2 * h)) /
+      std::pow(h, 4);
   BOOST_TEST(fourth == beam.load_per_length / (2e6 * std::pow(0.4, 4) / 12));
 }
 
@@ -65,7 +67,8 @@ BOOST_AUTO_TEST_CASE(elastica_is_euler_bernoulli_for_small_deflections,
   BOOST_TEST(points[3].drop == euler_bernoulli(beam, 2.4).drop);
 }
 
-// Inextensible: chords of 1 mm are as long as their arcs to second order in curvature * 1 mm.
+// Inextensible: chords of 1 mm are as long as their arcs to second order in curvature * 1
+// mm.
 BOOST_AUTO_TEST_CASE(elastica_keeps_its_length, *utf::tolerance(1e-6)) {
   std::vector<double> s;
   for (int i = 0; i <= 2400; ++i) s.push_back(2.4 * i / 2400);

@@ -11,7 +11,8 @@ namespace utf = boost::unit_test;
 
 namespace {
 
-CaseSettings small_block(const std::string& scene, const std::string& deformation = ".1") {
+CaseSettings small_block(const std::string& scene,
+                         const std::string& deformation = ".1") {
   std::vector<std::string> changes{"size=.4,.4,.8", "cells=4,4,8", "method=mss-cf"};
   if (scene != "bending") changes.push_back("deformation=" + deformation);
   return case_of(scene, changes);
@@ -20,15 +21,16 @@ CaseSettings small_block(const std::string& scene, const std::string& deformatio
 /// A solution with the given displacement of each point, nothing else.
 template <class Field>
 Solution moved(const Mesh& mesh, Field&& field) {
-  Solution solution{.status = SolveStatus::ok,
-                    .reason = {},
-                    .displacements = {},
-                    .reactions = std::vector<Vector3>(mesh.nodes().size(), Vector3::Zero()),
-                    .lever_arms = LeverArms::deformed,
-                    .strain_energy = 0,
-                    .load_fraction = 1,
-                    .steps = 1,
-                    .force_evaluations = 1};
+  Solution solution{
+      .status = SolveStatus::ok,
+      .reason = {},
+      .displacements = {},
+      .reactions = std::vector<Vector3>(mesh.nodes().size(), Vector3::Zero()),
+      .lever_arms = LeverArms::deformed,
+      .strain_energy = 0,
+      .load_fraction = 1,
+      .steps = 1,
+      .force_evaluations = 1};
   for (const Vector3& x : mesh.nodes()) solution.displacements.push_back(field(x));
   return solution;
 }
@@ -53,12 +55,12 @@ BOOST_AUTO_TEST_CASE(volumes_of_a_homogeneous_stretch, *utf::tolerance(1e-12)) {
 
 // A force pair of 3 N at opposite edges' middles of the plate, +-y at x = centre +- .2:
 // torque 2 * 3 * .2 about z. Round-off.
-BOOST_AUTO_TEST_CASE(torque_is_taken_about_the_plates_moved_centre, *utf::tolerance(1e-12)) {
+BOOST_AUTO_TEST_CASE(torque_is_taken_about_the_plates_moved_centre,
+                     *utf::tolerance(1e-12)) {
   CaseSettings settings = small_block("shearing");
   const Mesh mesh = generate_block(settings.block);
-  Solution solution = moved(mesh, [](const Vector3& x) {
-    return Vector3(0.1 * x.z(), 0, 0);
-  });
+  Solution solution =
+      moved(mesh, [](const Vector3& x) { return Vector3(0.1 * x.z(), 0, 0); });
   for (std::size_t n = 0; n < mesh.nodes().size(); ++n) {
     const Vector3& x = mesh.nodes()[n];
     if (std::abs(x.z() - 0.8) < 1e-9 && std::abs(x.y() - 0.2) < 1e-9) {
@@ -80,7 +82,8 @@ BOOST_AUTO_TEST_CASE(torque_is_taken_about_the_plates_moved_centre, *utf::tolera
 }
 
 BOOST_AUTO_TEST_CASE(plate_force_is_positive_along_the_imposed_motion) {
-  for (const auto& [scene, force] : {std::pair("compression", -2.), std::pair("tension", 2.)}) {
+  for (const auto& [scene, force] :
+       {std::pair("compression", -2.), std::pair("tension", 2.)}) {
     const CaseSettings settings = small_block(scene);
     const Mesh mesh = generate_block(settings.block);
     Solution solution = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
@@ -89,8 +92,8 @@ BOOST_AUTO_TEST_CASE(plate_force_is_positive_along_the_imposed_motion) {
   }
   const CaseSettings torsion = small_block("torsion", "10deg");
   const Mesh mesh = generate_block(torsion.block);
-  const Measures m =
-      measure(torsion, mesh, moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); }));
+  const Measures m = measure(
+      torsion, mesh, moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); }));
   BOOST_TEST(!m.plate_force.has_value());  // no direction to take it along
   BOOST_TEST(m.plate_torque.has_value());
 }
@@ -102,18 +105,21 @@ BOOST_AUTO_TEST_CASE(deviations_of_one_moved_node, *utf::tolerance(1e-12)) {
   const auto nodes = static_cast<double>(mesh.nodes().size());
   std::vector<Vector3> here(mesh.nodes().size(), Vector3::Zero()), reference = here;
   const double d = 0.001;
-  const auto middle = static_cast<std::size_t>(2 + 5 * (2 + 5 * 4));  // x = y = .2, z = .4
+  const auto middle =
+      static_cast<std::size_t>(2 + 5 * (2 + 5 * 4));  // x = y = .2, z = .4
   here[middle] = Vector3(0, d, 0);
   Measures m;
   measure_deviation(m, settings, mesh, here, reference);
   BOOST_TEST(*m.mean_deviation == d / nodes);
   BOOST_TEST(*m.max_deviation == d);
   BOOST_TEST(*m.middle_layer_deviation == d / 25);
-  // Free nodes stand for 7 of 8 layers, the interior one for a cell; the plate moves .08 m.
+  // Free nodes stand for 7 of 8 layers, the interior one for a cell; the plate moves .08
+  // m.
   const double free_volume = 0.4 * 0.4 * 0.7, own = 1e-3;
   BOOST_TEST(*m.deviation_l2_relative == d * std::sqrt(own / free_volume) / 0.08);
   BOOST_TEST(*m.deviation_max_relative == d / 0.08);
-  // Its eight cells change volume by +-d times a quarter of a face, the others not at all.
+  // Its eight cells change volume by +-d times a quarter of a face, the others not at
+  // all.
   BOOST_TEST(*m.cell_volume_ratio_rms_difference ==
              std::sqrt(8. / 128) * d * 0.1 * 0.1 / 4 / 1e-3);
 }
@@ -136,12 +142,12 @@ BOOST_AUTO_TEST_CASE(the_centre_line_is_compared_with_each_theory) {
   const Mesh mesh = generate_block(settings.block);
   // w/(24 E I) with w = 1600 N/m, E I = 2e6 * .4^4/12; gravity is along -x.
   const double c = 1600 / (24 * 2e6 * std::pow(0.4, 4) / 12), L = 2.4;
-  const Measures m = measure(settings, mesh, moved(mesh, [&](const Vector3& x) {
-                               const double s = x.z();
-                               return Vector3(-c * (std::pow(s, 4) - 4 * L * std::pow(s, 3) +
-                                                    6 * L * L * s * s),
-                                              0, 0);
-                             }));
+  const Measures m = measure(
+      settings, mesh, moved(mesh, [&](const Vector3& x) {
+        const double s = x.z();
+        return Vector3(-c * (std::pow(s, 4) - 4 * L * std::pow(s, 3) + 6 * L * L * s * s),
+                       0, 0);
+      }));
   BOOST_TEST(std::abs(*m.tip_deflection - *m.tip_euler_bernoulli) < 1e-12);
   BOOST_TEST(*m.centre_line_euler_bernoulli < 1e-12);
   BOOST_TEST(std::abs(*m.centre_line_timoshenko -
@@ -181,8 +187,8 @@ BOOST_AUTO_TEST_CASE(plates_are_not_searched_for_wrinkles) {
   const auto zigzag = moved(mesh, [&](const Vector3& x) {  // normal to the plates only
     return Vector3(0, 0, std::lround(x.x() / 0.1) % 2 == 0 ? 0.01 : -0.01);
   });
-  BOOST_TEST(!is_wrinkled(measure_wrinkling(mesh, mechanical_scene(settings), 0.1,
-                                            zigzag.displacements)));
+  BOOST_TEST(!is_wrinkled(
+      measure_wrinkling(mesh, mechanical_scene(settings), 0.1, zigzag.displacements)));
 }
 
 // 1 m/2.4 m and the fibre strain of the 2 MPa beam, by hand.

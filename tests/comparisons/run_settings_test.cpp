@@ -59,40 +59,68 @@ const std::vector<Bad> bad_scenes{
     {"", "scene.toml:1:1: expected settings, got an empty scene"},
     {"test = ", "scene.toml:1:"},
     {good + "colour = 3\n", "scene.toml:9:1: expected one of test, gravity"},
-    {with("nu = 0.25", "nu = \"soft\""), "scene.toml:5:6: nu: expected a finite number, got 'soft'"},
-    {with("nu = 0.25\n", ""), "scene.toml:1:1: key 'nu': expected a number in (-1, 0.5), got none"},
-    {with("nu = 0.25", "nu = 0.5"), "scene.toml:5:6: nu: expected a number in (-1, 0.5), got 0.5"},
-    {with("nu = 0.25", "nu = -1"), "scene.toml:5:6: nu: expected a number in (-1, 0.5), got -1"},
-    {with("nu = 0.25", "nu = nan"), "scene.toml:5:6: nu: expected a finite number, got nan"},
-    {with("young = 1e4", "young = -1"), "scene.toml:4:9: young: expected a positive finite number"},
-    {with("young = 1e4", "young = inf"), "scene.toml:4:9: young: expected a positive finite number"},
-    {with("density = 1000", "density = 0"), "scene.toml:6:11: density: expected a positive"},
-    {with("density = 1000", "density = {x = 1}"), "scene.toml:6:11: density: expected a number"},
-    {with("[1, 1, 1]", "[1, 1]"), "scene.toml:2:8: size: expected three finite numbers, got [1, 1]"},
-    {with("[1, 1, 1]", "[1, 0, 1]"), "scene.toml:2:8: size: expected three positive lengths"},
-    {with("[2, 2, 2]", "[2, 0, 2]"), "scene.toml:3:9: cells: expected three counts of at least 1"},
+    {with("nu = 0.25", "nu = \"soft\""),
+     "scene.toml:5:6: nu: expected a finite number, got 'soft'"},
+    {with("nu = 0.25\n", ""),
+     "scene.toml:1:1: key 'nu': expected a number in (-1, 0.5), got none"},
+    {with("nu = 0.25", "nu = 0.5"),
+     "scene.toml:5:6: nu: expected a number in (-1, 0.5), got 0.5"},
+    {with("nu = 0.25", "nu = -1"),
+     "scene.toml:5:6: nu: expected a number in (-1, 0.5), got -1"},
+    {with("nu = 0.25", "nu = nan"),
+     "scene.toml:5:6: nu: expected a finite number, got nan"},
+    {with("young = 1e4", "young = -1"),
+     "scene.toml:4:9: young: expected a positive finite number"},
+    {with("young = 1e4", "young = inf"),
+     "scene.toml:4:9: young: expected a positive finite number"},
+    {with("density = 1000", "density = 0"),
+     "scene.toml:6:11: density: expected a positive"},
+    {with("density = 1000", "density = {x = 1}"),
+     "scene.toml:6:11: density: expected a number"},
+    {with("[1, 1, 1]", "[1, 1]"),
+     "scene.toml:2:8: size: expected three finite numbers, got [1, 1]"},
+    {with("[1, 1, 1]", "[1, 0, 1]"),
+     "scene.toml:2:8: size: expected three positive lengths"},
+    {with("[2, 2, 2]", "[2, 0, 2]"),
+     "scene.toml:3:9: cells: expected three counts of at least 1"},
     {with("[2, 2, 2]", "[2, 2.5, 2]"), "scene.toml:3:9: cells: expected three integers"},
-    {with("[2, 2, 2]", "[2, 99999999999, 2]"), "scene.toml:3:9: cells: expected three counts"},
-    {with("deformation = 0.05", "deformation = -0.05"), "scene.toml:7:15: deformation: expected a positive"},
-    {with("deformation = 0.05", "deformation = 1"), "scene.toml:7:15: deformation: expected a strain below 1"},
-    {with("deformation = 0.05", "deformation = \"5kg\""), "scene.toml:7:15: deformation: expected a finite"},
-    {with("\"mss-cf\"", "\"mss-fc\""), "scene.toml:8:10: method: method: expected one of mss-baudet, mss-nfd"},
-    {with("\"mss-cf\"", "[]"), "scene.toml:8:10: method: expected at least one name, got []"},
-    {with("\"mss-cf\"", "[\"mss-cf\", \"mss-cf\"]"), "scene.toml:8:10: method: method: expected each name once"},
-    {with("\"compression\"", "\"squeezing\""), "scene.toml:1:8: test: expected one of compression, tension"},
-    {good + "element = \"q9\"\n", "scene.toml:9:11: element: element: expected one of q1, q1-sri"},
-    {good + "solver = \"magic\"\n", "scene.toml:9:10: solver: expected one of static, semi-implicit"},
+    {with("[2, 2, 2]", "[2, 99999999999, 2]"),
+     "scene.toml:3:9: cells: expected three counts"},
+    {with("deformation = 0.05", "deformation = -0.05"),
+     "scene.toml:7:15: deformation: expected a positive"},
+    {with("deformation = 0.05", "deformation = 1"),
+     "scene.toml:7:15: deformation: expected a strain below 1"},
+    {with("deformation = 0.05", "deformation = \"5kg\""),
+     "scene.toml:7:15: deformation: expected a finite"},
+    {with("\"mss-cf\"", "\"mss-fc\""),
+     "scene.toml:8:10: method: method: expected one of mss-baudet, mss-nfd"},
+    {with("\"mss-cf\"", "[]"),
+     "scene.toml:8:10: method: expected at least one name, got []"},
+    {with("\"mss-cf\"", "[\"mss-cf\", \"mss-cf\"]"),
+     "scene.toml:8:10: method: method: expected each name once"},
+    {with("\"compression\"", "\"squeezing\""),
+     "scene.toml:1:8: test: expected one of compression, tension"},
+    {good + "element = \"q9\"\n",
+     "scene.toml:9:11: element: element: expected one of q1, q1-sri"},
+    {good + "solver = \"magic\"\n",
+     "scene.toml:9:10: solver: expected one of static, semi-implicit"},
     {good + "dt = 0\n", "scene.toml:9:6: dt: expected a positive finite number, got 0"},
-    {good + "dt = \"soon\"\n", "scene.toml:9:6: dt: expected a positive time [s] or 'auto', got 'soon'"},
-    {good + "damping = -1\n", "scene.toml:9:11: damping: expected a number of at least 0"},
-    {good + "gravity = [0, 0, -1]\n", "scene.toml:9:11: gravity: expected no gravity but in bending"},
-    {good + "expect = \"fine\"\n", "scene.toml:9:10: expect: expected statuses among ok, wrinkled"},
-    {good + "reference = \"fem-stvk@converged\"\n", "scene.toml:9:13: reference: expected METHOD or"},
+    {good + "dt = \"soon\"\n",
+     "scene.toml:9:6: dt: expected a positive time [s] or 'auto', got 'soon'"},
+    {good + "damping = -1\n",
+     "scene.toml:9:11: damping: expected a number of at least 0"},
+    {good + "gravity = [0, 0, -1]\n",
+     "scene.toml:9:11: gravity: expected no gravity but in bending"},
+    {good + "expect = \"fine\"\n",
+     "scene.toml:9:10: expect: expected statuses among ok, wrinkled"},
+    {good + "reference = \"fem-stvk@converged\"\n",
+     "scene.toml:9:13: reference: expected METHOD or"},
     {good + "nu = 0.3\n", "scene.toml:9:6: expected TOML, got"}};  // a key twice
 
 }  // namespace
 
-BOOST_DATA_TEST_CASE(a_bad_scene_is_refused_with_line_and_column, data::make(bad_scenes)) {
+BOOST_DATA_TEST_CASE(a_bad_scene_is_refused_with_line_and_column,
+                     data::make(bad_scenes)) {
   const std::string message = message_of_scene(sample.scene);
   BOOST_TEST(message.starts_with(sample.message_start), message);
   BOOST_TEST(message.find('\n') == std::string::npos);
@@ -100,7 +128,8 @@ BOOST_DATA_TEST_CASE(a_bad_scene_is_refused_with_line_and_column, data::make(bad
 
 BOOST_AUTO_TEST_CASE(a_scene_that_cannot_be_read_is_named) {
   BOOST_CHECK_EXCEPTION(read_scene("no/such.toml"), InputError, [](const InputError& e) {
-    return std::string(e.what()).starts_with("no/such.toml:1:1: expected a readable scene");
+    return std::string(e.what()).starts_with(
+        "no/such.toml:1:1: expected a readable scene");
   });
   BOOST_CHECK_EXCEPTION(read_scene("compresion"), InputError, [](const InputError& e) {
     return std::string(e.what()).find("compression, shearing") != std::string::npos;
@@ -111,7 +140,8 @@ BOOST_AUTO_TEST_CASE(options_are_checked_like_keys) {
   BOOST_TEST(message_of_option("compression", "nu=.5") ==
              "--nu: expected a number in (-1, 0.5), got 0.5");
   BOOST_TEST(message_of_option("compression", "nu=a").starts_with("--nu: expected"));
-  BOOST_TEST(message_of_option("compression", "cells=3,3").starts_with("--cells: expected"));
+  BOOST_TEST(
+      message_of_option("compression", "cells=3,3").starts_with("--cells: expected"));
   BOOST_TEST(message_of_option("bending", "deformation=.1").starts_with("--deformation"));
   BOOST_TEST(message_of_option("bending", "gravity=0,0,0").starts_with("--gravity"));
 }
@@ -119,7 +149,8 @@ BOOST_AUTO_TEST_CASE(options_are_checked_like_keys) {
 BOOST_AUTO_TEST_CASE(deformations_are_understood_with_units,
                      *boost::unit_test::tolerance(1e-15)) {
   BOOST_TEST(*case_of("compression", {"deformation=5%"}).deformation == 0.05);
-  BOOST_TEST(*case_of("torsion", {"deformation=45deg"}).deformation == std::numbers::pi / 4);
+  BOOST_TEST(*case_of("torsion", {"deformation=45deg"}).deformation ==
+             std::numbers::pi / 4);
   BOOST_TEST(*case_of("compression", {"deformation=.2"}).deformation == 0.2);
 }
 

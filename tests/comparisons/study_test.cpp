@@ -17,12 +17,9 @@ const std::vector<std::string> small{"cells=4,4,4", "method=mss-cf,fem-hooke"};
 
 std::vector<CaseResult> study(const std::vector<Request>& requests, MeshStore& meshes,
                               int parallel, std::size_t* simulations = nullptr) {
-  return run_study(
-      requests, meshes, parallel,
-      [](const Request&, const std::string&) { return std::nullopt; },
-      [&](std::size_t, std::size_t all) {
-        if (simulations != nullptr) *simulations = all;
-      });
+  return run_study(requests, meshes, parallel, [&](std::size_t, std::size_t all) {
+    if (simulations != nullptr) *simulations = all;
+  });
 }
 
 }  // namespace
@@ -33,12 +30,14 @@ BOOST_AUTO_TEST_CASE(a_verdict_lists_all_flags_and_takes_the_first) {
     return verdict.status == status && verdict.flags == flags;
   };
   BOOST_TEST(is(judge(SolveStatus::ok, false, false), Status::ok, {}));
-  BOOST_TEST(is(judge(SolveStatus::ok, false, true), Status::wrinkled, {Status::wrinkled}));
+  BOOST_TEST(
+      is(judge(SolveStatus::ok, false, true), Status::wrinkled, {Status::wrinkled}));
   BOOST_TEST(is(judge(SolveStatus::indefinite, true, true), Status::inverted,
                 {Status::inverted, Status::wrinkled, Status::indefinite}));
   BOOST_TEST(is(judge(SolveStatus::indefinite, false, false), Status::indefinite,
                 {Status::indefinite}));
-  BOOST_TEST(is(judge(SolveStatus::no_equilibrium, true, true), Status::no_equilibrium, {}));
+  BOOST_TEST(
+      is(judge(SolveStatus::no_equilibrium, true, true), Status::no_equilibrium, {}));
   BOOST_TEST(is(judge(SolveStatus::refused, false, false), Status::refused, {}));
 }
 
@@ -67,9 +66,10 @@ BOOST_AUTO_TEST_CASE(results_do_not_depend_on_how_many_run_at_once) {
 
 BOOST_AUTO_TEST_CASE(a_refused_case_is_a_result_without_measures) {
   MeshStore meshes;
-  const auto results = study(
-      requests(run_of("compression", {"size=.05,.05,.06", "cells=4,4,4", "method=mss-cf"})),
-      meshes, 1);
+  const auto results =
+      study(requests(run_of("compression",
+                            {"size=.05,.05,.06", "cells=4,4,4", "method=mss-cf"})),
+            meshes, 1);
   BOOST_TEST((results.front().status == Status::refused));
   BOOST_TEST(results.front().reason.find("cubic") != std::string::npos);
   for_each_measure(results.front().measures, [](const char* name, const auto& value) {
@@ -85,7 +85,8 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
   const auto stored = read_results(file);
   BOOST_TEST_REQUIRE(stored.size() == 2U);
   for (const CaseResult& result : written) {
-    const CaseResult read = with_stored(result.request, result.key, stored.at(result.key));
+    const CaseResult read =
+        with_stored(result.request, result.key, stored.at(result.key));
     BOOST_TEST((read.status == result.status));
     BOOST_TEST(read.solution.steps == result.solution.steps);
     BOOST_TEST(read.wall_s == result.wall_s);
@@ -95,7 +96,8 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
         if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Measures::Value>)
           into.push_back(value.value_or(-1e300));
         else
-          into.insert(into.end(), {value ? value->x() : -1e300, value ? value->z() : -1e300});
+          into.insert(into.end(),
+                      {value ? value->x() : -1e300, value ? value->z() : -1e300});
       };
     };
     for_each_measure(result.measures, collect(before));

@@ -42,13 +42,15 @@ BOOST_AUTO_TEST_CASE(printed_figures_are_the_thesis_s) {
   BOOST_TEST(first.verdict == "yes");
   const PrintedFigure last = printed_figures("5.4").back();
   BOOST_TEST(last.value == 57981);
-  BOOST_TEST(last.deformation == std::numbers::pi / 4, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(last.deformation == std::numbers::pi / 4,
+             boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(every_printed_figure_has_its_row) {
   for (const char* name : {"5.1", "5.2", "5.3", "5.4", "deviation"}) {
     std::multiset<double> printed, planned;
-    for (const PrintedFigure& figure : printed_figures(name)) printed.insert(figure.value);
+    for (const PrintedFigure& figure : printed_figures(name))
+      printed.insert(figure.value);
     for (const PlannedRow& row : plan_table(name, std::nullopt).rows)
       if (label(row.request.settings) != "fem-hooke:q1-sri" &&
           row.request.settings.stiffness_form == mss::StiffnessForm::shear_modulus)
@@ -76,7 +78,8 @@ BOOST_AUTO_TEST_CASE(a_row_holds_the_difference_its_reference_and_its_case) {
   const auto& row = json["rows"][0];
   BOOST_TEST(row["printed"] == 2.6);
   BOOST_TEST(row["ours"].get<double>() == 3.17, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(row["difference"].get<double>() == 0.57, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(row["difference"].get<double>() == 0.57,
+             boost::test_tools::tolerance(1e-12));
   BOOST_TEST(row["reference"] == "fem-stvk:q1-sri");
   BOOST_TEST(row["case"] == "0123456789abcdef");
   BOOST_TEST(row["printed_instabilities"] == "yes");
@@ -120,9 +123,8 @@ BOOST_AUTO_TEST_CASE(markdown_and_csv_are_rectangular) {
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_table_is_refused) {
-  BOOST_CHECK_EXCEPTION(plan_table("5.9", std::nullopt), InputError,
-                        [](const InputError& error) {
-                          return std::string(error.what()).find("5.1, 5.2") !=
-                                 std::string::npos;
-                        });
+  BOOST_CHECK_EXCEPTION(
+      plan_table("5.9", std::nullopt), InputError, [](const InputError& error) {
+        return std::string(error.what()).find("5.1, 5.2") != std::string::npos;
+      });
 }

@@ -142,28 +142,3 @@ BOOST_AUTO_TEST_CASE(dynamics_is_stable_below_the_limit_and_not_above) {
         }
       }
 }
-
-BOOST_AUTO_TEST_CASE(step_above_the_limit_is_refused_unless_forced) {
-  const Mesh mesh = cube(2, 0.005);
-  const Scene scene{.material = tissue(0.25),
-                    .plates = {{"bottom", translation(Vector3::Zero())}},
-                    .gravity = Vector3::Zero()};
-  const Network network =
-      build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
-  DynamicsSettings settings{
-      .duration = 0.1, .time_step = 0.01, .force_time_step = false, .damping_ratio = 0};
-  const Solution refused = run_dynamics(mesh, scene, network, settings);
-  BOOST_TEST((refused.status == SolveStatus::refused));
-  BOOST_TEST(refused.steps == 0);
-  BOOST_TEST(refused.displacements.empty());
-  BOOST_TEST(*refused.dt == 0.01);
-  BOOST_TEST(*refused.dt_limit < 0.01);
-  BOOST_TEST(refused.reason.find("above the stability limit") != std::string::npos);
-
-  settings.time_step.reset();
-  const Solution automatic = run_dynamics(mesh, scene, network, settings);
-  BOOST_TEST((automatic.status == SolveStatus::ok));
-  BOOST_TEST(*automatic.dt <= *automatic.dt_limit);
-  BOOST_TEST(*automatic.dt * automatic.steps == settings.duration,
-             boost::test_tools::tolerance(1e-14));  // a whole number of steps
-}

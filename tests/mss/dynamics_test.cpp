@@ -1,0 +1,87 @@
+#define BOOST_TEST_MODULE dynamics
+#include "mss/dynamics.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "blocks.hpp"
+#include "mss/equilibrium.hpp"
+
+using namespace springcheck;
+using namespace springcheck::mss;
+
+namespace {
+
+constexpr Material tissue{.young_modulus = 1e4, .poisson_ratio = 0.25, .density = 1000};
+
+}  // namespace
+
+// v += dt g n/N and x += dt v over N steps, summed by hand: g dt^2 (N+1)(N+2)/6. The
+// block falls without strain, so the tolerance is round-off of N additions.
+BOOST_AUTO_TEST_CASE(block_without_plates_falls_freely) {
+  const Mesh mesh = cube(2, 0.005);
+  const Vector3 g(3, 0, -10);
+  const Scene scene{.material = tissue, .plates = {}, .gravity = g};
+  const Network network = build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
+  const Solution solution = run_dynamics(mesh, scene, network,
+                                         {.duration = 0.1,
+                                          .time_step = 0.001,
+                                          .force_time_step = false,
+                                          .damping_ratio = 0.1});
+  BOOST_TEST((solution.status == SolveStatus::ok));
+  BOOST_TEST(solution.steps == 100);
+  const Vector3 fallen = g * 0.001 * 0.001 * 101 * 102 / 6;
+  for (const Vector3& u : solution.displacements) BOOST_TEST((u - fallen).norm() < 1e-14);
+  BOOST_TEST(norm(solution.reactions) == 0);
+}
+
+// Slowly and with dashpots the block is led through its equilibria. Plates moving at
+// v = 0.75 mm/s still drag: in 1 s the state lags by about 1e-4 of the way, in 4 s by a
+// quarter of that.
+BOOST_AUTO_TEST_CASE(slow_damped_dynamics_ends_near_the_equilibrium) {
+  const Mesh mesh = cube(3, 0.005);
+  const double way = 0.05 * 0.015;
+  const Scene scene{
+      .material = tissue,
+      .plates = {{"bottom", translation({0, 0, 0})}, {"top", translation({0, 0, -way})}},
+      .gravity = Vector3::Zero()};
+  const Network network = build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
+  const Solution rest = find_equilibrium(mesh, scene, network, 1);
+  const auto lag = [&](double duration) {
+    const Solution end = run_dynamics(mesh, scene, network,
+                                      {.duration = duration,
+                                       .time_step = {},
+                                       .force_time_step = false,
+                                       .damping_ratio = 0.2});
+    double squares = 0;
+    for (std::size_t n = 0; n < end.displacements.size(); ++n)
+      squares += (end.displacements[n] - rest.displacements[n]).squaredNorm();
+    return std::sqrt(squares) / way;
+  };
+  const double in_one_second = lag(1), in_four_seconds = lag(4);
+  BOOST_TEST(in_one_second < 1e-3);
+  BOOST_TEST(in_four_seconds == in_one_second / 4, boost::test_tools::tolerance(0.1));
+}
+
+BOOST_AUTO_TEST_CASE(step_above_the_limit_is_refused_unless_forced) {
+  const Mesh mesh = cube(2, 0.005);
+  const Scene scene{.material = tissue,
+                    .plates = {{"bottom", translation(Vector3::Zero())}},
+                    .gravity = Vector3::Zero()};
+  const Network network = build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
+  DynamicsSettings settings{
+      .duration = 0.1, .time_step = 0.01, .force_time_step = false, .damping_ratio = 0};
+  const Solution refused = run_dynamics(mesh, scene, network, settings);
+  BOOST_TEST((refused.status == SolveStatus::refused));
+  BOOST_TEST(refused.steps == 0);
+  BOOST_TEST(refused.displacements.empty());
+  BOOST_TEST(*refused.dt == 0.01);
+  BOOST_TEST(*refused.dt_limit < 0.01);
+  BOOST_TEST(refused.reason.find("above the stability limit") != std::string::npos);
+
+  settings.time_step.reset();
+  const Solution automatic = run_dynamics(mesh, scene, network, settings);
+  BOOST_TEST((automatic.status == SolveStatus::ok));
+  BOOST_TEST(*automatic.dt <= *automatic.dt_limit);
+  BOOST_TEST(*automatic.dt * automatic.steps == settings.duration,
+             boost::test_tools::tolerance(1e-14));  // a whole number of steps
+}
