@@ -1,5 +1,6 @@
 # Everything but deal.II (DealII.cmake), each as a target.
 find_package(Eigen3 3.4 REQUIRED)
+find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(TBB REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)

@@ -44,8 +44,8 @@ struct CaseSettings {
 ///   bending:              no upper plate, gravity acts
 Scene mechanical_scene(const CaseSettings& settings);
 
-/// The settings a method reads, and no others, as JSON: two cases that cannot differ
-/// have equal JSON.
+/// The scene's name and the settings its method reads, and no others, as JSON: a setting
+/// that cannot change the result does not change it.
 nlohmann::json settings_json(const CaseSettings& settings);
 
 /// "fem-stvk:q1-sri" for finite elements, "mss-cf" for springs.

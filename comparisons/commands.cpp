@@ -1,10 +1,12 @@
 #include "comparisons/commands.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/build_info.hpp"
 #include "comparisons/memory.hpp"
 #include "comparisons/progress.hpp"
 #include "comparisons/reproduce.hpp"
@@ -14,6 +16,7 @@
 #include "comparisons/shipped.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/mesh_files.hpp"
+#include "meshing/output_file.hpp"
 
 namespace springcheck {
 namespace {
@@ -76,13 +79,14 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
                        Output output) {
   const RunSettings run = settings_of(scene, options);
   const std::vector<Request> all = requests(run);
-  check_memory(all, 1);
-  if (result_file) check_writable(*result_file);
+  check_memory(run.cells_place, all, 1);
+  if (result_file) check_results_writable(*result_file);
 
   MeshStore meshes;
   std::vector<CaseResult> results;
   {
     Progress progress("simulations");
+    progress.show(0, all.size());
     results = run_study(all, meshes, 1, [&](std::size_t done, std::size_t of) {
       progress.show(done, of);
     });
@@ -102,7 +106,12 @@ ExitStatus table_command(const std::string& name,
                          const std::optional<std::filesystem::path>& from,
                          const std::string& reference, TableFormat format, int parallel) {
   std::map<std::string, StoredCase> stored;
-  if (from) stored = read_results(*from);
+  if (from) {
+    stored = read_results(*from);
+    if (const std::string commit = commit_of(*from); commit != build_info::commit)
+      spdlog::warn("{} was written by commit {}, this program is {}", from->string(),
+                   commit, build_info::commit);
+  }
   std::optional<ReferenceMethod> chosen;
   if (!reference.empty())
     chosen = reference_named(Given::from_text("--reference", reference));
@@ -154,7 +163,7 @@ ExitStatus mesh_command(const std::string& scene,
                         const std::vector<GivenSetting>& options,
                         const std::filesystem::path& file) {
   const RunSettings run = settings_of(scene, options);
-  check_mesh_memory(run.common.scene, run.common.block);
+  check_mesh_memory(run.cells_place, run.common.block);
   check_writable(file);
   const Mesh mesh = generate_block(run.common.block);
   write_mesh(mesh, file);

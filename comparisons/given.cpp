@@ -40,7 +40,11 @@ std::string described(const Given::Scalar& value) {
   struct {
     std::string operator()(bool b) const { return b ? "true" : "false"; }
     std::string operator()(std::int64_t i) const { return std::to_string(i); }
-    std::string operator()(double d) const { return fmt::format("{}", d); }
+    std::string operator()(double d) const {
+      const std::string text = fmt::format("{}", d);
+      const bool looks_integral = text.find_first_of(".ein") == std::string::npos;
+      return looks_integral ? text + ".0" : text;
+    }
     std::string operator()(const std::string& s) const { return fmt::format("'{}'", s); }
   } describe;
   return std::visit(describe, value);
@@ -56,6 +60,7 @@ Given Given::from_text(std::string place, std::string_view text) {
     if (comma == std::string_view::npos) break;
     text.remove_prefix(comma + 1);
   }
+  if (values.size() == 1) return {std::move(place), std::move(values.front())};
   return {std::move(place), std::move(values)};
 }
 
@@ -63,12 +68,12 @@ void Given::refuse(const std::string& expected) const {
   std::string got;
   for (const Scalar& value : values_)
     got += fmt::format("{}{}", got.empty() ? "" : ", ", described(value));
-  if (values_.size() != 1) got = fmt::format("[{}]", got);
+  if (is_list_) got = fmt::format("[{}]", got);
   throw InputError(place_, "", expected, got);
 }
 
-const Given::Scalar& Given::single(const char* expected) const {
-  if (values_.size() != 1) refuse(expected);
+const Given::Scalar& Given::single(const std::string& expected) const {
+  if (is_list_) refuse(expected);
   return values_.front();
 }
 
@@ -136,22 +141,28 @@ std::array<std::int64_t, 3> Given::three_integers() const {
   return integers;
 }
 
-double Given::deformation() const {
-  constexpr const char* expected =
-      "a finite number, or one with a unit such as '5%' or '45deg'";
+double Given::with_unit(const char* unit, double factor,
+                        const std::string& expected) const {
   const Scalar& value = single(expected);
-  if (const auto plain = number(value); plain && std::isfinite(*plain)) return *plain;
-  const auto* text = std::get_if<std::string>(&value);
-  if (text == nullptr) refuse(expected);
-  const auto with_unit = [&](std::string_view unit) -> std::optional<double> {
-    if (!text->ends_with(unit)) return std::nullopt;
-    return parsed<double>(std::string_view(*text).substr(0, text->size() - unit.size()));
-  };
-  if (const auto percent = with_unit("%"); percent && std::isfinite(*percent))
-    return *percent / 100;
-  if (const auto degrees = with_unit("deg"); degrees && std::isfinite(*degrees))
-    return *degrees * std::numbers::pi / 180;
-  refuse(expected);
+  std::optional<double> found = number(value);
+  if (const auto* text = std::get_if<std::string>(&value);
+      text != nullptr && text->ends_with(unit)) {
+    const std::string_view digits(*text);
+    found =
+        parsed<double>(digits.substr(0, digits.size() - std::string_view(unit).size()));
+    if (found) *found *= factor;
+  }
+  if (!found || !std::isfinite(*found)) refuse(expected);
+  return *found;
+}
+
+double Given::strain() const {
+  return with_unit("%", 0.01, "a finite strain, such as 0.05 or '5%'");
+}
+
+double Given::angle() const {
+  return with_unit("deg", std::numbers::pi / 180,
+                   "a finite angle, such as 0.785 (radians) or '45deg'");
 }
 
 }  // namespace springcheck

@@ -16,8 +16,10 @@ class Given {
   using Scalar = std::variant<bool, std::int64_t, double, std::string>;
 
   /// place: "scene.toml:4:7: nu" or "--nu".
-  Given(std::string place, std::vector<Scalar> values)
-      : place_(std::move(place)), values_(std::move(values)) {}
+  Given(std::string place, Scalar value)
+      : place_(std::move(place)), values_{std::move(value)} {}
+  Given(std::string place, std::vector<Scalar> list)
+      : place_(std::move(place)), values_(std::move(list)), is_list_(true) {}
 
   /// From command-line text: commas separate the values of a list; each is read as a
   /// truth value, an integer, a number or else as text.
@@ -34,17 +36,23 @@ class Given {
   [[nodiscard]] std::array<double, 3> three_numbers() const;
   [[nodiscard]] std::array<std::int64_t, 3> three_integers() const;
 
-  /// A number, or text with a unit: "5%" is 0.05, "45deg" is pi/4.
-  [[nodiscard]] double deformation() const;
+  /// A strain: a number, or text in percent, "5%".
+  [[nodiscard]] double strain() const;
+
+  /// An angle [rad]: a number, or text in degrees, "45deg".
+  [[nodiscard]] double angle() const;
 
   /// Throws InputError for this value.
   [[noreturn]] void refuse(const std::string& expected) const;
 
  private:
-  [[nodiscard]] const Scalar& single(const char* expected) const;
+  [[nodiscard]] const Scalar& single(const std::string& expected) const;
+  [[nodiscard]] double with_unit(const char* unit, double factor,
+                                 const std::string& expected) const;
 
   std::string place_;
   std::vector<Scalar> values_;
+  bool is_list_ = false;
 };
 
 }  // namespace springcheck

@@ -43,10 +43,25 @@ Handle::Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what)
   if (id < 0) throw std::runtime_error("HDF5: cannot open or create " + what);
 }
 
-Handle create_file(const std::filesystem::path& file) {
+// HDF5 1.10 crashes when the disk is full: files are made in memory, and their bytes
+// written by a stream that says so.
+Handle create_in_memory() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are thrown, not printed
-  return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-          file.string()};
+  constexpr std::size_t increment = 1 << 20;
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
+  check(H5Pset_fapl_core(access, increment, 0), "choosing memory");
+  return {H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose,
+          "a file in memory"};
+}
+
+std::string file_image(hid_t file) {
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flushing");
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  check(size < 0 ? -1 : 0, "sizing a file in memory");
+  std::string image(static_cast<std::size_t>(size), '\0');
+  check(H5Fget_file_image(file, image.data(), image.size()) < 0 ? -1 : 0,
+        "copying a file from memory");
+  return image;
 }
 
 Handle open_file(const std::filesystem::path& file) {

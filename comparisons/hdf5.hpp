@@ -32,7 +32,8 @@ class Handle {
 };
 
 /// All of these throw std::runtime_error with the object's name when HDF5 fails.
-Handle create_file(const std::filesystem::path& file);
+Handle create_in_memory();
+std::string file_image(hid_t file);  // the bytes of a file created in memory
 Handle open_file(const std::filesystem::path& file);  // for reading
 Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);

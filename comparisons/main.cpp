@@ -4,7 +4,9 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <map>
+#include <stdexcept>
 #include <thread>
 
 #include "comparisons/build_info.hpp"
@@ -60,12 +62,35 @@ std::optional<std::filesystem::path> path_or_none(const std::string& text) {
   return text;
 }
 
+/// For options that are left out or hold something.
+std::string check_not_empty(const std::string& text) {
+  return text.empty() ? "expected a path, got ''" : "";
+}
+
+/// Refuses a first word that is no command, naming it; CLI11 would only ask for one.
+void check_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw InputError("springcheck", "", "one of " + names,
+                   "'" + std::string(argv[1]) + "'");
+}
+
+/// What was printed must have arrived: a full disk or a closed pipe is a failure.
+void flush_output() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw std::runtime_error("standard output could not be written whole");
+}
+
 int command_line(int argc, char** argv) {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   CLI::App app("Cross-validates mass-spring soft-tissue models against finite elements.");
   app.require_subcommand(1);
-  app.set_version_flag("--version", std::string("springcheck ") + build_info::version +
-                                        " (" + build_info::commit + ")");
+  const std::string version =
+      std::string("springcheck ") + build_info::version + " (" + build_info::commit + ")";
   bool verbose = false;
   app.add_flag("--verbose", verbose, "log every Newton iteration to stderr");
 
@@ -82,21 +107,24 @@ int command_line(int argc, char** argv) {
   CLI::App* run = app.add_subcommand("run", "Run one scene with one or more methods");
   run->add_option("scene", scene, "name of a shipped scene, or a .toml file")->required();
   const SettingOptions run_options(run);
-  run->add_option("--out", out, "HDF5 file for measures and fields");
+  run->add_option("--out", out, "HDF5 file for measures and fields")
+      ->check(check_not_empty);
   run->add_flag("--json", json, "print one JSON document");
   add_threads(run);
 
   CLI::App* table =
       app.add_subcommand("table", "Print one of the thesis's tables beside ours");
   table->add_option("name", name, "5.1, 5.2, 5.3, 5.4, deviation or bending")->required();
-  table->add_option("--from", from, "result file to take cases from; computes the rest");
+  table->add_option("--from", from, "result file to take cases from; computes the rest")
+      ->check(check_not_empty);
   table->add_option("--reference", reference, "METHOD or METHOD:ELEMENT");
   table->add_option("--format", format, "md (default), csv or json");
   add_threads(table);
 
   CLI::App* everything = app.add_subcommand("reproduce", "Regenerate every table");
   everything->add_option("--out", out, "folder for tables, results and summary")
-      ->required();
+      ->required()
+      ->check(check_not_empty);
   add_threads(everything);
 
   CLI::App* list = app.add_subcommand("list", "List what there is");
@@ -107,19 +135,25 @@ int command_line(int argc, char** argv) {
   mesh->add_option("scene", scene, "name of a shipped scene, or a .toml file")
       ->required();
   const SettingOptions mesh_options(mesh);
-  mesh->add_option("--out", out, "a .msh, .vtu or .inp file")->required();
+  mesh->add_option("--out", out, "a .msh, .vtu or .inp file")
+      ->required()
+      ->check(check_not_empty);
 
+  app.set_version_flag("--version", version);
+  for (CLI::App* command : app.get_subcommands({}))
+    command->set_version_flag("--version", version);
+
+  check_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const bool asked = error.get_exit_code() == 0;  // --help, --version
-    app.exit(error);
-    return asked ? ExitStatus::done : ExitStatus::bad_input;
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    fmt::print(stderr, "springcheck: {} (see --help)\n", error.what());
+    return ExitStatus::bad_input;
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("springcheck"));
   spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
-  // Factorisations stay on one thread: the same bits on every machine, and simulations
-  // are what runs in parallel.
+  // The same bits on every machine; simulations are what runs in parallel.
   openblas_set_num_threads(1);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
@@ -137,6 +171,7 @@ int command_line(int argc, char** argv) {
     reproduce(out, threads);
     fmt::print("Tables, results and summary are in {}\n", out);
   }
+  flush_output();
   return status;
 }
 

@@ -21,6 +21,10 @@ struct Measures {
   Value corner_jacobian_ratio_min{};  // smallest corner Jacobian of a cell over its rest
                                       // value; the cell is inverted below 0
 
+  // What the detector saw on the worst free face, see wrinkles.hpp:
+  Value wrinkle_alternation{};
+  Value wrinkle_amplitude{};
+
   // What the moved plate applies to the body; empty without a moved plate.
   Vector force{};       // [N]
   Vector torque{};      // [N m] about the plate's axis directions, through its centre
@@ -61,6 +65,8 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
   visit("cell_volume_ratio_min", measures.cell_volume_ratio_min);
   visit("cell_volume_ratio_max", measures.cell_volume_ratio_max);
   visit("corner_jacobian_ratio_min", measures.corner_jacobian_ratio_min);
+  visit("wrinkle_alternation", measures.wrinkle_alternation);
+  visit("wrinkle_amplitude", measures.wrinkle_amplitude);
   visit("force", measures.force);
   visit("torque", measures.torque);
   visit("plate_force", measures.plate_force);

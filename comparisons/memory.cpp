@@ -12,14 +12,15 @@
 namespace springcheck {
 namespace {
 
-void refuse_if_too_large(const std::string& scene, const BlockSize& block,
-                         const std::string& what, double bytes, int parallel) {
+void refuse_if_too_large(const std::string& place, const std::string& what, double bytes,
+                         int parallel) {
   const double available = available_memory();
   if (parallel * bytes > available)
     throw InputError(
-        fmt::format("{}: cells {}", scene, fmt::join(block.cells, ",")), what,
-        fmt::format("at most {:.1f} GB, which this machine has left", available / 1e9),
-        fmt::format("an estimate of {:.1f} GB{}", parallel * bytes / 1e9,
+        place, what,
+        fmt::format("cells for at most {:.3g} GB, which this machine has left",
+                    available / 1e9),
+        fmt::format("an estimate of {:.3g} GB{}", parallel * bytes / 1e9,
                     parallel > 1 ? fmt::format(" for {} at once", parallel) : ""));
 }
 
@@ -58,18 +59,18 @@ double available_memory() {
   return INFINITY;  // not Linux: nothing to compare with
 }
 
-void check_mesh_memory(const std::string& scene, const BlockSize& block) {
-  refuse_if_too_large(scene, block, "mesh", estimated_mesh_memory(block), 1);
+void check_mesh_memory(const std::string& place, const BlockSize& block) {
+  refuse_if_too_large(place, "mesh", estimated_mesh_memory(block), 1);
 }
 
-void check_memory(const std::vector<Request>& requests, int parallel) {
-  const auto check = [&](const CaseSettings& settings) {
-    refuse_if_too_large(settings.scene, settings.block, label(settings),
-                        estimated_memory(settings), parallel);
-  };
+void check_memory(const std::string& place, const std::vector<Request>& requests,
+                  int parallel) {
   for (const Request& request : requests) {
-    check(request.settings);
-    if (request.reference) check(*request.reference);
+    refuse_if_too_large(place, label(request.settings),
+                        estimated_memory(request.settings), parallel);
+    if (request.reference)
+      refuse_if_too_large(place, label(*request.reference),
+                          estimated_memory(*request.reference), parallel);
   }
 }
 

@@ -32,13 +32,14 @@ std::vector<PrintedFigure> printed_figures(const std::string& table) {
     std::istringstream row(line);
     for (std::string& field : fields) std::getline(row, field, ',');
     const auto& [name, test, method, nu, deformation, value, verdict] = fields;
+    const Given amount = Given::from_text("printed.csv", deformation);
     if (name == table)
       figures.push_back(
           {.table = name,
            .test = test_named(test),
            .method = method,
            .nu = Given::from_text("printed.csv", nu).finite_number(),
-           .deformation = Given::from_text("printed.csv", deformation).deformation(),
+           .deformation = test == "torsion" ? amount.angle() : amount.strain(),
            .value = Given::from_text("printed.csv", value).finite_number(),
            .text = value,
            .verdict = verdict});

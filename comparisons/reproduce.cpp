@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <set>
 #include <system_error>
 
@@ -15,26 +14,22 @@
 #include "comparisons/result_file.hpp"
 #include "comparisons/table_format.hpp"
 #include "meshing/input_error.hpp"
-#include "meshing/mesh_files.hpp"
+#include "meshing/output_file.hpp"
 
 namespace springcheck {
 namespace {
 
-/// Writes the text under another name and renames it.
 void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::filesystem::path unfinished = file;
-  unfinished += ".part";
-  std::ofstream out(unfinished);
-  out << text;
-  out.close();
-  if (!out)
-    throw std::system_error(std::make_error_code(std::errc::io_error),
-                            unfinished.string());
-  std::filesystem::rename(unfinished, file);
+  write_whole_stream(file, [&](std::ostream& out) { out << text; });
 }
 
-std::string row_name(const TableRow& row) {
-  return fmt::format("{}", fmt::join(row.plan.labels, ", "));
+/// "nu 0, deformation 5 %, method mss-cf".
+std::string row_name(const Table& table, const TableRow& row) {
+  std::string name;
+  for (std::size_t i = 0; i < row.plan.labels.size(); ++i)
+    name += fmt::format("{}{} {}", i == 0 ? "" : ", ", table.plan.label_headings[i],
+                        row.plan.labels[i]);
+  return name;
 }
 
 /// The row of mss-cf that is furthest from its printed value, relative to it or, for
@@ -57,7 +52,7 @@ std::string worst_against_thesis(const Table& table) {
   }
   if (worst == nullptr) return "no printed figure of mss-cf to compare with";
   return fmt::format(
-      "{} mss-cf rows; furthest from print: {} ({}){}", compared, row_name(*worst),
+      "{} mss-cf rows; furthest from print: {} ({}){}", compared, row_name(table, *worst),
       points ? fmt::format("{:+.2f} points", *worst->difference)
              : fmt::format("{:+.1f} %", 100 * *worst->difference / *worst->plan.printed),
       worst->plan.notes.empty() ? "" : ": see its notes in the table");
@@ -89,8 +84,9 @@ std::string summary(const std::vector<Table>& tables,
   for (const Table& table : tables)
     for (const TableRow& row : table.rows)
       if (row.result.status != Status::ok)
-        text += fmt::format("| {} | {} | {} | {} |\n", table.plan.name, row_name(row),
-                            name_of(row.result.status), row.result.reason);
+        text +=
+            fmt::format("| {} | {} | {} | {} |\n", table.plan.name, row_name(table, row),
+                        name_of(row.result.status), row.result.reason);
   return text;
 }
 
@@ -106,8 +102,9 @@ ComputedTables compute_tables(const std::vector<std::string>& names,
     const std::vector<Request> needed = table_requests(plans.back());
     all.insert(all.end(), needed.begin(), needed.end());
   }
-  check_memory(all, parallel);
+  check_memory("table", all, parallel);
   Progress progress("simulations");
+  progress.show(0, all.size());
   ComputedTables computed{
       .tables = {},
       .results = run_study(

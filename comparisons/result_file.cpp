@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <thread>
 
 #include "comparisons/build_info.hpp"
@@ -14,6 +15,7 @@
 #include "comparisons/xdmf.hpp"
 #include "meshing/hexahedron.hpp"
 #include "meshing/input_error.hpp"
+#include "meshing/output_file.hpp"
 
 namespace springcheck {
 namespace {
@@ -41,7 +43,7 @@ void write_provenance(hid_t root) {
   hdf5::write_attribute(root, "commit", std::string(build_info::commit));
   hdf5::write_attribute(root, "compiler", std::string(build_info::compiler));
   hdf5::write_attribute(root, "deal.II", std::string(build_info::deal_ii_version));
-  hdf5::write_attribute(root, "gmsh", std::string(build_info::gmsh_version));
+  hdf5::write_attribute(root, "gmsh", gmsh_version());
   hdf5::write_attribute(root, "Eigen", std::string(build_info::eigen_version));
   hdf5::write_attribute(root, "HDF5", std::string(build_info::hdf5_version));
   hdf5::write_attribute(root, "cpu", cpu_name());
@@ -129,8 +131,6 @@ void write_case(hid_t cases, const CaseResult& result, const Mesh& mesh) {
   for_each_measure(result.measures, [&](const char* name, const auto& value) {
     write_measure(group, name, value);
   });
-  hdf5::write_attribute(group, "wrinkle_alternation", result.wrinkle_alternation);
-  hdf5::write_attribute(group, "wrinkle_amplitude", result.wrinkle_amplitude);
   hdf5::write_attribute(group, "load_fraction", solution.load_fraction);
   hdf5::write_attribute(group, "steps", static_cast<long long>(solution.steps));
   hdf5::write_attribute(group, "force_evaluations",
@@ -173,8 +173,6 @@ StoredCase read_case(hid_t group, const std::string& file) {
       .flags = {},
       .reason = hdf5::read_text(group, "reason").value_or(""),
       .measures = {},
-      .wrinkle_alternation = number("wrinkle_alternation"),
-      .wrinkle_amplitude = number("wrinkle_amplitude"),
       .load_fraction = number("load_fraction"),
       .steps = static_cast<int>(number("steps")),
       .force_evaluations = static_cast<int>(number("force_evaluations")),
@@ -196,28 +194,13 @@ StoredCase read_case(hid_t group, const std::string& file) {
   return stored;
 }
 
-}  // namespace
-
-void write_results(const std::filesystem::path& file,
-                   const std::vector<CaseResult>& results, MeshStore& meshes) {
-  std::filesystem::path unfinished = file;
-  unfinished += ".part";
-  {
-    const auto root = hdf5::create_file(unfinished);
-    write_provenance(root);
-    const auto mesh_group = hdf5::create_group(root, "meshes");
-    const auto case_group = hdf5::create_group(root, "cases");
-    for (const CaseResult& result : results) {
-      const Mesh& mesh = meshes.mesh(result.request.settings.block);
-      if (!hdf5::has_link(mesh_group, mesh.sha256())) write_mesh_group(mesh_group, mesh);
-      if (!hdf5::has_link(case_group, result.key)) write_case(case_group, result, mesh);
-    }
-  }
-  std::filesystem::rename(unfinished, file);
-  write_xdmf(file, results, meshes);
+std::filesystem::path xdmf_beside(std::filesystem::path file) {
+  return file.replace_extension(".xdmf");
 }
 
-std::map<std::string, StoredCase> read_results(const std::filesystem::path& file) {
+/// read(root) of a result file; whatever is wrong with the file is an InputError.
+template <class Read>
+auto reading(const std::filesystem::path& file, Read&& read) {
   if (!std::filesystem::exists(file))
     throw InputError(file.string(), "", "a result file", "no such file");
   try {
@@ -229,17 +212,56 @@ std::map<std::string, StoredCase> read_results(const std::filesystem::path& file
     if (found->size() != 1 || found->front() != static_cast<double>(layout))
       throw InputError(file.string(), "layout", std::to_string(layout),
                        fmt::format("{:g}", fmt::join(*found, ", ")));
-    std::map<std::string, StoredCase> cases;
-    const auto case_group = hdf5::open_group(root, "cases");
-    for (const std::string& key : hdf5::links(case_group))
-      cases.emplace(key, read_case(hdf5::open_group(case_group, key), file.string()));
-    return cases;
+    return read(root);
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {
     throw InputError(file.string(), "", "a readable springcheck result file",
                      error.what());
   }
+}
+
+}  // namespace
+
+void write_results(const std::filesystem::path& file,
+                   const std::vector<CaseResult>& results, MeshStore& meshes) {
+  const auto root = hdf5::create_in_memory();
+  write_provenance(root);
+  {
+    const auto mesh_group = hdf5::create_group(root, "meshes");
+    const auto case_group = hdf5::create_group(root, "cases");
+    for (const CaseResult& result : results) {
+      const Mesh& mesh = meshes.mesh(result.request.settings.block);
+      if (!hdf5::has_link(mesh_group, mesh.sha256())) write_mesh_group(mesh_group, mesh);
+      if (!hdf5::has_link(case_group, result.key)) write_case(case_group, result, mesh);
+    }
+  }
+  write_whole_stream(file, [&](std::ostream& out) { out << hdf5::file_image(root); });
+  write_xdmf(xdmf_beside(file), file.filename().string(), results, meshes);
+}
+
+void check_results_writable(const std::filesystem::path& file) {
+  if (file.extension() == ".xdmf")
+    throw InputError(file.string(), "extension", "that of an HDF5 file, such as .h5",
+                     ".xdmf, which is written beside it");
+  check_writable(file);
+  check_writable(xdmf_beside(file));
+}
+
+std::map<std::string, StoredCase> read_results(const std::filesystem::path& file) {
+  return reading(file, [&](hid_t root) {
+    std::map<std::string, StoredCase> cases;
+    const auto case_group = hdf5::open_group(root, "cases");
+    for (const std::string& key : hdf5::links(case_group))
+      cases.emplace(key, read_case(hdf5::open_group(case_group, key), file.string()));
+    return cases;
+  });
+}
+
+std::string commit_of(const std::filesystem::path& file) {
+  return reading(file, [](hid_t root) {
+    return hdf5::read_text(root, "commit").value_or("unknown");
+  });
 }
 
 CaseResult with_stored(const Request& request, const std::string& key,
@@ -250,8 +272,6 @@ CaseResult with_stored(const Request& request, const std::string& key,
           .flags = stored.flags,
           .reason = stored.reason,
           .measures = stored.measures,
-          .wrinkle_alternation = stored.wrinkle_alternation,
-          .wrinkle_amplitude = stored.wrinkle_amplitude,
           .solution = {.status = SolveStatus::ok,
                        .reason = {},
                        .displacements = {},

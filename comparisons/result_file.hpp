@@ -1,8 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "comparisons/study.hpp"
 
@@ -16,10 +17,12 @@ namespace springcheck {
 ///                          displacement, reaction (or partial_ of both, when the case
 ///                          ended without an equilibrium), cell_volume_ratio
 ///
-/// Writes the results and beside it FILE.xdmf for ParaView. Both are written under
-/// another name and renamed, so that an unfinished file never replaces a good one.
+/// Writes the results and beside them FILE.xdmf for ParaView, each whole or not at all.
 void write_results(const std::filesystem::path& file,
                    const std::vector<CaseResult>& results, MeshStore& meshes);
+
+/// Throws InputError unless write_results could write both files.
+void check_results_writable(const std::filesystem::path& file);
 
 /// What a result file knows about a case, by its key.
 struct StoredCase {
@@ -27,7 +30,6 @@ struct StoredCase {
   std::vector<Status> flags;
   std::string reason;
   Measures measures;
-  double wrinkle_alternation, wrinkle_amplitude;
   double load_fraction;
   int steps, force_evaluations;
   std::optional<double> dt, dt_limit;
@@ -37,6 +39,9 @@ struct StoredCase {
 /// The cases of a result file by key, without fields. Throws InputError for a file that
 /// is not HDF5, not ours, damaged, or of another layout.
 std::map<std::string, StoredCase> read_results(const std::filesystem::path& file);
+
+/// The commit of the program that wrote the file. Throws InputError like read_results.
+std::string commit_of(const std::filesystem::path& file);
 
 /// The stored case as a CaseResult of this request, without fields.
 CaseResult with_stored(const Request& request, const std::string& key,

@@ -39,11 +39,12 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
   const Solution& solution = result.solution;
   out["reference"] =
       result.request.reference ? Json(label(*result.request.reference)) : Json();
-  out["load_fraction"] = solution.load_fraction;
-  out["steps"] = solution.steps;
+  const bool ran = result.status != Status::refused;
+  out["load_fraction"] = ran ? Json(solution.load_fraction) : Json();
+  out["steps"] = ran ? Json(solution.steps) : Json();
   out["dt"] = json(solution.dt);
   out["dt_limit"] = json(solution.dt_limit);
-  out["force_evaluations"] = solution.force_evaluations;
+  out["force_evaluations"] = ran ? Json(solution.force_evaluations) : Json();
   out["wall_s"] = result.wall_s;
   out["solve_wall_s"] = result.solve_wall_s;
   out["key"] = result.key;

@@ -44,7 +44,7 @@ Test test_of(const Given& given) {
 Method method_of(const Given& given, const std::string& name) {
   const Method* method = find_method(name);
   if (method == nullptr)
-    throw InputError(given.place(), "method", "one of " + names_of(methods()),
+    throw InputError(given.place(), "", "one of " + names_of(methods()),
                      "'" + name + "'");
   return *method;
 }
@@ -52,7 +52,7 @@ Method method_of(const Given& given, const std::string& name) {
 ElementName element_of(const Given& given, const std::string& name) {
   const ElementName* element = find_element(name);
   if (element == nullptr)
-    throw InputError(given.place(), "element", "one of " + names_of(elements()),
+    throw InputError(given.place(), "", "one of " + names_of(elements()),
                      "'" + name + "'");
   return *element;
 }
@@ -62,15 +62,18 @@ std::vector<Method> methods_of(const Given& given) {
   for (const std::string& name : given.texts()) {
     all.push_back(method_of(given, name));
     if (std::ranges::count(all, name, &Method::name) > 1)
-      throw InputError(given.place(), "method", "each name once", "'" + name + "' twice");
+      throw InputError(given.place(), "", "each name once", "'" + name + "' twice");
   }
   return all;
 }
 
 std::array<double, 3> size_of(const Given& given) {
+  // Far beyond any body, and their cubes stay far from overflow.
+  constexpr double shortest = 1e-9, longest = 1e9;
   const auto size = given.three_numbers();
-  if (std::ranges::any_of(size, [](double length) { return !(length > 0); }))
-    given.refuse("three positive lengths [m]");
+  if (std::ranges::any_of(
+          size, [](double length) { return !(length >= shortest && length <= longest); }))
+    given.refuse("three lengths between 1e-9 and 1e9 m");
   return size;
 }
 
@@ -92,8 +95,10 @@ double poisson_ratio_of(const Given& given) {
 }
 
 double deformation_of(const Given& given, Test test) {
-  const double deformation = given.deformation();
+  constexpr double largest = 100;  // keeps squares of strains far from overflow
+  const double deformation = test == Test::torsion ? given.angle() : given.strain();
   if (!(deformation > 0)) given.refuse("a positive number: the test gives its direction");
+  if (deformation > largest) given.refuse("a deformation of at most 100");
   if (test == Test::compression && deformation >= 1)
     given.refuse("a strain below 1: the plates would meet");
   return deformation;
@@ -260,6 +265,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
 
   RunSettings run{
       .common = common,
+      .cells_place = need("cells", "three counts").place(),
       .methods = methods_of(need("method", "a list of methods")),
       .reference = std::nullopt,
       .expect = value_or(settings, "expect", std::vector{Status::ok}, expect_of)};

@@ -8,7 +8,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "comparisons/shipped.hpp"
 #include "meshing/input_error.hpp"
@@ -43,12 +45,20 @@ Given::Scalar scalar(const toml::node& node, const std::string& where) {
 
 Given given(const toml::node& node, const std::string& file, std::string_view key) {
   const std::string where = fmt::format("{}: {}", place(file, node.source()), key);
+  const toml::array* list = node.as_array();
+  if (list == nullptr) return {where, scalar(node, where)};
   std::vector<Given::Scalar> values;
-  if (const toml::array* list = node.as_array())
-    for (const toml::node& element : *list) values.push_back(scalar(element, where));
-  else
-    values.push_back(scalar(node, where));
+  for (const toml::node& element : *list) values.push_back(scalar(element, where));
   return {where, values};
+}
+
+bool is_utf8(const std::string& text) {
+  try {
+    std::ignore = nlohmann::json(text).dump();
+    return true;
+  } catch (const nlohmann::json::type_error&) {
+    return false;
+  }
 }
 
 std::string text_of_file(const std::string& file) {
@@ -84,6 +94,8 @@ std::vector<GivenSetting> parse(std::string_view text, const std::string& file) 
 }  // namespace
 
 SceneFile read_scene(const std::string& name_or_path) {
+  if (!is_utf8(name_or_path))  // it goes into JSON and HDF5
+    throw InputError("scene", "", "a name in UTF-8", "other bytes");
   const std::filesystem::path path(name_or_path);
   if (path.extension() == ".toml" || path.has_parent_path())
     return {.name = path.stem().string(),

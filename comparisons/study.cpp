@@ -1,12 +1,15 @@
 #include "comparisons/study.hpp"
 
+#include <omp.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "comparisons/build_info.hpp"
 #include "comparisons/wrinkles.hpp"
@@ -39,8 +42,20 @@ bool has_equilibrium(const Solution& solution) {
   return solution.status == SolveStatus::ok || solution.status == SolveStatus::indefinite;
 }
 
+bool all_finite(const Measures& measures) {
+  bool finite = true;
+  for_each_measure(measures, [&](const char*, const auto& value) {
+    if constexpr (std::is_same_v<decltype(value), const Measures::Vector&>)
+      finite &= !value || value->allFinite();
+    else
+      finite &= !value || std::isfinite(*value);
+  });
+  return finite;
+}
+
 /// One simulation without its reference.
 CaseResult simulate(const CaseSettings& settings, const Mesh& mesh) {
+  omp_set_num_threads(1);  // this thread's: CHOLMOD's small loops only wait otherwise
   const auto start = std::chrono::steady_clock::now();
   CaseResult result{.request = {.settings = settings, .reference = std::nullopt},
                     .key = {},
@@ -48,31 +63,38 @@ CaseResult simulate(const CaseSettings& settings, const Mesh& mesh) {
                     .flags = {},
                     .reason = {},
                     .measures = {},
-                    .wrinkle_alternation = 0,
-                    .wrinkle_amplitude = 0,
                     .solution = solve(settings, mesh),
                     .wall_s = 0,
                     .solve_wall_s = seconds_since(start)};
   const Solution& solution = result.solution;
   result.reason = solution.reason;
-  bool inverted = false;
-  Wrinkling wrinkling{.alternation = 0, .amplitude = 0};
+  bool inverted = false, wrinkled = false;
+  SolveStatus solved = solution.status;
   if (has_equilibrium(solution)) {
-    result.measures = measure(settings, mesh, solution);
-    inverted = *result.measures.corner_jacobian_ratio_min < 0;
-    wrinkling = measure_wrinkling(mesh, mechanical_scene(settings),
-                                  imposed_strain(settings), solution.displacements);
+    Measures& measures = result.measures;
+    measures = measure(settings, mesh, solution);
+    const Wrinkling wrinkling =
+        measure_wrinkling(mesh, mechanical_scene(settings), imposed_strain(settings),
+                          solution.displacements);
+    measures.wrinkle_alternation = wrinkling.alternation;
+    measures.wrinkle_amplitude = wrinkling.amplitude;
+    inverted = *measures.corner_jacobian_ratio_min < 0;
+    wrinkled = is_wrinkled(wrinkling);
+    if (!all_finite(measures)) {
+      measures = {};
+      solved = SolveStatus::not_converged;
+      result.reason = "a measure overflows";
+    }
   }
-  result.wrinkle_alternation = wrinkling.alternation;
-  result.wrinkle_amplitude = wrinkling.amplitude;
-  const Verdict verdict = judge(solution.status, inverted, is_wrinkled(wrinkling));
+  const Verdict verdict = judge(solved, inverted, wrinkled);
   result.status = verdict.status;
   result.flags = verdict.flags;
-  const auto add_reason = [&](const std::string& text) {
-    result.reason += (result.reason.empty() ? "" : "; ") + text;
-  };
-  if (inverted) add_reason("a cell is turned inside out at a corner");
-  if (is_wrinkled(wrinkling)) add_reason("a free face zigzags from cell to cell");
+  for (const Status flag : verdict.flags) {
+    if (flag == Status::indefinite) continue;  // the solver gave its reason
+    result.reason += result.reason.empty() ? "" : "; ";
+    result.reason += flag == Status::inverted ? "a cell is turned inside out at a corner"
+                                              : "a free face zigzags from cell to cell";
+  }
   result.wall_s = seconds_since(start);
   return result;
 }
@@ -217,8 +239,8 @@ std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStor
     CaseResult result = simulations[answers[i].simulation].result;
     const CaseResult& reference = simulations[answers[i].reference].result;
     const Mesh& mesh = *simulations[answers[i].simulation].mesh;
-    if (requests[i].reference && has_equilibrium(result.solution) &&
-        has_equilibrium(reference.solution))
+    if (requests[i].reference && result.measures.volume_error &&
+        reference.measures.volume_error)
       measure_deviation(result.measures, requests[i].settings, mesh,
                         result.solution.displacements, reference.solution.displacements);
     result.request = requests[i];

@@ -37,11 +37,9 @@ struct CaseResult {
   Request request;
   std::string key;  // identifies all that determines the result, see case_key
   Status status;
-  std::vector<Status> flags;   // all of wrinkled, indefinite, inverted that apply
-  std::string reason;          // in words, unless status is ok
-  Measures measures;           // all empty when there is no equilibrium to measure
-  double wrinkle_alternation;  // what the wrinkle detector saw, see wrinkles.hpp
-  double wrinkle_amplitude;
+  std::vector<Status> flags;  // all of wrinkled, indefinite, inverted that apply
+  std::string reason;         // in words, unless status is ok
+  Measures measures;          // all empty when there is no equilibrium to measure
   Solution solution;
   double wall_s;        // solution and measures
   double solve_wall_s;  // solution alone

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "comparisons/build_info.hpp"
 
@@ -12,13 +13,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string number(const Quantity& quantity, const std::optional<double>& value) {
-  return value ? fmt::format(fmt::runtime(quantity.format), *value) : std::string();
+enum class Digits { rounded, all };
+
+std::string number(const Quantity& quantity, const std::optional<double>& value,
+                   Digits digits) {
+  if (!value) return {};
+  if (digits == Digits::all) return fmt::format("{}", *value);
+  const std::string text = fmt::format(fmt::runtime(quantity.format), *value);
+  const bool is_zero = text.find_first_of("123456789") == std::string::npos;
+  return is_zero && text.starts_with('-') ? text.substr(1) : text;
 }
 
-std::string signed_number(const Quantity& quantity, const std::optional<double>& value) {
-  const std::string text = number(quantity, value);
-  return value && *value >= 0 ? "+" + text : text;
+std::string signed_number(const Quantity& quantity, const std::optional<double>& value,
+                          Digits digits) {
+  const std::string text = number(quantity, value, digits);
+  return text.empty() || text.starts_with('-') ? text : "+" + text;
 }
 
 std::string heading(const Quantity& quantity) {
@@ -29,11 +38,14 @@ std::string heading(const Quantity& quantity) {
 /// What stands where a value is missing: the status and how far the load was carried.
 std::string instead_of_value(const CaseResult& result) {
   const double fraction = result.solution.load_fraction;
-  std::string text(name_of(result.status));
-  if (fraction > 0 && result.request.settings.deformation)
-    text +=
-        fmt::format(" beyond {:.4g}", fraction * *result.request.settings.deformation);
-  return text;
+  const std::string_view status = name_of(result.status);
+  const CaseSettings& settings = result.request.settings;
+  if (fraction == 0 || !settings.deformation) return std::string(status);
+  const double reached = fraction * *settings.deformation;
+  return settings.test == Test::torsion
+             ? fmt::format("{} beyond {:.3g} deg", status,
+                           reached * 180 / std::numbers::pi)
+             : fmt::format("{} beyond {:.3g} %", status, 100 * reached);
 }
 
 std::string statuses(const CaseResult& result) {
@@ -65,9 +77,13 @@ std::string note_marks(const TableRow& row, const std::vector<std::string>& note
 
 std::vector<std::string> headings(const Table& table) {
   const Quantity& quantity = table.plan.quantity;
+  const std::string unit =
+      quantity.unit == "-"
+          ? ""
+          : fmt::format(" [{}]", quantity.unit == "%" ? "points" : quantity.unit);
   std::vector<std::string> all = table.plan.label_headings;
   all.insert(all.end(), {"printed " + heading(quantity), "ours " + heading(quantity),
-                         "ours - printed", "reference's " + heading(quantity),
+                         "ours - printed" + unit, "reference's " + heading(quantity),
                          "reference", "mesh", "printed instabilities", "status"});
   for (const Quantity& further : table.plan.further) all.push_back(heading(further));
   all.insert(all.end(), {"notes", "case"});
@@ -75,38 +91,53 @@ std::vector<std::string> headings(const Table& table) {
 }
 
 std::vector<std::string> cells(const Table& table, const TableRow& row,
-                               const std::vector<std::string>& notes) {
+                               const std::vector<std::string>& notes, Digits digits) {
   const Quantity& quantity = table.plan.quantity;
   std::vector<std::string> all = row.plan.labels;
-  all.insert(all.end(),
-             {row.plan.printed_text,
-              row.ours ? number(quantity, row.ours) : instead_of_value(row.result),
-              signed_number(quantity, row.difference),
-              number(quantity, row.reference_value), reference_of(row.result),
-              fmt::format("{}", fmt::join(row.result.request.settings.block.cells, "x")),
-              row.plan.verdict, statuses(row.result)});
+  all.insert(
+      all.end(),
+      {row.plan.printed_text,
+       row.ours ? number(quantity, row.ours, digits) : instead_of_value(row.result),
+       signed_number(quantity, row.difference, digits),
+       number(quantity, row.reference_value, digits), reference_of(row.result),
+       fmt::format("{}", fmt::join(row.result.request.settings.block.cells, "x")),
+       row.plan.verdict, statuses(row.result)});
   for (std::size_t i = 0; i < table.plan.further.size(); ++i)
-    all.push_back(number(table.plan.further[i], row.further[i]));
+    all.push_back(number(table.plan.further[i], row.further[i], digits));
   all.insert(all.end(), {note_marks(row, notes), row.result.key.substr(0, 12)});
   return all;
 }
 
+/// Heads and rows, without the columns that are empty in every row.
+std::vector<std::vector<std::string>> grid(const Table& table,
+                                           const std::vector<std::string>& notes,
+                                           Digits digits) {
+  std::vector<std::vector<std::string>> lines{headings(table)};
+  for (const TableRow& row : table.rows)
+    lines.push_back(cells(table, row, notes, digits));
+  for (std::size_t column = lines.front().size(); column-- > 0;) {
+    const bool is_empty = std::all_of(lines.begin() + 1, lines.end(),
+                                      [&](auto& line) { return line[column].empty(); });
+    if (is_empty)
+      for (auto& line : lines)
+        line.erase(line.begin() + static_cast<std::ptrdiff_t>(column));
+  }
+  return lines;
+}
+
 std::string markdown(const Table& table) {
   const std::vector<std::string> notes = footnotes(table);
-  const std::vector<std::string> top = headings(table);
-  std::string text =
-      fmt::format("## {}\n\n| {} |\n|", table.plan.title, fmt::join(top, " | "));
-  for (std::size_t i = 0; i < top.size(); ++i) text += " --- |";
-  text += "\n";
-  for (const TableRow& row : table.rows) {
-    text += "|";
-    for (const std::string& cell : cells(table, row, notes))
-      text += fmt::format(" {} |", cell);
-    text += "\n";
+  const auto lines = grid(table, notes, Digits::rounded);
+  std::string text = fmt::format("## {}\n\n", table.plan.title);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    text += fmt::format("| {} |\n", fmt::join(lines[i], " | "));
+    if (i > 0) continue;
+    for (std::size_t column = 0; column < lines[0].size(); ++column) text += "| --- ";
+    text += "|\n";
   }
   text +=
-      "\nReference: the finite-element solution on the same mesh (law:element) that "
-      "deviations and the column \"reference's\" belong to.\n";
+      "\nReference: the solution on the same mesh (method:element) that deviations and "
+      "the columns \"reference's\" belong to.\n";
   for (const std::string& note : table.plan.notes) text += "\n" + note + "\n";
   if (!notes.empty()) text += "\n";
   for (std::size_t i = 0; i < notes.size(); ++i)
@@ -121,17 +152,20 @@ std::string quoted(const std::string& cell) {
   return text + "\"";
 }
 
-/// Comma-separated values by RFC 4180: one head line, then the rows, full numbers.
+/// Comma-separated values by RFC 4180: a head line, then the rows with all digits and
+/// their notes in words.
 std::string csv(const Table& table) {
   const std::vector<std::string> notes = footnotes(table);
+  std::vector<std::vector<std::string>> lines{headings(table)};
+  for (const TableRow& row : table.rows) {
+    lines.push_back(cells(table, row, notes, Digits::all));
+    lines.back().end()[-2] = fmt::format("{}", fmt::join(row.plan.notes, " "));
+    lines.back().back() = row.result.key;
+  }
   std::string text;
-  const auto add_line = [&](const std::vector<std::string>& line) {
+  for (const auto& line : lines)
     for (std::size_t i = 0; i < line.size(); ++i)
-      text += (i == 0 ? "" : ",") + quoted(line[i]);
-    text += "\n";
-  };
-  add_line(headings(table));
-  for (const TableRow& row : table.rows) add_line(cells(table, row, notes));
+      text += quoted(line[i]) + (i + 1 < line.size() ? "," : "\n");
   return text;
 }
 

@@ -23,18 +23,54 @@ constexpr const char* note_young_form =
     "The printed value was computed with the E-forms of Eq. 5.12, which are right at "
     "nu = 0.25 only; the row marked E-form reproduces it, the other row is the material "
     "asked for.";
+constexpr const char* note_young_form_wrinkles =
+    "Neither form reproduces the printed value: mss-nfd is unstable here, and the E-form "
+    "at "
+    "nu = 0 (E_eff = 2E/3, nu_eff = -1/6) more so.";
 constexpr const char* note_wrinkled =
     "A wrinkled state is one of many: which one is reached depends on mesh, path and "
     "perturbation, so that only its order of magnitude can be compared.";
+constexpr const char* note_no_compression =
+    "mss-nfd has no face diagonals to carry the negative volume modulus of nu = 0: "
+    "beyond "
+    "this deformation its energy has no minimum, and the printed value cannot be a "
+    "static "
+    "equilibrium.";
 constexpr const char* note_no_tension =
-    "Homogeneous mss-cf at nu = 0 loses its lateral minimum at 19.5 %; the printed 20.00 "
-    "cannot be a static equilibrium.";
+    "No static equilibrium beyond about 17.5 %: the homogeneous lattice at nu = 0 loses "
+    "its "
+    "lateral minimum at 19.5 %, so that the printed value cannot be a static "
+    "equilibrium.";
+constexpr const char* note_tension_nu_0 =
+    "The printed value is reproduced neither by the mu-form nor by the E-form of the "
+    "spring "
+    "constants (7.8 %).";
 constexpr const char* note_tension_mesh =
     "The printed FEM column fits a beam of 4 x 4 x 16 cells, not the stated 4 x 4 x 24.";
 constexpr const char* note_baudet =
-    "The printed value could not be reproduced by any reading of the method.";
+    "The printed value could not be reproduced by any reading of the method. At nu = "
+    "0.25 "
+    "mss-baudet and mss-nfd are the same network.";
+constexpr const char* note_same_network =
+    "At nu = 0.25 mss-baudet and mss-nfd are the same network; the thesis prints "
+    "different "
+    "wrinkled states of it.";
 constexpr const char* note_dynamics =
-    "Printed from undamped dynamics after 10 s; ours is the static equilibrium.";
+    "Printed after 10 s of dynamics whose damping is not stated. The static equilibrium "
+    "fits "
+    "it; the same run without damping, centimetres as metres, ends lower (shear 3307 at "
+    "5 %).";
+constexpr const char* note_small_strain =
+    "A small-strain law at 45 degrees, its lever arms undeformed: outside its range.";
+constexpr const char* note_deviation =
+    "Printed against LS-DYNA's large-rotation law, ours against the reference named: at "
+    "this "
+    "deformation the difference of the laws is part of ours, and most of it at nu = "
+    "0.499.";
+constexpr const char* note_layer =
+    "The middle layer is taken at half height. The thesis's figure 5.11 may show the "
+    "vertical "
+    "mid-plane instead.";
 constexpr const char* note_torsion_angle =
     "The thesis calls 1 and 45 degrees 5 % and 20 %; the angles are inferred from its "
     "torques.";
@@ -48,8 +84,9 @@ constexpr const char* note_units =
     "force and 1e-6 N m of torque in SI.";
 constexpr const char* note_figures_only =
     "The thesis shows these beams as curves only (figures 5.15 to 5.19), without "
-    "figures; "
-    "the instabilities are those its text names.";
+    "numbers; the "
+    "instabilities are those its text names for figure 5.15, whose mesh it does not "
+    "state.";
 
 Quantity volume_error() {
   return {"e", "%", "{:.3f}", [](const Measures& m) -> std::optional<double> {
@@ -113,24 +150,38 @@ std::vector<PlannedRow> rows_of(const std::string& table, const Reference& refer
         rows.push_back(row_of(figure, law, {}, reference));
         rows.back().notes.emplace_back(note_fem_column);
         if (table == "5.2") rows.back().notes.emplace_back(note_tension_mesh);
+        if (table == "5.4" && figure.deformation > 0.1 && law == std::string("fem-hooke"))
+          rows.back().notes.emplace_back(note_small_strain);
       }
       continue;
     }
     rows.push_back(row_of(figure, figure.method, {}, reference));
     std::vector<std::string>& notes = rows.back().notes;
     const bool is_plate_force = table == "5.3" || table == "5.4";
+    const bool large = figure.deformation == 0.2;
     if (is_plate_force) notes.emplace_back(note_dynamics);
     if (is_plate_force && figure.method == "mss-baudet") notes.emplace_back(note_baudet);
-    if (table == "5.2" && figure.method == "mss-cf" && figure.nu == 0 &&
-        figure.deformation == 0.2)
+    if (!is_plate_force && figure.nu == 0.25 &&
+        (figure.method == "mss-baudet" || figure.method == "mss-nfd"))
+      notes.emplace_back(note_same_network);
+    if (table == "5.1" && figure.method == "mss-nfd" && figure.nu == 0 && large)
+      notes.emplace_back(note_no_compression);
+    if (table == "5.2" && figure.nu == 0 && !large &&
+        (figure.method == "mss-cf" || figure.method == "mss-nfd"))
+      notes.emplace_back(note_tension_nu_0);
+    if (table == "5.2" && figure.nu == 0 && large &&
+        (figure.method == "mss-cf" || figure.method == "mss-nfd"))
       notes.emplace_back(note_no_tension);
     const bool needs_young_form =
         table == "5.1" && figure.nu == 0 &&
         (figure.method == "mss-cf" || figure.method == "mss-nfd");
     if (needs_young_form) {
-      notes.emplace_back(note_young_form);
+      const char* note =
+          figure.method == "mss-cf" ? note_young_form : note_young_form_wrinkles;
+      notes.emplace_back(note);
       rows.push_back(row_of(figure, figure.method, {{"stiffness-form", "E"}}, reference));
       rows.back().labels.back() += ", E-form";
+      rows.back().notes.emplace_back(note);
     }
   }
   return rows;
@@ -194,12 +245,11 @@ TablePlan deviation_table(const Reference& reference) {
       .notes = {
           "The relative measures are volume-weighted over the free nodes and divided "
           "by the largest imposed displacement.",
-          note_torsion_angle}};
+          note_layer, note_torsion_angle}};
   for (const PrintedFigure& figure : printed_figures("deviation")) {
     PlannedRow row = row_of(figure, figure.method, {}, reference);
     row.labels.insert(row.labels.begin(), std::string(name_of(figure.test)));
-    row.notes.emplace_back(note_fem_column);
-    row.notes.emplace_back(note_dynamics);
+    row.notes.emplace_back(note_deviation);
     plan.rows.push_back(std::move(row));
   }
   return plan;
@@ -299,7 +349,7 @@ Table fill_table(TablePlan plan, const std::vector<CaseResult>& results) {
                  .difference = {},
                  .reference_value = {},
                  .further = {}};
-    if (planned.request.reference)
+    if (planned.request.reference)  // empty for deviations, which are from it
       row.reference_value = table.plan.quantity.of(results.at(next++).measures);
     row.ours = table.plan.quantity.of(row.result.measures);
     if (row.ours && planned.printed) row.difference = *row.ours - *planned.printed;

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <fstream>
 #include <set>
-#include <system_error>
+
+#include "meshing/output_file.hpp"
 
 namespace springcheck {
 namespace {
@@ -37,16 +37,8 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-}  // namespace
-
-void write_xdmf(const std::filesystem::path& result_file,
-                const std::vector<CaseResult>& results, MeshStore& meshes) {
-  std::filesystem::path file = result_file, unfinished;
-  file.replace_extension(".xdmf");
-  unfinished = file;
-  unfinished += ".part";
-  std::ofstream out(unfinished);
-  const std::string data = result_file.filename().string();
+void write_grids(std::ostream& out, const std::string& data,
+                 const std::vector<CaseResult>& results, MeshStore& meshes) {
   fmt::print(out, "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n");
   std::set<std::string> written;
   for (const CaseResult& result : results) {
@@ -80,11 +72,14 @@ void write_xdmf(const std::filesystem::path& result_file,
                partial, cells, in_case);
   }
   fmt::print(out, "</Domain>\n</Xdmf>\n");
-  out.close();
-  if (!out)
-    throw std::system_error(std::make_error_code(std::errc::io_error),
-                            unfinished.string());
-  std::filesystem::rename(unfinished, file);
+}
+
+}  // namespace
+
+void write_xdmf(const std::filesystem::path& file, const std::string& data,
+                const std::vector<CaseResult>& results, MeshStore& meshes) {
+  write_whole_stream(
+      file, [&](std::ostream& out) { write_grids(out, escaped(data), results, meshes); });
 }
 
 }  // namespace springcheck

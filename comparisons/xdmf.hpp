@@ -7,9 +7,9 @@
 
 namespace springcheck {
 
-/// Writes FILE.xdmf beside the result file FILE.h5: one grid per case, which refers to
-/// mesh and fields inside the HDF5 file. Cases without fields are left out.
-void write_xdmf(const std::filesystem::path& result_file,
+/// Writes `file` in XDMF: one grid per case, which refers to mesh and fields inside the
+/// HDF5 file named `data` in the same folder. Cases without fields are left out.
+void write_xdmf(const std::filesystem::path& file, const std::string& data,
                 const std::vector<CaseResult>& results, MeshStore& meshes);
 
 }  // namespace springcheck

@@ -94,7 +94,9 @@ class Follower {
     if (law_ == Law::hooke) return 1;
     const double gradient = body_.internal(predicted(1)).mean_gradient;
     ++evaluations_;
-    return gradient > first_gradient ? first_gradient / gradient : 1;
+    return gradient > first_gradient
+               ? std::max(first_gradient / gradient, smallest_load_step)
+               : 1;
   }
 
   NewtonResult attempt(double to) {

@@ -14,7 +14,7 @@ struct SymmetricFactor::Solvers {
 };
 
 SymmetricFactor::SymmetricFactor() : solvers_(std::make_unique<Solvers>()) {
-  solvers_->definite.cholmod().print = 0;  // a failure is an answer, not a warning
+  solvers_->definite.cholmod().print = 0;         // a failure is an answer, not a warning
 }
 
 SymmetricFactor::~SymmetricFactor() = default;

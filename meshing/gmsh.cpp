@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <mutex>
 #include <unordered_map>
@@ -157,7 +158,9 @@ std::vector<std::array<NodeIndex, N>> elements(
 std::vector<Vector3> grid_nodes(const BlockSize& block) {
   std::vector<Vector3> nodes;
   const auto at = [&](std::size_t axis, int i) {
-    return block.size[axis] * i / block.cells[axis];
+    // The last plane exactly at the size: the quotient may miss it by a rounding.
+    return i == block.cells[axis] ? block.size[axis]
+                                  : block.size[axis] * i / block.cells[axis];
   };
   for (int k = 0; k <= block.cells[2]; ++k)
     for (int j = 0; j <= block.cells[1]; ++j)
@@ -185,6 +188,14 @@ Hexahedron upright(const Hexahedron& cell, const std::vector<Vector3>& nodes) {
     turned[vtk_corner[octant]] = node;
   }
   return turned;
+}
+
+bool ends_with(const std::filesystem::path& file, std::string_view ending) {
+  std::ifstream in(file, std::ios::binary);
+  in.seekg(-static_cast<std::streamoff>(ending.size()), std::ios::end);
+  std::string last(ending.size(), '\0');
+  in.read(last.data(), static_cast<std::streamsize>(last.size()));
+  return in && last == ending;
 }
 
 }  // namespace
@@ -226,6 +237,13 @@ Mesh generate_block(const BlockSize& block) try {
   throw std::runtime_error("gmsh: " + message);
 }
 
+std::string gmsh_version() {
+  const GmshSession session("version");
+  std::string version;
+  ::gmsh::option::getString("General.Version", version);
+  return version;
+}
+
 void write_msh(const Mesh& mesh, const std::filesystem::path& file) try {
   const GmshSession session("mesh");
   ::gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
@@ -257,6 +275,8 @@ void write_msh(const Mesh& mesh, const std::filesystem::path& file) try {
                                    name);
   }
   ::gmsh::write(file.string());
+  if (!ends_with(file, "$EndElements\n"))  // gmsh does not tell of a full disk
+    throw std::runtime_error(file.string() + ": could not be written whole (disk full?)");
 } catch (const std::string& message) {
   throw std::runtime_error("gmsh: " + message);
 }

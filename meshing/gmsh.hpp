@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 
 #include "meshing/mesh.hpp"
 
@@ -23,8 +24,11 @@ struct BlockSize {
 /// not the box's.
 Mesh generate_block(const BlockSize& block);
 
+/// Version of the gmsh library in use, such as "4.8.4".
+std::string gmsh_version();
+
 /// Writes nodes, cells and named regions as gmsh .msh 4.1 (ASCII); node and cell tags
-/// are our indices plus one.
+/// are our indices plus one. Throws std::runtime_error when not all could be written.
 void write_msh(const Mesh& mesh, const std::filesystem::path& file);
 
 }  // namespace springcheck

@@ -3,13 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <cerrno>
-#include <fstream>
-#include <functional>
-#include <system_error>
-
 #include "meshing/gmsh.hpp"
 #include "meshing/input_error.hpp"
+#include "meshing/output_file.hpp"
 
 namespace springcheck {
 namespace {
@@ -62,45 +58,21 @@ void write_inp(const Mesh& mesh, std::ostream& out) {
   }
 }
 
-void write_stream(const std::filesystem::path& file,
-                  const std::function<void(std::ostream&)>& write) {
-  std::ofstream out(file);
-  write(out);
-  out.close();
-  if (!out) throw std::system_error(errno, std::generic_category(), file.string());
-}
-
 }  // namespace
 
 void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
   const std::string extension = file.extension().string();
-  std::filesystem::path unfinished = file;
-  unfinished.replace_extension(".part" + extension);  // gmsh goes by the extension
-  if (extension == ".msh") {
-    write_stream(unfinished, [](std::ostream&) {});  // gmsh does not say why it cannot
-    write_msh(mesh, unfinished);
-  } else if (extension == ".vtu") {
-    write_stream(unfinished, [&](std::ostream& out) { write_vtu(mesh, out); });
-  } else if (extension == ".inp") {
-    write_stream(unfinished, [&](std::ostream& out) { write_inp(mesh, out); });
-  } else {
+  if (extension == ".msh")
+    write_whole(file, [&](const std::filesystem::path& unfinished) {
+      write_msh(mesh, unfinished);
+    });
+  else if (extension == ".vtu")
+    write_whole_stream(file, [&](std::ostream& out) { write_vtu(mesh, out); });
+  else if (extension == ".inp")
+    write_whole_stream(file, [&](std::ostream& out) { write_inp(mesh, out); });
+  else
     throw InputError(file.string(), "extension", ".msh, .vtu or .inp",
                      extension.empty() ? "none" : extension);
-  }
-  std::filesystem::rename(unfinished, file);
-}
-
-void check_writable(const std::filesystem::path& file) {
-  const auto refuse = [&](const std::string& got) {
-    throw InputError(file.string(), "", "a file that can be written", got);
-  };
-  if (std::filesystem::is_directory(file)) refuse("a directory");
-  std::filesystem::path probe = file;
-  probe += ".probe";
-  std::ofstream out(probe);
-  if (!out) refuse(std::generic_category().message(errno));
-  out.close();
-  std::filesystem::remove(probe);
 }
 
 }  // namespace springcheck

@@ -10,11 +10,8 @@ namespace springcheck {
 /// unstructured grid, ASCII, coordinates that read back exactly) or .inp (CalculiX:
 /// *NODE, *ELEMENT of type C3D8 in the set Eall, one *NSET per region).
 ///
-/// The file appears whole or not at all: it is written beside its place and renamed.
-/// Throws InputError for another extension, std::system_error when it cannot be written.
+/// The file appears whole or not at all. Throws InputError for another extension,
+/// std::runtime_error when not all could be written.
 void write_mesh(const Mesh& mesh, const std::filesystem::path& file);
-
-/// Throws InputError unless `file` can be created or overwritten; leaves no trace.
-void check_writable(const std::filesystem::path& file);
 
 }  // namespace springcheck

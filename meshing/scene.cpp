@@ -18,6 +18,18 @@ Vector3 displacement(const RigidMotion& motion, const Vector3& point,
   return rotation * arm - arm + load_fraction * motion.translation;
 }
 
+Solution refused(const std::string& reason) {
+  return {.status = SolveStatus::refused,
+          .reason = reason,
+          .displacements = {},
+          .reactions = {},
+          .lever_arms = LeverArms::deformed,
+          .strain_energy = 0,
+          .load_fraction = 0,
+          .steps = 0,
+          .force_evaluations = 0};
+}
+
 std::vector<PrescribedNode> prescribed_nodes(const Mesh& mesh, const Scene& scene) {
   std::vector<PrescribedNode> prescribed;
   for (std::size_t plate = 0; plate < scene.plates.size(); ++plate)

@@ -64,10 +64,10 @@ enum class LeverArms { undeformed, deformed };
 struct Solution {
   SolveStatus status;
   std::string reason;  // why; with ok, what was passed on the way
-  std::vector<Vector3>
-      displacements;  // [m]; of the last state reached; empty when refused
-  std::vector<Vector3>
-      reactions;  // [N] what the plates apply to the body; 0 on free nodes
+  // [m] of the last state reached; empty when refused:
+  std::vector<Vector3> displacements;
+  // [N] what the plates apply to the body, 0 on free nodes:
+  std::vector<Vector3> reactions;
   LeverArms lever_arms;
   double strain_energy;              // [J]
   double load_fraction;              // reached, 1 = all of it
@@ -77,12 +77,17 @@ struct Solution {
   std::optional<double> dt_limit{};  // [s] dynamics only: largest stable step at rest
 };
 
-/// Nodes with prescribed displacement and that displacement at a load fraction.
-/// Throws InputError when two plates share a node.
+/// The Solution of a method that does not cover the scene.
+Solution refused(const std::string& reason);
+
+/// A node held by a plate, the plate's index in Scene::plates.
 struct PrescribedNode {
   NodeIndex node;
   std::size_t plate;
 };
+
+/// Nodes held by plates, ascending. Throws InputError when two plates share one, or a
+/// plate's region is not in the mesh.
 std::vector<PrescribedNode> prescribed_nodes(const Mesh& mesh, const Scene& scene);
 
 }  // namespace springcheck

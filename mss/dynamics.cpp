@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mss/forces.hpp"
 #include "mss/time_step.hpp"
@@ -44,29 +45,24 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
 
   const double limit = largest_stable_step(network, settings.damping_ratio, is_free);
   const double wanted = settings.time_step.value_or(safety * limit);
-  Solution solution{.status = SolveStatus::ok,
-                    .reason = {},
-                    .displacements = {},
-                    .reactions = {},
-                    .lever_arms = LeverArms::deformed,
-                    .strain_energy = 0,
-                    .load_fraction = 0,
-                    .steps = 0,
-                    .force_evaluations = 0,
-                    .dt = wanted,
-                    .dt_limit = limit};
-  if (wanted > limit && !settings.force_time_step) {
-    solution.status = SolveStatus::refused;
-    solution.reason = fmt::format(
+  const double step_count = std::max(1., std::ceil(settings.duration / wanted - 1e-9));
+  std::string reason;
+  if (wanted > limit && !settings.force_time_step)
+    reason = fmt::format(
         "dt = {:.4g} s is above the stability limit {:.4g} s of this mesh, material and "
         "damping; force-dt runs it all the same",
         wanted, limit);
+  if (step_count > std::numeric_limits<int>::max())
+    reason = fmt::format("dt = {:.4g} s needs {:.3g} steps, more than can be counted",
+                         wanted, step_count);
+  if (!reason.empty()) {
+    Solution solution = refused(reason);
+    solution.dt = wanted;
+    solution.dt_limit = limit;
     return solution;
   }
-  const auto steps = std::max<std::int64_t>(
-      1, std::llround(std::ceil(settings.duration / wanted - 1e-9)));
-  const double dt = settings.duration / static_cast<double>(steps);
-  solution.dt = dt;
+  const int steps = static_cast<int>(step_count);
+  const double dt = settings.duration / steps;
 
   std::vector<Vector3> x = mesh.nodes(), v(x.size(), Vector3::Zero()), forces(x.size());
   const double far = lost * body_size(mesh.nodes());
@@ -74,8 +70,20 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
     return std::ranges::any_of(
         x, [&](const Vector3& p) { return !p.allFinite() || p.norm() > far; });
   };
-  for (std::int64_t step = 1; step <= steps; ++step) {
-    const double load = static_cast<double>(step) / static_cast<double>(steps);
+  Solution solution{
+      .status = SolveStatus::ok,
+      .reason = {},
+      .displacements = {},
+      .reactions = {},
+      .lever_arms = LeverArms::deformed,
+      .strain_energy = 0,
+      .load_fraction = 0,
+      .steps = 0,
+      .force_evaluations = 0,
+      .dt = dt,
+      .dt_limit = std::isfinite(limit) ? std::optional(limit) : std::nullopt};
+  for (int step = 1; step <= steps; ++step) {
+    const double load = static_cast<double>(step) / steps;
     total_forces(network, settings.damping_ratio, load * scene.gravity, x, v, forces);
     for (std::size_t n = 0; n < x.size(); ++n)
       if (is_free[n]) {
@@ -88,14 +96,14 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
       v[node] = (next - x[node]) / dt;
       x[node] = next;
     }
-    solution.steps = static_cast<int>(step);
+    solution.steps = step;
     solution.load_fraction = load;
     if ((step % steps_between_checks == 0 || step == steps) && escaped()) {
       solution.status = SolveStatus::diverged;
       solution.reason = fmt::format(
           "positions left all bounds by step {} of {} (t = {:.4g} s, dt = {:.4g} s, "
           "stability limit at rest {:.4g} s)",
-          step, steps, static_cast<double>(step) * dt, dt, limit);
+          step, steps, step * dt, dt, limit);
       break;
     }
   }

@@ -14,7 +14,7 @@ namespace springcheck::mss {
 /// when its true tangent has a Cholesky factor; near a saddle the search leaves along the
 /// direction of most negative curvature (`seed` starts its inverse iteration, and so
 /// decides between equal directions). A step that finds no minimum is halved, down to
-/// 1/1024 of the load; then the status is no_equilibrium if definiteness had been lost,
+/// 1/1024 of the load; then the status is no_equilibrium if the energy fell without end,
 /// and not_converged otherwise.
 ///
 /// Converged: residual below 1e-10 of the norm of the nodal forces, or below what the

@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <random>
 
 #include "mss/cell.hpp"
@@ -118,6 +120,8 @@ double largest_eigenvalue(const StepOperator& step_operator, double dt) {
 
 double largest_stable_step(const Network& network, double damping_ratio,
                            const std::vector<bool>& is_free) {
+  if (std::ranges::none_of(is_free, std::identity{}))
+    return std::numeric_limits<double>::infinity();  // nothing can swing
   const StepOperator step_operator(network, damping_ratio, is_free);
   if (damping_ratio == 0) return 2 / std::sqrt(largest_eigenvalue(step_operator, 1));
   // Dashpots only shorten the step, and the eigenvalue grows with dt: bisection.

@@ -38,10 +38,11 @@ struct RemoveFolder {
 BOOST_TEST_GLOBAL_FIXTURE(RemoveFolder);
 
 /// Runs springcheck with these arguments in a folder of the test's own.
-Run springcheck(const std::string& arguments) {
-  const std::string command = "cd " + folder.string() + " && " +
-                              std::getenv("SPRINGCHECK") + " " + arguments +
-                              " >out 2>err </dev/null";
+Run springcheck(const std::string& arguments, const std::string& before = "") {
+  // A redirection in the arguments comes after ours and wins.
+  const std::string command = "cd " + folder.string() + " && ( " + before +
+                              std::getenv("SPRINGCHECK") + " >out 2>err </dev/null " +
+                              arguments + " )";
   const int status = std::system(command.c_str());
   return {WEXITSTATUS(status), text_of(folder / "out"), text_of(folder / "err")};
 }
@@ -234,6 +235,16 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
   expect_bad_input("mesh compression --out mesh.stl", ".msh, .vtu or .inp");
   expect_bad_input("mesh compression --cells 5000,5000,5000 --out m.msh", "GB");
   expect_bad_input("reproduce --out /proc/nowhere", "/proc/nowhere");
+  expect_bad_input("reproduce --out ''", "expected a path");
+  expect_bad_input("run compression --out ''", "expected a path");
+  expect_bad_input("run compression --out x.xdmf", "beside it");
+  expect_bad_input("run compression --out /dev/full", "regular file");
+  expect_bad_input("run torsion --deformation 5%", "45deg");
+  expect_bad_input("run compression --deformation 5deg", "5%");
+  expect_bad_input("run tension --deformation 1e200", "at most 100");
+  expect_bad_input("run compression --size 1e200,1,1", "1e9 m");
+  expect_bad_input("run $(printf 'sc\\377ne.toml')", "UTF-8");
+  expect_bad_input("compare", "run, table, reproduce, list, mesh");
   expect_bad_input("", "subcommand");
 }
 
@@ -245,6 +256,7 @@ BOOST_AUTO_TEST_CASE(errors_are_one_line) {
 BOOST_AUTO_TEST_CASE(help_version_and_lists_work) {
   BOOST_TEST(springcheck("--help").status == 0);
   for (const char* command : {"run", "table", "reproduce", "list", "mesh"}) {
+    BOOST_TEST(springcheck(std::string(command) + " --version").status == 0, command);
     const Run help = springcheck(std::string(command) + " --help");
     BOOST_TEST(help.status == 0, command);
     BOOST_TEST(help.out.find("Usage") != std::string::npos, command);
@@ -267,6 +279,49 @@ BOOST_AUTO_TEST_CASE(meshes_are_written_in_three_formats) {
     BOOST_TEST(fs::file_size(folder / file) > 0U);
   }
   BOOST_TEST(text_of(folder / "mesh.msh").find("4.1 0 8") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_body_without_free_nodes_is_solved) {
+  for (const char* solver : {"static", "semi-implicit --duration 0.1"}) {
+    const Json result = json_of(
+        "run compression --method mss-cf --cells 1,1,1 --json "
+        "--size 0.01,0.01,0.01 --solver " +
+        std::string(solver))["results"][0];
+    BOOST_TEST(result["status"] == "ok");
+    BOOST_TEST(result["dt_limit"].is_null());  // nothing can swing
+    BOOST_TEST(result["volume_error"].get<double>() == 0.05,
+               boost::test_tools::tolerance(1e-9));
+  }
+}
+
+// 8 blocks of 512 bytes: less than any result or mesh of this size.
+BOOST_AUTO_TEST_CASE(a_full_disk_leaves_the_old_file_alone) {
+  for (const char* command :
+       {"run compression --method mss-cf --cells 4,4,4 --out", "mesh tension --out"}) {
+    const bool is_run = std::string(command).starts_with("run");
+    const std::string file = is_run ? "kept.h5" : "kept.msh";
+    const std::string arguments = std::string(command) + " " + file;
+    BOOST_TEST(springcheck(arguments).status == 0);
+    const std::string before = text_of(folder / file);
+    const Run run = springcheck(arguments, "trap '' XFSZ; ulimit -f 8; ");
+    BOOST_TEST(run.status == 1, run.err);
+    BOOST_TEST(run.err.find("could not be written whole") != std::string::npos, run.err);
+    BOOST_TEST((text_of(folder / file) == before));
+    for (const auto& entry : fs::directory_iterator(folder))
+      BOOST_TEST(entry.path().string().find(".part") == std::string::npos);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(lost_output_is_a_failure) {
+  const Run run = springcheck("list >/dev/full");
+  BOOST_TEST(run.status == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_link_stays_a_link) {
+  fs::create_symlink("behind.inp", folder / "link.inp");
+  BOOST_TEST(springcheck("mesh tension --out link.inp").status == 0);
+  BOOST_TEST(fs::is_symlink(folder / "link.inp"));
+  BOOST_TEST(fs::file_size(folder / "behind.inp") > 0U);
 }
 
 BOOST_AUTO_TEST_CASE(a_result_file_feeds_a_table_without_computing) {

@@ -1,6 +1,9 @@
 #define BOOST_TEST_MODULE run_settings
+#include <unistd.h>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
+
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -15,8 +18,15 @@ namespace {
 
 /// The message of reading this text as a scene file.
 std::string message_of_scene(const std::string& text) {
-  const auto file = std::filesystem::temp_directory_path() / "springcheck_scene.toml";
+  std::string name =
+      (std::filesystem::temp_directory_path() / "springcheck_XXXXXX.toml").string();
+  close(mkstemps(name.data(), 5));
+  const std::filesystem::path file(name);
   std::ofstream(file) << text;
+  struct Remove {
+    const std::filesystem::path& file;
+    ~Remove() { std::filesystem::remove(file); }
+  } const remove{file};
   try {
     const SceneFile scene = read_scene(file.string());
     make_run_settings(scene.name, "scene.toml", scene.settings);
@@ -80,10 +90,19 @@ const std::vector<Bad> bad_scenes{
     {with("[1, 1, 1]", "[1, 1]"),
      "scene.toml:2:8: size: expected three finite numbers, got [1, 1]"},
     {with("[1, 1, 1]", "[1, 0, 1]"),
-     "scene.toml:2:8: size: expected three positive lengths"},
+     "scene.toml:2:8: size: expected three lengths between 1e-9 and 1e9 m, got [1, 0, "
+     "1]"},
     {with("[2, 2, 2]", "[2, 0, 2]"),
      "scene.toml:3:9: cells: expected three counts of at least 1"},
     {with("[2, 2, 2]", "[2, 2.5, 2]"), "scene.toml:3:9: cells: expected three integers"},
+    {with("[2, 2, 2]", "[2, 4.0, 2]"),
+     "scene.toml:3:9: cells: expected three integers, got [2, 4.0, 2]"},
+    {with("nu = 0.25", "nu = [0.25]"),
+     "scene.toml:5:6: nu: expected a finite number, got [0.25]"},
+    {with("deformation = 0.05", "deformation = 1e200"),
+     "scene.toml:7:15: deformation: expected a deformation of at most 100"},
+    {with("deformation = 0.05", "deformation = \"5deg\""),
+     "scene.toml:7:15: deformation: expected a finite strain"},
     {with("[2, 2, 2]", "[2, 99999999999, 2]"),
      "scene.toml:3:9: cells: expected three counts"},
     {with("deformation = 0.05", "deformation = -0.05"),
@@ -93,15 +112,14 @@ const std::vector<Bad> bad_scenes{
     {with("deformation = 0.05", "deformation = \"5kg\""),
      "scene.toml:7:15: deformation: expected a finite"},
     {with("\"mss-cf\"", "\"mss-fc\""),
-     "scene.toml:8:10: method: method: expected one of mss-baudet, mss-nfd"},
+     "scene.toml:8:10: method: expected one of mss-baudet, mss-nfd"},
     {with("\"mss-cf\"", "[]"),
      "scene.toml:8:10: method: expected at least one name, got []"},
     {with("\"mss-cf\"", "[\"mss-cf\", \"mss-cf\"]"),
-     "scene.toml:8:10: method: method: expected each name once"},
+     "scene.toml:8:10: method: expected each name once"},
     {with("\"compression\"", "\"squeezing\""),
      "scene.toml:1:8: test: expected one of compression, tension"},
-    {good + "element = \"q9\"\n",
-     "scene.toml:9:11: element: element: expected one of q1, q1-sri"},
+    {good + "element = \"q9\"\n", "scene.toml:9:11: element: expected one of q1, q1-sri"},
     {good + "solver = \"magic\"\n",
      "scene.toml:9:10: solver: expected one of static, semi-implicit"},
     {good + "dt = 0\n", "scene.toml:9:6: dt: expected a positive finite number, got 0"},

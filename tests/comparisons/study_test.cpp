@@ -13,6 +13,19 @@ using namespace springcheck;
 
 namespace {
 
+/// A folder of the test's own, removed at its end.
+struct OwnFolder {
+  std::filesystem::path path = [] {
+    std::string name =
+        (std::filesystem::temp_directory_path() / "springcheck_study_XXXXXX").string();
+    return std::filesystem::path(mkdtemp(name.data()));
+  }();
+  OwnFolder() = default;
+  OwnFolder(const OwnFolder&) = delete;
+  OwnFolder& operator=(const OwnFolder&) = delete;
+  ~OwnFolder() { std::filesystem::remove_all(path); }
+};
+
 const std::vector<std::string> small{"cells=4,4,4", "method=mss-cf,fem-hooke"};
 
 std::vector<CaseResult> study(const std::vector<Request>& requests, MeshStore& meshes,
@@ -78,7 +91,8 @@ BOOST_AUTO_TEST_CASE(a_refused_case_is_a_result_without_measures) {
 }
 
 BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
-  const auto file = std::filesystem::temp_directory_path() / "springcheck_study.h5";
+  const OwnFolder own;
+  const auto file = own.path / "study.h5";
   MeshStore meshes;
   const auto written = study(requests(run_of("compression", small)), meshes, 1);
   write_results(file, written, meshes);
@@ -113,7 +127,8 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
 }
 
 BOOST_AUTO_TEST_CASE(foreign_and_broken_files_are_refused_by_name) {
-  const auto folder = std::filesystem::temp_directory_path();
+  const OwnFolder own;
+  const std::filesystem::path& folder = own.path;
   const auto message = [](const std::filesystem::path& file) {
     try {
       read_results(file);
@@ -125,26 +140,27 @@ BOOST_AUTO_TEST_CASE(foreign_and_broken_files_are_refused_by_name) {
   BOOST_TEST(message(folder / "none.h5").find("no such file") != std::string::npos);
   std::ofstream(folder / "text.h5") << "not HDF5";
   BOOST_TEST(message(folder / "text.h5").find("text.h5") != std::string::npos);
-  { hdf5::create_file(folder / "foreign.h5"); }
+  const auto make = [&](const char* name, std::optional<long long> layout) {
+    const auto root = hdf5::create_in_memory();
+    if (layout) hdf5::write_attribute(root, "layout", *layout);
+    std::ofstream(folder / name, std::ios::binary) << hdf5::file_image(root);
+  };
+  make("foreign.h5", std::nullopt);
   BOOST_TEST(message(folder / "foreign.h5").find("layout") != std::string::npos);
-  {
-    const auto root = hdf5::create_file(folder / "newer.h5");
-    hdf5::write_attribute(root, "layout", 2LL);
-  }
+  make("newer.h5", 2);
   BOOST_TEST(message(folder / "newer.h5") ==
              (folder / "newer.h5").string() + ": layout: expected 1, got 2");
-  {
-    const auto root = hdf5::create_file(folder / "cut.h5");
-    hdf5::write_attribute(root, "layout", 1LL);
-  }
+  make("cut.h5", 1);
   BOOST_TEST(message(folder / "cut.h5").find("cases") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(too_many_cells_are_refused_before_allocating) {
   const auto all =
       requests(run_of("compression", {"cells=2000,2000,2000", "method=mss-cf"}));
-  BOOST_CHECK_EXCEPTION(check_memory(all, 1), InputError, [](const InputError& error) {
-    return std::string(error.what()).find("GB") != std::string::npos;
-  });
-  BOOST_CHECK_NO_THROW(check_memory(requests(run_of("compression", small)), 2));
+  BOOST_CHECK_EXCEPTION(
+      check_memory("--cells", all, 1), InputError, [](const InputError& error) {
+        return std::string(error.what()).find("GB") != std::string::npos;
+      });
+  BOOST_CHECK_NO_THROW(
+      check_memory("--cells", requests(run_of("compression", small)), 2));
 }

@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(a_method_without_equilibrium_shows_its_status_in_its_cell) 
   const TablePlan plan = plan_table("5.2", std::nullopt);
   const Table table = fill_table(plan, invented(plan, Status::no_equilibrium));
   const std::string markdown = format_table(table, TableFormat::markdown);
-  BOOST_TEST(markdown.find("| no_equilibrium beyond 0.1 |") != std::string::npos);
+  BOOST_TEST(markdown.find("| no_equilibrium beyond 10 % |") != std::string::npos);
   const auto json = nlohmann::json::parse(format_table(table, TableFormat::json));
   BOOST_TEST(json["rows"][0]["ours"].is_null());
   BOOST_TEST(json["rows"][0]["difference"].is_null());
@@ -120,6 +120,23 @@ BOOST_AUTO_TEST_CASE(markdown_and_csv_are_rectangular) {
     BOOST_TEST(commas.size() == 1U, name);
     BOOST_TEST(lines == plan.rows.size() + 1);
   }
+}
+
+BOOST_AUTO_TEST_CASE(csv_keeps_all_digits_and_words_its_notes) {
+  const TablePlan plan = plan_table("5.1", std::nullopt);
+  std::vector<CaseResult> results = invented(plan, Status::ok);
+  results.front().measures.volume_error = 0.01171875;
+  const std::string csv = format_table(fill_table(plan, results), TableFormat::csv);
+  BOOST_TEST(csv.find(",1.171875,") != std::string::npos);
+  BOOST_TEST(csv.find("logarithmic strain") != std::string::npos);
+  BOOST_TEST(csv.find("0123456789abcdef") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(columns_without_an_entry_are_left_out_of_markdown) {
+  const TablePlan plan = plan_table("5.3", std::nullopt);
+  const std::string markdown =
+      format_table(fill_table(plan, invented(plan, Status::ok)), TableFormat::markdown);
+  BOOST_TEST(markdown.find("printed instabilities") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_table_is_refused) {

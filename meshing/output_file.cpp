@@ -1,0 +1,73 @@
+#include "meshing/output_file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+/// Where the bytes go: a link is followed, so that the link stays one.
+std::filesystem::path target(const std::filesystem::path& file) {
+  std::filesystem::path place = file;
+  for (int links = 0; links < 40 && std::filesystem::is_symlink(place); ++links)
+    place = place.parent_path() / std::filesystem::read_symlink(place);
+  return place;
+}
+
+}  // namespace
+
+void check_writable(const std::filesystem::path& file) {
+  const auto refuse = [&](const std::string& got) {
+    throw InputError(file.string(), "", "a file that can be written", got);
+  };
+  if (file.empty()) refuse("an empty name");
+  const std::filesystem::path place = target(file);
+  if (std::filesystem::is_directory(place)) refuse("a directory");
+  if (std::filesystem::exists(place) && !std::filesystem::is_regular_file(place))
+    refuse("something that is not a regular file");
+  const std::filesystem::path folder =
+      place.has_parent_path() ? place.parent_path() : std::filesystem::path(".");
+  std::string probe = (folder / ".springcheck-XXXXXX").string();
+  const int descriptor = mkstemp(probe.data());
+  if (descriptor < 0) refuse(std::generic_category().message(errno));
+  close(descriptor);
+  std::filesystem::remove(probe);
+}
+
+void write_whole(
+    const std::filesystem::path& file,
+    const std::function<void(const std::filesystem::path& unfinished)>& write) {
+  const std::filesystem::path place = target(file);
+  std::filesystem::path unfinished = place;
+  unfinished.replace_extension(".part" + place.extension().string());
+  try {
+    write(unfinished);
+    std::filesystem::rename(unfinished, place);
+  } catch (...) {
+    std::error_code ignored;  // the first failure is the one to report
+    std::filesystem::remove(unfinished, ignored);
+    throw;
+  }
+}
+
+void write_whole_stream(const std::filesystem::path& file,
+                        const std::function<void(std::ostream&)>& write) {
+  write_whole(file, [&](const std::filesystem::path& unfinished) {
+    std::ofstream out(unfinished, std::ios::binary);
+    write(out);
+    out.close();
+    if (!out)
+      throw std::runtime_error(file.string() +
+                               ": could not be written whole (disk full?)");
+  });
+}
+
+}  // namespace springcheck

@@ -1,0 +1,170 @@
+#include "mss/landscape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "mss/cell.hpp"
+#include "mss/forces.hpp"
+
+namespace springcheck::mss {
+namespace {
+
+constexpr int inverse_iterations = 12;
+
+std::vector<bool> free_nodes(const Mesh& mesh,
+                             const std::vector<PrescribedNode>& prescribed) {
+  std::vector<bool> is_free(mesh.nodes().size(), true);
+  for (const auto& [node, plate] : prescribed) is_free[node] = false;
+  return is_free;
+}
+
+}  // namespace
+
+Landscape::Landscape(const Mesh& mesh, const Scene& scene, const Network& network)
+    : scene_(scene),
+      network_(network),
+      prescribed_(prescribed_nodes(mesh, scene)),
+      assembly_(network, free_nodes(mesh, prescribed_)),
+      cell_edge_(std::cbrt(mesh.volume() / static_cast<double>(mesh.hexahedra().size()))),
+      stiffness_(assembly_.assemble(cell_tangents(network, network.rest_positions))
+                     .diagonal()
+                     .norm()),
+      forces_(mesh.nodes().size()) {
+  cholesky_.cholmod().print = 0;  // a failed factorisation is an answer, not a warning
+}
+
+double Landscape::energy(const Positions& x) const {
+  double total = strain_energy(network_, x);
+  for (std::size_t n = 0; n < x.size(); ++n)
+    total -= load_fraction_ * network_.masses[n] *
+             scene_.gravity.dot(x[n] - network_.rest_positions[n]);
+  return total;
+}
+
+const std::vector<Vector3>& Landscape::forces(const Positions& x) {
+  nodal_forces(network_, x, forces_);
+  ++evaluations_;
+  for (std::size_t n = 0; n < x.size(); ++n)
+    forces_[n] += load_fraction_ * network_.masses[n] * scene_.gravity;
+  return forces_;
+}
+
+double Landscape::force_round_off(const Positions& x) const {
+  double reach = 0;
+  for (const Vector3& place : x) reach = std::max(reach, place.cwiseAbs().maxCoeff());
+  return std::numeric_limits<double>::epsilon() * stiffness_ * reach;
+}
+
+double Landscape::energy_round_off(const Positions& x, double energy) const {
+  return 1e-13 * std::abs(energy) +
+         force_round_off(x) * std::sqrt(2 * std::abs(energy) / stiffness_);
+}
+
+Eigen::VectorXd Landscape::on_free(const std::vector<Vector3>& all) const {
+  Eigen::VectorXd values(assembly_.size());
+  for (NodeIndex n = 0; n < all.size(); ++n)
+    if (is_free(n)) values.segment<3>(assembly_.unknown(n)) = all[n];
+  return values;
+}
+
+Positions Landscape::moved(const Positions& x, const Eigen::VectorXd& by,
+                           double factor) const {
+  Positions y = x;
+  for (NodeIndex n = 0; n < x.size(); ++n)
+    if (is_free(n)) y[n] += factor * by.segment<3>(assembly_.unknown(n));
+  return y;
+}
+
+bool Landscape::factor(const Positions& x) {
+  tangents_ = cell_tangents(network_, x);
+  return factor_matrix(assembly_.assemble(tangents_));
+}
+
+void Landscape::factor_clamped() {
+  clamp_to_positive(tangents_);
+  factor_shifted(assembly_.assemble(tangents_));
+}
+
+Eigen::VectorXd Landscape::negative_curvature(const Eigen::VectorXd& downhill,
+                                              std::mt19937_64& random) {
+  factor_shifted(assembly_.assemble(tangents_));
+  Eigen::VectorXd v(assembly_.size());
+  for (double& component : v)
+    component = 2 * static_cast<double>(random() >> 11U) * 0x1p-53 - 1;
+  for (int i = 0; i < inverse_iterations; ++i) v = solve(v).normalized();
+  return downhill.dot(v) < 0 ? Eigen::VectorXd(-v) : v;
+}
+
+Eigen::VectorXd Landscape::solve(const Eigen::VectorXd& right) {
+  if (assembly_.size() == 0) return right;
+  return cholesky_.solve(right);
+}
+
+Positions Landscape::predicted(const Positions& x, double to) {
+  std::vector<Vector3> increment(x.size(), Vector3::Zero());
+  for (const auto& [node, plate] : prescribed_) {
+    const Vector3& rest = network_.rest_positions[node];
+    increment[node] =
+        rest + displacement(scene_.plates[plate].motion, rest, to) - x[node];
+  }
+  std::vector<Vector3> push(x.size(), Vector3::Zero());
+  for (std::size_t c = 0; c < network_.cells.size(); ++c) {
+    const Hexahedron& nodes = network_.cells[c].nodes;
+    Eigen::Matrix<double, 24, 1> cell_increment;
+    for (std::size_t i = 0; i < 8; ++i)
+      cell_increment.segment<3>(static_cast<Eigen::Index>(3 * i)) = increment[nodes[i]];
+    if (cell_increment.isZero(0)) continue;
+    const Eigen::Matrix<double, 24, 1> answer = tangents_[c] * cell_increment;
+    for (std::size_t i = 0; i < 8; ++i)
+      push[nodes[i]] -= answer.segment<3>(static_cast<Eigen::Index>(3 * i));
+  }
+  for (NodeIndex n = 0; n < x.size(); ++n)
+    push[n] += (to - load_fraction_) * network_.masses[n] * scene_.gravity;
+  Positions y = moved(x, solve(on_free(push)), 1);
+  for (const auto& [node, plate] : prescribed_) y[node] = x[node] + increment[node];
+  return y;
+}
+
+double Landscape::gradient(const Positions& from, const Positions& to) const {
+  double sum = 0;
+  for (const Spring& spring : network_.springs) {
+    const Vector3 change =
+        to[spring.b] - to[spring.a] - (from[spring.b] - from[spring.a]);
+    sum += change.squaredNorm() / (spring.rest_length * spring.rest_length);
+  }
+  return std::sqrt(sum / static_cast<double>(network_.springs.size()));
+}
+
+double Landscape::largest_volume_ratio(const Positions& x) const {
+  double largest = 0;
+  for (const Cell& cell : network_.cells)
+    largest =
+        std::max(largest, mean_edge_volume(corners(cell.nodes, x)) / cell.rest_volume);
+  return largest;
+}
+
+bool Landscape::factor_matrix(const Eigen::SparseMatrix<double>& matrix) {
+  if (assembly_.size() == 0) return true;
+  if (!analysed_) cholesky_.analyzePattern(matrix);
+  analysed_ = true;
+  cholesky_.factorize(matrix);
+  return cholesky_.info() == Eigen::Success;
+}
+
+/// Factors the matrix plus the smallest of a series of multiples of the identity that
+/// makes it positive definite.
+void Landscape::factor_shifted(Eigen::SparseMatrix<double> matrix) {
+  const double scale = matrix.diagonal().cwiseAbs().maxCoeff();
+  double shift = 0;
+  while (!factor_matrix(matrix)) {
+    const double next = shift == 0 ? 1e-8 * scale : 4 * shift;
+    if (!(next > shift && next < 1e8 * scale))
+      throw std::logic_error("a tangent that no shift makes positive definite");
+    matrix.diagonal().array() += next - shift;
+    shift = next;
+  }
+}
+
+}  // namespace springcheck::mss

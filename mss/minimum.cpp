@@ -1,0 +1,101 @@
+#include "mss/minimum.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace springcheck::mss {
+namespace {
+
+constexpr double relative_residual = 1e-10;
+constexpr int newton_limit = 150;
+constexpr double largest_move = 0.5;        // of a node in one iteration, in cell edges
+constexpr double runaway_volume_ratio = 4;  // a cell this large has no way back
+constexpr double near_saddle = 1e-3;        // relative residual
+constexpr double first_escape = 1e-3;       // along negative curvature, in cell edges
+
+double norm(const std::vector<Vector3>& vectors) {
+  double sum = 0;
+  for (const Vector3& v : vectors) sum += v.squaredNorm();
+  return std::sqrt(sum);
+}
+
+double longest_move(const Eigen::VectorXd& step) {
+  return std::sqrt(step.reshaped(3, step.size() / 3).colwise().squaredNorm().maxCoeff());
+}
+
+/// Moves x along the direction of negative curvature, doubling the step while the energy
+/// falls. False when it falls nowhere: the curvature is zero to round-off.
+bool leave_saddle(Landscape& landscape, Positions& x, double& energy,
+                  const Eigen::VectorXd& downhill, std::mt19937_64& random) {
+  Eigen::VectorXd direction = landscape.negative_curvature(downhill, random);
+  direction *= landscape.cell_edge() / longest_move(direction);
+  bool fell = false;
+  for (double step = first_escape; step <= largest_move; step *= 2) {
+    Positions trial = landscape.moved(x, direction, step);
+    const double trial_energy = landscape.energy(trial);
+    if (trial_energy >= energy) break;
+    x = std::move(trial);
+    energy = trial_energy;
+    fell = true;
+  }
+  return fell;
+}
+
+}  // namespace
+
+Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
+  Minimum minimum{.positions = std::move(x),
+                  .found = false,
+                  .definite = false,
+                  .ran_away = false,
+                  .residual = INFINITY};
+  Positions& now = minimum.positions;
+  double energy = landscape.energy(now);
+  for (int iteration = 0; iteration < newton_limit; ++iteration) {
+    const std::vector<Vector3>& forces = landscape.forces(now);
+    const Eigen::VectorXd downhill = landscape.on_free(forces);
+    const double scale =
+        std::max(norm(forces), landscape.force_round_off(now) / relative_residual);
+    minimum.residual = downhill.norm() / scale;
+    if (!std::isfinite(minimum.residual)) return minimum;
+    minimum.ran_away = landscape.largest_volume_ratio(now) > runaway_volume_ratio;
+    if (minimum.ran_away) return minimum;
+    minimum.definite = landscape.factor(now);
+    spdlog::debug("  newton {}: energy {:.9e}, residual {:.2e}{}", iteration, energy,
+                  minimum.residual, minimum.definite ? "" : ", indefinite");
+    minimum.found = minimum.residual < relative_residual;
+    if (minimum.found && minimum.definite) return minimum;
+
+    // Near a saddle the clamped tangent hardly moves along the unstable direction.
+    if (!minimum.definite && minimum.residual < near_saddle) {
+      const bool left = leave_saddle(landscape, now, energy, downhill, random);
+      if (left) continue;
+      if (minimum.found) return minimum;
+      landscape.factor(now);
+    }
+    if (!minimum.definite) landscape.factor_clamped();
+    Eigen::VectorXd direction = landscape.solve(downhill);
+    direction *=
+        std::min(1., largest_move * landscape.cell_edge() / longest_move(direction));
+    const double slope = downhill.dot(direction);
+    // Energy differences below round-off cannot be judged; the residual then decides.
+    const double round_off = landscape.energy_round_off(now, energy);
+    double factor = 1;
+    Positions trial = landscape.moved(now, direction, factor);
+    double trial_energy = landscape.energy(trial);
+    while (!(trial_energy <= energy - 1e-4 * factor * slope + round_off)) {
+      factor /= 2;
+      if (factor < 1e-8) return minimum;
+      trial = landscape.moved(now, direction, factor);
+      trial_energy = landscape.energy(trial);
+    }
+    now = std::move(trial);
+    energy = trial_energy;
+  }
+  minimum.found = false;
+  return minimum;
+}
+
+}  // namespace springcheck::mss
