@@ -29,9 +29,9 @@ void write_any_table(hid_t parent, const std::string& name, hid_t type,
         "writing dataset " + name);
 }
 
-Handle text_type(std::size_t length) {
+Handle text_type() {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "text type");
-  check(H5Tset_size(type, length), "text size");
+  check(H5Tset_size(type, H5T_VARIABLE), "text size");  // h5py reads these as str
   check(H5Tset_cset(type, H5T_CSET_UTF8), "text encoding");
   return type;
 }
@@ -95,8 +95,8 @@ std::vector<std::string> links(hid_t parent) {
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text) {
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, name);
-  const Handle type = text_type(text.size() + 1);
-  write_numbers(object, name, type, space, text.c_str());
+  const char* characters = text.c_str();
+  write_numbers(object, name, text_type(), space, &characters);
 }
 
 void write_attribute(hid_t object, const std::string& name,
@@ -121,12 +121,13 @@ std::optional<std::string> read_text(hid_t object, const std::string& name) {
   const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose,
                          "attribute " + name);
   const Handle type(H5Aget_type(attribute), H5Tclose, "type of " + name);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
-    throw std::runtime_error("HDF5: attribute " + name + " is not fixed-length text");
-  const std::size_t length = H5Tget_size(type);
-  std::string text(length + 1, '\0');
-  check(H5Aread(attribute, type, text.data()), "reading attribute " + name);
-  return std::string(text.c_str());
+  if (H5Tis_variable_str(type) <= 0)
+    throw std::runtime_error("HDF5: attribute " + name + " is not text");
+  char* characters = nullptr;
+  check(H5Aread(attribute, text_type(), &characters), "reading attribute " + name);
+  std::string text(characters == nullptr ? "" : characters);
+  check(H5free_memory(characters), "freeing text");
+  return text;
 }
 
 std::optional<std::vector<double>> read_numbers(hid_t object, const std::string& name) {
