@@ -86,7 +86,6 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
   std::vector<CaseResult> results;
   {
     Progress progress("simulations");
-    progress.show(0, all.size());
     results = run_study(all, meshes, 1, [&](std::size_t done, std::size_t of) {
       progress.show(done, of);
     });

@@ -104,7 +104,6 @@ ComputedTables compute_tables(const std::vector<std::string>& names,
   }
   check_memory("table", all, parallel);
   Progress progress("simulations");
-  progress.show(0, all.size());
   ComputedTables computed{
       .tables = {},
       .results = run_study(

@@ -210,6 +210,7 @@ std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStor
     answers.push_back(std::move(answer));
   }
 
+  finished(0, simulations.size());
   std::size_t done = 0;
   std::mutex one_at_a_time;
   tbb::task_arena arena(parallel);

@@ -71,7 +71,7 @@ class MeshStore {
 using KnownResult = std::function<std::optional<CaseResult>(const Request& request,
                                                             const std::string& key)>;
 
-/// Called after each simulation, from any thread but one at a time.
+/// Called before the first and after each simulation, from any thread but one at a time.
 using Finished = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Runs every request that is not known and returns the results in the requests' order.

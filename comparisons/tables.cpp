@@ -7,6 +7,7 @@
 
 #include "comparisons/printed_figures.hpp"
 #include "comparisons/scene_file.hpp"
+#include "comparisons/table_notes.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -14,79 +15,6 @@ namespace {
 
 using Reference = std::optional<ReferenceMethod>;
 using Overrides = std::vector<std::pair<std::string, std::string>>;
-
-constexpr const char* note_fem_column =
-    "The thesis's FEM (LS-DYNA, \"Hooke\") follows a large-rotation law in logarithmic "
-    "strain; neither small-strain Hooke nor St-Venant-Kirchhoff is that law, and at 20 % "
-    "the laws differ.";
-constexpr const char* note_young_form =
-    "The printed value was computed with the E-forms of Eq. 5.12, which are right at "
-    "nu = 0.25 only; the row marked E-form reproduces it, the other row is the material "
-    "asked for.";
-constexpr const char* note_young_form_wrinkles =
-    "Neither form reproduces the printed value: mss-nfd is unstable here, and the E-form "
-    "at "
-    "nu = 0 (E_eff = 2E/3, nu_eff = -1/6) more so.";
-constexpr const char* note_wrinkled =
-    "A wrinkled state is one of many: which one is reached depends on mesh, path and "
-    "perturbation, so that only its order of magnitude can be compared.";
-constexpr const char* note_no_compression =
-    "mss-nfd has no face diagonals to carry the negative volume modulus of nu = 0: "
-    "beyond "
-    "this deformation its energy has no minimum, and the printed value cannot be a "
-    "static "
-    "equilibrium.";
-constexpr const char* note_no_tension =
-    "No static equilibrium beyond about 17.5 %: the homogeneous lattice at nu = 0 loses "
-    "its "
-    "lateral minimum at 19.5 %, so that the printed value cannot be a static "
-    "equilibrium.";
-constexpr const char* note_tension_nu_0 =
-    "The printed value is reproduced neither by the mu-form nor by the E-form of the "
-    "spring "
-    "constants (7.8 %).";
-constexpr const char* note_tension_mesh =
-    "The printed FEM column fits a beam of 4 x 4 x 16 cells, not the stated 4 x 4 x 24.";
-constexpr const char* note_baudet =
-    "The printed value could not be reproduced by any reading of the method. At nu = "
-    "0.25 "
-    "mss-baudet and mss-nfd are the same network.";
-constexpr const char* note_same_network =
-    "At nu = 0.25 mss-baudet and mss-nfd are the same network; the thesis prints "
-    "different "
-    "wrinkled states of it.";
-constexpr const char* note_dynamics =
-    "Printed after 10 s of dynamics whose damping is not stated. The static equilibrium "
-    "fits "
-    "it; the same run without damping, centimetres as metres, ends lower (shear 3307 at "
-    "5 %).";
-constexpr const char* note_small_strain =
-    "A small-strain law at 45 degrees, its lever arms undeformed: outside its range.";
-constexpr const char* note_deviation =
-    "Printed against LS-DYNA's large-rotation law, ours against the reference named: at "
-    "this "
-    "deformation the difference of the laws is part of ours, and most of it at nu = "
-    "0.499.";
-constexpr const char* note_layer =
-    "The middle layer is taken at half height. The thesis's figure 5.11 may show the "
-    "vertical "
-    "mid-plane instead.";
-constexpr const char* note_torsion_angle =
-    "The thesis calls 1 and 45 degrees 5 % and 20 %; the angles are inferred from its "
-    "torques.";
-constexpr const char* note_exact_volume =
-    "e uses the exact trilinear volume. The mean-edge volume of Eq. 5.19, which drives "
-    "the "
-    "correction, differs by up to 0.02 points.";
-constexpr const char* note_units =
-    "The thesis computed its centimetres as metres: its printed unit stands for 1e-4 N "
-    "of "
-    "force and 1e-6 N m of torque in SI.";
-constexpr const char* note_figures_only =
-    "The thesis shows these beams as curves only (figures 5.15 to 5.19), without "
-    "numbers; the "
-    "instabilities are those its text names for figure 5.15, whose mesh it does not "
-    "state.";
 
 Quantity volume_error() {
   return {"e", "%", "{:.3f}", [](const Measures& m) -> std::optional<double> {
@@ -148,10 +76,10 @@ std::vector<PlannedRow> rows_of(const std::string& table, const Reference& refer
     if (figure.method == "fem") {
       for (const char* law : {"fem-hooke", "fem-stvk"}) {
         rows.push_back(row_of(figure, law, {}, reference));
-        rows.back().notes.emplace_back(note_fem_column);
-        if (table == "5.2") rows.back().notes.emplace_back(note_tension_mesh);
+        rows.back().notes.emplace_back(table_notes::fem_column);
+        if (table == "5.2") rows.back().notes.emplace_back(table_notes::tension_mesh);
         if (table == "5.4" && figure.deformation > 0.1 && law == std::string("fem-hooke"))
-          rows.back().notes.emplace_back(note_small_strain);
+          rows.back().notes.emplace_back(table_notes::small_strain);
       }
       continue;
     }
@@ -159,25 +87,26 @@ std::vector<PlannedRow> rows_of(const std::string& table, const Reference& refer
     std::vector<std::string>& notes = rows.back().notes;
     const bool is_plate_force = table == "5.3" || table == "5.4";
     const bool large = figure.deformation == 0.2;
-    if (is_plate_force) notes.emplace_back(note_dynamics);
-    if (is_plate_force && figure.method == "mss-baudet") notes.emplace_back(note_baudet);
+    if (is_plate_force) notes.emplace_back(table_notes::dynamics);
+    if (is_plate_force && figure.method == "mss-baudet")
+      notes.emplace_back(table_notes::baudet);
     if (!is_plate_force && figure.nu == 0.25 &&
         (figure.method == "mss-baudet" || figure.method == "mss-nfd"))
-      notes.emplace_back(note_same_network);
+      notes.emplace_back(table_notes::same_network);
     if (table == "5.1" && figure.method == "mss-nfd" && figure.nu == 0 && large)
-      notes.emplace_back(note_no_compression);
+      notes.emplace_back(table_notes::no_compression);
     if (table == "5.2" && figure.nu == 0 && !large &&
         (figure.method == "mss-cf" || figure.method == "mss-nfd"))
-      notes.emplace_back(note_tension_nu_0);
+      notes.emplace_back(table_notes::tension_nu_0);
     if (table == "5.2" && figure.nu == 0 && large &&
         (figure.method == "mss-cf" || figure.method == "mss-nfd"))
-      notes.emplace_back(note_no_tension);
+      notes.emplace_back(table_notes::no_tension);
     const bool needs_young_form =
         table == "5.1" && figure.nu == 0 &&
         (figure.method == "mss-cf" || figure.method == "mss-nfd");
     if (needs_young_form) {
-      const char* note =
-          figure.method == "mss-cf" ? note_young_form : note_young_form_wrinkles;
+      const char* note = figure.method == "mss-cf" ? table_notes::young_form
+                                                   : table_notes::young_form_wrinkles;
       notes.emplace_back(note);
       rows.push_back(row_of(figure, figure.method, {{"stiffness-form", "E"}}, reference));
       rows.back().labels.back() += ", E-form";
@@ -199,7 +128,7 @@ TablePlan volume_table(const std::string& name, const std::string& title,
                              &Measures::cell_volume_ratio_max, 1),
                       scaled("plate force", "N", "{:.6g}", &Measures::plate_force, 1)},
           .rows = rows_of(name, reference),
-          .notes = {note_exact_volume}};
+          .notes = {table_notes::exact_volume}};
 }
 
 TablePlan shear_table(const Reference& reference) {
@@ -211,7 +140,7 @@ TablePlan shear_table(const Reference& reference) {
           .further = {scaled("sideways force", "1e-4 N", "{:.0f}", &Measures::plate_force,
                              1e4)},
           .rows = rows_of("5.3", reference),
-          .notes = {note_units}};
+          .notes = {table_notes::units}};
 }
 
 TablePlan torsion_table(const Reference& reference) {
@@ -222,7 +151,7 @@ TablePlan torsion_table(const Reference& reference) {
       .quantity = scaled("torque", "1e-6 N m", "{:.0f}", &Measures::plate_torque, 1e6),
       .further = {},
       .rows = rows_of("5.4", reference),
-      .notes = {note_units, note_torsion_angle}};
+      .notes = {table_notes::units, table_notes::torsion_angle}};
 }
 
 TablePlan deviation_table(const Reference& reference) {
@@ -245,11 +174,11 @@ TablePlan deviation_table(const Reference& reference) {
       .notes = {
           "The relative measures are volume-weighted over the free nodes and divided "
           "by the largest imposed displacement.",
-          note_layer, note_torsion_angle}};
+          table_notes::layer, table_notes::torsion_angle}};
   for (const PrintedFigure& figure : printed_figures("deviation")) {
     PlannedRow row = row_of(figure, figure.method, {}, reference);
     row.labels.insert(row.labels.begin(), std::string(name_of(figure.test)));
-    row.notes.emplace_back(note_deviation);
+    row.notes.emplace_back(table_notes::deviation);
     plan.rows.push_back(std::move(row));
   }
   return plan;
@@ -270,7 +199,7 @@ TablePlan bending_table(const Reference& reference) {
            scaled("off Timoshenko", "m", "{:.3g}", &Measures::centre_line_timoshenko, 1),
            scaled("off the elastica", "m", "{:.3g}", &Measures::centre_line_elastica, 1)},
       .rows = {},
-      .notes = {note_figures_only,
+      .notes = {table_notes::figures_only,
                 "The distances are the largest between a node of the centre line and the "
                 "theory's point of the same arc length. The elastica is inextensible and "
                 "has no shear; Timoshenko's shear factor is 5/6."}};
@@ -356,7 +285,7 @@ Table fill_table(TablePlan plan, const std::vector<CaseResult>& results) {
     for (const Quantity& quantity : table.plan.further)
       row.further.push_back(quantity.of(row.result.measures));
     if (std::ranges::count(row.result.flags, Status::wrinkled) > 0)
-      row.plan.notes.emplace_back(note_wrinkled);
+      row.plan.notes.emplace_back(table_notes::wrinkled);
     table.rows.push_back(std::move(row));
   }
   return table;
