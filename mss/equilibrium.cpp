@@ -65,7 +65,7 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
           "{} beyond {:.2f} % of the load: the next step of {:.2g} % ends with {}",
           minimum.ran_away ? "no equilibrium found" : "not converged", 100 * reached,
           200 * step,
-          minimum.ran_away ? "a cell of four times its volume, the energy still falling"
+          minimum.ran_away ? "a cell grown fourfold, the energy still falling"
                            : fmt::format("relative residual {:.1e}", minimum.residual));
       break;
     }

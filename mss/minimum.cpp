@@ -10,10 +10,10 @@ namespace {
 
 constexpr double relative_residual = 1e-10;
 constexpr int newton_limit = 150;
-constexpr double largest_move = 0.5;        // of a node in one iteration, in cell edges
-constexpr double runaway_volume_ratio = 4;  // a cell this large has no way back
-constexpr double near_saddle = 1e-3;        // relative residual
-constexpr double first_escape = 1e-3;       // along negative curvature, in cell edges
+constexpr double largest_move = 0.5;   // of a node in one iteration, in cell edges
+constexpr double runaway_growth = 4;   // of the largest cell: there is no way back
+constexpr double near_saddle = 1e-3;   // relative residual
+constexpr double first_escape = 1e-3;  // along negative curvature, in cell edges
 
 double norm(const std::vector<Vector3>& vectors) {
   double sum = 0;
@@ -52,6 +52,8 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
                   .ran_away = false,
                   .residual = INFINITY};
   Positions& now = minimum.positions;
+  const double runaway_ratio =
+      runaway_growth * std::max(1., landscape.largest_volume_ratio(now));
   double energy = landscape.energy(now);
   for (int iteration = 0; iteration < newton_limit; ++iteration) {
     const std::vector<Vector3>& forces = landscape.forces(now);
@@ -60,7 +62,7 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
         std::max(norm(forces), landscape.force_round_off(now) / relative_residual);
     minimum.residual = downhill.norm() / scale;
     if (!std::isfinite(minimum.residual)) return minimum;
-    minimum.ran_away = landscape.largest_volume_ratio(now) > runaway_volume_ratio;
+    minimum.ran_away = landscape.largest_volume_ratio(now) > runaway_ratio;
     if (minimum.ran_away) return minimum;
     minimum.definite = landscape.factor(now);
     spdlog::debug("  newton {}: energy {:.9e}, residual {:.2e}{}", iteration, energy,

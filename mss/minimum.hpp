@@ -18,8 +18,8 @@ struct Minimum {
 /// describes the method. With `found` but not `definite` the state is stationary, its
 /// tangent is not positive definite, and no direction of negative curvature lowers the
 /// energy. The search ends without a minimum after 150 iterations, when the energy cannot
-/// be lowered, or when a cell has grown to four times its volume: with a negative volume
-/// modulus the energy has no lower bound beyond.
+/// be lowered, or when the largest cell has grown fourfold since x: with a negative
+/// volume modulus the energy has no lower bound.
 Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random);
 
 }  // namespace springcheck::mss

@@ -66,6 +66,28 @@ BOOST_AUTO_TEST_CASE(shared_simulations_run_once) {
   BOOST_TEST(results[0].key != results[1].key);
 }
 
+BOOST_AUTO_TEST_CASE(the_key_holds_what_deviations_are_measured_against) {
+  MeshStore meshes;
+  Request request = requests(run_of("compression", small)).front();
+  const Mesh& mesh = meshes.mesh(request.settings.block);
+  const std::string key = case_key(request, mesh);
+  request.reference->element = *find_element("q1");
+  BOOST_TEST(case_key(request, mesh) != key);
+  request.reference.reset();
+  BOOST_TEST(case_key(request, mesh) != key);
+}
+
+// Nearly incompressible and crushed to four tenths of its height, the lattice folds over.
+BOOST_AUTO_TEST_CASE(a_folded_cell_is_reported_inverted) {
+  MeshStore meshes;
+  const auto results = study(
+      requests(run_of("compression",
+                      {"cells=4,4,4", "method=mss-cf", "nu=0.499", "deformation=0.6"})),
+      meshes, 2);
+  BOOST_TEST((results.front().status == Status::inverted));
+  BOOST_TEST(*results.front().measures.corner_jacobian_ratio_min < 0);
+}
+
 // The same bits whatever runs beside: every simulation is sequential in its sums.
 BOOST_AUTO_TEST_CASE(results_do_not_depend_on_how_many_run_at_once) {
   MeshStore meshes;
