@@ -1,7 +1,10 @@
 #define BOOST_TEST_MODULE study
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <sstream>
 
 #include "comparisons/hdf5.hpp"
 #include "comparisons/memory.hpp"
@@ -146,6 +149,32 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
   BOOST_TEST(hdf5::links(meshes_group).size() == 1U);  // stored once
   auto xdmf = file;
   BOOST_TEST(std::filesystem::exists(xdmf.replace_extension(".xdmf")));
+}
+
+// Each item names a dataset of the HDF5 file and its shape; topology is 8 wide, points 3.
+BOOST_AUTO_TEST_CASE(xdmf_names_datasets_by_their_shapes) {
+  const OwnFolder own;
+  MeshStore meshes;
+  write_results(own.path / "a&b.h5",
+                study(requests(run_of("compression", small)), meshes, 1), meshes);
+  std::ostringstream text;
+  text << std::ifstream(own.path / "a&b.xdmf").rdbuf();
+  const std::string xdmf = text.str();
+  const auto root = hdf5::open_file(own.path / "a&b.h5");
+  const std::regex item("Dimensions=\"([0-9 ]+)\">a&amp;b.h5:([^<]+)<");
+  int items = 0;
+  for (std::sregex_iterator found(xdmf.begin(), xdmf.end(), item), end; found != end;
+       ++found, ++items) {
+    const hdf5::Handle dataset(H5Dopen2(root, (*found)[2].str().c_str(), H5P_DEFAULT),
+                               H5Dclose, (*found)[2]);
+    const hdf5::Handle space(H5Dget_space(dataset), H5Sclose, "shape");
+    std::array<hsize_t, 2> shape{};
+    const int rank = H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+    const std::string dimensions =
+        std::to_string(shape[0]) + (rank == 2 ? " " + std::to_string(shape[1]) : "");
+    BOOST_TEST(dimensions == (*found)[1].str());
+  }
+  BOOST_TEST(items == 2 * 5);  // mesh, points and three fields of two cases
 }
 
 BOOST_AUTO_TEST_CASE(foreign_and_broken_files_are_refused_by_name) {
