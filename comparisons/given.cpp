@@ -102,6 +102,10 @@ bool Given::truth() const {
   return *value;
 }
 
+bool Given::is_text() const {
+  return !is_list_ && std::holds_alternative<std::string>(values_.front());
+}
+
 std::string Given::text() const {
   const auto* value = std::get_if<std::string>(&single("text"));
   if (value == nullptr) refuse("text");

@@ -31,6 +31,7 @@ class Given {
   [[nodiscard]] double positive_number() const;
   [[nodiscard]] std::int64_t integer() const;
   [[nodiscard]] bool truth() const;
+  [[nodiscard]] bool is_text() const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::vector<std::string> texts() const;  // at least one
   [[nodiscard]] std::array<double, 3> three_numbers() const;

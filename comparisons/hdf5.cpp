@@ -1,5 +1,6 @@
 #include "comparisons/hdf5.hpp"
 
+#include <array>
 #include <stdexcept>
 
 namespace springcheck::hdf5 {

@@ -12,26 +12,14 @@
 namespace springcheck {
 namespace {
 
-void refuse_if_too_large(const std::string& place, const std::string& what, double bytes,
-                         int parallel) {
-  const double available = available_memory();
-  if (parallel * bytes > available)
-    throw InputError(
-        place, what,
-        fmt::format("cells for at most {:.3g} GB, which this machine has left",
-                    available / 1e9),
-        fmt::format("an estimate of {:.3g} GB{}", parallel * bytes / 1e9,
-                    parallel > 1 ? fmt::format(" for {} at once", parallel) : ""));
-}
-
-}  // namespace
-
+/// Peak memory of the program with one mesh [bytes].
 double estimated_mesh_memory(const BlockSize& block) {
   const auto [nx, ny, nz] = block.cells;
   constexpr double program = 165e6, per_cell = 3e3;
   return program + per_cell * nx * ny * nz;
 }
 
+/// Peak memory of one simulation [bytes].
 double estimated_memory(const CaseSettings& settings) {
   const bool is_direct = is_finite_element(settings.method) ||
                          settings.solver == mss::Solver::static_equilibrium;
@@ -58,6 +46,20 @@ double available_memory() {
     }
   return INFINITY;  // not Linux: nothing to compare with
 }
+
+void refuse_if_too_large(const std::string& place, const std::string& what, double bytes,
+                         int parallel) {
+  const double available = available_memory();
+  if (parallel * bytes > available)
+    throw InputError(
+        place, what,
+        fmt::format("cells for at most {:.3g} GB, which this machine has left",
+                    available / 1e9),
+        fmt::format("an estimate of {:.3g} GB{}", parallel * bytes / 1e9,
+                    parallel > 1 ? fmt::format(" for {} at once", parallel) : ""));
+}
+
+}  // namespace
 
 void check_mesh_memory(const std::string& place, const BlockSize& block) {
   refuse_if_too_large(place, "mesh", estimated_mesh_memory(block), 1);

@@ -4,18 +4,8 @@
 
 namespace springcheck {
 
-/// Estimated peak memory of the program with one mesh of that size [bytes].
-double estimated_mesh_memory(const BlockSize& block);
-
-/// Estimated peak memory of one simulation [bytes], from its method, solver and cell
-/// counts; see the source for the measurements behind it. Within a factor of two for
-/// blocks of 10^3 cells and more.
-double estimated_memory(const CaseSettings& settings);
-
-/// Memory this machine can still give [bytes]: what Linux calls available.
-double available_memory();
-
-/// Throws InputError when the mesh alone would not fit into the available memory.
+/// Throws InputError when the mesh alone would not fit into the memory that is available
+/// (what Linux calls so).
 /// `place` says where the cell counts were given.
 void check_mesh_memory(const std::string& place, const BlockSize& block);
 

@@ -35,8 +35,7 @@ std::vector<PrintedFigure> printed_figures(const std::string& table) {
     const Given amount = Given::from_text("printed.csv", deformation);
     if (name == table)
       figures.push_back(
-          {.table = name,
-           .test = test_named(test),
+          {.test = test_named(test),
            .method = method,
            .nu = Given::from_text("printed.csv", nu).finite_number(),
            .deformation = test == "torsion" ? amount.angle() : amount.strain(),

@@ -9,7 +9,6 @@ namespace springcheck {
 
 /// A figure printed in Golec 2018; units and origin in comparisons/thesis/printed.csv.
 struct PrintedFigure {
-  std::string table;  // "5.1"
   Test test;
   std::string method;  // "mss-cf", or "fem" for the LS-DYNA column
   double nu;

@@ -111,12 +111,9 @@ double not_negative(const Given& given) {
 }
 
 std::optional<double> time_step_of(const Given& given) {
-  try {
-    if (given.text() == "auto") return std::nullopt;
-  } catch (const InputError&) {  // not text: a number then
-    return given.positive_number();
-  }
-  given.refuse("a positive time [s] or 'auto'");
+  if (!given.is_text()) return given.positive_number();
+  if (given.text() != "auto") given.refuse("a positive time [s] or 'auto'");
+  return std::nullopt;
 }
 
 unsigned seed_of(const Given& given) {
