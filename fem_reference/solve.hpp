@@ -25,10 +25,10 @@ enum class SpringConstants { from_shear_modulus, from_young_modulus };
 enum class LatticeDirection { d100, d110, d111 };
 
 struct Lattice {
-  Springs springs;
-  double diagonal_ratio;  // A = k_f/k_c of fd and cf
-  SpringConstants constants;
-  LatticeDirection direction;
+  Springs springs = Springs::cf;
+  double diagonal_ratio = 1;  // A = k_f/k_c of fd and cf
+  SpringConstants constants = SpringConstants::from_shear_modulus;
+  LatticeDirection direction = LatticeDirection::d100;
 };
 
 /// Solver of the linear systems: a Cholesky factor, or conjugate gradients with algebraic
@@ -38,8 +38,8 @@ enum class LinearSolver { automatic, direct, multigrid };
 struct Settings {
   Law law;
   Element element;
-  Lattice lattice;  // read by cauchy_born
-  LinearSolver linear_solver;
+  Lattice lattice{};  // read by cauchy_born
+  LinearSolver linear_solver = LinearSolver::automatic;
 };
 
 /// Static equilibrium of the body by finite elements (deal.II). Node numbers are the
