@@ -76,7 +76,10 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
   }
   if (status == SolveStatus::ok && !definite) {
     status = SolveStatus::indefinite;
-    reason = "the tangent is not positive definite and no direction lowers the energy";
+    reason = fmt::format(
+        "the tangent is not positive definite beyond {:.2f} % of the load, and no "
+        "direction lowers the energy",
+        100 * definite_up_to.value());
   }
 
   landscape.set_load(reached);
