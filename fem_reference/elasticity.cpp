@@ -46,14 +46,14 @@ Elasticity::Internal Elasticity::internal(const Eigen::VectorXd& displacements) 
                .mean_gradient = 0};
   double volume = 0;
   for (const Cell& cell : body_.cells) {
-    const CellState state = cell_state(law_, cell, of_cell(displacements, cell));
+    const CellState state = cell_state(law_, *cell.shape, of_cell(displacements, cell));
     sum.energy += state.energy;
     for (std::size_t a = 0; a < cell.nodes.size(); ++a)
       sum.forces.segment<3>(3 * cell.nodes[a]) +=
           state.forces.col(static_cast<Eigen::Index>(a));
     sum.smallest_jacobian = std::min(sum.smallest_jacobian, state.smallest_jacobian);
     sum.mean_gradient += state.gradient_square;
-    volume += cell.volume;
+    volume += cell.shape->volume;
   }
   sum.mean_gradient = std::sqrt(sum.mean_gradient / volume);
   return sum;
@@ -63,7 +63,7 @@ std::vector<double> Elasticity::cell_volumes(const Eigen::VectorXd& displacement
   std::vector<double> volumes;
   for (const Cell& cell : body_.cells)
     volumes.push_back(
-        cell_state(law_, cell, of_cell(displacements, cell)).deformed_volume);
+        cell_state(law_, *cell.shape, of_cell(displacements, cell)).deformed_volume);
   return volumes;
 }
 
@@ -72,7 +72,7 @@ bool Elasticity::linearise(const Eigen::VectorXd& displacements) {
   linearised_at_ = displacements;
   stiffness_.clear();
   for (const Cell& cell : body_.cells)
-    stiffness_.add(cell, cell_tangent(law_, cell, of_cell(displacements, cell)));
+    stiffness_.add(cell, cell_tangent(law_, *cell.shape, of_cell(displacements, cell)));
   stiffness_.finish();
   definiteness_ = Definiteness::unknown;
   if (multigrid_) {
@@ -143,7 +143,7 @@ Eigen::VectorXd Elasticity::forces_of(const Eigen::VectorXd& increment) const {
     const CellVectors moved = of_cell(increment, cell);
     if (moved.isZero(0)) continue;
     const Eigen::VectorXd pushed =
-        cell_tangent(law_, cell, of_cell(linearised_at_, cell)) * moved.reshaped();
+        cell_tangent(law_, *cell.shape, of_cell(linearised_at_, cell)) * moved.reshaped();
     for (std::size_t a = 0; a < cell.nodes.size(); ++a)
       forces.segment<3>(3 * cell.nodes[a]) +=
           pushed.segment<3>(static_cast<Eigen::Index>(3 * a));
