@@ -76,7 +76,6 @@ bool Elasticity::linearise(const Eigen::VectorXd& displacements) {
   stiffness_.finish();
   definiteness_ = Definiteness::unknown;
   if (multigrid_) {
-    preconditioner_is_fresh_ = false;
     if (is_linear()) definiteness_ = Definiteness::definite;
     if (!multigrid_->has_preconditioner()) {
       multigrid_->precondition(stiffness_.matrix());
@@ -130,6 +129,7 @@ std::optional<Eigen::VectorXd> Elasticity::solved(const Eigen::VectorXd& right) 
   }
   if (preconditioner_is_fresh_) {
     iterations_when_fresh_ = answer.iterations;
+    preconditioner_is_fresh_ = false;
   } else if (answer.iterations > stale * iterations_when_fresh_ && is_definite()) {
     multigrid_->precondition(stiffness_.matrix());
     preconditioner_is_fresh_ = true;
