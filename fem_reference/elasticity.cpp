@@ -9,17 +9,21 @@
 namespace springcheck::fem_reference {
 namespace {
 
-/// Unknowns above which multigrid is the cheaper solver; measured on cubes, see README.
-constexpr std::size_t direct_limit = 40000;
-
 constexpr double linear_tolerance = 1e-11;
 
 /// An old hierarchy is replaced when it needs this many times a fresh one's iterations.
 constexpr double stale = 1.5;
 
-bool prefers_multigrid(LinearSolver wanted, std::size_t dofs) {
-  if (wanted == LinearSolver::automatic) return dofs > direct_limit;
-  return wanted == LinearSolver::multigrid;
+/// Multigrid is the cheaper solver above so many dofs. Measured on cubes, one solution of
+/// Hooke's law, direct / multigrid [s]: q1_sri at 10^3, 20^3, 30^3 cells and nu = .25
+/// 0.1/0.4, 2.2/1.0, 13/3.7; nu = .499 0.1/0.7, 2.2/2.7; q2 at 10^3 cells 2.3/3.1 and
+/// 2.3/20. A factor also needs two to three times the memory.
+bool prefers_multigrid(const Settings& settings, double poisson_ratio, std::size_t dofs) {
+  if (settings.linear_solver != LinearSolver::automatic)
+    return settings.linear_solver == LinearSolver::multigrid;
+  const std::size_t limit = settings.element == Element::q2 ? 50000 : 25000;
+  const bool nearly_incompressible = poisson_ratio > 0.45;
+  return dofs > (nearly_incompressible ? 2 * limit : limit);
 }
 
 }  // namespace
@@ -31,7 +35,7 @@ Elasticity::Elasticity(const Discretisation& body, const Material& material,
       law_{.constitution = constitution(material, settings),
            .dilatation = dilatation_taken(settings)},
       stiffness_(body, prescribed) {
-  if (prefers_multigrid(settings.linear_solver, prescribed.size()))
+  if (prefers_multigrid(settings, material.poisson_ratio, prescribed.size()))
     multigrid_.emplace(body.nodes, prescribed);
 }
 
