@@ -22,7 +22,7 @@ struct SpringDirection {
 ///     dP_iJ/dF_kL = sum w [(1 - 1/|d|) delta_ik + d_i d_k/|d|^3] n_J n_L
 ///
 /// Validity: any F with no spring of zero length.
-/// Source: Born and Huang, Dynamical Theory of Crystal Lattices (1954), section 11; the
+/// Source: Born and Huang, Dynamical Theory of Crystal Lattices (1954); the
 /// energy is the mss-cf cell's (Golec 2018, chapter 5) with lattice values of k over h^3.
 struct CauchyBorn {
   std::vector<SpringDirection> springs;
