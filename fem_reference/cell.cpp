@@ -71,7 +71,8 @@ void add_stiffness(CellMatrix& K, const Matrix9& A, const Gradients& g) {
   // A is symmetric. Column (i + 3J) of `changes` is the change of P_iJ by each dof.
   Eigen::MatrixXd changes(3 * g.cols(), 9);
   for (Eigen::Index c = 0; c < 9; ++c)
-    changes.col(c).reshaped(3, g.cols()).noalias() = A.col(c).reshaped(3, 3) * g;
+    changes.col(c).reshaped(3, g.cols()) =
+        A.col(c).reshaped(3, 3).lazyProduct(g);  // too small for a blocked product
   for (Eigen::Index a = 0; a < g.cols(); ++a)
     for (Eigen::Index i = 0; i < 3; ++i)
       K.col(3 * a + i) += g(0, a) * changes.col(i) + g(1, a) * changes.col(i + 3) +

@@ -1,6 +1,7 @@
 #include "fem_reference/elasticity.hpp"
 
 #include <spdlog/spdlog.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,21 @@ bool prefers_multigrid(const Settings& settings, double poisson_ratio, std::size
   return dofs > (nearly_incompressible ? 2 * limit : limit);
 }
 
+/// Computes something for every cell in parallel and hands it over in the order of the
+/// cells, so that sums do not depend on the number of threads.
+template <class Compute, class Use>
+void for_each_cell(const std::vector<Cell>& cells, const Compute& compute,
+                   const Use& use) {
+  constexpr std::size_t at_once = 512;
+  std::vector<decltype(compute(cells.front()))> results(std::min(at_once, cells.size()));
+  for (std::size_t first = 0; first < cells.size(); first += at_once) {
+    const std::size_t count = std::min(at_once, cells.size() - first);
+    tbb::parallel_for(std::size_t{0}, count,
+                      [&](std::size_t i) { results[i] = compute(cells[first + i]); });
+    for (std::size_t i = 0; i < count; ++i) use(cells[first + i], results[i]);
+  }
+}
+
 }  // namespace
 
 Elasticity::Elasticity(const Discretisation& body, const Material& material,
@@ -49,8 +65,10 @@ Elasticity::Internal Elasticity::internal(const Eigen::VectorXd& displacements) 
                .smallest_jacobian = std::numeric_limits<double>::infinity(),
                .mean_gradient = 0};
   double volume = 0;
-  for (const Cell& cell : body_.cells) {
-    const CellState state = cell_state(law_, *cell.shape, of_cell(displacements, cell));
+  const auto state_of = [&](const Cell& cell) {
+    return cell_state(law_, *cell.shape, of_cell(displacements, cell));
+  };
+  for_each_cell(body_.cells, state_of, [&](const Cell& cell, const CellState& state) {
     sum.energy += state.energy;
     for (std::size_t a = 0; a < cell.nodes.size(); ++a)
       sum.forces.segment<3>(3 * cell.nodes[a]) +=
@@ -58,7 +76,7 @@ Elasticity::Internal Elasticity::internal(const Eigen::VectorXd& displacements) 
     sum.smallest_jacobian = std::min(sum.smallest_jacobian, state.smallest_jacobian);
     sum.mean_gradient += state.gradient_square;
     volume += cell.shape->volume;
-  }
+  });
   sum.mean_gradient = std::sqrt(sum.mean_gradient / volume);
   return sum;
 }
@@ -75,8 +93,13 @@ bool Elasticity::linearise(const Eigen::VectorXd& displacements) {
   if (is_linear() && linearised_at_.size() > 0) return true;  // the tangent is constant
   linearised_at_ = displacements;
   stiffness_.clear();
-  for (const Cell& cell : body_.cells)
-    stiffness_.add(cell, cell_tangent(law_, *cell.shape, of_cell(displacements, cell)));
+  const auto tangent_of = [&](const Cell& cell) {
+    return cell_tangent(law_, *cell.shape, of_cell(displacements, cell));
+  };
+  for_each_cell(body_.cells, tangent_of,
+                [&](const Cell& cell, const CellMatrix& tangent) {
+                  stiffness_.add(cell, tangent);
+                });
   stiffness_.finish();
   definiteness_ = Definiteness::unknown;
   if (multigrid_) {
