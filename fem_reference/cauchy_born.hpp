@@ -39,11 +39,12 @@ struct CauchyBorn {
 
 /// Weights w of the lattices [Pa], h having dropped out:
 ///
-///     per direction              edges (3)            face diagonals (6)  inner
-///     diagonals (4) cf, fd (nfd: A = 0)        (3A + 8) mu/(3A + 4) 6 A mu/(3A + 4) 9
-///     mu/(3A + 4) baudet                     E (4nu + 1)/(2(1+nu))  -                 9
-///     E/(8(1+nu)) affine                     5 mu/2 along the six axes of the
-///     icosahedron
+///     cf, fd, nfd  edges (3)            (3A + 8) mu/(3A + 4), nfd: A = 0
+///                  face diagonals (6)   6 A mu/(3A + 4)
+///                  inner diagonals (4)  9 mu/(3A + 4)
+///     baudet       edges                E (4nu + 1)/(2(1 + nu))
+///                  inner diagonals      9 E/(8(1 + nu))
+///     affine       5 mu/2 along the icosahedron's axes (phi, +-1, 0), cyclic
 ///
 /// kappa = lambda - mu; 0 for baudet and fd. With SpringConstants::from_young_modulus mu
 /// is 2E/5 in the weights, as Golec 2018, Eq. 5.12 prints them.
