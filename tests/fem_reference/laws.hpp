@@ -35,7 +35,7 @@ inline NamedLaw named(const std::string& name, double nu, const Settings& settin
 /// Hooke, St-Venant-Kirchhoff, Hencky, and the continua of all lattices with their
 /// diagonal ratios and directions.
 inline std::vector<NamedLaw> laws_at(double nu) {
-  std::vector<NamedLaw> laws{
+  std::vector<NamedLaw> all{
       named("hooke", nu, {.law = Law::hooke, .element = Element::q1}),
       named("st-venant", nu, {.law = Law::st_venant_kirchhoff, .element = Element::q1}),
       named("hencky", nu, {.law = Law::hencky, .element = Element::q1})};
@@ -53,7 +53,7 @@ inline std::vector<NamedLaw> laws_at(double nu) {
     for (const double ratio : ratios)
       for (const LatticeDirection direction :
            {LatticeDirection::d100, LatticeDirection::d110, LatticeDirection::d111})
-        laws.push_back(named(
+        all.push_back(named(
             "cauchy-born " + std::string(name) + ", A " + std::to_string(ratio) +
                 ", direction " + std::to_string(static_cast<int>(direction)),
             nu,
@@ -62,16 +62,16 @@ inline std::vector<NamedLaw> laws_at(double nu) {
              .lattice = {
                  .springs = springs, .diagonal_ratio = ratio, .direction = direction}}));
   }
-  return laws;
+  return all;
 }
 
 inline constexpr double poisson_ratios[] = {-0.3, 0, 0.25, 0.45, 0.499};
 
 inline std::vector<NamedLaw> all_laws() {
-  std::vector<NamedLaw> laws;
+  std::vector<NamedLaw> all;
   for (const double nu : poisson_ratios)
-    for (NamedLaw& law : laws_at(nu)) laws.push_back(std::move(law));
-  return laws;
+    for (NamedLaw& law : laws_at(nu)) all.push_back(std::move(law));
+  return all;
 }
 
 /// The largest modulus, to which rounding of stresses is relative [Pa].
