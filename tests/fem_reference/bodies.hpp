@@ -87,6 +87,29 @@ inline Eigen::VectorXd random_nodal(const Discretisation& body, double size,
   return nodal(body, [&](const Vector3&) { return random(); });
 }
 
+/// Sum of the cells' tangents, prescribed dofs like all others.
+inline Eigen::MatrixXd dense_tangent(const Discretisation& body, const CellLaw& law,
+                                     const Eigen::VectorXd& u) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(u.size(), u.size());
+  for (const Cell& cell : body.cells) {
+    const CellMatrix K = cell_tangent(law, *cell.shape, of_cell(u, cell));
+    for (std::size_t a = 0; a < cell.nodes.size(); ++a)
+      for (std::size_t b = 0; b < cell.nodes.size(); ++b)
+        sum.block<3, 3>(3 * cell.nodes[a], 3 * cell.nodes[b]) += K.block<3, 3>(
+            static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
+  }
+  return sum;
+}
+
+/// Rows and columns of the dofs that are not prescribed.
+inline Eigen::MatrixXd free_block(const Eigen::MatrixXd& matrix,
+                                  const std::vector<bool>& prescribed) {
+  std::vector<Eigen::Index> dofs;
+  for (std::size_t dof = 0; dof < prescribed.size(); ++dof)
+    if (!prescribed[dof]) dofs.push_back(static_cast<Eigen::Index>(dof));
+  return matrix(dofs, dofs);
+}
+
 inline RigidMotion translation(const Vector3& by) {
   return {
       .translation = by, .axis = Vector3::UnitZ(), .centre = Vector3::Zero(), .angle = 0};
