@@ -45,7 +45,7 @@ struct CauchyBorn {
 ///     nfd       the same with A = 0
 ///     baudet    edges (3)             E (4 nu + 1)/(2 (1 + nu))
 ///               inner diagonals (4)   9 E/(8 (1 + nu))
-///     affine    axes of the icosahedron (6)   5 mu/2
+///     affine    icosahedron's axes (6), (phi, +-1, 0) and cyclic   5 mu/2
 ///
 /// kappa = lambda - mu; 0 for baudet and fd. With SpringConstants::from_young_modulus mu
 /// is 2E/5 in the weights, as Golec 2018, Eq. 5.12 prints them.
