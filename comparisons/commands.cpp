@@ -65,8 +65,10 @@ std::string text_of(const std::vector<CaseResult>& results) {
       text += fmt::format("{}: {}\n", label(result.request.settings), result.reason);
   for (const CaseResult& result : results)
     if (result.request.reference) {
-      text += fmt::format("Deviations are from {} on the same mesh.\n",
-                          label(*result.request.reference));
+      const std::string reference = reference_label(result.request);
+      text += fmt::format(
+          "Deviations are from {}{}.\n", reference,
+          reference.find('@') == std::string::npos ? " on the same mesh" : "");
       break;
     }
   return text;

@@ -123,6 +123,15 @@ std::vector<std::string> Given::texts() const {
   return all;
 }
 
+std::string Given::joined() const {
+  std::string all;
+  for (const Scalar& value : values_) {
+    const auto* text = std::get_if<std::string>(&value);
+    all += (all.empty() ? "" : ",") + (text != nullptr ? *text : described(value));
+  }
+  return all;
+}
+
 std::array<double, 3> Given::three_numbers() const {
   std::array<double, 3> numbers{};
   if (values_.size() != 3) refuse("three finite numbers");

@@ -160,9 +160,12 @@ Measures measure(const CaseSettings& settings, const Mesh& mesh,
   return measures;
 }
 
+std::vector<double> deformed_cell_volumes(const Mesh& mesh, const Solution& solution) {
+  return cell_volumes(mesh.hexahedra(), deformed(mesh, solution.displacements));
+}
+
 void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
-                       std::span<const Vector3> displacements,
-                       std::span<const Vector3> reference) {
+                       const Solution& solution, const ReferenceField& reference) {
   const double height = settings.block.size[2];
   std::vector<bool> is_free(mesh.nodes().size(), true);
   for (const auto& [node, plate] : prescribed_nodes(mesh, mechanical_scene(settings)))
@@ -173,7 +176,8 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
          free_largest = 0;
   int layer_nodes = 0;
   for (std::size_t n = 0; n < mesh.nodes().size(); ++n) {
-    const double distance = (displacements[n] - reference[n]).norm();
+    const double distance =
+        (solution.displacements[n] - reference.displacements[n]).norm();
     sum += distance;
     largest = std::max(largest, distance);
     if (std::abs(mesh.nodes()[n].z() - height / 2) < on_plane * height) {
@@ -189,18 +193,17 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
   measures.mean_deviation = sum / static_cast<double>(mesh.nodes().size());
   measures.max_deviation = largest;
   if (layer_nodes > 0) measures.middle_layer_deviation = layer_sum / layer_nodes;
-  const auto length = imposed_length(settings, mesh, reference);
+  const auto length = imposed_length(settings, mesh, reference.displacements);
   if (length && *length > 0 && free_weight > 0) {
     measures.deviation_l2_relative = std::sqrt(free_square_sum / free_weight) / *length;
     measures.deviation_max_relative = free_largest / *length;
   }
 
-  const auto volumes = cell_volumes(mesh.hexahedra(), deformed(mesh, displacements));
-  const auto reference_volumes =
-      cell_volumes(mesh.hexahedra(), deformed(mesh, reference));
+  const std::vector<double> volumes = deformed_cell_volumes(mesh, solution);
   double square_sum = 0;
   for (std::size_t c = 0; c < volumes.size(); ++c)
-    square_sum += std::pow(volumes[c] - reference_volumes[c], 2) / mesh.cell_volumes()[c];
+    square_sum +=
+        std::pow(volumes[c] - reference.cell_volumes[c], 2) / mesh.cell_volumes()[c];
   measures.cell_volume_ratio_rms_difference = std::sqrt(square_sum / mesh.volume());
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "comparisons/case.hpp"
 
@@ -92,9 +93,17 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
 Measures measure(const CaseSettings& settings, const Mesh& mesh,
                  const Solution& solution);
 
-/// Fills in the deviations from the reference's displacements (one per node, same mesh).
+/// What deviations are measured against, at the nodes and in the cells of a mesh.
+struct ReferenceField {
+  std::vector<Vector3> displacements;
+  std::vector<double> cell_volumes;  // [m^3] deformed
+};
+
+/// Deformed volume of each cell [m^3].
+std::vector<double> deformed_cell_volumes(const Mesh& mesh, const Solution& solution);
+
+/// Fills in the deviations of the solution from the reference's field.
 void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
-                       std::span<const Vector3> displacements,
-                       std::span<const Vector3> reference);
+                       const Solution& solution, const ReferenceField& reference);
 
 }  // namespace springcheck

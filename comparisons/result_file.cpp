@@ -120,7 +120,7 @@ void write_case(hid_t cases, const CaseResult& result, const Mesh& mesh) {
   const Solution& solution = result.solution;
   write_settings(group, settings_json(result.request.settings));
   if (result.request.reference) {
-    hdf5::write_attribute(group, "reference", label(*result.request.reference));
+    hdf5::write_attribute(group, "reference", reference_label(result.request));
     hdf5::write_attribute(group, "reference_settings",
                           settings_json(*result.request.reference).dump());
   }

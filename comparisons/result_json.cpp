@@ -38,7 +38,7 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
                    [&](const char* name, const auto& value) { out[name] = json(value); });
   const Solution& solution = result.solution;
   out["reference"] =
-      result.request.reference ? Json(label(*result.request.reference)) : Json();
+      result.request.reference ? Json(reference_label(result.request)) : Json();
   const bool ran = result.status != Status::refused;
   out["load_fraction"] = ran ? Json(solution.load_fraction) : Json();
   out["steps"] = ran ? Json(solution.steps) : Json();

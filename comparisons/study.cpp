@@ -1,5 +1,7 @@
 #include "comparisons/study.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <omp.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -12,6 +14,7 @@
 #include <type_traits>
 
 #include "comparisons/build_info.hpp"
+#include "comparisons/converged.hpp"
 #include "comparisons/wrinkles.hpp"
 #include "meshing/sha256.hpp"
 
@@ -135,11 +138,29 @@ std::string_view name_of(Status status) {
   return {};
 }
 
+std::vector<CaseSettings> reference_cases(const Request& request) {
+  if (!request.reference) return {};
+  if (request.reference_grid == ReferenceGrid::one) return {*request.reference};
+  const ThreeCases grids = convergence_grids(*request.reference);
+  return {grids.begin(), grids.end()};
+}
+
+std::string reference_label(const Request& request) {
+  if (!request.reference) return {};
+  const std::string name = label(*request.reference);
+  if (request.reference_grid == ReferenceGrid::converged) return name + "@converged";
+  const Cells& cells = request.reference->block.cells;
+  if (cells == request.settings.block.cells) return name;
+  return fmt::format("{}@{}", name, fmt::join(cells, ","));
+}
+
 std::string case_key(const Request& request, const Mesh& mesh) {
   nlohmann::json all{{"settings", settings_json(request.settings)},
                      {"mesh", mesh.sha256()},
                      {"version", build_info::version}};
   if (request.reference) all["reference"] = settings_json(*request.reference);
+  if (request.reference_grid == ReferenceGrid::converged)
+    all["reference-grid"] = "converged";
   return sha256(all.dump());
 }
 
@@ -195,17 +216,19 @@ std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStor
 
   struct Answer {
     std::optional<CaseResult> known;
-    std::size_t simulation, reference;
+    std::size_t simulation;
+    std::vector<std::size_t> reference;
   };
   std::vector<Answer> answers;
   for (const Request& request : requests) {
-    Answer answer{std::nullopt, 0, 0};
+    Answer answer{std::nullopt, 0, {}};
     if (known)
       answer.known =
           known(request, case_key(request, meshes.mesh(request.settings.block)));
     if (!answer.known) {
       answer.simulation = plan(request.settings);
-      answer.reference = request.reference ? plan(*request.reference) : answer.simulation;
+      for (const CaseSettings& settings : reference_cases(request))
+        answer.reference.push_back(plan(settings));
     }
     answers.push_back(std::move(answer));
   }
@@ -238,12 +261,14 @@ std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStor
       continue;
     }
     CaseResult result = simulations[answers[i].simulation].result;
-    const CaseResult& reference = simulations[answers[i].reference].result;
     const Mesh& mesh = *simulations[answers[i].simulation].mesh;
-    if (requests[i].reference && result.measures.volume_error &&
-        reference.measures.volume_error)
-      measure_deviation(result.measures, requests[i].settings, mesh,
-                        result.solution.displacements, reference.solution.displacements);
+    std::vector<const CaseResult*> runs;
+    for (const std::size_t place : answers[i].reference)
+      runs.push_back(&simulations[place].result);
+    if (const auto reference = reference_field(requests[i], runs, meshes);
+        reference && result.measures.volume_error)
+      measure_deviation(result.measures, requests[i].settings, mesh, result.solution,
+                        *reference);
     result.request = requests[i];
     result.key = case_key(requests[i], mesh);
     results.push_back(std::move(result));

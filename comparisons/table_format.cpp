@@ -56,7 +56,7 @@ std::string statuses(const CaseResult& result) {
 }
 
 std::string reference_of(const CaseResult& result) {
-  return result.request.reference ? label(*result.request.reference) : "itself";
+  return result.request.reference ? reference_label(result.request) : "itself";
 }
 
 /// All footnotes of the table: on the whole first, then the rows', each once.
@@ -185,9 +185,8 @@ std::string json_text(const Table& table) {
     out["ours"] = json(row.ours);
     out["difference"] = json(row.difference);
     out["reference_value"] = json(row.reference_value);
-    out["reference"] = row.result.request.reference
-                           ? Json(label(*row.result.request.reference))
-                           : Json();
+    out["reference"] =
+        row.result.request.reference ? Json(reference_label(row.result.request)) : Json();
     out["cells"] = row.result.request.settings.block.cells;
     out["printed_instabilities"] =
         row.plan.verdict.empty() ? Json() : Json(row.plan.verdict);
