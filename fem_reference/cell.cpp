@@ -6,74 +6,131 @@
 namespace springcheck::fem_reference {
 namespace {
 
-Matrix3 displacement_gradient(const CellVectors& u, const GaussPoint& point) {
-  return u * point.gradients.transpose();
+Matrix3 displacement_gradient(const Cell& cell, const CellVectors& u,
+                              Eigen::Index point) {
+  return u * cell.gradients_at(point).transpose();
 }
 
-double mean_trace(Law law, const Cell& cell, const CellVectors& u) {
+/// The dilatation of the whole cell; empty sums where it is taken at the points.
+template <class Law>
+double mean_dilatation(const Law& law, DilatationTaken taken, const Cell& cell,
+                       const CellVectors& u) {
+  if (taken == DilatationTaken::of_mean_gradient)
+    return law.dilatation(displacement_gradient(cell, u, cell.weights.size())).value;
   double integral = 0;
-  for (const GaussPoint& point : cell.points)
-    integral += point.weight * strain(law, displacement_gradient(u, point)).trace();
+  if (taken == DilatationTaken::cell_mean)
+    for (Eigen::Index q = 0; q < cell.weights.size(); ++q)
+      integral +=
+          cell.weights[q] * law.dilatation(displacement_gradient(cell, u, q)).value;
   return integral / cell.volume;
 }
 
-EnergyDensity with_mean_stress(EnergyDensity psi, double mean_stress) {
-  psi.p = mean_stress;
-  return psi;
+template <class Law>
+CellState state(const Law& law, DilatationTaken taken, const Cell& cell,
+                const CellVectors& u) {
+  const VolumetricEnergy whole =
+      law.volumetric_energy(mean_dilatation(law, taken, cell, u));
+  CellState sum{.energy = 0,
+                .forces = CellVectors::Zero(3, u.cols()),
+                .smallest_jacobian = std::numeric_limits<double>::infinity(),
+                .gradient_square = 0,
+                .deformed_volume = 0};
+  for (Eigen::Index q = 0; q < cell.weights.size(); ++q) {
+    const Matrix3 H = displacement_gradient(cell, u, q);
+    const double w = cell.weights[q];
+    double psi = law.energy(H);
+    Matrix3 P = law.stress(H);
+    if (taken == DilatationTaken::at_points) {
+      const Dilatation t = law.dilatation(H);
+      const VolumetricEnergy U = law.volumetric_energy(t.value);
+      psi += U.value;
+      P += U.first * t.first;
+    } else if (taken == DilatationTaken::cell_mean) {
+      P += whole.first * law.dilatation(H).first;
+    }
+    sum.energy += w * psi;
+    sum.forces += w * P * cell.gradients_at(q);
+    const double J = (H + Matrix3::Identity()).determinant();
+    sum.smallest_jacobian = std::min(sum.smallest_jacobian, J);
+    sum.gradient_square += w * H.squaredNorm();
+    sum.deformed_volume += w * J;
+  }
+  if (taken == DilatationTaken::at_points) return sum;
+  sum.energy += cell.volume * whole.value;
+  if (taken == DilatationTaken::of_mean_gradient) {
+    const Matrix3 H = displacement_gradient(cell, u, cell.weights.size());
+    sum.forces +=
+        cell.volume * whole.first * law.dilatation(H).first * cell.mean_gradients();
+  }
+  return sum;
+}
+
+/// Adds B^T A B, B the map from nodal displacements to H.
+template <class Gradients>
+void add_stiffness(CellMatrix& K, const Matrix9& A, const Gradients& g) {
+  // A is symmetric. Column (i + 3J) of `changes` is the change of P_iJ by each dof.
+  Eigen::MatrixXd changes(3 * g.cols(), 9);
+  for (Eigen::Index c = 0; c < 9; ++c)
+    changes.col(c).reshaped(3, g.cols()).noalias() = A.col(c).reshaped(3, 3) * g;
+  for (Eigen::Index a = 0; a < g.cols(); ++a)
+    for (Eigen::Index i = 0; i < 3; ++i)
+      K.col(3 * a + i) += g(0, a) * changes.col(i) + g(1, a) * changes.col(i + 3) +
+                          g(2, a) * changes.col(i + 6);
+}
+
+template <class Law>
+CellMatrix stiffness(const Law& law, DilatationTaken taken, const Cell& cell,
+                     const CellVectors& u) {
+  const VolumetricEnergy whole =
+      law.volumetric_energy(mean_dilatation(law, taken, cell, u));
+  CellVectors c = CellVectors::Zero(3, u.cols());  // V dt/du
+  CellMatrix K = CellMatrix::Zero(3 * u.cols(), 3 * u.cols());
+  for (Eigen::Index q = 0; q < cell.weights.size(); ++q) {
+    const Matrix3 H = displacement_gradient(cell, u, q);
+    const double w = cell.weights[q];
+    Matrix9 A = law.tangent(H);
+    if (taken != DilatationTaken::of_mean_gradient) {
+      const Dilatation t = law.dilatation(H);
+      if (taken == DilatationTaken::cell_mean) {
+        A += whole.first * t.second;
+        c += w * t.first * cell.gradients_at(q);
+      } else {
+        const VolumetricEnergy U = law.volumetric_energy(t.value);
+        A += U.first * t.second +
+             U.second * t.first.reshaped() * t.first.reshaped().transpose();
+      }
+    }
+    add_stiffness(K, w * A, cell.gradients_at(q));
+  }
+  if (taken == DilatationTaken::at_points) return K;
+  if (taken == DilatationTaken::of_mean_gradient) {
+    const Dilatation t =
+        law.dilatation(displacement_gradient(cell, u, cell.weights.size()));
+    c = cell.volume * t.first * cell.mean_gradients();
+    add_stiffness(K, cell.volume * whole.first * t.second, cell.mean_gradients());
+  }
+  K += whole.second / cell.volume * c.reshaped() * c.reshaped().transpose();
+  return K;
 }
 
 }  // namespace
 
-CellLaw cell_law(const Settings& settings, const LameConstants& lame) {
-  if (settings.element == Element::q1)
-    return {
-        .law = settings.law, .psi = energy_density(Part::whole, lame), .bulk_modulus = 0};
-  return {.law = settings.law,
-          .psi = energy_density(Part::shape, lame),
-          .bulk_modulus = energy_density(Part::volumetric, lame).b};
+DilatationTaken dilatation_taken(const Settings& settings) {
+  if (settings.element != Element::q1_sri) return DilatationTaken::at_points;
+  return settings.law == Law::cauchy_born ? DilatationTaken::of_mean_gradient
+                                          : DilatationTaken::cell_mean;
 }
 
 CellState cell_state(const CellLaw& law, const Cell& cell, const CellVectors& u) {
-  const double t = mean_trace(law.law, cell, u);
-  const EnergyDensity psi = with_mean_stress(law.psi, law.bulk_modulus * t);
-  CellState state{.energy = cell.volume * law.bulk_modulus / 2 * t * t,
-                  .forces = CellVectors::Zero(),
-                  .smallest_jacobian = std::numeric_limits<double>::infinity(),
-                  .gradient_square = 0};
-  for (const GaussPoint& point : cell.points) {
-    const Matrix3 H = displacement_gradient(u, point);
-    state.energy += point.weight * energy(law.law, law.psi, H);
-    state.forces += point.weight * stress(law.law, psi, H) * point.gradients;
-    state.smallest_jacobian =
-        std::min(state.smallest_jacobian, (H + Matrix3::Identity()).determinant());
-    state.gradient_square += point.weight * H.squaredNorm();
-  }
-  return state;
+  return std::visit(
+      [&](const auto& part) { return state(part, law.dilatation, cell, u); },
+      law.constitution);
 }
 
 CellMatrix cell_tangent(const CellLaw& law, const Cell& cell, const CellVectors& u) {
-  const EnergyDensity psi =
-      with_mean_stress(law.psi, law.bulk_modulus * mean_trace(law.law, cell, u));
-  CellVectors c = CellVectors::Zero();
-  CellMatrix K = CellMatrix::Zero();
-  for (const GaussPoint& point : cell.points) {
-    const CellVectors& g = point.gradients;
-    const Matrix3 H = displacement_gradient(u, point);
-    c += point.weight * trace_derivative(law.law, H) * g;
-    const Matrix9 A = point.weight * tangent(law.law, psi, H);
-    for (Eigen::Index b = 0; b < 8; ++b) {
-      const Eigen::Matrix<double, 9, 3> stress_change = g(0, b) * A.leftCols<3>() +
-                                                        g(1, b) * A.middleCols<3>(3) +
-                                                        g(2, b) * A.rightCols<3>();
-      for (Eigen::Index a = 0; a <= b; ++a)  // the upper triangle; mirrored below
-        K.block<3, 3>(3 * a, 3 * b) += g(0, a) * stress_change.topRows<3>() +
-                                       g(1, a) * stress_change.middleRows<3>(3) +
-                                       g(2, a) * stress_change.bottomRows<3>();
-    }
-  }
-  K.triangularView<Eigen::StrictlyLower>() = K.transpose();
-  K += law.bulk_modulus / cell.volume * c.reshaped() * c.reshaped().transpose();
-  return K;
+  return std::visit(
+      [&](const auto& part) { return stiffness(part, law.dilatation, cell, u); },
+      law.constitution);
 }
 
 }  // namespace springcheck::fem_reference

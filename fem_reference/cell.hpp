@@ -1,60 +1,67 @@
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "fem_reference/materials.hpp"
 
 namespace springcheck::fem_reference {
 
-/// One vector per corner of a hexahedron, as columns.
-using CellVectors = Eigen::Matrix<double, 3, 8>;
-using CellMatrix = Eigen::Matrix<double, 24, 24>;
+/// One vector per node of a cell, as columns.
+using CellVectors = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+using CellMatrix = Eigen::MatrixXd;
 
-struct GaussPoint {
-  CellVectors gradients;  // of the shape functions [1/m]
-  double weight;          // [m^3]
-};
-
-/// The undeformed cell as its integrals see it. The order of corners is that of `nodes`.
+/// The undeformed cell as its integrals see it.
 struct Cell {
-  std::array<NodeIndex, 8> nodes;
-  std::array<GaussPoint, 8> points;
-  std::array<double, 8> shares;  // int N_a dV [m^3]
-  double volume;                 // [m^3]
+  std::vector<NodeIndex> nodes;  // the corners first
+  Eigen::VectorXd weights;       // of the Gauss points [m^3]
+  CellVectors gradients;  // of the shape functions [1/m], point after point; at the end
+                          // their means over the cell
+  double volume;          // [m^3]
+
+  [[nodiscard]] auto gradients_at(Eigen::Index point) const {
+    const auto count = static_cast<Eigen::Index>(nodes.size());
+    return gradients.middleCols(point * count, count);
+  }
+  [[nodiscard]] auto mean_gradients() const { return gradients_at(weights.size()); }
 };
 
-/// A law as the cells integrate it:
+/// Where an element takes the dilatation t of a law psi = shape part + U(t):
 ///
-///     W_cell = int psi(e) dV + V K/2 t^2,   t = (1/V) int tr e dV
+///     at_points        W = int psi dV
+///     cell_mean        W = int shape part dV + V U(t),   t = (1/V) int t(F) dV
+///     of_mean_gradient W = int shape part dV + V U(t(F_mean)),  F_mean = (1/V) int F dV
 ///
-/// q1: psi is the whole law and K = 0. q1_sri: psi is the shape part, K the bulk modulus.
-/// For Hooke's law on parallelepipeds t is tr e at the centroid: selective reduced
-/// integration. On other cells the centroid's value fails the patch test; the mean
-/// passes.
-///
-/// Source of the mean dilatation: Nagtegaal, Parks and Rice, Comput. Methods Appl. Mech.
-/// Eng. 4 (1974) 153; Hughes, The Finite Element Method (1987), section 4.5.
+/// On parallelepipeds F_mean is F at the centroid. Taken at the centroid of other cells
+/// the dilatation fails the patch test; both means pass it.
+/// Source: Nagtegaal, Parks and Rice, Comput. Methods Appl. Mech. Eng. 4 (1974) 153;
+/// Hughes, The Finite Element Method (1987), section 4.5.
+enum class DilatationTaken { at_points, cell_mean, of_mean_gradient };
+
+/// q1 and q2: at the points. q1_sri: cell mean, for Cauchy-Born of the mean gradient,
+/// which is how the springs' volume correction sees a cell (Golec 2018, Eq. 5.19).
+DilatationTaken dilatation_taken(const Settings& settings);
+
+/// A law as the cells integrate it.
 struct CellLaw {
-  Law law;
-  EnergyDensity psi;
-  double bulk_modulus;  // K [Pa]
+  Constitution constitution;
+  DilatationTaken dilatation;
 };
-CellLaw cell_law(const Settings& settings, const LameConstants& lame);
 
 struct CellState {
-  double energy;             // W_cell [J]
-  CellVectors forces;        // dW_cell/du [N]
+  double energy;             // W [J]
+  CellVectors forces;        // dW/du [N]
   double smallest_jacobian;  // of det F over the Gauss points
   double gradient_square;    // int |H|^2 dV [m^3]
+  double deformed_volume;    // int det F dV [m^3]
 };
 CellState cell_state(const CellLaw& law, const Cell& cell, const CellVectors& u);
 
-/// d2W_cell/du2 [N/m], dof = 3 corner + component:
+/// d2W/du2 [N/m], dof = 3 node + component:
 ///
-///     sum over points w B^T (dP/dF) B + K/V c c^T,   c = V dt/du = sum w d(tr e)/dF grad
-///     N
+///     sum over points w B^T (dP/dF) B + V U''(t) c c^T,   c = dt/du
 ///
-/// where P is the stress of psi + K t tr e at constant t.
+/// the second term for a mean dilatation only; P is the stress of the shape part and of
+/// U'(t) dt/dF at constant U'(t).
 CellMatrix cell_tangent(const CellLaw& law, const Cell& cell, const CellVectors& u);
 
 }  // namespace springcheck::fem_reference

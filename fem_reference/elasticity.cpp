@@ -1,159 +1,43 @@
 #include "fem_reference/elasticity.hpp"
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/tria.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/sparse_matrix.h>
-#include <deal.II/lac/sparsity_pattern.h>
-#include <deal.II/lac/vector.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <vector>
-
-#include "fem_reference/cell.hpp"
-#include "fem_reference/factor.hpp"
 
 namespace springcheck::fem_reference {
 namespace {
 
-constexpr int cell_dofs = 24;
+/// Unknowns above which multigrid is the cheaper solver; measured on cubes, see README.
+constexpr std::size_t direct_limit = 40000;
 
-/// The mesh as deal.II's triangulation, whose vertices are the mesh's nodes.
-void build(dealii::Triangulation<3>& triangulation, const Mesh& mesh) {
-  std::vector<dealii::Point<3>> vertices;
-  for (const Vector3& x : mesh.nodes()) vertices.emplace_back(x.x(), x.y(), x.z());
-  std::vector<dealii::CellData<3>> cells;
-  for (const Hexahedron& nodes : mesh.hexahedra()) {
-    constexpr std::array<std::size_t, 8> from_gmsh{0, 1, 3, 2, 4, 5, 7, 6};
-    dealii::CellData<3> cell;
-    for (std::size_t corner = 0; corner < from_gmsh.size(); ++corner)
-      cell.vertices[corner] = nodes[from_gmsh[corner]];
-    cells.push_back(cell);
-  }
-  triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
-  // Every result is read by node number: this must hold, and is cheap to check.
-  if (triangulation.get_vertices() != vertices ||
-      triangulation.n_active_cells() != mesh.hexahedra().size())
-    throw std::logic_error("deal.II renumbered the nodes of " + mesh.source());
-}
+constexpr double linear_tolerance = 1e-11;
 
-std::vector<Cell> integrate_shapes(const dealii::Triangulation<3>& triangulation) {
-  const dealii::FE_Q<3> element(1);
-  const dealii::QGauss<3> gauss(2);
-  dealii::FEValues<3> values(
-      element, gauss,
-      dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
-  std::vector<Cell> cells;
-  cells.reserve(triangulation.n_active_cells());
-  for (const auto& shape : triangulation.active_cell_iterators()) {
-    values.reinit(shape);
-    Cell cell{.nodes = {}, .points = {}, .shares = {}, .volume = 0};
-    for (const unsigned int q : values.quadrature_point_indices()) {
-      cell.points[q].weight = values.JxW(q);
-      cell.volume += values.JxW(q);
-      for (const unsigned int a : shape->vertex_indices()) {
-        for (unsigned int i = 0; i < 3; ++i)
-          cell.points[q].gradients(i, a) = values.shape_grad(a, q)[i];
-        cell.shares[a] += values.JxW(q) * values.shape_value(a, q);
-      }
-    }
-    for (const unsigned int a : shape->vertex_indices())
-      cell.nodes[a] = shape->vertex_index(a);
-    cells.push_back(cell);
-  }
-  return cells;
-}
+/// An old hierarchy is replaced when it needs this many times a fresh one's iterations.
+constexpr double stale = 1.5;
 
-CellVectors of_cell(const Eigen::VectorXd& nodal, const Cell& cell) {
-  CellVectors values;
-  for (std::size_t a = 0; a < cell.nodes.size(); ++a)
-    values.col(static_cast<Eigen::Index>(a)) = nodal.segment<3>(3 * cell.nodes[a]);
-  return values;
+bool prefers_multigrid(LinearSolver wanted, std::size_t dofs) {
+  if (wanted == LinearSolver::automatic) return dofs > direct_limit;
+  return wanted == LinearSolver::multigrid;
 }
 
 }  // namespace
 
-struct Elasticity::Implementation {
-  CellLaw law;
-  double density;
-  std::vector<Cell> cells;
-  std::vector<Eigen::Index> unknown;  // of each dof, -1 when prescribed
-  Eigen::Index unknowns = 0;
-  dealii::SparsityPattern pattern;
-  dealii::SparseMatrix<double> tangent;  // of all dofs
-  double largest_stiffness = 0;
-  SparseMatrix free_block;  // lower triangle
-  SymmetricFactor factor;
-  bool factored = false;
-
-  void number_unknowns(std::size_t nodes, std::span<const NodeIndex> prescribed) {
-    unknown.assign(3 * nodes, 0);
-    for (const NodeIndex node : prescribed)
-      for (std::size_t i = 0; i < 3; ++i) unknown[3 * node + i] = -1;
-    for (Eigen::Index& number : unknown)
-      if (number == 0) number = unknowns++;
-  }
-
-  static std::array<unsigned int, cell_dofs> dofs(const Cell& cell) {
-    std::array<unsigned int, cell_dofs> numbers;
-    for (std::size_t i = 0; i < cell_dofs; ++i)
-      numbers[i] = 3 * cell.nodes[i / 3] + static_cast<unsigned int>(i % 3);
-    return numbers;
-  }
-
-  void make_pattern() {
-    dealii::DynamicSparsityPattern entries(static_cast<unsigned int>(unknown.size()));
-    for (const Cell& cell : cells) {
-      auto numbers = dofs(cell);
-      std::ranges::sort(numbers);
-      for (const unsigned int row : numbers)
-        entries.add_entries(row, numbers.begin(), numbers.end(), true);
-    }
-    pattern.copy_from(entries);
-    tangent.reinit(pattern);
-    std::vector<Eigen::Triplet<double>> free_entries;
-    for_free_entries([&](Eigen::Index row, Eigen::Index column, double) {
-      free_entries.emplace_back(row, column, 0.0);
-    });
-    free_block.resize(unknowns, unknowns);
-    free_block.setFromTriplets(free_entries.begin(), free_entries.end());
-  }
-
-  /// Visits the lower triangle of the free block column by column, rows ascending: the
-  /// order in which Eigen stores it. (By symmetry a column is deal.II's row, which lists
-  /// the diagonal first.)
-  template <class Visitor>
-  void for_free_entries(const Visitor& visit) const {
-    for (unsigned int dof = 0; dof < unknown.size(); ++dof) {
-      if (unknown[dof] < 0) continue;
-      for (auto entry = tangent.begin(dof); entry != tangent.end(dof); ++entry)
-        if (entry->column() >= dof && unknown[entry->column()] >= 0)
-          visit(unknown[entry->column()], unknown[dof], entry->value());
-    }
-  }
-};
-
-Elasticity::Elasticity(const Mesh& mesh, const Material& material,
-                       const Settings& settings, std::span<const NodeIndex> prescribed)
-    : implementation_(std::make_unique<Implementation>()) {
-  Implementation& self = *implementation_;
-  self.law = cell_law(settings, lame_constants(material));
-  self.density = material.density;
-  dealii::Triangulation<3> triangulation;
-  build(triangulation, mesh);
-  self.cells = integrate_shapes(triangulation);
-  self.number_unknowns(mesh.nodes().size(), prescribed);
-  self.make_pattern();
+Elasticity::Elasticity(const Discretisation& body, const Material& material,
+                       const Settings& settings, const std::vector<bool>& prescribed)
+    : body_(body),
+      prescribed_(prescribed),
+      law_{.constitution = constitution(material, settings),
+           .dilatation = dilatation_taken(settings)},
+      stiffness_(body, prescribed) {
+  if (prefers_multigrid(settings.linear_solver, prescribed.size()))
+    multigrid_.emplace(body.nodes, prescribed);
 }
 
-Elasticity::~Elasticity() = default;
+bool Elasticity::is_linear() const {
+  return std::holds_alternative<Hooke>(law_.constitution);
+}
 
 Elasticity::Internal Elasticity::internal(const Eigen::VectorXd& displacements) const {
   Internal sum{.energy = 0,
@@ -161,9 +45,8 @@ Elasticity::Internal Elasticity::internal(const Eigen::VectorXd& displacements) 
                .smallest_jacobian = std::numeric_limits<double>::infinity(),
                .mean_gradient = 0};
   double volume = 0;
-  for (const Cell& cell : implementation_->cells) {
-    const CellState state =
-        cell_state(implementation_->law, cell, of_cell(displacements, cell));
+  for (const Cell& cell : body_.cells) {
+    const CellState state = cell_state(law_, cell, of_cell(displacements, cell));
     sum.energy += state.energy;
     for (std::size_t a = 0; a < cell.nodes.size(); ++a)
       sum.forces.segment<3>(3 * cell.nodes[a]) +=
@@ -176,73 +59,122 @@ Elasticity::Internal Elasticity::internal(const Eigen::VectorXd& displacements) 
   return sum;
 }
 
-Eigen::VectorXd Elasticity::weight(const Vector3& gravity) const {
-  Eigen::VectorXd forces =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(implementation_->unknown.size()));
-  for (const Cell& cell : implementation_->cells)
+std::vector<double> Elasticity::cell_volumes(const Eigen::VectorXd& displacements) const {
+  std::vector<double> volumes;
+  for (const Cell& cell : body_.cells)
+    volumes.push_back(
+        cell_state(law_, cell, of_cell(displacements, cell)).deformed_volume);
+  return volumes;
+}
+
+bool Elasticity::linearise(const Eigen::VectorXd& displacements) {
+  if (is_linear() && linearised_at_.size() > 0) return true;  // the tangent is constant
+  linearised_at_ = displacements;
+  stiffness_.clear();
+  for (const Cell& cell : body_.cells)
+    stiffness_.add(cell, cell_tangent(law_, cell, of_cell(displacements, cell)));
+  stiffness_.finish();
+  definiteness_ = Definiteness::unknown;
+  if (multigrid_) {
+    preconditioner_is_fresh_ = false;
+    if (is_linear()) definiteness_ = Definiteness::definite;
+    if (!multigrid_->has_preconditioner()) {
+      multigrid_->precondition(stiffness_.matrix());
+      preconditioner_is_fresh_ = true;
+    }
+    return true;
+  }
+  definiteness_ = direct_.factor_definite(stiffness_.matrix()) ? Definiteness::definite
+                                                               : Definiteness::indefinite;
+  return definiteness_ == Definiteness::definite;
+}
+
+bool Elasticity::is_definite() {
+  if (definiteness_ == Definiteness::unknown) {
+    const Multigrid::Answer probed = multigrid_->probe(stiffness_.matrix());
+    iterations_ += probed.iterations;
+    negative_eigenvalues_ = probed.negative_curvatures;
+    definiteness_ = probed.converged && probed.negative_curvatures == 0
+                        ? Definiteness::definite
+                        : Definiteness::indefinite;
+  }
+  return definiteness_ == Definiteness::definite;
+}
+
+bool Elasticity::accept_indefinite() {
+  if (!multigrid_) {
+    if (!direct_.factor_indefinite(stiffness_.matrix())) return false;
+    negative_eigenvalues_ = direct_.negative_pivots();
+  }
+  definiteness_ = Definiteness::indefinite_accepted;
+  return true;
+}
+
+std::optional<Eigen::VectorXd> Elasticity::solved(const Eigen::VectorXd& right) {
+  if (!multigrid_) return direct_.solve(right);
+  if (definiteness_ == Definiteness::indefinite_accepted) {
+    Multigrid::Answer answer =
+        multigrid_->solve_indefinite(stiffness_.matrix(), right, linear_tolerance);
+    iterations_ += answer.iterations;
+    if (!answer.converged) return std::nullopt;
+    return std::move(answer.solution);
+  }
+  Multigrid::Answer answer =
+      multigrid_->solve_definite(stiffness_.matrix(), right, linear_tolerance);
+  iterations_ += answer.iterations;
+  spdlog::debug("    conjugate gradients: {} iterations{}", answer.iterations,
+                answer.negative_curvatures > 0 ? ", negative curvature" : "");
+  if (!answer.converged) {
+    if (answer.negative_curvatures > 0) definiteness_ = Definiteness::indefinite;
+    return std::nullopt;
+  }
+  if (preconditioner_is_fresh_) {
+    iterations_when_fresh_ = answer.iterations;
+  } else if (answer.iterations > stale * iterations_when_fresh_ && is_definite()) {
+    multigrid_->precondition(stiffness_.matrix());
+    preconditioner_is_fresh_ = true;
+  }
+  return std::move(answer.solution);
+}
+
+Eigen::VectorXd Elasticity::forces_of(const Eigen::VectorXd& increment) const {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(increment.size());
+  for (const Cell& cell : body_.cells) {
+    const CellVectors moved = of_cell(increment, cell);
+    if (moved.isZero(0)) continue;
+    const Eigen::VectorXd pushed =
+        cell_tangent(law_, cell, of_cell(linearised_at_, cell)) * moved.reshaped();
     for (std::size_t a = 0; a < cell.nodes.size(); ++a)
       forces.segment<3>(3 * cell.nodes[a]) +=
-          implementation_->density * cell.shares[a] * gravity;
+          pushed.segment<3>(static_cast<Eigen::Index>(3 * a));
+  }
   return forces;
 }
 
-bool Elasticity::factor(const Eigen::VectorXd& displacements) {
-  Implementation& self = *implementation_;
-  if (self.law.law == Law::hooke && self.factored)
-    return true;  // the tangent is constant
-  self.tangent = 0;
-  dealii::FullMatrix<double> block(cell_dofs, cell_dofs);
-  std::vector<unsigned int> dofs(cell_dofs);
-  for (const Cell& cell : self.cells) {
-    const CellMatrix K = cell_tangent(self.law, cell, of_cell(displacements, cell));
-    std::copy_n(K.data(), K.size(), &block(0, 0));  // symmetric: rows are columns
-    std::ranges::copy(Implementation::dofs(cell), dofs.begin());
-    self.tangent.add(dofs, block, false);
-  }
-  double* value = self.free_block.valuePtr();
-  self.for_free_entries([&](Eigen::Index, Eigen::Index, double v) { *value++ = v; });
-  self.largest_stiffness = 0;
-  for (unsigned int dof = 0; dof < self.unknown.size(); ++dof)
-    self.largest_stiffness =
-        std::max(self.largest_stiffness, std::abs(self.tangent.diag_element(dof)));
-  self.factored = self.unknowns == 0 || self.factor.factor_definite(self.free_block);
-  return self.factored;
-}
-
-bool Elasticity::factor_indefinite() {
-  return implementation_->factor.factor_indefinite(implementation_->free_block);
-}
-
-int Elasticity::negative_eigenvalues() const {
-  return implementation_->factor.negative_pivots();
-}
-
-Eigen::VectorXd Elasticity::step(const Eigen::VectorXd& unbalanced,
-                                 const Eigen::VectorXd& increment) const {
-  const Implementation& self = *implementation_;
-  const auto dofs = static_cast<unsigned int>(increment.size());
-  Eigen::VectorXd answer = increment - free_part(increment);
-  dealii::Vector<double> moved(dofs), pushed(dofs);
-  std::ranges::copy(answer, moved.begin());
-  self.tangent.vmult(pushed, moved);
-  Eigen::VectorXd right(self.unknowns);
-  for (unsigned int dof = 0; dof < dofs; ++dof)
-    if (self.unknown[dof] >= 0) right[self.unknown[dof]] = unbalanced[dof] - pushed[dof];
-  const Eigen::VectorXd free = self.unknowns == 0 ? right : self.factor.solve(right);
-  for (unsigned int dof = 0; dof < dofs; ++dof)
-    if (self.unknown[dof] >= 0) answer[dof] = free[self.unknown[dof]];
+std::optional<Eigen::VectorXd> Elasticity::step(const Eigen::VectorXd& unbalanced,
+                                                const Eigen::VectorXd& increment) {
+  const Eigen::VectorXd moved = increment - free_part(increment);
+  const Eigen::VectorXd right = free_part(unbalanced - forces_of(moved));
+  if (right.isZero(0)) return moved;
+  std::optional<Eigen::VectorXd> answer = solved(right);
+  if (answer) *answer = free_part(std::move(*answer)) + moved;
   return answer;
 }
 
 Eigen::VectorXd Elasticity::free_part(Eigen::VectorXd nodal) const {
-  for (std::size_t dof = 0; dof < implementation_->unknown.size(); ++dof)
-    if (implementation_->unknown[dof] < 0) nodal[static_cast<Eigen::Index>(dof)] = 0;
+  for (std::size_t dof = 0; dof < prescribed_.size(); ++dof)
+    if (prescribed_[dof]) nodal[static_cast<Eigen::Index>(dof)] = 0;
   return nodal;
 }
 
 double Elasticity::round_off(const Eigen::VectorXd& displacements) const {
-  return 10 * std::numeric_limits<double>::epsilon() *
-         implementation_->largest_stiffness * displacements.norm();
+  return 10 * std::numeric_limits<double>::epsilon() * stiffness_.largest_diagonal() *
+         displacements.norm();
+}
+
+std::optional<int> Elasticity::linear_iterations() const {
+  if (!multigrid_) return std::nullopt;
+  return iterations_;
 }
 
 }  // namespace springcheck::fem_reference

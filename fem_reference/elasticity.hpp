@@ -1,24 +1,24 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <memory>
-#include <span>
+#include <optional>
 
-#include "fem_reference/solve.hpp"
+#include "fem_reference/multigrid.hpp"
+#include "fem_reference/stiffness_matrix.hpp"
 
 namespace springcheck::fem_reference {
 
-/// The discrete body: trilinear hexahedra with 2x2x2 Gauss points over the undeformed
-/// mesh (cell.hpp), assembled by deal.II, and the factor of its tangent. Nodal vectors
-/// hold three entries per node, dof = 3 node + component; some nodes are prescribed, the
-/// others free.
+/// The discrete body: its energy, forces and tangent, and the solver of its linear
+/// systems. Nodal vectors hold three entries per node, dof = 3 node + component; some
+/// dofs are prescribed, the others free. Refers to the discretisation and the flags it
+/// was made from.
 class Elasticity {
  public:
-  Elasticity(const Mesh& mesh, const Material& material, const Settings& settings,
-             std::span<const NodeIndex> prescribed);
-  ~Elasticity();
-  Elasticity(const Elasticity&) = delete;
-  Elasticity& operator=(const Elasticity&) = delete;
+  /// prescribed: one entry per dof.
+  Elasticity(const Discretisation& body, const Material& material,
+             const Settings& settings, const std::vector<bool>& prescribed);
+
+  /// Hooke: the tangent is constant and positive definite.
+  [[nodiscard]] bool is_linear() const;
 
   struct Internal {
     double energy;             // W, the sum over the cells [J]
@@ -28,34 +28,63 @@ class Elasticity {
   };
   [[nodiscard]] Internal internal(const Eigen::VectorXd& displacements) const;
 
-  /// Consistent nodal forces of a uniform acceleration [N]: rho g int N_a dV.
-  [[nodiscard]] Eigen::VectorXd weight(const Vector3& gravity) const;
+  /// int det F dV of each cell [m^3].
+  [[nodiscard]] std::vector<double> cell_volumes(
+      const Eigen::VectorXd& displacements) const;
 
-  /// Assembles the tangent d2W/du2 and factors its free block as LL^T. False when that is
-  /// not positive definite; then factor_indefinite() offers LDL^T of the same tangent
-  /// (false when it is singular). step() needs a factor.
-  bool factor(const Eigen::VectorXd& displacements);
-  bool factor_indefinite();
+  /// Assembles the tangent d2W/du2 at the displacements. False when the linear solver
+  /// sees at once that it is not positive definite: the direct one does, multigrid does
+  /// not.
+  bool linearise(const Eigen::VectorXd& displacements);
 
-  /// Negative eigenvalues of the tangent, after factor_indefinite().
-  [[nodiscard]] int negative_eigenvalues() const;
+  /// Whether the tangent is positive definite: by its Cholesky factor, or probed by
+  /// Multigrid::probe().
+  [[nodiscard]] bool is_definite();
 
-  /// Displacement increment that equals `increment` on prescribed nodes and answers the
+  /// Prepares step() for the tangent as it is, definite or not. False when it is
+  /// singular.
+  bool accept_indefinite();
+
+  /// Negative eigenvalues of a tangent that is not positive definite, after
+  /// accept_indefinite(): exact with the direct solver, at least so many with multigrid.
+  [[nodiscard]] int negative_eigenvalues() const { return negative_eigenvalues_; }
+
+  /// Displacement increment that equals `increment` on prescribed dofs and answers the
   /// unbalanced forces on free ones to first order:
   ///
   ///     K_ff d_f = unbalanced_f - K_fp increment_p
-  [[nodiscard]] Eigen::VectorXd step(const Eigen::VectorXd& unbalanced,
-                                     const Eigen::VectorXd& increment) const;
+  ///
+  /// None when the linear solver fails or meets negative curvature.
+  [[nodiscard]] std::optional<Eigen::VectorXd> step(const Eigen::VectorXd& unbalanced,
+                                                    const Eigen::VectorXd& increment);
 
-  /// The vector with its entries on prescribed nodes set to zero.
+  /// The vector with its entries on prescribed dofs set to zero.
   [[nodiscard]] Eigen::VectorXd free_part(Eigen::VectorXd nodal) const;
 
   /// Size of the error that rounding leaves in the internal forces [N].
   [[nodiscard]] double round_off(const Eigen::VectorXd& displacements) const;
 
+  /// Iterations of multigrid so far; none with the direct solver.
+  [[nodiscard]] std::optional<int> linear_iterations() const;
+
  private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  enum class Definiteness { unknown, definite, indefinite, indefinite_accepted };
+
+  [[nodiscard]] Eigen::VectorXd forces_of(const Eigen::VectorXd& increment) const;
+  [[nodiscard]] std::optional<Eigen::VectorXd> solved(const Eigen::VectorXd& right);
+
+  const Discretisation& body_;
+  const std::vector<bool>& prescribed_;
+  CellLaw law_;
+  StiffnessMatrix stiffness_;
+  DirectSolver direct_;
+  std::optional<Multigrid> multigrid_;  // none: the direct solver
+  Eigen::VectorXd linearised_at_;
+  Definiteness definiteness_ = Definiteness::unknown;
+  int negative_eigenvalues_ = 0;
+  int iterations_ = 0;
+  int iterations_when_fresh_ = 0;
+  bool preconditioner_is_fresh_ = false;
 };
 
 }  // namespace springcheck::fem_reference

@@ -35,8 +35,8 @@ struct Path {
 
 class Follower {
  public:
-  Follower(Elasticity& body, Law law, const LoadProgram& program)
-      : body_(body), law_(law), program_(program) {}
+  Follower(Elasticity& body, const LoadProgram& program)
+      : body_(body), program_(program) {}
 
   Equilibrium run() {
     rest();
@@ -63,7 +63,7 @@ class Follower {
         tangents_ = Tangents::any;
         step = first_indefinite_load_step;
       }
-      refactor();
+      return_to_path();
     }
     return finish(path_.definite ? SolveStatus::ok : SolveStatus::indefinite,
                   history(path_.definite));
@@ -74,24 +74,28 @@ class Follower {
     path_.displacements = Eigen::VectorXd::Zero(program_.forces.size());
     path_.internal = body_.internal(path_.displacements);
     ++evaluations_;
-    refactor();
-  }
-
-  void refactor() {
-    path_.definite = body_.factor(path_.displacements);
+    path_.definite = body_.linearise(path_.displacements);
     if (path_.definite) return;
-    body_.factor_indefinite();
-    if (!loss_.happened()) loss_.last_definite = path_.load_fraction;
+    loss_.last_definite = 0;
+    body_.accept_indefinite();
   }
 
-  [[nodiscard]] Eigen::VectorXd predicted(double to) const {
+  void return_to_path() {
+    body_.linearise(path_.displacements);
+    if (!path_.definite) body_.accept_indefinite();
+  }
+
+  /// The state that the tangent predicts, or the old one on moved supports.
+  Eigen::VectorXd predicted(double to) {
+    const Eigen::VectorXd increment = program_.displacements(to) - path_.displacements;
+    const Eigen::VectorXd moved = increment - body_.free_part(increment);
     return path_.displacements +
-           body_.step(to * program_.forces - path_.internal.forces,
-                      program_.displacements(to) - path_.displacements);
+           body_.step(to * program_.forces - path_.internal.forces, increment)
+               .value_or(moved);
   }
 
   double first_step() {
-    if (law_ == Law::hooke) return 1;
+    if (body_.is_linear()) return 1;
     const double gradient = body_.internal(predicted(1)).mean_gradient;
     ++evaluations_;
     return gradient > first_gradient
@@ -100,7 +104,7 @@ class Follower {
   }
 
   NewtonResult attempt(double to) {
-    return newton(body_, law_, predicted(to), to * program_.forces, tangents_);
+    return newton(body_, predicted(to), to * program_.forces, tangents_);
   }
 
   void accept(NewtonResult result, double to) {
@@ -132,9 +136,9 @@ class Follower {
     const bool limit_point = tangents_ == Tangents::any;
     std::string reason = fmt::format(
         "{} at {:.2f} % of the load: from there to {:.2f} % Newton's method {} (relative "
-        "residual {:.1e})",
+        "residual {:.1e}, smallest det F {:.3g})",
         limit_point ? "limit point" : "gave up", 100 * path_.load_fraction, 100 * to,
-        words(result.outcome), result.residual);
+        words(result.outcome), result.residual, result.internal.smallest_jacobian);
     if (limit_point)
       reason += fmt::format("; the tangent loses positive definiteness at {:.2f} %",
                             100 * std::min(loss_.last_definite, path_.load_fraction));
@@ -165,12 +169,15 @@ class Follower {
             .reactions = difference - body_.free_part(difference),
             .energy = path_.internal.energy,
             .load_fraction = path_.load_fraction,
+            .definite_up_to =
+                loss_.happened()
+                    ? std::optional(std::min(loss_.last_definite, path_.load_fraction))
+                    : std::nullopt,
             .steps = steps_,
             .force_evaluations = evaluations_};
   }
 
   Elasticity& body_;
-  Law law_;
   const LoadProgram& program_;
   Path path_;
   Tangents tangents_ = Tangents::definite;
@@ -181,8 +188,8 @@ class Follower {
 
 }  // namespace
 
-Equilibrium find_equilibrium(Elasticity& body, Law law, const LoadProgram& program) {
-  return Follower(body, law, program).run();
+Equilibrium find_equilibrium(Elasticity& body, const LoadProgram& program) {
+  return Follower(body, program).run();
 }
 
 }  // namespace springcheck::fem_reference

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "fem_reference/elasticity.hpp"
@@ -22,6 +23,7 @@ struct Equilibrium {
   Eigen::VectorXd reactions;      // [N] on prescribed nodes, 0 elsewhere
   double energy;                  // [J]
   double load_fraction;
+  std::optional<double> definite_up_to;  // load fraction, where definiteness was lost
   int steps;
   int force_evaluations;
 };
@@ -36,6 +38,6 @@ struct Equilibrium {
 /// tangent is still so at the full load) and a limit point is not (`no_equilibrium`). A
 /// step that fails otherwise ends in `not_converged`. Whenever definiteness was lost on
 /// the way, the reason says where, also with `ok`.
-Equilibrium find_equilibrium(Elasticity& body, Law law, const LoadProgram& program);
+Equilibrium find_equilibrium(Elasticity& body, const LoadProgram& program);
 
 }  // namespace springcheck::fem_reference

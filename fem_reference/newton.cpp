@@ -22,9 +22,9 @@ struct Iterate {
   double scale;                // larger of reactions and load [N]
   double relative;             // residual over scale
 
-  [[nodiscard]] bool usable(Law law) const {
+  [[nodiscard]] bool usable(bool is_linear) const {
     return std::isfinite(total_energy) && std::isfinite(relative) &&
-           (law == Law::hooke || internal.smallest_jacobian > 0);
+           (is_linear || internal.smallest_jacobian > 0);
   }
 };
 
@@ -48,8 +48,8 @@ Iterate evaluate(const Elasticity& body, Eigen::VectorXd displacements,
 
 }  // namespace
 
-NewtonResult newton(Elasticity& body, Law law, Eigen::VectorXd start,
-                    const Eigen::VectorXd& load, Tangents tangents) {
+NewtonResult newton(Elasticity& body, Eigen::VectorXd start, const Eigen::VectorXd& load,
+                    Tangents tangents) {
   const Eigen::VectorXd no_increment = Eigen::VectorXd::Zero(start.size());
   Iterate now = evaluate(body, std::move(start), load);
   int evaluations = 1;
@@ -64,35 +64,45 @@ NewtonResult newton(Elasticity& body, Law law, Eigen::VectorXd start,
   };
 
   for (int iteration = 0;; ++iteration) {
-    if (!now.usable(law))
+    if (!now.usable(body.is_linear()))
       return finish(std::isfinite(now.relative) ? NewtonOutcome::inverted
                                                 : NewtonOutcome::stalled);
-    definite = body.factor(now.displacements);
-    spdlog::debug("  newton {}: relative residual {:.2e}{}", iteration, now.relative,
-                  definite ? "" : ", tangent indefinite");
+    definite = body.linearise(now.displacements);
     const bool converged = now.relative <= relative_residual ||
                            now.unbalanced.norm() <= body.round_off(now.displacements);
+    if (converged) definite = body.is_definite();
+    std::optional<Eigen::VectorXd> step;
+    if (definite && !converged) {
+      step = body.step(now.unbalanced, no_increment);
+      if (!step) {
+        definite = body.is_definite();
+        if (definite) return finish(NewtonOutcome::stalled);
+      }
+    }
+    spdlog::debug("  newton {}: relative residual {:.2e}{}", iteration, now.relative,
+                  definite ? "" : ", tangent indefinite");
     if (!definite) {
       if (tangents == Tangents::definite) return finish(NewtonOutcome::indefinite);
-      if (!body.factor_indefinite()) return finish(NewtonOutcome::stalled);
+      if (!body.accept_indefinite()) return finish(NewtonOutcome::stalled);
     }
     if (converged) return finish(NewtonOutcome::converged);
     if (iteration == iteration_limit) return finish(NewtonOutcome::stalled);
+    if (!definite) step = body.step(now.unbalanced, no_increment);
+    if (!step) return finish(NewtonOutcome::stalled);
 
-    const Eigen::VectorXd step = body.step(now.unbalanced, no_increment);
-    const double slope = -now.unbalanced.dot(step);
+    const double slope = -now.unbalanced.dot(*step);
     const auto better = [&](const Iterate& trial, double factor) {
-      if (!trial.usable(law)) return false;
+      if (!trial.usable(body.is_linear())) return false;
       if (trial.unbalanced.norm() < now.unbalanced.norm()) return true;
       return definite && trial.total_energy <=
                              now.total_energy + sufficient_decrease * factor * slope;
     };
     double factor = 1;
-    Iterate trial = evaluate(body, now.displacements + step, load);
+    Iterate trial = evaluate(body, now.displacements + *step, load);
     for (++evaluations; !better(trial, factor); ++evaluations) {
       factor /= 2;
       if (factor < smallest_step) return finish(NewtonOutcome::stalled);
-      trial = evaluate(body, now.displacements + factor * step, load);
+      trial = evaluate(body, now.displacements + factor * *step, load);
     }
     now = std::move(trial);
   }

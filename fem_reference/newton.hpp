@@ -24,11 +24,10 @@ struct NewtonResult {
 /// Line search: a step is halved until the total energy W - load.u falls (where the
 /// tangent is positive definite) or the residual does. Converged: residual below 1e-10 of
 /// the larger of the reactions and the load, or at round-off. On return with `converged`
-/// the body holds the factor of the tangent at the result, as LDL^T where it is
-/// indefinite.
+/// the body is linearised at the result and ready for step().
 ///
 /// `inverted`: det F <= 0 at an integration point and a law that cannot have it.
-NewtonResult newton(Elasticity& body, Law law, Eigen::VectorXd start,
-                    const Eigen::VectorXd& load, Tangents tangents);
+NewtonResult newton(Elasticity& body, Eigen::VectorXd start, const Eigen::VectorXd& load,
+                    Tangents tangents);
 
 }  // namespace springcheck::fem_reference

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "fem_reference/equilibrium.hpp"
+#include "fem_reference/supports.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::fem_reference {
@@ -16,13 +17,36 @@ void check(const Scene& scene) {
     throw InputError("material", "poisson_ratio", "in (-1, 0.5)", fmt::to_string(nu));
   if (!(rho > 0))
     throw InputError("material", "density", "above 0 kg/m^3", fmt::to_string(rho));
-  if (scene.plates.empty()) throw InputError("scene", "plates", "at least 1", "0");
+  if (scene.plates.empty() && !scene.boundary_gradient)
+    throw InputError("scene", "plates", "at least 1, or a boundary gradient", "0");
 }
 
-std::vector<Vector3> by_node(const Eigen::VectorXd& nodal) {
+/// fem-cauchy-born of mss-baudet inherits the range in which its springs push back.
+std::optional<std::string> reason_to_refuse(const Material& material,
+                                            const Settings& settings) {
+  const bool baudet =
+      settings.law == Law::cauchy_born && settings.lattice.springs == Springs::baudet;
+  if (baudet && !(material.poisson_ratio > -0.25))
+    return fmt::format(
+        "the edge springs of the mss-baudet lattice are negative for nu <= -0.25; got {}",
+        material.poisson_ratio);
+  return std::nullopt;
+}
+
+/// External nodal forces at the full load [N].
+Eigen::VectorXd load(const Discretisation& body, const Scene& scene) {
+  const Vector3 weight = scene.material.density * scene.gravity;
+  Eigen::VectorXd forces = body_load(body, [&](const Vector3&) { return weight; });
+  for (const Traction& traction : scene.tractions)
+    forces += traction_load(body, traction);
+  return forces;
+}
+
+/// The mesh's nodes in a nodal vector that may hold more.
+std::vector<Vector3> by_node(const Eigen::VectorXd& nodal, std::size_t nodes) {
   std::vector<Vector3> vectors;
-  for (Eigen::Index dof = 0; dof < nodal.size(); dof += 3)
-    vectors.emplace_back(nodal.segment<3>(dof));
+  for (std::size_t n = 0; n < nodes; ++n)
+    vectors.emplace_back(nodal.segment<3>(static_cast<Eigen::Index>(3 * n)));
   return vectors;
 }
 
@@ -30,33 +54,30 @@ std::vector<Vector3> by_node(const Eigen::VectorXd& nodal) {
 
 Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
   check(scene);
-  const std::vector<PrescribedNode> prescribed = prescribed_nodes(mesh, scene);
-  std::vector<NodeIndex> nodes;
-  for (const auto& [node, plate] : prescribed) nodes.push_back(node);
-  Elasticity body(mesh, scene.material, settings, nodes);
-
-  const auto plate_displacements = [&](double load_fraction) {
-    Eigen::VectorXd nodal =
-        Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(mesh.nodes().size()));
-    for (const auto& [node, plate] : prescribed)
-      nodal.segment<3>(3 * node) =
-          displacement(scene.plates[plate].motion, mesh.nodes()[node], load_fraction);
-    return nodal;
-  };
+  if (const auto reason = reason_to_refuse(scene.material, settings))
+    return refused(*reason);
+  const Discretisation body = discretise(mesh, settings.element);
+  const Supports supports(mesh, scene, body);
+  Elasticity elasticity(body, scene.material, settings, supports.prescribed());
   const Equilibrium found = find_equilibrium(
-      body, settings.law,
-      {.displacements = plate_displacements, .forces = body.weight(scene.gravity)});
+      elasticity, {.displacements = [&](double s) { return supports.displacements(s); },
+                   .forces = load(body, scene)});
 
-  return {.status = found.status,
-          .reason = found.reason,
-          .displacements = by_node(found.displacements),
-          .reactions = by_node(found.reactions),
-          .lever_arms =
-              settings.law == Law::hooke ? LeverArms::undeformed : LeverArms::deformed,
-          .strain_energy = found.energy,
-          .load_fraction = found.load_fraction,
-          .steps = found.steps,
-          .force_evaluations = found.force_evaluations};
+  Solution solution{.status = found.status,
+                    .reason = found.reason,
+                    .displacements = by_node(found.displacements, mesh.nodes().size()),
+                    .reactions = on_vertices(body, found.reactions),
+                    .lever_arms = settings.law == Law::hooke ? LeverArms::undeformed
+                                                             : LeverArms::deformed,
+                    .strain_energy = found.energy,
+                    .load_fraction = found.load_fraction,
+                    .steps = found.steps,
+                    .force_evaluations = found.force_evaluations,
+                    .definite_up_to = found.definite_up_to,
+                    .linear_iterations = elasticity.linear_iterations()};
+  if (settings.element == Element::q2)
+    solution.cell_volumes = elasticity.cell_volumes(found.displacements);
+  return solution;
 }
 
 }  // namespace springcheck::fem_reference

@@ -71,21 +71,46 @@ void check_cells(const std::string& source, const std::vector<Vector3>& nodes,
   }
 }
 
+std::array<Quadrilateral, 6> faces_of(const Hexahedron& cell) {
+  std::array<Quadrilateral, 6> faces;
+  std::ranges::transform(hexahedron_faces, faces.begin(), [&](const auto& local) {
+    Quadrilateral face;
+    std::ranges::transform(local, face.begin(),
+                           [&](int i) { return cell[static_cast<std::size_t>(i)]; });
+    return face;
+  });
+  return faces;
+}
+
 FaceUses check_faces(const std::string& source, const std::vector<Vector3>& nodes,
                      const std::vector<Hexahedron>& cells) {
   FaceUses uses;
   uses.reserve(4 * cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
-    for (const auto& local : hexahedron_faces) {
-      Quadrilateral face;
-      std::ranges::transform(local, face.begin(), [&](int i) {
-        return cells[c][static_cast<std::size_t>(i)];
-      });
+    for (const Quadrilateral& face : faces_of(cells[c]))
       if (++uses[ascending(face)] > 2)
         throw InputError(source, cell_name(c, corners(cells[c], nodes)),
                          "at most two cells at each of its faces", "three");
-    }
   return uses;
+}
+
+std::vector<NodeIndex> nodes_of(const std::vector<Quadrilateral>& faces) {
+  std::vector<NodeIndex> nodes;
+  for (const Quadrilateral& face : faces)
+    nodes.insert(nodes.end(), face.begin(), face.end());
+  std::ranges::sort(nodes);
+  const auto repeated = std::ranges::unique(nodes);
+  nodes.erase(repeated.begin(), repeated.end());
+  return nodes;
+}
+
+Region boundary_of(const std::vector<Hexahedron>& cells, const FaceUses& uses) {
+  Region boundary;
+  for (const Hexahedron& cell : cells)
+    for (const Quadrilateral& face : faces_of(cell))
+      if (uses.at(ascending(face)) == 1) boundary.faces.push_back(face);
+  boundary.nodes = nodes_of(boundary.faces);
+  return boundary;
 }
 
 Region checked_region(const std::string& source, const std::string& name,
@@ -100,11 +125,8 @@ Region checked_region(const std::string& source, const std::string& name,
                        fmt::format("region '{}': face {}", name, fmt::join(face, "-")),
                        "a face of exactly one cell",
                        found == uses.end() ? "a face of none" : "a face inside the body");
-    region.nodes.insert(region.nodes.end(), face.begin(), face.end());
   }
-  std::ranges::sort(region.nodes);
-  const auto repeated = std::ranges::unique(region.nodes);
-  region.nodes.erase(repeated.begin(), repeated.end());
+  region.nodes = nodes_of(region.faces);
   return region;
 }
 
@@ -128,6 +150,7 @@ Mesh::Mesh(std::string source, std::vector<Vector3> nodes,
   const FaceUses uses = check_faces(source_, nodes_, hexahedra_);
   for (auto& [name, faces] : regions)
     regions_[name] = checked_region(source_, name, std::move(faces), uses);
+  boundary_ = boundary_of(hexahedra_, uses);
 
   cell_volumes_ = springcheck::cell_volumes(hexahedra_, nodes_);
   volume_ = std::accumulate(cell_volumes_.begin(), cell_volumes_.end(), 0.0);

@@ -21,7 +21,7 @@ using Hexahedron = std::array<NodeIndex, 8>;
 /// Four nodes of a boundary face, right-handed about the outward normal.
 using Quadrilateral = std::array<NodeIndex, 4>;
 
-/// A named part of the boundary.
+/// A part of the boundary.
 struct Region {
   std::vector<Quadrilateral> faces;
   std::vector<NodeIndex> nodes;  // of the faces, ascending, each once
@@ -45,6 +45,9 @@ class Mesh {
   /// Throws InputError listing the regions there are, when `name` is not one of them.
   [[nodiscard]] const Region& region(const std::string& name) const;
 
+  /// The whole boundary: every face of exactly one cell, in the order of the cells.
+  [[nodiscard]] const Region& boundary() const { return boundary_; }
+
   /// Exact volume of each cell, bilinear faces [m^3].
   [[nodiscard]] const std::vector<double>& cell_volumes() const { return cell_volumes_; }
   [[nodiscard]] double volume() const { return volume_; }
@@ -57,6 +60,7 @@ class Mesh {
   std::vector<Vector3> nodes_;
   std::vector<Hexahedron> hexahedra_;
   std::map<std::string, Region> regions_;
+  Region boundary_;
   std::vector<double> cell_volumes_;
   double volume_ = 0;
   std::string sha256_;

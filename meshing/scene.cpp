@@ -30,19 +30,64 @@ Solution refused(const std::string& reason) {
           .force_evaluations = 0};
 }
 
-std::vector<PrescribedNode> prescribed_nodes(const Mesh& mesh, const Scene& scene) {
-  std::vector<PrescribedNode> prescribed;
+namespace {
+
+/// "region 'top'", "a pin", "the boundary gradient".
+std::string holder(const Scene& scene, const PrescribedComponent& prescribed) {
+  if (prescribed.plate) return "plate '" + scene.plates[*prescribed.plate].region + "'";
+  return scene.boundary_gradient ? "the boundary gradient" : "a pin";
+}
+
+NodeIndex nearest_node(const Mesh& mesh, const Vector3& point) {
+  const auto nearest = std::ranges::min_element(
+      mesh.nodes(), {}, [&](const Vector3& x) { return (x - point).squaredNorm(); });
+  return static_cast<NodeIndex>(nearest - mesh.nodes().begin());
+}
+
+}  // namespace
+
+std::vector<PrescribedComponent> prescribed_components(const Mesh& mesh,
+                                                       const Scene& scene) {
+  std::vector<PrescribedComponent> all;
+  const auto hold = [&](NodeIndex node, const Held& held,
+                        std::optional<std::size_t> plate) {
+    for (std::uint8_t i = 0; i < 3; ++i)
+      if (held[i]) all.push_back({.node = node, .component = i, .plate = plate});
+  };
   for (std::size_t plate = 0; plate < scene.plates.size(); ++plate)
     for (const NodeIndex node : mesh.region(scene.plates[plate].region).nodes)
-      prescribed.push_back({.node = node, .plate = plate});
-  std::ranges::sort(prescribed, {}, &PrescribedNode::node);
-  const auto twice = std::ranges::adjacent_find(prescribed, {}, &PrescribedNode::node);
-  if (twice != prescribed.end())
-    throw InputError(mesh.source(), "node " + std::to_string(twice->node),
-                     "at most one plate",
-                     "two ('" + scene.plates[twice->plate].region + "' and '" +
-                         scene.plates[std::next(twice)->plate].region + "')");
-  return prescribed;
+      hold(node, scene.plates[plate].held, plate);
+  for (const auto& [point, held] : scene.pins)
+    hold(nearest_node(mesh, point), held, std::nullopt);
+  if (scene.boundary_gradient)
+    for (const NodeIndex node : mesh.boundary().nodes)
+      hold(node, all_components, std::nullopt);
+
+  const auto place = [](const PrescribedComponent& p) {
+    return std::pair(p.node, p.component);
+  };
+  std::ranges::stable_sort(all, {}, place);
+  const auto twice = std::ranges::adjacent_find(all, {}, place);
+  if (twice != all.end())
+    throw InputError(mesh.source(),
+                     "node " + std::to_string(twice->node) + ", component " +
+                         std::to_string(twice->component),
+                     "prescribed at most once",
+                     "twice: by " + holder(scene, *twice) + " and " +
+                         holder(scene, *std::next(twice)));
+  return all;
+}
+
+double prescribed_displacement(const Mesh& mesh, const Scene& scene,
+                               const PrescribedComponent& prescribed,
+                               double load_fraction) {
+  const Vector3& point = mesh.nodes()[prescribed.node];
+  if (prescribed.plate)
+    return displacement(scene.plates[*prescribed.plate].motion, point,
+                        load_fraction)[prescribed.component];
+  if (scene.boundary_gradient)
+    return load_fraction * scene.boundary_gradient->row(prescribed.component).dot(point);
+  return 0;
 }
 
 }  // namespace springcheck

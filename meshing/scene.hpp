@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,16 +36,39 @@ struct RigidMotion {
 Vector3 displacement(const RigidMotion& motion, const Vector3& point,
                      double load_fraction);
 
-/// A region of the mesh glued to a rigid plate: all three components are prescribed.
+/// Components of a displacement that are prescribed.
+using Held = std::array<bool, 3>;
+inline constexpr Held all_components{true, true, true};
+
+/// A region of the mesh on a rigid plate: all three components follow it where the body
+/// is glued, only the one along its normal where the body slides.
 struct Plate {
   std::string region;
   RigidMotion motion;
+  Held held;
+};
+
+/// A material point (a node of the mesh, the nearest to `point`) that stays where it is
+/// in some components: takes away the rigid motions that sliding plates leave.
+struct Pin {
+  Vector3 point;  // [m]
+  Held held;
+};
+
+/// Uniform dead load on a region, in proportion to the load fraction.
+struct Traction {
+  std::string region;
+  Vector3 stress;  // force per undeformed area [Pa]
 };
 
 /// One mechanical problem, as both solvers receive it together with a Mesh.
 struct Scene {
   Material material;
   std::vector<Plate> plates;
+  std::vector<Pin> pins{};
+  std::vector<Traction> tractions{};
+  // Displacement gradient H that the whole boundary follows, u = s H X:
+  std::optional<Eigen::Matrix3d> boundary_gradient{};
   Vector3 gravity;  // [m/s^2], applied in proportion to the load fraction
 };
 
@@ -69,10 +94,15 @@ struct Solution {
   // [N] what the plates apply to the body, 0 on free nodes:
   std::vector<Vector3> reactions;
   LeverArms lever_arms;
-  double strain_energy;              // [J]
-  double load_fraction;              // reached, 1 = all of it
-  int steps;                         // load steps or time steps
-  int force_evaluations;             // of the whole internal force vector
+  double strain_energy;   // [J]
+  double load_fraction;   // reached, 1 = all of it
+  int steps;              // load steps or time steps
+  int force_evaluations;  // of the whole internal force vector
+  // Load fraction up to which the tangent was positive definite, where it was lost:
+  std::optional<double> definite_up_to{};
+  std::optional<int> linear_iterations{};  // of the iterative linear solver, all together
+  // [m^3] deformed, of each cell; empty where the field in a cell is trilinear:
+  std::vector<double> cell_volumes{};
   std::optional<double> dt{};        // [s] dynamics only
   std::optional<double> dt_limit{};  // [s] dynamics only: largest stable step at rest
 };
@@ -80,14 +110,22 @@ struct Solution {
 /// The Solution of a method that does not cover the scene.
 Solution refused(const std::string& reason);
 
-/// A node held by a plate, the plate's index in Scene::plates.
-struct PrescribedNode {
+/// A displacement component that the scene prescribes.
+struct PrescribedComponent {
   NodeIndex node;
-  std::size_t plate;
+  std::uint8_t component;            // 0, 1, 2
+  std::optional<std::size_t> plate;  // index in Scene::plates; none: pin or boundary
 };
 
-/// Nodes held by plates, ascending. Throws InputError when two plates share one, or a
-/// plate's region is not in the mesh.
-std::vector<PrescribedNode> prescribed_nodes(const Mesh& mesh, const Scene& scene);
+/// What plates, pins and boundary_gradient prescribe, by node and component, ascending.
+/// Throws InputError when one component is prescribed twice, or a region is not in the
+/// mesh.
+std::vector<PrescribedComponent> prescribed_components(const Mesh& mesh,
+                                                       const Scene& scene);
+
+/// Its displacement at load fraction s [m].
+double prescribed_displacement(const Mesh& mesh, const Scene& scene,
+                               const PrescribedComponent& prescribed,
+                               double load_fraction);
 
 }  // namespace springcheck

@@ -5,24 +5,24 @@
 
 namespace springcheck::fem_reference {
 
+/// Symmetric; both triangles are stored.
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// Direct solver for symmetric matrices of one sparsity pattern, given by their lower
-/// triangle.
-class SymmetricFactor {
+/// Direct solver for symmetric matrices of one sparsity pattern.
+class DirectSolver {
  public:
-  SymmetricFactor();
-  ~SymmetricFactor();
-  SymmetricFactor(const SymmetricFactor&) = delete;
-  SymmetricFactor& operator=(const SymmetricFactor&) = delete;
+  DirectSolver();
+  ~DirectSolver();
+  DirectSolver(const DirectSolver&) = delete;
+  DirectSolver& operator=(const DirectSolver&) = delete;
 
   /// LL^T by CHOLMOD (supernodal). False when there is none: the matrix is not positive
   /// definite, and solve() must not be called.
-  bool factor_definite(const SparseMatrix& lower);
+  bool factor_definite(const SparseMatrix& matrix);
 
   /// LDL^T without pivoting, slower, for matrices that need not be definite. False when a
   /// pivot is zero.
-  bool factor_indefinite(const SparseMatrix& lower);
+  bool factor_indefinite(const SparseMatrix& matrix);
 
   /// Negative pivots of the last factor_indefinite(): as many as negative eigenvalues.
   [[nodiscard]] int negative_pivots() const;

@@ -1,11 +1,11 @@
-#include "fem_reference/factor.hpp"
+#include "fem_reference/direct_solver.hpp"
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCholesky>
 
 namespace springcheck::fem_reference {
 
-struct SymmetricFactor::Solvers {
+struct DirectSolver::Solvers {
   Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> definite;
   Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> indefinite;
   bool definite_analysed = false;
@@ -13,35 +13,35 @@ struct SymmetricFactor::Solvers {
   bool last_definite = true;
 };
 
-SymmetricFactor::SymmetricFactor() : solvers_(std::make_unique<Solvers>()) {
-  solvers_->definite.cholmod().print = 0;         // a failure is an answer, not a warning
+DirectSolver::DirectSolver() : solvers_(std::make_unique<Solvers>()) {
+  solvers_->definite.cholmod().print = 0;  // a failure is an answer, not a warning
 }
 
-SymmetricFactor::~SymmetricFactor() = default;
+DirectSolver::~DirectSolver() = default;
 
-bool SymmetricFactor::factor_definite(const SparseMatrix& lower) {
+bool DirectSolver::factor_definite(const SparseMatrix& matrix) {
   auto& cholesky = solvers_->definite;
-  if (!solvers_->definite_analysed) cholesky.analyzePattern(lower);
+  if (!solvers_->definite_analysed) cholesky.analyzePattern(matrix);
   solvers_->definite_analysed = true;
   solvers_->last_definite = true;
-  cholesky.factorize(lower);
+  cholesky.factorize(matrix);
   return cholesky.info() == Eigen::Success;
 }
 
-bool SymmetricFactor::factor_indefinite(const SparseMatrix& lower) {
+bool DirectSolver::factor_indefinite(const SparseMatrix& matrix) {
   auto& ldlt = solvers_->indefinite;
-  if (!solvers_->indefinite_analysed) ldlt.analyzePattern(lower);
+  if (!solvers_->indefinite_analysed) ldlt.analyzePattern(matrix);
   solvers_->indefinite_analysed = true;
   solvers_->last_definite = false;
-  ldlt.factorize(lower);
+  ldlt.factorize(matrix);
   return ldlt.info() == Eigen::Success;
 }
 
-int SymmetricFactor::negative_pivots() const {
+int DirectSolver::negative_pivots() const {
   return static_cast<int>((solvers_->indefinite.vectorD().array() < 0).count());
 }
 
-Eigen::VectorXd SymmetricFactor::solve(const Eigen::VectorXd& right) const {
+Eigen::VectorXd DirectSolver::solve(const Eigen::VectorXd& right) const {
   if (solvers_->last_definite) return solvers_->definite.solve(right);
   return solvers_->indefinite.solve(right);
 }
