@@ -14,6 +14,8 @@
 #include "comparisons/result_json.hpp"
 #include "comparisons/scene_file.hpp"
 #include "comparisons/shipped.hpp"
+#include "comparisons/split_output.hpp"
+#include "comparisons/text_columns.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/mesh_files.hpp"
 #include "meshing/output_file.hpp"
@@ -49,17 +51,7 @@ std::string text_of(const std::vector<CaseResult>& results) {
                     shown(m.deviation_l2_relative, "{:.3f}", 100),
                     fmt::format("{:.2f}", result.solve_wall_s)});
   }
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], row[i].size());
-  std::string text;
-  for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i)
-      text += i == 0 ? fmt::format("{:<{}}", row[i], widths[i])
-                     : fmt::format("  {:>{}}", row[i], widths[i]);
-    text += "\n";
-  }
+  std::string text = in_columns(rows);
   for (const CaseResult& result : results)
     if (!result.reason.empty())
       text += fmt::format("{}: {}\n", label(result.request.settings), result.reason);
@@ -74,29 +66,60 @@ std::string text_of(const std::vector<CaseResult>& results) {
   return text;
 }
 
+/// The split of a spring method's error against the law of the named reference, or
+/// against Hencky's; finite elements have none.
+std::optional<SplitPlan> split_plan_of(const RunSettings& run, const Request& request) {
+  if (is_finite_element(request.settings.method)) return std::nullopt;
+  return plan_split(request.settings,
+                    run.reference ? run.reference->method : *find_method("fem-hencky"));
+}
+
 }  // namespace
 
 ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
                        const std::optional<std::filesystem::path>& result_file,
-                       Output output) {
+                       Output output, ErrorSplit error_split, int parallel) {
   const RunSettings run = settings_of(scene, options);
-  const std::vector<Request> all = requests(run);
-  check_memory(run.cells_place, all, 1);
+  std::vector<Request> all = requests(run);
+  const std::size_t asked = all.size();
+  std::vector<std::optional<SplitPlan>> plans(asked);
+  if (error_split == ErrorSplit::wanted)
+    for (std::size_t i = 0; i < asked; ++i) {
+      plans[i] = split_plan_of(run, all[i]);
+      if (!plans[i]) continue;
+      const std::vector<Request> needed = split_requests(*plans[i]);
+      all.insert(all.end(), needed.begin(), needed.end());
+    }
+  // One at a time, unless the grids of a split make it long.
+  const int at_once = all.size() > asked ? parallel : 1;
+  check_memory(run.cells_place, all, at_once);
   if (result_file) check_results_writable(*result_file);
 
   MeshStore meshes;
   std::vector<CaseResult> results;
   {
     Progress progress("simulations");
-    results = run_study(all, meshes, 1, [&](std::size_t done, std::size_t of) {
+    results = run_study(all, meshes, at_once, [&](std::size_t done, std::size_t of) {
       progress.show(done, of);
     });
   }
   if (result_file) write_results(*result_file, results, meshes);
-  if (output == Output::json)
-    fmt::print("{}\n", run_json(run.common.scene, results, meshes).dump(2));
-  else
+  std::vector<std::optional<Split>> splits(asked);
+  std::span<const CaseResult> grids = std::span(results).subspan(asked);
+  for (std::size_t i = 0; i < asked; ++i)
+    if (plans[i]) {
+      const std::size_t count = split_requests(*plans[i]).size();
+      splits[i] = split_error(*plans[i], results[i], grids.first(count), meshes);
+      grids = grids.subspan(count);
+    }
+  results.resize(asked);
+  if (output == Output::json) {
+    fmt::print("{}\n", run_json(run.common.scene, results, splits, meshes).dump(2));
+  } else {
     fmt::print("{}", text_of(results));
+    for (const auto& split : splits)
+      if (split) fmt::print("\n{}", split_text(*split));
+  }
 
   const bool as_expected =
       results.size() > 1 || std::ranges::count(run.expect, results.front().status) > 0;

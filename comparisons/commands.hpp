@@ -15,10 +15,13 @@ enum ExitStatus { done = 0, fell_short = 1, bad_input = 2, unexpected_status = 3
 
 enum class Output { text, json };
 
-/// `springcheck run`: prints the results, writes them to `result_file` when given.
+enum class ErrorSplit { not_wanted, wanted };
+
+/// `springcheck run`: prints the results, writes them to `result_file` when given. The
+/// simulations that split the error are run `parallel` at a time.
 ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
                        const std::optional<std::filesystem::path>& result_file,
-                       Output output);
+                       Output output, ErrorSplit error_split, int parallel);
 
 /// `springcheck table`: prints one table, with what `from` holds taken from there.
 ExitStatus table_command(const std::string& name,

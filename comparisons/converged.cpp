@@ -69,6 +69,22 @@ ConvergedField converged_field(std::span<const CaseResult* const> runs,
   return converged;
 }
 
+ConvergedField finest_field(std::span<const CaseResult* const> runs, const Cells& cells,
+                            MeshStore& meshes) {
+  assert(runs.size() >= 2);
+  const CaseResult& finest = *runs.back();
+  ConvergedField field{.displacements = displacements_at(finest, cells),
+                       .cell_volumes = cell_volumes_on(finest, cells, meshes),
+                       .order = std::nullopt,
+                       .bar = 0};
+  const Eigen::MatrixXd u = matrix_of(field.displacements);
+  const Eigen::MatrixXd change =
+      u - matrix_of(displacements_at(*runs[runs.size() - 2], cells));
+  field.bar = std::max(safety_without_order * change.colwise().norm().mean(),
+                       solver_noise * u.colwise().norm().maxCoeff());
+  return field;
+}
+
 std::optional<ReferenceField> reference_field(const Request& request,
                                               std::span<const CaseResult* const> runs,
                                               MeshStore& meshes) {

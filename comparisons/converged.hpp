@@ -24,10 +24,10 @@ ThreeCases convergence_grids(const CaseSettings& settings);
 /// The sizes of the three grids' cells.
 GridSizes grid_sizes(const ThreeCases& cases);
 
-/// What a solution's displacements converge to, at the nodes of the case's mesh.
+/// What displacements converge to, at the nodes of a mesh.
 struct ConvergedField {
   std::vector<Vector3> displacements;
-  std::vector<double> cell_volumes;  // [m^3] deformed, of the case's cells
+  std::vector<double> cell_volumes;  // [m^3] deformed, of its cells
   std::optional<double> order;       // of the displacements
   double bar;                        // mean over the nodes of the distance it bounds [m]
 };
@@ -36,6 +36,11 @@ struct ConvergedField {
 /// `cells` that all three refine.
 ConvergedField converged_field(std::span<const CaseResult* const> runs,
                                const Cells& cells, MeshStore& meshes);
+
+/// The field of the finest of the runs, from coarse to fine, with three times its mean
+/// distance from the next as bar (extrapolation.hpp: no order observed).
+ConvergedField finest_field(std::span<const CaseResult* const> runs, const Cells& cells,
+                            MeshStore& meshes);
 
 /// The field that deviations of the request are measured against, from the runs of
 /// reference_cases(request); none when one of them failed.

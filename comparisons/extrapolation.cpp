@@ -6,8 +6,6 @@
 namespace springcheck {
 namespace {
 
-constexpr double safety_with_order = 1.25, safety_without = 3;
-
 /// (h1^p - h2^p)/(h2^p - h3^p); grows with p.
 double ratio_of_changes(const GridSizes& h, double p) {
   return (std::pow(h[0] / h[1], p) - 1) / (1 - std::pow(h[2] / h[1], p));
@@ -51,7 +49,7 @@ Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values,
       limit.value -= rest * fine;
       limit.bar *= safety_with_order * rest;
     } else {
-      limit.bar *= safety_without;
+      limit.bar *= safety_without_order;
     }
   }
   limit.bar = limit.bar.cwiseAbs().cwiseMax(noise);

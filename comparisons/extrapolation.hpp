@@ -30,6 +30,10 @@ inline constexpr double lowest_order = 0.3, highest_order = 4.5;
 std::optional<double> observed_order(const GridSizes& sizes, double coarse_change,
                                      double fine_change);
 
+/// Safety factors on the estimated error, after Roache, section 5.6: three grids that
+/// show an order, and grids that do not.
+inline constexpr double safety_with_order = 1.25, safety_without_order = 3;
+
 /// What values converge to as the grid is refined.
 struct Extrapolated {
   Eigen::MatrixXd value;        // q*
@@ -50,8 +54,7 @@ struct Extrapolated {
 /// themselves. Changes of at most `noise` (root mean square, in the unit of the values)
 /// are what solvers leave, not the grid; no bar is smaller.
 ///
-/// Source: as observed_order; safety factors 1.25 (three grids, order observed) and 3 (it
-/// was not) after Roache, section 5.6.
+/// Source: as observed_order.
 Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values,
                          double noise);
 

@@ -95,7 +95,7 @@ int command_line(int argc, char** argv) {
   app.add_flag("--verbose", verbose, "log every Newton iteration to stderr");
 
   std::string scene, out, name, from, reference, format = "md", what;
-  bool json = false;
+  bool json = false, split = false;
   int threads = cores;
   int status = ExitStatus::done;
   const auto output = [&] { return json ? Output::json : Output::text; };
@@ -109,6 +109,9 @@ int command_line(int argc, char** argv) {
   const SettingOptions run_options(run);
   run->add_option("--out", out, "HDF5 file for measures and fields")
       ->check(check_not_empty);
+  run->add_flag("--split", split,
+                "split the errors of spring methods into law and discretisation; runs "
+                "finite elements on up to 4 times as many cells along each axis");
   run->add_flag("--json", json, "print one JSON document");
   add_threads(run);
 
@@ -159,7 +162,8 @@ int command_line(int argc, char** argv) {
                                   static_cast<std::size_t>(threads));
 
   if (*run)
-    status = run_command(scene, run_options.given(), path_or_none(out), output());
+    status = run_command(scene, run_options.given(), path_or_none(out), output(),
+                         split ? ErrorSplit::wanted : ErrorSplit::not_wanted, threads);
   else if (*table)
     status =
         table_command(name, path_or_none(from), reference, table_format(format), threads);
