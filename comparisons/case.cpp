@@ -4,6 +4,68 @@
 
 namespace springcheck {
 
+namespace {
+
+constexpr Held only_z{false, false, true};
+
+bool reads_lattice(const Method& method) {
+  const auto* law = std::get_if<fem_reference::Law>(&method.model);
+  return law != nullptr && *law == fem_reference::Law::cauchy_born;
+}
+
+nlohmann::json row_by_row(const Eigen::Matrix3d& matrix) {
+  nlohmann::json numbers;
+  for (const double number : matrix.reshaped<Eigen::RowMajor>())
+    numbers.push_back(number);
+  return numbers;
+}
+
+/// Settings of the finite elements alone.
+void add_reference_settings(nlohmann::json& json, const CaseSettings& settings) {
+  using fem_reference::Springs;
+  json["element"] = settings.element.name;
+  json["linear-solver"] = name_of(settings.linear_solver);
+  json["solver"] = "static";
+  if (!reads_lattice(settings.method)) return;
+  const Springs springs = settings.lattice.springs;
+  json["lattice"] = settings.lattice.name;
+  json["lattice-direction"] = name_of(settings.lattice_direction);
+  if (springs != Springs::baudet)
+    json["stiffness-form"] = name_of(settings.stiffness_form);
+  if (springs == Springs::fd || springs == Springs::cf)
+    json["diagonal-ratio"] = settings.diagonal_ratio;
+}
+
+/// Settings of the springs alone.
+void add_spring_settings(nlohmann::json& json, const CaseSettings& settings) {
+  const auto springs = std::get<mss::Method>(settings.method.model);
+  if (springs != mss::Method::baudet)
+    json["stiffness-form"] = name_of(settings.stiffness_form);
+  if (springs == mss::Method::fd || springs == mss::Method::cf)
+    json["diagonal-ratio"] = settings.diagonal_ratio;
+  json["solver"] = name_of(settings.solver);
+  if (settings.solver == mss::Solver::static_equilibrium) {
+    json["seed"] = settings.seed;
+    return;
+  }
+  json["duration"] = settings.dynamics.duration;
+  json["damping"] = settings.dynamics.damping_ratio;
+  json["force-dt"] = settings.dynamics.force_time_step;
+  if (settings.dynamics.time_step)
+    json["dt"] = *settings.dynamics.time_step;
+  else
+    json["dt"] = "auto";
+}
+
+}  // namespace
+
+const std::vector<Test>& all_tests() {
+  static const std::vector<Test> all{Test::compression, Test::tension, Test::shearing,
+                                     Test::torsion,     Test::bending, Test::uniaxial,
+                                     Test::traction,    Test::affine};
+  return all;
+}
+
 std::string_view name_of(Test test) {
   switch (test) {
     case Test::compression:
@@ -16,8 +78,18 @@ std::string_view name_of(Test test) {
       return "torsion";
     case Test::bending:
       return "bending";
+    case Test::uniaxial:
+      return "uniaxial";
+    case Test::traction:
+      return "traction";
+    case Test::affine:
+      return "affine";
   }
   return {};
+}
+
+std::string_view name_of(PlateContact contact) {
+  return contact == PlateContact::glued ? "glued" : "sliding";
 }
 
 std::string_view name_of(mss::Solver solver) {
@@ -28,37 +100,90 @@ std::string_view name_of(mss::StiffnessForm form) {
   return form == mss::StiffnessForm::shear_modulus ? "mu" : "E";
 }
 
+std::string_view name_of(fem_reference::LatticeDirection direction) {
+  switch (direction) {
+    case fem_reference::LatticeDirection::d100:
+      return "100";
+    case fem_reference::LatticeDirection::d110:
+      return "110";
+    case fem_reference::LatticeDirection::d111:
+      return "111";
+  }
+  return {};
+}
+
+std::string_view name_of(fem_reference::LinearSolver solver) {
+  switch (solver) {
+    case fem_reference::LinearSolver::automatic:
+      return "auto";
+    case fem_reference::LinearSolver::direct:
+      return "direct";
+    case fem_reference::LinearSolver::multigrid:
+      return "multigrid";
+  }
+  return {};
+}
+
 Scene mechanical_scene(const CaseSettings& settings) {
   const auto [width, depth, height] = settings.block.size;
-  const RigidMotion at_rest{.translation = Vector3::Zero(),
-                            .axis = Vector3::UnitZ(),
-                            .centre = Vector3(width / 2, depth / 2, height),
-                            .angle = 0};
-  Scene scene{.material = settings.material,
-              .plates = {{.region = "bottom", .motion = at_rest}},
-              .gravity = settings.gravity};
-  if (settings.test == Test::bending) return scene;
+  const bool slides =
+      settings.test == Test::uniaxial ||
+      (settings.test == Test::traction && settings.plates == PlateContact::sliding);
+  Plate lower{.region = "bottom",
+              .motion = {.translation = Vector3::Zero(),
+                         .axis = Vector3::UnitZ(),
+                         .centre = Vector3(width / 2, depth / 2, height),
+                         .angle = 0},
+              .held = slides ? only_z : all_components};
+  Plate upper = lower;
+  upper.region = "top";
+  RigidMotion& motion = upper.motion;
+  Scene scene{.material = settings.material, .plates = {}, .gravity = settings.gravity};
+  if (slides)
+    scene.pins = {{.point = Vector3::Zero(), .held = {true, true, false}},
+                  {.point = Vector3(width, 0, 0), .held = {false, true, false}}};
 
-  RigidMotion motion = at_rest;
-  const double deformation = settings.deformation.value();
   switch (settings.test) {
     case Test::compression:
-      motion.translation.z() = -deformation * height;
+      motion.translation.z() = -settings.deformation.value() * height;
       break;
     case Test::tension:
-      motion.translation.z() = deformation * height;
+    case Test::uniaxial:
+      motion.translation.z() = settings.deformation.value() * height;
       break;
     case Test::shearing:
-      motion.translation.x() = deformation * height;
+      motion.translation.x() = settings.deformation.value() * height;
       break;
     case Test::torsion:
-      motion.angle = deformation;
+      motion.angle = settings.deformation.value();
       break;
     case Test::bending:
-      break;
+      scene.plates = {lower};
+      return scene;
+    case Test::traction:
+      scene.plates = {lower};
+      scene.tractions = {{.region = "top", .stress = settings.traction}};
+      return scene;
+    case Test::affine:
+      scene.boundary_gradient = settings.gradient;
+      return scene;
   }
-  scene.plates.push_back({.region = "top", .motion = motion});
+  scene.plates = {lower, upper};
   return scene;
+}
+
+fem_reference::Settings reference_settings(const CaseSettings& settings) {
+  using fem_reference::SpringConstants;
+  return {.law = std::get<fem_reference::Law>(settings.method.model),
+          .element = settings.element.element,
+          .lattice = {.springs = settings.lattice.springs,
+                      .diagonal_ratio = settings.diagonal_ratio,
+                      .constants =
+                          settings.stiffness_form == mss::StiffnessForm::shear_modulus
+                              ? SpringConstants::from_shear_modulus
+                              : SpringConstants::from_young_modulus,
+                      .direction = settings.lattice_direction},
+          .linear_solver = settings.linear_solver};
 }
 
 nlohmann::json settings_json(const CaseSettings& settings) {
@@ -75,28 +200,16 @@ nlohmann::json settings_json(const CaseSettings& settings) {
   if (settings.deformation) json["deformation"] = *settings.deformation;
   if (settings.test == Test::bending)
     json["gravity"] = {settings.gravity.x(), settings.gravity.y(), settings.gravity.z()};
-  if (is_finite_element(settings.method)) {
-    json["element"] = settings.element.name;
-    json["solver"] = "static";
-    return json;
+  if (settings.test == Test::traction) {
+    json["traction"] = {settings.traction.x(), settings.traction.y(),
+                        settings.traction.z()};
+    json["plates"] = name_of(settings.plates);
   }
-  const auto springs = std::get<mss::Method>(settings.method.model);
-  if (springs != mss::Method::baudet)
-    json["stiffness-form"] = name_of(settings.stiffness_form);
-  if (springs == mss::Method::fd || springs == mss::Method::cf)
-    json["diagonal-ratio"] = settings.diagonal_ratio;
-  json["solver"] = name_of(settings.solver);
-  if (settings.solver == mss::Solver::static_equilibrium) {
-    json["seed"] = settings.seed;
-    return json;
-  }
-  json["duration"] = settings.dynamics.duration;
-  json["damping"] = settings.dynamics.damping_ratio;
-  json["force-dt"] = settings.dynamics.force_time_step;
-  if (settings.dynamics.time_step)
-    json["dt"] = *settings.dynamics.time_step;
+  if (settings.test == Test::affine) json["gradient"] = row_by_row(settings.gradient);
+  if (is_finite_element(settings.method))
+    add_reference_settings(json, settings);
   else
-    json["dt"] = "auto";
+    add_spring_settings(json, settings);
   return json;
 }
 

@@ -37,21 +37,41 @@ std::string shown(const std::optional<double>& value, const char* format,
   return value ? fmt::format(fmt::runtime(format), factor * *value) : "-";
 }
 
+/// Leaves out the columns that hold nothing but "-" below their heading.
+std::vector<std::vector<std::string>> without_empty_columns(
+    const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::vector<std::string>> kept(rows.size());
+  for (std::size_t i = 0; i < rows.front().size(); ++i) {
+    const auto is_empty = [&](const auto& row) { return row[i] == "-"; };
+    if (std::ranges::all_of(rows.begin() + 1, rows.end(), is_empty)) continue;
+    for (std::size_t r = 0; r < rows.size(); ++r) kept[r].push_back(rows[r][i]);
+  }
+  return kept;
+}
+
 /// The results as an aligned table, reasons and reference below it.
 std::string text_of(const std::vector<CaseResult>& results) {
   std::vector<std::vector<std::string>> rows{
       {"method", "status", "volume error %", "plate force N", "resultant N", "torque N m",
-       "tip m", "deviation L2 %", "solve s"}};
+       "tip m", "face z m", "stress xx Pa", "yy Pa", "zz Pa", "affine deviation %",
+       "deviation L2 %", "solve s"}};
   for (const CaseResult& result : results) {
     const Measures& m = result.measures;
-    rows.push_back({label(result.request.settings), std::string(name_of(result.status)),
-                    shown(m.volume_error, "{:.4f}", 100), shown(m.plate_force, "{:.6g}"),
-                    shown(m.plate_force_norm, "{:.6g}"), shown(m.plate_torque, "{:.6g}"),
-                    shown(m.tip_deflection, "{:.6g}"),
-                    shown(m.deviation_l2_relative, "{:.3f}", 100),
-                    fmt::format("{:.2f}", result.solve_wall_s)});
+    const auto stress = [&](Eigen::Index i) {
+      return m.mean_stress ? Measures::Value((*m.mean_stress)(i, i)) : std::nullopt;
+    };
+    rows.push_back(
+        {label(result.request.settings), std::string(name_of(result.status)),
+         shown(m.volume_error, "{:.4f}", 100), shown(m.plate_force, "{:.6g}"),
+         shown(m.plate_force_norm, "{:.6g}"), shown(m.plate_torque, "{:.6g}"),
+         shown(m.tip_deflection, "{:.6g}"),
+         m.face_displacement ? fmt::format("{:.6g}", m.face_displacement->z()) : "-",
+         shown(stress(0), "{:.6g}"), shown(stress(1), "{:.6g}"),
+         shown(stress(2), "{:.6g}"), shown(m.affine_deviation_relative, "{:.3g}", 100),
+         shown(m.deviation_l2_relative, "{:.3f}", 100),
+         fmt::format("{:.2f}", result.solve_wall_s)});
   }
-  std::string text = in_columns(rows);
+  std::string text = in_columns(without_empty_columns(std::move(rows)));
   for (const CaseResult& result : results)
     if (!result.reason.empty())
       text += fmt::format("{}: {}\n", label(result.request.settings), result.reason);
@@ -163,8 +183,11 @@ ExitStatus list_command(const std::string& what, Output output) {
   }
   for (const ElementName& element : elements())
     lists["elements"][std::string(element.name)] = element.description;
-  lists["materials"] = {{"hooke", "small-strain Hooke (fem-hooke)"},
-                        {"stvk", "St-Venant-Kirchhoff (fem-stvk)"}};
+  lists["materials"] = {
+      {"hooke", "small-strain Hooke (fem-hooke)"},
+      {"stvk", "St-Venant-Kirchhoff (fem-stvk)"},
+      {"hencky", "Hencky, logarithmic strain (fem-hencky)"},
+      {"cauchy-born", "continuum of a spring lattice (fem-cauchy-born)"}};
   if (!what.empty()) {
     if (!lists.contains(what))
       throw InputError("list", "", "one of methods, scenes, elements, materials",
@@ -178,7 +201,7 @@ ExitStatus list_command(const std::string& what, Output output) {
   for (const auto& [heading, entries] : lists.items()) {
     fmt::print("{}\n", heading);
     for (const auto& [name, description] : entries.items())
-      fmt::print("  {:<12} {}\n", name, description.get<std::string>());
+      fmt::print("  {:<15} {}\n", name, description.get<std::string>());
   }
   return ExitStatus::done;
 }

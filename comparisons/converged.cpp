@@ -26,7 +26,7 @@ std::vector<Vector3> displacements_at(const CaseResult& run, const Cells& cells)
 std::vector<double> cell_volumes_on(const CaseResult& run, const Cells& cells,
                                     MeshStore& meshes) {
   const BlockSize& block = run.request.settings.block;
-  return summed_over_coarse_cells(deformed_cell_volumes(meshes.mesh(block), run.solution),
+  return summed_over_coarse_cells(deformed_volumes(meshes.mesh(block), run.solution),
                                   block.cells, cells);
 }
 
@@ -85,19 +85,24 @@ ConvergedField finest_field(std::span<const CaseResult* const> runs, const Cells
   return field;
 }
 
-std::optional<ReferenceField> reference_field(const Request& request,
-                                              std::span<const CaseResult* const> runs,
-                                              MeshStore& meshes) {
+std::optional<Solution> reference_solution(const Request& request,
+                                           std::span<const CaseResult* const> runs,
+                                           MeshStore& meshes) {
   const bool all_measured = std::ranges::all_of(
       runs, [](const CaseResult* run) { return run->measures.volume_error.has_value(); });
   if (runs.empty() || !all_measured) return std::nullopt;
   const Cells& cells = request.settings.block.cells;
-  if (runs.size() == 1)
-    return ReferenceField{displacements_at(*runs[0], cells),
-                          cell_volumes_on(*runs[0], cells, meshes)};
+  Solution reference = runs.back()->solution;
+  reference.reactions.clear();
+  if (runs.size() == 1) {
+    reference.displacements = displacements_at(*runs[0], cells);
+    reference.cell_volumes = cell_volumes_on(*runs[0], cells, meshes);
+    return reference;
+  }
   ConvergedField converged = converged_field(runs, cells, meshes);
-  return ReferenceField{std::move(converged.displacements),
-                        std::move(converged.cell_volumes)};
+  reference.displacements = std::move(converged.displacements);
+  reference.cell_volumes = std::move(converged.cell_volumes);
+  return reference;
 }
 
 }  // namespace springcheck

@@ -132,15 +132,24 @@ std::string Given::joined() const {
   return all;
 }
 
-std::array<double, 3> Given::three_numbers() const {
-  std::array<double, 3> numbers{};
-  if (values_.size() != 3) refuse("three finite numbers");
-  for (std::size_t i = 0; i < 3; ++i) {
+template <std::size_t N>
+std::array<double, N> Given::finite_numbers(const std::string& expected) const {
+  std::array<double, N> numbers{};
+  if (values_.size() != N) refuse(expected);
+  for (std::size_t i = 0; i < N; ++i) {
     const auto value = number(values_[i]);
-    if (!value || !std::isfinite(*value)) refuse("three finite numbers");
+    if (!value || !std::isfinite(*value)) refuse(expected);
     numbers[i] = *value;
   }
   return numbers;
+}
+
+std::array<double, 3> Given::three_numbers() const {
+  return finite_numbers<3>("three finite numbers");
+}
+
+std::array<double, 9> Given::nine_numbers() const {
+  return finite_numbers<9>("nine finite numbers, row by row");
 }
 
 std::array<std::int64_t, 3> Given::three_integers() const {

@@ -36,6 +36,7 @@ class Given {
   [[nodiscard]] std::vector<std::string> texts() const;  // at least one
   [[nodiscard]] std::string joined() const;              // a list's with commas
   [[nodiscard]] std::array<double, 3> three_numbers() const;
+  [[nodiscard]] std::array<double, 9> nine_numbers() const;
   [[nodiscard]] std::array<std::int64_t, 3> three_integers() const;
 
   /// A strain: a number, or text in percent, "5%".
@@ -49,6 +50,8 @@ class Given {
 
  private:
   [[nodiscard]] const Scalar& single(const std::string& expected) const;
+  template <std::size_t N>
+  [[nodiscard]] std::array<double, N> finite_numbers(const std::string& expected) const;
   [[nodiscard]] double with_unit(const char* unit, double factor,
                                  const std::string& expected) const;
 

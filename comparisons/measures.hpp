@@ -1,8 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <string_view>
 #include <vector>
 
 #include "comparisons/case.hpp"
@@ -14,32 +12,54 @@ namespace springcheck {
 struct Measures {
   using Value = std::optional<double>;
   using Vector = std::optional<Vector3>;
+  using Matrix = std::optional<Eigen::Matrix3d>;
 
-  Value volume_error{};           // |V0 - V|/V0, exact trilinear volume
+  Value volume_error{};           // |V0 - V|/V0, see deformed_volumes
   Value volume_change{};          // (V - V0)/V0
   Value cell_volume_ratio_min{};  // V/V0 of a cell
   Value cell_volume_ratio_max{};
   Value corner_jacobian_ratio_min{};  // smallest corner Jacobian of a cell over its rest
                                       // value; the cell is inverted below 0
 
-  // What the detector saw on the worst free face, see wrinkles.hpp:
+  // What the detector saw on the worst free face, see wrinkles.hpp; empty without one:
   Value wrinkle_alternation{};
   Value wrinkle_amplitude{};
 
-  // What the moved plate applies to the body; empty without a moved plate.
-  Vector force{};       // [N]
-  Vector torque{};      // [N m] about the plate's axis directions, through its centre
-  Value plate_force{};  // component along the imposed motion; empty in torsion
+  // What the moved plate, or the traction in its stead, applies to the body; empty
+  // without either.
+  Vector force{};   // [N]
+  Vector torque{};  // [N m] about the plate's axis directions, through its centre; empty
+                    // in traction, which has none about the loaded face's
+  Value plate_force{};  // component along the imposed motion or the traction, so positive
+                        // where that is resisted; empty in torsion
   Value plate_force_norm{};  // length of the resultant
   Value plate_torque{};      // component about z
+
+  // Traction: area-weighted mean displacement of the loaded face [m], int u dA/A with the
+  // bilinear u of its nodes.
+  Vector face_displacement{};
+
+  // Affine: mean first Piola-Kirchhoff stress [Pa], positive in tension; its columns
+  // belong to undeformed normals. From the boundary's reactions r, as in equilibrium
+  // int P dV = int t (x) X dA:
+  //
+  //     P = (1/V0) sum r (x) X
+  Matrix mean_stress{};
+  // How far the inside is from u = H X: volume-weighted root mean square over the free
+  // nodes, divided by the largest imposed displacement.
+  Value affine_deviation_relative{};
+
+  // Deformation up to which the tangent was positive definite, where that was lost on the
+  // way: load fraction times deformation. Empty in tests without a deformation.
+  Value definite_up_to_deformation{};
 
   // Distances between equal nodes of this solution and the reference's [m].
   Value mean_deviation{};  // mean over all nodes
   Value max_deviation{};
   Value middle_layer_deviation{};  // mean over the nodes at half height (the thesis's
                                    // measure); even cell counts only
-  // Over the free nodes, divided by the largest imposed displacement (bending: by the
-  // reference's tip deflection):
+  // Over the nodes with a free component, divided by the largest imposed displacement
+  // (bending: by the reference's tip deflection; traction: by its face displacement):
   Value deviation_l2_relative{};  // volume-weighted root mean square
   Value deviation_max_relative{};
   Value cell_volume_ratio_rms_difference{};  // volume-weighted, V/V0 against reference's
@@ -73,6 +93,10 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
   visit("plate_force", measures.plate_force);
   visit("plate_force_norm", measures.plate_force_norm);
   visit("plate_torque", measures.plate_torque);
+  visit("face_displacement", measures.face_displacement);
+  visit("mean_stress", measures.mean_stress);
+  visit("affine_deviation_relative", measures.affine_deviation_relative);
+  visit("definite_up_to_deformation", measures.definite_up_to_deformation);
   visit("mean_deviation", measures.mean_deviation);
   visit("max_deviation", measures.max_deviation);
   visit("middle_layer_deviation", measures.middle_layer_deviation);
@@ -89,21 +113,15 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
   visit("strain_energy", measures.strain_energy);
 }
 
+/// Deformed volume of each cell [m^3]: the solution's own, or the exact trilinear one.
+std::vector<double> deformed_volumes(const Mesh& mesh, const Solution& solution);
+
 /// All measures that need no reference.
 Measures measure(const CaseSettings& settings, const Mesh& mesh,
                  const Solution& solution);
 
-/// What deviations are measured against, at the nodes and in the cells of a mesh.
-struct ReferenceField {
-  std::vector<Vector3> displacements;
-  std::vector<double> cell_volumes;  // [m^3] deformed
-};
-
-/// Deformed volume of each cell [m^3].
-std::vector<double> deformed_cell_volumes(const Mesh& mesh, const Solution& solution);
-
-/// Fills in the deviations of the solution from the reference's field.
+/// Fills in the deviations from the reference, a solution on the same mesh.
 void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
-                       const Solution& solution, const ReferenceField& reference);
+                       const Solution& solution, const Solution& reference);
 
 }  // namespace springcheck

@@ -20,21 +20,55 @@ double estimated_mesh_memory(const BlockSize& block) {
   return program + per_cell * nx * ny * nz;
 }
 
+/// Nodes of the elements along x, y, z: q2 has one more between any two of the mesh.
+std::array<double, 3> element_nodes(const CaseSettings& settings) {
+  const bool halved = is_finite_element(settings.method) &&
+                      settings.element.element == fem_reference::Element::q2;
+  std::array<double, 3> nodes{};
+  std::ranges::transform(settings.block.cells, nodes.begin(),
+                         [&](int cells) { return (halved ? 2. : 1.) * cells + 1; });
+  return nodes;
+}
+
+enum class LinearSystems { none, cholesky, multigrid };
+
+LinearSystems linear_systems(const CaseSettings& settings) {
+  using fem_reference::LinearSolver;
+  if (!is_finite_element(settings.method))
+    return settings.solver == mss::Solver::static_equilibrium ? LinearSystems::cholesky
+                                                              : LinearSystems::none;
+  constexpr double direct_limit = 40000;  // unknowns, as in fem_reference/elasticity.cpp
+  const auto [nx, ny, nz] = element_nodes(settings);
+  const bool automatic = settings.linear_solver == LinearSolver::automatic;
+  const bool multigrid = automatic ? 3 * nx * ny * nz > direct_limit
+                                   : settings.linear_solver == LinearSolver::multigrid;
+  return multigrid ? LinearSystems::multigrid : LinearSystems::cholesky;
+}
+
 /// Peak memory of one simulation [bytes].
 double estimated_memory(const CaseSettings& settings) {
-  const bool is_direct = is_finite_element(settings.method) ||
-                         settings.solver == mss::Solver::static_equilibrium;
-  double bytes = estimated_mesh_memory(settings.block);
-  if (!is_direct) return bytes;
-  // Peak of `run compression`, one method, at 10^3, 20^3, 30^3 cells: 188, 432, 1264 MB
-  // (mss-cf), 191, 400, 1181 MB (fem-stvk). Fitted: so much per cell for matrices, and a
-  // Cholesky factor that grows like nested dissection's, nodes * sqrt(cross-section).
-  constexpr double matrices_per_cell = 12.5e3, factor = 740;
-  const auto [nx, ny, nz] = settings.block.cells;
-  std::array<double, 3> nodes{nx + 1., ny + 1., nz + 1.};
+  std::array<double, 3> nodes = element_nodes(settings);
   std::ranges::sort(nodes);
-  return bytes + matrices_per_cell * nx * ny * nz +
-         factor * nodes[0] * nodes[1] * nodes[2] * std::sqrt(nodes[0] * nodes[1]);
+  const double cells = (nodes[0] - 1) * (nodes[1] - 1) * (nodes[2] - 1);
+  const double bytes = estimated_mesh_memory(settings.block);
+  switch (linear_systems(settings)) {
+    case LinearSystems::none:
+      break;
+    case LinearSystems::multigrid: {
+      constexpr double per_cell = 11e3;
+      return bytes + per_cell * cells;
+    }
+    case LinearSystems::cholesky: {
+      // Peak of `run compression`, one method, at 10^3, 20^3, 30^3 cells: 188, 432, 1264
+      // MB (mss-cf), 191, 400, 1181 MB (fem-stvk). Fitted: so much per cell for matrices,
+      // and a Cholesky factor that grows like nested dissection's, nodes *
+      // sqrt(cross-section).
+      constexpr double matrices_per_cell = 12.5e3, factor = 740;
+      return bytes + matrices_per_cell * cells +
+             factor * nodes[0] * nodes[1] * nodes[2] * std::sqrt(nodes[0] * nodes[1]);
+    }
+  }
+  return bytes;
 }
 
 double available_memory() {

@@ -24,7 +24,10 @@ const std::vector<Method>& methods() {
        "all springs without correction: right at nu = 0.25 only"},
       {"mss-cf", mss::Method::cf, "all springs with volume correction (Golec 2018)"},
       {"fem-hooke", Law::hooke, "finite elements, small-strain Hooke"},
-      {"fem-stvk", Law::st_venant_kirchhoff, "finite elements, St-Venant-Kirchhoff"}};
+      {"fem-stvk", Law::st_venant_kirchhoff, "finite elements, St-Venant-Kirchhoff"},
+      {"fem-hencky", Law::hencky, "finite elements, Hencky (logarithmic strain)"},
+      {"fem-cauchy-born", Law::cauchy_born,
+       "finite elements, the continuum of a spring lattice (option --lattice)"}};
   return all;
 }
 
@@ -33,7 +36,18 @@ const std::vector<ElementName>& elements() {
   static const std::vector<ElementName> all{
       {"q1", Element::q1, "trilinear, 2x2x2 points: locks near nu = 0.5"},
       {"q1-sri", Element::q1_sri,
-       "trilinear, volumetric part at the centroid (selective reduced integration)"}};
+       "trilinear, volumetric part at the centroid (selective reduced integration)"},
+      {"q2", Element::q2, "triquadratic (27 nodes), 3x3x3 points, on the same cells"}};
+  return all;
+}
+
+const std::vector<LatticeName>& lattices() {
+  using fem_reference::Springs;
+  static const std::vector<LatticeName> all{{"mss-baudet", Springs::baudet},
+                                            {"mss-nfd", Springs::nfd},
+                                            {"mss-fd", Springs::fd},
+                                            {"mss-cf", Springs::cf},
+                                            {"mss-affine", Springs::affine}};
   return all;
 }
 
@@ -42,6 +56,9 @@ const Method* find_method(std::string_view name) {
 }
 const ElementName* find_element(std::string_view name) {
   return find(elements(), name);
+}
+const LatticeName* find_lattice(std::string_view name) {
+  return find(lattices(), name);
 }
 
 }  // namespace springcheck

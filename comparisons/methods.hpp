@@ -23,12 +23,20 @@ struct ElementName {
   std::string_view description;
 };
 
+/// Springs whose continuum fem-cauchy-born is, by the name of their method.
+struct LatticeName {
+  std::string_view name;
+  fem_reference::Springs springs;
+};
+
 const std::vector<Method>& methods();
 const std::vector<ElementName>& elements();
+const std::vector<LatticeName>& lattices();
 
-/// The entry of that name in methods() or elements(); nullptr when there is none.
+/// The entry of that name in the lists above; nullptr when there is none.
 const Method* find_method(std::string_view name);
 const ElementName* find_element(std::string_view name);
+const LatticeName* find_lattice(std::string_view name);
 
 inline bool is_finite_element(const Method& method) {
   return std::holds_alternative<fem_reference::Law>(method.model);

@@ -13,7 +13,6 @@
 #include "comparisons/build_info.hpp"
 #include "comparisons/hdf5.hpp"
 #include "comparisons/xdmf.hpp"
-#include "meshing/hexahedron.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
 
@@ -103,6 +102,11 @@ void write_measure(hid_t group, const char* name, const Measures::Vector& value)
   if (value)
     hdf5::write_attribute(group, name, std::span<const double>(value->data(), 3));
 }
+void write_measure(hid_t group, const char* name, const Measures::Matrix& value) {
+  if (!value) return;
+  const Eigen::Matrix3d columns = value->transpose();  // the file holds rows
+  hdf5::write_attribute(group, name, std::span<const double>(columns.data(), 9));
+}
 
 void read_measure(hid_t group, const char* name, Measures::Value& value) {
   if (const auto numbers = hdf5::read_numbers(group, name);
@@ -113,6 +117,12 @@ void read_measure(hid_t group, const char* name, Measures::Vector& value) {
   if (const auto numbers = hdf5::read_numbers(group, name);
       numbers && numbers->size() == 3)
     value = Vector3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+}
+void read_measure(hid_t group, const char* name, Measures::Matrix& value) {
+  if (const auto numbers = hdf5::read_numbers(group, name);
+      numbers && numbers->size() == 9)
+    value =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers->data());
 }
 
 void write_case(hid_t cases, const CaseResult& result, const Mesh& mesh) {
@@ -135,6 +145,9 @@ void write_case(hid_t cases, const CaseResult& result, const Mesh& mesh) {
   hdf5::write_attribute(group, "steps", static_cast<long long>(solution.steps));
   hdf5::write_attribute(group, "force_evaluations",
                         static_cast<long long>(solution.force_evaluations));
+  if (solution.linear_iterations)
+    hdf5::write_attribute(group, "linear_iterations",
+                          static_cast<long long>(*solution.linear_iterations));
   write_measure(group, "dt_used", solution.dt);
   write_measure(group, "dt_limit", solution.dt_limit);
   hdf5::write_attribute(group, "wall_s", result.wall_s);
@@ -144,10 +157,7 @@ void write_case(hid_t cases, const CaseResult& result, const Mesh& mesh) {
   const std::string partial = result.measures.volume_error ? "" : "partial_";
   hdf5::write_table(group, partial + "displacement", flat(solution.displacements), 3);
   hdf5::write_table(group, partial + "reaction", flat(solution.reactions), 3);
-  std::vector<Vector3> positions = mesh.nodes();
-  for (std::size_t n = 0; n < positions.size(); ++n)
-    positions[n] += solution.displacements[n];
-  std::vector<double> ratios = cell_volumes(mesh.hexahedra(), positions);
+  std::vector<double> ratios = deformed_volumes(mesh, solution);
   for (std::size_t c = 0; c < ratios.size(); ++c) ratios[c] /= mesh.cell_volumes()[c];
   hdf5::write_table(group, partial + "cell_volume_ratio", ratios, 1);
 }
@@ -176,6 +186,7 @@ StoredCase read_case(hid_t group, const std::string& file) {
       .load_fraction = number("load_fraction"),
       .steps = static_cast<int>(number("steps")),
       .force_evaluations = static_cast<int>(number("force_evaluations")),
+      .linear_iterations = {},
       .dt = {},
       .dt_limit = {},
       .wall_s = number("wall_s"),
@@ -189,6 +200,8 @@ StoredCase read_case(hid_t group, const std::string& file) {
   for_each_measure(stored.measures, [&](const char* name, auto& value) {
     read_measure(group, name, value);
   });
+  if (hdf5::read_numbers(group, "linear_iterations"))
+    stored.linear_iterations = static_cast<int>(number("linear_iterations"));
   read_measure(group, "dt_used", stored.dt);
   read_measure(group, "dt_limit", stored.dt_limit);
   return stored;
@@ -281,6 +294,7 @@ CaseResult with_stored(const Request& request, const std::string& key,
                        .load_fraction = stored.load_fraction,
                        .steps = stored.steps,
                        .force_evaluations = stored.force_evaluations,
+                       .linear_iterations = stored.linear_iterations,
                        .dt = stored.dt,
                        .dt_limit = stored.dt_limit},
           .wall_s = stored.wall_s,

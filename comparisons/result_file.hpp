@@ -32,6 +32,7 @@ struct StoredCase {
   Measures measures;
   double load_fraction;
   int steps, force_evaluations;
+  std::optional<int> linear_iterations;
   std::optional<double> dt, dt_limit;
   double wall_s, solve_wall_s;
 };

@@ -14,6 +14,12 @@ Json json(const Measures::Value& value) {
 Json json(const Measures::Vector& value) {
   return value ? Json{value->x(), value->y(), value->z()} : Json();
 }
+Json json(const Measures::Matrix& value) {
+  if (!value) return {};
+  Json rows = Json::array();
+  for (const auto& row : value->rowwise()) rows.push_back({row[0], row[1], row[2]});
+  return rows;
+}
 
 Json case_json(const CaseResult& result, const Mesh& mesh) {
   const CaseSettings& settings = result.request.settings;
@@ -27,6 +33,12 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
            {"young", settings.material.young_modulus},
            {"density", settings.material.density},
            {"deformation", json(settings.deformation)},
+           {"traction", settings.test == Test::traction
+                            ? json(Measures::Vector(settings.traction))
+                            : Json()},
+           {"gradient", settings.test == Test::affine
+                            ? json(Measures::Matrix(settings.gradient))
+                            : Json()},
            {"mesh",
             {{"cells", mesh.hexahedra().size()},
              {"nodes", mesh.nodes().size()},
@@ -43,6 +55,8 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
   const bool ran = result.status != Status::refused;
   out["load_fraction"] = ran ? Json(solution.load_fraction) : Json();
   out["steps"] = ran ? Json(solution.steps) : Json();
+  out["linear_iterations"] =
+      solution.linear_iterations ? Json(*solution.linear_iterations) : Json();
   out["dt"] = json(solution.dt);
   out["dt_limit"] = json(solution.dt_limit);
   out["force_evaluations"] = ran ? Json(solution.force_evaluations) : Json();

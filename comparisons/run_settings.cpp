@@ -7,11 +7,11 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <sstream>
 
 #include "comparisons/grids.hpp"
+#include "comparisons/setting_values.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -34,147 +34,24 @@ Value value_or(const Settings& settings, std::string_view key, Value otherwise,
   return found == settings.end() ? otherwise : Value(std::invoke(read, found->second));
 }
 
-Test test_of(const Given& given) {
-  const std::string name = given.text();
-  std::string names;
-  for (const Test test :
-       {Test::compression, Test::tension, Test::shearing, Test::torsion, Test::bending}) {
-    if (name_of(test) == name) return test;
-    names += (names.empty() ? "" : ", ") + std::string(name_of(test));
-  }
-  given.refuse("one of " + names);
-}
-
-Method method_of(const Given& given, const std::string& name) {
-  const Method* method = find_method(name);
-  if (method == nullptr)
-    throw InputError(given.place(), "", "one of " + names_of(methods()),
-                     "'" + name + "'");
-  return *method;
-}
-
-ElementName element_of(const Given& given, const std::string& name) {
-  const ElementName* element = find_element(name);
-  if (element == nullptr)
-    throw InputError(given.place(), "", "one of " + names_of(elements()),
-                     "'" + name + "'");
-  return *element;
-}
-
-std::vector<Method> methods_of(const Given& given) {
-  std::vector<Method> all;
-  for (const std::string& name : given.texts()) {
-    all.push_back(method_of(given, name));
-    if (std::ranges::count(all, name, &Method::name) > 1)
-      throw InputError(given.place(), "", "each name once", "'" + name + "' twice");
-  }
-  return all;
-}
-
-std::array<double, 3> size_of(const Given& given) {
-  // Far beyond any body, and their cubes stay far from overflow.
-  constexpr double shortest = 1e-9, longest = 1e9;
-  const auto size = given.three_numbers();
-  if (std::ranges::any_of(
-          size, [](double length) { return !(length >= shortest && length <= longest); }))
-    given.refuse("three lengths between 1e-9 and 1e9 m");
-  return size;
-}
-
-std::array<int, 3> cells_of(const Given& given) {
-  std::array<int, 3> cells{};
-  const auto counts = given.three_integers();
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (counts[i] < 1 || counts[i] > std::numeric_limits<int>::max())
-      given.refuse("three counts of at least 1");
-    cells[i] = static_cast<int>(counts[i]);
-  }
-  return cells;
-}
-
-double poisson_ratio_of(const Given& given) {
-  const double nu = given.finite_number();
-  if (!(nu > -1 && nu < 0.5)) given.refuse("a number in (-1, 0.5)");
-  return nu;
-}
-
-double deformation_of(const Given& given, Test test) {
-  constexpr double largest = 100;  // keeps squares of strains far from overflow
-  const double deformation = test == Test::torsion ? given.angle() : given.strain();
-  if (!(deformation > 0)) given.refuse("a positive number: the test gives its direction");
-  if (deformation > largest) given.refuse("a deformation of at most 100");
-  if (test == Test::compression && deformation >= 1)
-    given.refuse("a strain below 1: the plates would meet");
-  return deformation;
-}
-
-double not_negative(const Given& given) {
-  const double value = given.finite_number();
-  if (value < 0) given.refuse("a number of at least 0");
-  return value;
-}
-
-std::optional<double> time_step_of(const Given& given) {
-  if (!given.is_text()) return given.positive_number();
-  if (given.text() != "auto") given.refuse("a positive time [s] or 'auto'");
-  return std::nullopt;
-}
-
-unsigned seed_of(const Given& given) {
-  const std::int64_t seed = given.integer();
-  if (seed < 0 || seed > std::numeric_limits<unsigned>::max())
-    given.refuse("an integer in [0, 4294967295]");
-  return static_cast<unsigned>(seed);
-}
-
-mss::StiffnessForm stiffness_form_of(const Given& given) {
-  const std::string form = given.text();
-  if (form == "mu") return mss::StiffnessForm::shear_modulus;
-  if (form == "E") return mss::StiffnessForm::young_modulus;
-  given.refuse("'mu' or 'E'");
-}
-
-mss::Solver solver_of(const Given& given) {
-  const std::string solver = given.text();
-  for (const auto known :
-       {mss::Solver::static_equilibrium, mss::Solver::semi_implicit_euler})
-    if (solver == name_of(known)) return known;
-  given.refuse("one of static, semi-implicit");
-}
-
-std::vector<Status> expect_of(const Given& given) {
-  std::vector<Status> expected;
-  for (const std::string& name : given.texts()) {
-    const auto found =
-        std::ranges::find(all_statuses(), name, [](Status s) { return name_of(s); });
-    if (found == all_statuses().end()) {
-      std::string names;
-      for (const Status status : all_statuses())
-        names += (names.empty() ? "" : ", ") + std::string(name_of(status));
-      given.refuse("statuses among " + names);
-    }
-    expected.push_back(*found);
-  }
-  return expected;
-}
-
-Vector3 gravity_of(const Given& given) {
-  const auto gravity = given.three_numbers();
-  const Vector3 vector(gravity[0], gravity[1], gravity[2]);
-  if (vector.isZero(0)) given.refuse("a vector other than zero [m/s^2]");
-  return vector;
-}
-
 /// Settings that belong to some tests only.
 void check_applicable(const Settings& settings, Test test) {
-  const auto refuse = [&](const char* key, const char* why) {
+  const auto refuse = [&](const char* key, const std::string& why) {
     if (const auto found = settings.find(std::string_view(key)); found != settings.end())
       throw InputError(found->second.place(), "", why, "a value");
   };
   if (test == Test::bending)
     refuse("deformation", "no deformation in bending, where gravity acts");
-  else
-    refuse("gravity", "no gravity but in bending");
+  if (test == Test::traction)
+    refuse("deformation", "no deformation in traction, where a traction acts");
+  if (test == Test::affine)
+    refuse("deformation", "no deformation in affine, where a gradient is imposed");
+  if (test != Test::bending) refuse("gravity", "no gravity but in bending");
+  if (test != Test::traction) {
+    refuse("traction", "no traction but in traction");
+    refuse("plates", "no plates but in traction: other tests say how theirs hold");
+  }
+  if (test != Test::affine) refuse("gradient", "no gradient but in affine");
 }
 
 /// "N" or "NX,NY,NZ" behind a reference's '@'.
@@ -221,13 +98,13 @@ ReferenceMethod reference_named(const Given& given) {
   const std::size_t at = text.find('@');
   const std::string what = text.substr(0, at);
   const std::size_t colon = what.find(':');
-  ReferenceMethod reference{.method = method_of(given, what.substr(0, colon)),
+  ReferenceMethod reference{.method = method_named(given, what.substr(0, colon)),
                             .element = *find_element("q1-sri"),
                             .place = given.place()};
   if (colon != std::string::npos) {
     if (!is_finite_element(reference.method))
       given.refuse("an element for fem- methods only");
-    reference.element = element_of(given, what.substr(colon + 1));
+    reference.element = element_named(given, what.substr(colon + 1));
   }
   if (at == std::string::npos) return reference;
   const std::string grid = text.substr(at + 1);
@@ -241,19 +118,34 @@ ReferenceMethod reference_named(const Given& given) {
 const std::vector<SettingKey>& option_keys() {
   static const std::vector<SettingKey> keys{
       {"method", "comma-separated list of methods, see 'springcheck list methods'"},
-      {"element", "finite element on hexahedra: q1, q1-sri (default)"},
+      {"element", "finite element on hexahedra: q1, q1-sri (default), q2"},
       {"nu", "Poisson ratio, in (-1, 0.5)"},
       {"young", "Young's modulus [Pa]"},
       {"density", "mass density [kg/m^3]"},
       {"deformation",
-       "strain, or angle of torsion [rad]; '5%' and '45deg' are understood"},
-      {"diagonal-ratio", "A = k_f/k_c of mss-fd and mss-cf (default 1)"},
-      {"stiffness-form", "spring constants from mu (default) or, as Eq. 5.12 prints, E"},
+       "strain, or angle of torsion [rad]; '5%' and '45deg' are understood; in uniaxial "
+       "positive pulls and negative presses"},
+      {"traction", "force per undeformed area x,y,z on the upper face in traction [Pa]"},
+      {"plates", "how the lower plate holds in traction: glued (default) or sliding"},
+      {"gradient",
+       "displacement gradient of the boundary in affine, nine numbers by rows"},
+      {"diagonal-ratio",
+       "A = k_f/k_c of mss-fd, mss-cf and their lattices in fem-cauchy-born (default 1)"},
+      {"stiffness-form",
+       "spring constants from mu (default) or, as Eq. 5.12 prints, E; of "
+       "fem-cauchy-born's lattice too"},
+      {"lattice",
+       "springs whose continuum fem-cauchy-born is: mss-baudet, mss-nfd, mss-fd, mss-cf "
+       "(default), mss-affine"},
+      {"lattice-direction",
+       "direction of fem-cauchy-born's lattice along z: 100 (default), 110, 111"},
       {"cells", "number of cells along x,y,z"},
       {"size", "size of the block along x,y,z [m]"},
       {"solver",
        "of spring methods: static (default) or semi-implicit (dynamics); finite elements "
        "are always static"},
+      {"linear-solver",
+       "of finite elements: auto (default: by size), direct or multigrid"},
       {"dt", "time step [s], or auto (default): 0.9 of the stability limit"},
       {"force-dt", "run even with a time step above the stability limit"},
       {"duration", "time over which the load grows in dynamics [s] (default 10)"},
@@ -262,13 +154,14 @@ const std::vector<SettingKey>& option_keys() {
       {"reference",
        "METHOD[:ELEMENT][@CELLS|@converged] that deviations are measured against "
        "(default on the same mesh: fem-hooke:q1-sri up to a deformation of .02, "
-       "fem-stvk:q1-sri above)"}};
+       "fem-stvk:q1-sri above and in tests without a deformation)"}};
   return keys;
 }
 
 const std::vector<SettingKey>& scene_only_keys() {
   static const std::vector<SettingKey> keys{
-      {"test", "compression, tension, shearing, torsion or bending"},
+      {"test",
+       "compression, tension, shearing, torsion, bending, uniaxial, traction or affine"},
       {"gravity", "acceleration in bending [m/s^2]"},
       {"expect", "statuses that end a run of one method with exit status 0"}};
   return keys;
@@ -294,22 +187,35 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
                    .poisson_ratio = poisson_ratio_of(need("nu", "a number in (-1, 0.5)")),
                    .density = need("density", "a density [kg/m^3]").positive_number()},
       .gravity = Vector3::Zero(),
+      .traction = Vector3::Zero(),
+      .plates = value_or(settings, "plates", PlateContact::glued, plates_of),
+      .gradient = Eigen::Matrix3d::Zero(),
       .deformation = std::nullopt,
       .method = {},
-      .element = value_or(settings, "element", *find_element("q1-sri"),
-                          [](const Given& g) { return element_of(g, g.text()); }),
       .stiffness_form = value_or(settings, "stiffness-form",
                                  mss::StiffnessForm::shear_modulus, stiffness_form_of),
-      .diagonal_ratio = value_or(settings, "diagonal-ratio", 1., not_negative),
+      .diagonal_ratio = value_or(settings, "diagonal-ratio", 1., not_negative_of),
+      .element = value_or(settings, "element", *find_element("q1-sri"), element_of),
+      .linear_solver = value_or(settings, "linear-solver",
+                                fem_reference::LinearSolver::automatic, linear_solver_of),
+      .lattice = value_or(settings, "lattice", *find_lattice("mss-cf"), lattice_of),
+      .lattice_direction =
+          value_or(settings, "lattice-direction", fem_reference::LatticeDirection::d100,
+                   lattice_direction_of),
       .solver = value_or(settings, "solver", mss::Solver::static_equilibrium, solver_of),
       .dynamics =
           {.duration = value_or(settings, "duration", 10., &Given::positive_number),
            .time_step = value_or(settings, "dt", std::optional<double>{}, time_step_of),
            .force_time_step = value_or(settings, "force-dt", false, &Given::truth),
-           .damping_ratio = value_or(settings, "damping", 0.05, not_negative)},
+           .damping_ratio = value_or(settings, "damping", 0.05, not_negative_of)},
       .seed = value_or(settings, "seed", 1U, seed_of)};
   if (test == Test::bending)
-    common.gravity = gravity_of(need("gravity", "an acceleration [m/s^2]"));
+    common.gravity = load_of(need("gravity", "an acceleration [m/s^2]"), "m/s^2");
+  else if (test == Test::traction)
+    common.traction =
+        traction_of(need("traction", "a force per area [Pa]"), common.plates);
+  else if (test == Test::affine)
+    common.gradient = gradient_of(need("gradient", "nine numbers, row by row"));
   else
     common.deformation = deformation_of(need("deformation", "a strain or angle"), test);
 
@@ -327,7 +233,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
 
 std::vector<Request> requests(const RunSettings& run) {
   constexpr double small_deformation = 0.02;
-  const bool is_small = run.common.deformation.value_or(1) <= small_deformation;
+  const bool is_small = std::abs(run.common.deformation.value_or(1)) <= small_deformation;
   const ReferenceMethod reference = run.reference.value_or(ReferenceMethod{
       *find_method(is_small ? "fem-hooke" : "fem-stvk"), *find_element("q1-sri")});
   std::vector<Request> all;

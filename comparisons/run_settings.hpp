@@ -61,7 +61,8 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
 
 /// A request for each method, with the reference its deviations are measured against:
 /// on the same mesh, fem-hooke:q1-sri up to a deformation of .02 and fem-stvk:q1-sri
-/// above (and in bending) unless the run names one. The reference itself has none.
+/// above (and in tests without a deformation) unless the run names one. The reference
+/// itself has none.
 /// Throws InputError where the named reference's cells are no refinement of the run's.
 std::vector<Request> requests(const RunSettings& run);
 

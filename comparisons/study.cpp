@@ -28,10 +28,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 Solution solve(const CaseSettings& settings, const Mesh& mesh) {
   const Scene scene = mechanical_scene(settings);
   if (is_finite_element(settings.method))
-    return fem_reference::solve(
-        mesh, scene,
-        {.law = std::get<fem_reference::Law>(settings.method.model),
-         .element = settings.element.element});
+    return fem_reference::solve(mesh, scene, reference_settings(settings));
   return mss::solve(mesh, scene,
                     {.network = {.method = std::get<mss::Method>(settings.method.model),
                                  .stiffness_form = settings.stiffness_form,
@@ -48,10 +45,10 @@ bool has_equilibrium(const Solution& solution) {
 bool all_finite(const Measures& measures) {
   bool finite = true;
   for_each_measure(measures, [&](const char*, const auto& value) {
-    if constexpr (std::is_same_v<decltype(value), const Measures::Vector&>)
-      finite &= !value || value->allFinite();
-    else
+    if constexpr (std::is_same_v<decltype(value), const Measures::Value&>)
       finite &= !value || std::isfinite(*value);
+    else
+      finite &= !value || value->allFinite();
   });
   return finite;
 }
@@ -76,13 +73,14 @@ CaseResult simulate(const CaseSettings& settings, const Mesh& mesh) {
   if (has_equilibrium(solution)) {
     Measures& measures = result.measures;
     measures = measure(settings, mesh, solution);
-    const Wrinkling wrinkling =
-        measure_wrinkling(mesh, mechanical_scene(settings), imposed_strain(settings),
-                          solution.displacements);
-    measures.wrinkle_alternation = wrinkling.alternation;
-    measures.wrinkle_amplitude = wrinkling.amplitude;
+    if (const auto wrinkling =
+            measure_wrinkling(mesh, mechanical_scene(settings), imposed_strain(settings),
+                              solution.displacements)) {
+      measures.wrinkle_alternation = wrinkling->alternation;
+      measures.wrinkle_amplitude = wrinkling->amplitude;
+      wrinkled = is_wrinkled(*wrinkling);
+    }
     inverted = *measures.corner_jacobian_ratio_min < 0;
-    wrinkled = is_wrinkled(wrinkling);
     if (!all_finite(measures)) {
       measures = {};
       solved = SolveStatus::not_converged;
@@ -265,7 +263,7 @@ std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStor
     std::vector<const CaseResult*> runs;
     for (const std::size_t place : answers[i].reference)
       runs.push_back(&simulations[place].result);
-    if (const auto reference = reference_field(requests[i], runs, meshes);
+    if (const auto reference = reference_solution(requests[i], runs, meshes);
         reference && result.measures.volume_error)
       measure_deviation(result.measures, requests[i].settings, mesh, result.solution,
                         *reference);

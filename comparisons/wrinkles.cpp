@@ -60,8 +60,10 @@ Wrinkling zigzag(const Mesh& mesh, const Region& region, Eigen::Index axis, doub
 
 }  // namespace
 
-Wrinkling measure_wrinkling(const Mesh& mesh, const Scene& scene, double strain,
-                            std::span<const Vector3> displacements) {
+std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
+                                           double strain,
+                                           std::span<const Vector3> displacements) {
+  if (scene.boundary_gradient) return std::nullopt;
   Wrinkling worst{.alternation = -1, .amplitude = 0};
   for (const auto& [name, region] : mesh.regions()) {
     if (std::ranges::any_of(scene.plates,
@@ -89,8 +91,17 @@ double imposed_strain(const CaseSettings& settings) {
     case Test::tension:
     case Test::shearing:
       return *settings.deformation;
+    case Test::uniaxial:
+      return std::abs(*settings.deformation);
     case Test::torsion:
       return std::abs(*settings.deformation) * std::min(size_x, size_y) / 2 / length;
+    case Test::traction: {
+      const Vector3 t = settings.traction.cwiseAbs();
+      return (t.z() + 6 * length * (t.x() / size_x + t.y() / size_y)) /
+             settings.material.young_modulus;
+    }
+    case Test::affine:
+      return settings.gradient.norm();
     case Test::bending:
       break;
   }

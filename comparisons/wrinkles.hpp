@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "comparisons/case.hpp"
@@ -14,11 +15,14 @@ struct Wrinkling {
 };
 
 /// d2 are the second differences of the displacement normal to the face along its grid
-/// lines; every boundary region that no plate holds is a free face. `strain` is the
-/// largest strain the test imposes, see imposed_strain.
+/// lines. Every region is a free face but those on plates, glued or sliding: both hold
+/// the normal displacement. None where a boundary gradient holds all faces; what zigzags
+/// inside then shows in affine_deviation_relative. `strain` is the largest strain the
+/// test imposes, see imposed_strain.
 /// Valid for regions of quadrilaterals whose inner nodes have four neighbours.
-Wrinkling measure_wrinkling(const Mesh& mesh, const Scene& scene, double strain,
-                            std::span<const Vector3> displacements);
+std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
+                                           double strain,
+                                           std::span<const Vector3> displacements);
 
 /// Alternation above 1/2 and amplitude above .02: between the smooth (<= -.08) and the
 /// wrinkled (>= .79) states of an independent prototype.
@@ -26,7 +30,8 @@ bool is_wrinkled(const Wrinkling& wrinkling);
 
 /// Largest strain a test imposes on its faces [-]: the deformation itself; in torsion
 /// angle * half width / height; in bending that of Euler-Bernoulli's outer fibre at the
-/// clamp, (h/2) w L^2 / (2 E I).
+/// clamp, (h/2) w L^2 / (2 E I); in traction t the same of a beam with that end load,
+/// (|t_z| + 6 L (|t_x|/size_x + |t_y|/size_y)) / E; in affine the gradient's norm.
 double imposed_strain(const CaseSettings& settings);
 
 }  // namespace springcheck

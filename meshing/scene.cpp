@@ -32,7 +32,7 @@ Solution refused(const std::string& reason) {
 
 namespace {
 
-/// "region 'top'", "a pin", "the boundary gradient".
+/// "plate 'top'", "a pin", "the boundary gradient".
 std::string holder(const Scene& scene, const PrescribedComponent& prescribed) {
   if (prescribed.plate) return "plate '" + scene.plates[*prescribed.plate].region + "'";
   return scene.boundary_gradient ? "the boundary gradient" : "a pin";
@@ -88,6 +88,14 @@ double prescribed_displacement(const Mesh& mesh, const Scene& scene,
   if (scene.boundary_gradient)
     return load_fraction * scene.boundary_gradient->row(prescribed.component).dot(point);
   return 0;
+}
+
+std::vector<bool> free_components(const Mesh& mesh,
+                                  const std::vector<PrescribedComponent>& prescribed) {
+  std::vector<bool> is_free(3 * mesh.nodes().size(), true);
+  for (const auto& [node, component, plate] : prescribed)
+    is_free[3 * std::size_t{node} + component] = false;
+  return is_free;
 }
 
 }  // namespace springcheck

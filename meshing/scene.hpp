@@ -91,7 +91,7 @@ struct Solution {
   std::string reason;  // why; with ok, what was passed on the way
   // [m] of the last state reached; empty when refused:
   std::vector<Vector3> displacements;
-  // [N] what the plates apply to the body, 0 on free nodes:
+  // [N] what the supports apply to the body, 0 in free components; loads are not in it:
   std::vector<Vector3> reactions;
   LeverArms lever_arms;
   double strain_energy;   // [J]
@@ -127,5 +127,9 @@ std::vector<PrescribedComponent> prescribed_components(const Mesh& mesh,
 double prescribed_displacement(const Mesh& mesh, const Scene& scene,
                                const PrescribedComponent& prescribed,
                                double load_fraction);
+
+/// Of each component of each node, 3 node + component, whether nothing prescribes it.
+std::vector<bool> free_components(const Mesh& mesh,
+                                  const std::vector<PrescribedComponent>& prescribed);
 
 }  // namespace springcheck

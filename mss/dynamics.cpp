@@ -16,14 +16,13 @@ constexpr double safety = 0.9;  // of the stability limit, for time_step = none
 constexpr int steps_between_checks = 100;
 constexpr double lost = 100;  // body sizes
 
-/// Forces on every node: springs, correction, dashpots and `gravity` [m/s^2].
-void total_forces(const Network& network, double damping_ratio, const Vector3& gravity,
-                  const std::vector<Vector3>& x, const std::vector<Vector3>& v,
-                  std::vector<Vector3>& forces) {
+/// Forces on every node: springs, correction, dashpots and the fraction of the load.
+void total_forces(const Network& network, double damping_ratio, double load_fraction,
+                  const std::vector<Vector3>& load, const std::vector<Vector3>& x,
+                  const std::vector<Vector3>& v, std::vector<Vector3>& forces) {
   nodal_forces(network, x, forces);
   if (damping_ratio > 0) add_dashpot_forces(network, damping_ratio, x, v, forces);
-  if (!gravity.isZero(0))
-    for (std::size_t n = 0; n < x.size(); ++n) forces[n] += network.masses[n] * gravity;
+  for (std::size_t n = 0; n < x.size(); ++n) forces[n] += load_fraction * load[n];
 }
 
 double body_size(const std::vector<Vector3>& nodes) {
@@ -39,9 +38,9 @@ double body_size(const std::vector<Vector3>& nodes) {
 
 Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& network,
                       const DynamicsSettings& settings) {
-  const auto prescribed = prescribed_nodes(mesh, scene);
-  std::vector<bool> is_free(mesh.nodes().size(), true);
-  for (const auto& [node, plate] : prescribed) is_free[node] = false;
+  const auto prescribed = prescribed_components(mesh, scene);
+  const std::vector<bool> is_free = free_components(mesh, prescribed);
+  const std::vector<Vector3> load = load_forces(mesh, scene, network);
 
   const double limit = largest_stable_step(network, settings.damping_ratio, is_free);
   const double wanted = settings.time_step.value_or(safety * limit);
@@ -83,21 +82,21 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
       .dt = dt,
       .dt_limit = std::isfinite(limit) ? std::optional(limit) : std::nullopt};
   for (int step = 1; step <= steps; ++step) {
-    const double load = static_cast<double>(step) / steps;
-    total_forces(network, settings.damping_ratio, load * scene.gravity, x, v, forces);
-    for (std::size_t n = 0; n < x.size(); ++n)
-      if (is_free[n]) {
-        v[n] += dt / network.masses[n] * forces[n];
-        x[n] += dt * v[n];
-      }
-    for (const auto& [node, plate] : prescribed) {
-      const Vector3& rest = mesh.nodes()[node];
-      const Vector3 next = rest + displacement(scene.plates[plate].motion, rest, load);
-      v[node] = (next - x[node]) / dt;
-      x[node] = next;
+    const double fraction = static_cast<double>(step) / steps;
+    total_forces(network, settings.damping_ratio, fraction, load, x, v, forces);
+    for (const PrescribedComponent& held : prescribed) {
+      const auto& [node, i, plate] = held;
+      const double next =
+          mesh.nodes()[node][i] + prescribed_displacement(mesh, scene, held, fraction);
+      v[node][i] = (next - x[node][i]) / dt;
+      forces[node][i] = 0;
+    }
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      v[n] += dt / network.masses[n] * forces[n];
+      x[n] += dt * v[n];
     }
     solution.steps = step;
-    solution.load_fraction = load;
+    solution.load_fraction = fraction;
     if ((step % steps_between_checks == 0 || step == steps) && escaped()) {
       solution.status = SolveStatus::diverged;
       solution.reason = fmt::format(
@@ -107,12 +106,13 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
       break;
     }
   }
-  total_forces(network, settings.damping_ratio, solution.load_fraction * scene.gravity, x,
-               v, forces);
+  total_forces(network, settings.damping_ratio, solution.load_fraction, load, x, v,
+               forces);
   solution.force_evaluations = solution.steps + 1;
   solution.strain_energy = strain_energy(network, x);
   solution.reactions.assign(x.size(), Vector3::Zero());
-  for (const auto& [node, plate] : prescribed) solution.reactions[node] = -forces[node];
+  for (const auto& [node, i, plate] : prescribed)
+    solution.reactions[node][i] = -forces[node][i];
   for (std::size_t n = 0; n < x.size(); ++n)
     solution.displacements.push_back(x[n] - mesh.nodes()[n]);
   return solution;

@@ -18,7 +18,8 @@ struct DynamicsSettings {
 ///
 ///     v += dt/m f(x, v)     x += dt v
 ///
-/// with f of springs, volume correction, dashpots and gravity (growing with the load).
+/// with f of springs, volume correction, dashpots, gravity and tractions (these two
+/// growing with the load fraction).
 /// The step is shortened so that a whole number of them fills the duration. A step above
 /// largest_stable_step is refused unless forced; positions that are no longer finite,
 /// or a hundred body sizes away, end the run as diverged with the step's number.

@@ -26,6 +26,7 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
   int steps = 0;
   SolveStatus status = SolveStatus::ok;
   std::string reason;
+  std::optional<double> definite_up_to;
 
   bool definite = landscape.factor(x);
   if (!definite) landscape.factor_clamped();
@@ -50,6 +51,7 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
                   minimum.found ? (minimum.definite ? "minimum" : "saddle") : "none",
                   minimum.residual);
     if (minimum.found) {
+      if (!minimum.definite && !definite_up_to) definite_up_to = reached;
       x = std::move(minimum.positions);
       definite = minimum.definite;
       reached = to;
@@ -61,6 +63,7 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
     if (step < smallest_load_step) {
       status =
           minimum.ran_away ? SolveStatus::no_equilibrium : SolveStatus::not_converged;
+      if (minimum.ran_away && !definite_up_to) definite_up_to = reached;
       reason = fmt::format(
           "{} beyond {:.2f} % of the load: the next step of {:.2g} % ends with {}",
           minimum.ran_away ? "no equilibrium found" : "not converged", 100 * reached,
@@ -73,7 +76,10 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
   }
   if (status == SolveStatus::ok && !definite) {
     status = SolveStatus::indefinite;
-    reason = "the tangent is not positive definite and no direction lowers the energy";
+    reason = fmt::format(
+        "the tangent is not positive definite beyond {:.2f} % of the load, and no "
+        "direction lowers the energy",
+        100 * definite_up_to.value());
   }
 
   landscape.set_load(reached);
@@ -86,11 +92,12 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
                     .strain_energy = strain_energy(network, x),
                     .load_fraction = reached,
                     .steps = steps,
-                    .force_evaluations = landscape.evaluations()};
+                    .force_evaluations = landscape.evaluations(),
+                    .definite_up_to = definite_up_to};
   for (std::size_t n = 0; n < x.size(); ++n)
     solution.displacements.push_back(x[n] - mesh.nodes()[n]);
-  for (const auto& [node, plate] : landscape.prescribed())
-    solution.reactions[node] = -forces[node];
+  for (const auto& [node, i, plate] : landscape.prescribed())
+    solution.reactions[node][i] = -forces[node][i];
   return solution;
 }
 

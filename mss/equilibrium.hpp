@@ -15,7 +15,8 @@ namespace springcheck::mss {
 /// direction of most negative curvature (`seed` starts its inverse iteration, and so
 /// decides between equal directions). A step that finds no minimum is halved, down to
 /// 1/1024 of the load; then the status is no_equilibrium if the energy fell without end,
-/// and not_converged otherwise.
+/// and not_converged otherwise. The solution's definite_up_to is about the states that
+/// the path keeps: a saddle that it left for a minimum, wrinkled perhaps, does not count.
 ///
 /// Converged: residual below 1e-10 of the norm of the nodal forces, or below what the
 /// rounding of the positions does to them.

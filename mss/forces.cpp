@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meshing/traction.hpp"
 #include "mss/cell.hpp"
 
 namespace springcheck::mss {
@@ -43,6 +44,14 @@ void nodal_forces(const Network& network, std::span<const Vector3> positions,
     for (std::size_t i = 0; i < 8; ++i)
       forces[cell.nodes[i]] -= pressure * gradient.col(static_cast<Eigen::Index>(i));
   }
+}
+
+std::vector<Vector3> load_forces(const Mesh& mesh, const Scene& scene,
+                                 const Network& network) {
+  std::vector<Vector3> forces = traction_forces(mesh, scene);
+  for (std::size_t n = 0; n < forces.size(); ++n)
+    forces[n] += network.masses[n] * scene.gravity;
+  return forces;
 }
 
 double dashpot_constant(const Network& network, const Spring& spring,

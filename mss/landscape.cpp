@@ -13,20 +13,15 @@ namespace {
 
 constexpr int inverse_iterations = 12;
 
-std::vector<bool> free_nodes(const Mesh& mesh,
-                             const std::vector<PrescribedNode>& prescribed) {
-  std::vector<bool> is_free(mesh.nodes().size(), true);
-  for (const auto& [node, plate] : prescribed) is_free[node] = false;
-  return is_free;
-}
-
 }  // namespace
 
 Landscape::Landscape(const Mesh& mesh, const Scene& scene, const Network& network)
-    : scene_(scene),
+    : mesh_(mesh),
+      scene_(scene),
       network_(network),
-      prescribed_(prescribed_nodes(mesh, scene)),
-      assembly_(network, free_nodes(mesh, prescribed_)),
+      prescribed_(prescribed_components(mesh, scene)),
+      load_(load_forces(mesh, scene, network)),
+      assembly_(network, free_components(mesh, prescribed_)),
       cell_edge_(std::cbrt(mesh.volume() / static_cast<double>(mesh.hexahedra().size()))),
       stiffness_(assembly_.assemble(cell_tangents(network, network.rest_positions))
                      .diagonal()
@@ -38,16 +33,14 @@ Landscape::Landscape(const Mesh& mesh, const Scene& scene, const Network& networ
 double Landscape::energy(const Positions& x) const {
   double total = strain_energy(network_, x);
   for (std::size_t n = 0; n < x.size(); ++n)
-    total -= load_fraction_ * network_.masses[n] *
-             scene_.gravity.dot(x[n] - network_.rest_positions[n]);
+    total -= load_fraction_ * load_[n].dot(x[n] - network_.rest_positions[n]);
   return total;
 }
 
 const std::vector<Vector3>& Landscape::forces(const Positions& x) {
   nodal_forces(network_, x, forces_);
   ++evaluations_;
-  for (std::size_t n = 0; n < x.size(); ++n)
-    forces_[n] += load_fraction_ * network_.masses[n] * scene_.gravity;
+  for (std::size_t n = 0; n < x.size(); ++n) forces_[n] += load_fraction_ * load_[n];
   return forces_;
 }
 
@@ -64,17 +57,28 @@ double Landscape::energy_round_off(const Positions& x, double energy) const {
 
 Eigen::VectorXd Landscape::on_free(const std::vector<Vector3>& all) const {
   Eigen::VectorXd values(assembly_.size());
-  for (NodeIndex n = 0; n < all.size(); ++n)
-    if (is_free(n)) values.segment<3>(assembly_.unknown(n)) = all[n];
+  for_each_free([&](NodeIndex n, int i, Eigen::Index unknown) {  //
+    values[unknown] = all[n][i];
+  });
   return values;
 }
 
 Positions Landscape::moved(const Positions& x, const Eigen::VectorXd& by,
                            double factor) const {
   Positions y = x;
-  for (NodeIndex n = 0; n < x.size(); ++n)
-    if (is_free(n)) y[n] += factor * by.segment<3>(assembly_.unknown(n));
+  for_each_free(
+      [&](NodeIndex n, int i, Eigen::Index unknown) { y[n][i] += factor * by[unknown]; });
   return y;
+}
+
+double Landscape::longest_move(const Eigen::VectorXd& step) const {
+  std::vector<Vector3> moves(forces_.size(), Vector3::Zero());
+  for_each_free([&](NodeIndex n, int i, Eigen::Index unknown) {  //
+    moves[n][i] = step[unknown];
+  });
+  double longest = 0;
+  for (const Vector3& move : moves) longest = std::max(longest, move.norm());
+  return longest;
 }
 
 bool Landscape::factor(const Positions& x) {
@@ -104,10 +108,10 @@ Eigen::VectorXd Landscape::solve(const Eigen::VectorXd& right) {
 
 Positions Landscape::predicted(const Positions& x, double to) {
   std::vector<Vector3> increment(x.size(), Vector3::Zero());
-  for (const auto& [node, plate] : prescribed_) {
-    const Vector3& rest = network_.rest_positions[node];
-    increment[node] =
-        rest + displacement(scene_.plates[plate].motion, rest, to) - x[node];
+  for (const PrescribedComponent& held : prescribed_) {
+    const auto& [node, i, plate] = held;
+    increment[node][i] = mesh_.nodes()[node][i] +
+                         prescribed_displacement(mesh_, scene_, held, to) - x[node][i];
   }
   std::vector<Vector3> push(x.size(), Vector3::Zero());
   for (std::size_t c = 0; c < network_.cells.size(); ++c) {
@@ -120,10 +124,9 @@ Positions Landscape::predicted(const Positions& x, double to) {
     for (std::size_t i = 0; i < 8; ++i)
       push[nodes[i]] -= answer.segment<3>(static_cast<Eigen::Index>(3 * i));
   }
-  for (NodeIndex n = 0; n < x.size(); ++n)
-    push[n] += (to - load_fraction_) * network_.masses[n] * scene_.gravity;
+  for (std::size_t n = 0; n < x.size(); ++n) push[n] += (to - load_fraction_) * load_[n];
   Positions y = moved(x, solve(on_free(push)), 1);
-  for (const auto& [node, plate] : prescribed_) y[node] = x[node] + increment[node];
+  for (const auto& [node, i, plate] : prescribed_) y[node][i] += increment[node][i];
   return y;
 }
 

@@ -21,16 +21,12 @@ double norm(const std::vector<Vector3>& vectors) {
   return std::sqrt(sum);
 }
 
-double longest_move(const Eigen::VectorXd& step) {
-  return std::sqrt(step.reshaped(3, step.size() / 3).colwise().squaredNorm().maxCoeff());
-}
-
 /// Moves x along the direction of negative curvature, doubling the step while the energy
 /// falls. False when it falls nowhere: the curvature is zero to round-off.
 bool leave_saddle(Landscape& landscape, Positions& x, double& energy,
                   const Eigen::VectorXd& downhill, std::mt19937_64& random) {
   Eigen::VectorXd direction = landscape.negative_curvature(downhill, random);
-  direction *= landscape.cell_edge() / longest_move(direction);
+  direction *= landscape.cell_edge() / landscape.longest_move(direction);
   bool fell = false;
   for (double step = first_escape; step <= largest_move; step *= 2) {
     Positions trial = landscape.moved(x, direction, step);
@@ -79,8 +75,8 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
     }
     if (!minimum.definite) landscape.factor_clamped();
     Eigen::VectorXd direction = landscape.solve(downhill);
-    direction *=
-        std::min(1., largest_move * landscape.cell_edge() / longest_move(direction));
+    direction *= std::min(
+        1., largest_move * landscape.cell_edge() / landscape.longest_move(direction));
     const double slope = downhill.dot(direction);
     // Energy differences below round-off cannot be judged; the residual then decides.
     const double round_off = landscape.energy_round_off(now, energy);

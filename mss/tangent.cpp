@@ -77,22 +77,18 @@ void clamp_to_positive(std::vector<CellMatrix>& matrices) {
 FreeAssembly::FreeAssembly(const Network& network, const std::vector<bool>& is_free)
     : unknowns_(is_free.size(), -1) {
   Eigen::Index count = 0;
-  for (std::size_t n = 0; n < is_free.size(); ++n)
-    if (is_free[n]) {
-      unknowns_[n] = count;
-      count += 3;
-    }
+  for (std::size_t i = 0; i < is_free.size(); ++i)
+    if (is_free[i]) unknowns_[i] = count++;
 
   std::vector<Eigen::Triplet<double>> entries;
   const auto for_each_entry = [&](const Cell& cell, auto&& visit) {
     for (std::size_t i = 0; i < 8; ++i)
       for (std::size_t j = 0; j < 8; ++j)
-        for (Eigen::Index r = 0; r < 3; ++r)
-          for (Eigen::Index s = 0; s < 3; ++s) {
-            const Eigen::Index row = unknowns_[cell.nodes[i]],
-                               column = unknowns_[cell.nodes[j]];
-            const bool kept = row >= 0 && column >= 0 && row + r >= column + s;
-            visit(row + r, column + s, kept);
+        for (int r = 0; r < 3; ++r)
+          for (int s = 0; s < 3; ++s) {
+            const Eigen::Index row = unknown(cell.nodes[i], r),
+                               column = unknown(cell.nodes[j], s);
+            visit(row, column, column >= 0 && row >= column);
           }
   };
   for (const Cell& cell : network.cells)

@@ -26,17 +26,19 @@ std::vector<CellMatrix> cell_tangents(const Network& network,
 /// matrices give a descent direction even where the true tangent is indefinite.
 void clamp_to_positive(std::vector<CellMatrix>& matrices);
 
-/// Puts cell matrices together over the free nodes: lower triangle of a sparse matrix
-/// whose pattern is laid out once.
+/// Puts cell matrices together over the free components: lower triangle of a sparse
+/// matrix whose pattern is laid out once.
 class FreeAssembly {
  public:
-  /// is_free: one entry per node.
+  /// is_free: one entry per component, 3 node + component.
   FreeAssembly(const Network& network, const std::vector<bool>& is_free);
 
   [[nodiscard]] Eigen::Index size() const { return matrix_.rows(); }
 
-  /// First unknown of a free node, -1 for a prescribed one.
-  [[nodiscard]] Eigen::Index unknown(NodeIndex node) const { return unknowns_[node]; }
+  /// The unknown of a free component, -1 for a prescribed one. Ascending with them.
+  [[nodiscard]] Eigen::Index unknown(NodeIndex node, int component) const {
+    return unknowns_[3 * std::size_t{node} + static_cast<std::size_t>(component)];
+  }
 
   [[nodiscard]] const Eigen::SparseMatrix<double>& assemble(
       const std::vector<CellMatrix>& matrices);

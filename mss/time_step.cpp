@@ -15,14 +15,16 @@ namespace {
 
 using Field = Eigen::Matrix3Xd;  // a vector per node
 
-/// v -> M^-1/2 (2 dt C + dt^2 K) M^-1/2 v at rest, on the free nodes.
+/// v -> M^-1/2 (2 dt C + dt^2 K) M^-1/2 v at rest, on the free components.
 class StepOperator {
  public:
   StepOperator(const Network& network, double damping_ratio,
                const std::vector<bool>& is_free)
-      : network_(network) {
-    for (std::size_t n = 0; n < is_free.size(); ++n)
-      inverse_root_mass_.push_back(is_free[n] ? 1 / std::sqrt(network.masses[n]) : 0);
+      : network_(network),
+        inverse_root_mass_(3, static_cast<Eigen::Index>(network.masses.size())) {
+    for (std::size_t i = 0; i < is_free.size(); ++i)
+      inverse_root_mass_.reshaped()[static_cast<Eigen::Index>(i)] =
+          is_free[i] ? 1 / std::sqrt(network.masses[i / 3]) : 0;
     for (const Spring& spring : network.springs) {
       axes_.push_back(
           (network.rest_positions[spring.b] - network.rest_positions[spring.a])
@@ -37,19 +39,16 @@ class StepOperator {
 
   [[nodiscard]] Field start() const {
     std::mt19937_64 random(1);  // any vector not orthogonal to the answer
-    Field v(3, static_cast<Eigen::Index>(inverse_root_mass_.size()));
+    Field v = Field::Zero(3, inverse_root_mass_.cols());
     for (Eigen::Index n = 0; n < v.cols(); ++n)
       for (Eigen::Index i = 0; i < 3; ++i)
-        v(i, n) = inverse_root_mass_[static_cast<std::size_t>(n)] == 0
-                      ? 0
-                      : static_cast<double>(random() >> 11U) * 0x1p-52 - 1;
+        if (inverse_root_mass_(i, n) != 0)
+          v(i, n) = static_cast<double>(random() >> 11U) * 0x1p-52 - 1;
     return v / v.norm();
   }
 
   [[nodiscard]] Field apply(const Field& v, double dt) const {
-    const Eigen::Map<const Eigen::RowVectorXd> scale(
-        inverse_root_mass_.data(), static_cast<Eigen::Index>(inverse_root_mass_.size()));
-    const Field u = v.array().rowwise() * scale.array();
+    const Field u = v.cwiseProduct(inverse_root_mass_);
     Field force = Field::Zero(3, v.cols());
     for (std::size_t s = 0; s < axes_.size(); ++s) {
       const Spring& spring = network_.springs[s];
@@ -71,12 +70,12 @@ class StepOperator {
         force.col(cell.nodes[i]) +=
             pressure * gradients_[c].col(static_cast<Eigen::Index>(i));
     }
-    return force.array().rowwise() * scale.array();
+    return force.cwiseProduct(inverse_root_mass_);
   }
 
  private:
   const Network& network_;
-  std::vector<double> inverse_root_mass_;  // 0 on prescribed nodes
+  Field inverse_root_mass_;  // 0 in prescribed components
   std::vector<Vector3> axes_;
   std::vector<double> dashpots_;
   std::vector<Eigen::Matrix<double, 3, 8>> gradients_;

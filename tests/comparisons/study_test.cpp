@@ -134,9 +134,8 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
       return [&](const char*, const auto& value) {
         if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Measures::Value>)
           into.push_back(value.value_or(-1e300));
-        else
-          into.insert(into.end(),
-                      {value ? value->x() : -1e300, value ? value->z() : -1e300});
+        else if (value)
+          into.insert(into.end(), value->data(), value->data() + value->size());
       };
     };
     for_each_measure(result.measures, collect(before));

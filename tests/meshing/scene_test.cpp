@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE scene
 #include "meshing/scene.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
@@ -26,7 +27,7 @@ Scene scene_with_plates(const std::vector<std::string>& regions) {
               .plates = {},
               .gravity = Vector3::Zero()};
   for (const std::string& region : regions)
-    scene.plates.push_back({.region = region, .motion = screw});
+    scene.plates.push_back({.region = region, .motion = screw, .held = all_components});
   return scene;
 }
 
@@ -67,35 +68,76 @@ BOOST_AUTO_TEST_CASE(rotation_is_right_handed_about_any_axis) {
   check_close(displacement(motion, {1, 2, 0}, 1), Vector3(0, -1, 1));
 }
 
-BOOST_AUTO_TEST_CASE(prescribed_nodes_are_the_plates_nodes_in_ascending_order) {
-  const Mesh mesh = generate_block({.size = {1, 1, 1}, .cells = {1, 1, 2}});
-  const auto prescribed = prescribed_nodes(mesh, scene_with_plates({"top", "bottom"}));
-  std::vector<NodeIndex> nodes;
-  std::vector<std::size_t> plates;
-  for (const auto& [node, plate] : prescribed) {
-    nodes.push_back(node);
-    plates.push_back(plate);
+BOOST_AUTO_TEST_CASE(prescribed_components_ascend_by_node_and_component) {
+  const Mesh mesh = generate_block({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+  Scene scene = scene_with_plates({"top"});
+  scene.plates.push_back(
+      {.region = "bottom", .motion = screw, .held = {false, false, true}});
+  scene.pins = {{.point = {0.9, 0.1, 0.2}, .held = {true, false, false}}};  // node 1
+  std::vector<std::array<std::size_t, 2>> held;
+  std::vector<int> plates;
+  for (const auto& [node, component, plate] : prescribed_components(mesh, scene)) {
+    held.push_back({node, component});
+    plates.push_back(plate ? static_cast<int>(*plate) : -1);
   }
-  BOOST_TEST(nodes == (std::vector<NodeIndex>{0, 1, 2, 3, 8, 9, 10, 11}),
+  const std::vector<std::array<std::size_t, 2>> expected{
+      {0, 2}, {1, 0}, {1, 2}, {2, 2}, {3, 2}, {4, 0}, {4, 1}, {4, 2}, {5, 0},
+      {5, 1}, {5, 2}, {6, 0}, {6, 1}, {6, 2}, {7, 0}, {7, 1}, {7, 2}};
+  BOOST_TEST((held == expected));
+  BOOST_TEST(plates == (std::vector{1, -1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}),
              boost::test_tools::per_element());
-  BOOST_TEST(plates == (std::vector<std::size_t>{1, 1, 1, 1, 0, 0, 0, 0}),
-             boost::test_tools::per_element());
+
+  const std::vector<bool> is_free =
+      free_components(mesh, prescribed_components(mesh, scene));
+  BOOST_TEST(is_free.size() == 24U);
+  for (const auto& [node, component] : expected)
+    BOOST_TEST(!is_free[3 * node + component]);
+  BOOST_TEST(std::ranges::count(is_free, true) == 24 - 17);
 }
 
-BOOST_AUTO_TEST_CASE(two_plates_at_one_node_are_refused) {
+// Sums and products of binary fractions: exact.
+BOOST_AUTO_TEST_CASE(prescribed_displacements_follow_their_plate_pin_or_gradient) {
+  const Mesh mesh = generate_block({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+  Scene scene = scene_with_plates({"top"});
+  scene.pins = {{.point = {0, 0, 0}, .held = {false, true, false}}};
+  for (const PrescribedComponent& held : prescribed_components(mesh, scene)) {
+    const double expected =
+        held.plate ? displacement(screw, mesh.nodes()[held.node], 0.5)[held.component]
+                   : 0;
+    BOOST_TEST(prescribed_displacement(mesh, scene, held, 0.5) == expected);
+  }
+  Scene affine = scene_with_plates({});
+  Eigen::Matrix3d H;
+  H << 1, 2, 3, 4, 5, 6, 7, 8, 9;
+  affine.boundary_gradient = H;
+  const auto all = prescribed_components(mesh, affine);
+  BOOST_TEST(all.size() == 24U);  // every node is on the boundary
+  for (const PrescribedComponent& held : all)
+    BOOST_TEST(prescribed_displacement(mesh, affine, held, 0.5) ==
+               0.5 * (H * mesh.nodes()[held.node])[held.component]);
+}
+
+BOOST_AUTO_TEST_CASE(component_prescribed_twice_is_refused) {
   const Mesh mesh = generate_block({.size = {1, 1, 1}, .cells = {1, 1, 1}});
   BOOST_CHECK_EXCEPTION(
-      prescribed_nodes(mesh, scene_with_plates({"bottom", "x_max"})), InputError,
+      prescribed_components(mesh, scene_with_plates({"bottom", "x_max"})), InputError,
       [](const InputError& error) {
-        BOOST_TEST(
-            error.what() ==
-            std::string("block 1 x 1 x 1 m in 1 x 1 x 1 cells: node 1: expected at "
-                        "most one plate, got two ('bottom' and 'x_max')"));
+        BOOST_TEST(error.what() ==
+                   std::string("block 1 x 1 x 1 m in 1 x 1 x 1 cells: node 1, component "
+                               "0: expected prescribed at most once, got twice: by plate "
+                               "'bottom' and plate 'x_max'"));
         return true;
       });
+  // Plates that slide on each other at an edge hold different components.
+  Scene sliding = scene_with_plates({"bottom", "x_max"});
+  sliding.plates[0].held = {false, false, true};
+  sliding.plates[1].held = {true, false, false};
+  BOOST_CHECK_NO_THROW(prescribed_components(mesh, sliding));
+  sliding.pins = {{.point = {0, 0, 0}, .held = {false, false, true}}};
+  BOOST_CHECK_THROW(prescribed_components(mesh, sliding), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(plate_on_an_unknown_region_is_refused) {
   const Mesh mesh = generate_block({.size = {1, 1, 1}, .cells = {1, 1, 1}});
-  BOOST_CHECK_THROW(prescribed_nodes(mesh, scene_with_plates({"lid"})), InputError);
+  BOOST_CHECK_THROW(prescribed_components(mesh, scene_with_plates({"lid"})), InputError);
 }

@@ -40,10 +40,10 @@ BOOST_AUTO_TEST_CASE(block_without_plates_falls_freely) {
 BOOST_AUTO_TEST_CASE(slow_damped_dynamics_ends_near_the_equilibrium) {
   const Mesh mesh = cube(3, 0.005);
   const double way = 0.05 * 0.015;
-  const Scene scene{
-      .material = tissue,
-      .plates = {{"bottom", translation({0, 0, 0})}, {"top", translation({0, 0, -way})}},
-      .gravity = Vector3::Zero()};
+  const Scene scene{.material = tissue,
+                    .plates = {{"bottom", translation({0, 0, 0}), all_components},
+                               {"top", translation({0, 0, -way}), all_components}},
+                    .gravity = Vector3::Zero()};
   const Network network = build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
   const Solution rest = find_equilibrium(mesh, scene, network, 1);
   const auto lag = [&](double duration) {
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(slow_damped_dynamics_ends_near_the_equilibrium) {
 BOOST_AUTO_TEST_CASE(step_above_the_limit_is_refused_unless_forced) {
   const Mesh mesh = cube(2, 0.005);
   const Scene scene{.material = tissue,
-                    .plates = {{"bottom", translation(Vector3::Zero())}},
+                    .plates = {{"bottom", translation(Vector3::Zero()), all_components}},
                     .gravity = Vector3::Zero()};
   const Network network = build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
   DynamicsSettings settings{

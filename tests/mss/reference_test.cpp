@@ -37,7 +37,8 @@ Measured measured(const BlockSize& block, StiffnessForm form, double nu,
   const Mesh mesh = generate_block(block);
   const Scene scene{
       .material = {.young_modulus = 1e4, .poisson_ratio = nu, .density = 1000},
-      .plates = {{"bottom", translation(Vector3::Zero())}, {"top", upper}},
+      .plates = {{"bottom", translation(Vector3::Zero()), all_components},
+                 {"top", upper, all_components}},
       .gravity = Vector3::Zero()};
   const Settings settings{
       .network = {.method = Method::cf, .stiffness_form = form, .diagonal_ratio = 1},
@@ -150,7 +151,7 @@ double tip_drop(const Beam& beam, int cells_across) {
   const Scene scene{.material = {.young_modulus = beam.young_modulus,
                                  .poisson_ratio = 0.25,
                                  .density = 1000},
-                    .plates = {{"bottom", translation(Vector3::Zero())}},
+                    .plates = {{"bottom", translation(Vector3::Zero()), all_components}},
                     .gravity = {-10, 0, 0}};
   const Settings settings{.network = in_shear_modulus_form(beam.method),
                           .solver = Solver::static_equilibrium,

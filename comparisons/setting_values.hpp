@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/given.hpp"
+#include "comparisons/study.hpp"
+
+namespace springcheck {
+
+// One setting each, read from what the user gave. All throw InputError.
+
+Test test_of(const Given& given);
+std::vector<Method> methods_of(const Given& given);  // each once
+ElementName element_of(const Given& given);
+LatticeName lattice_of(const Given& given);
+std::vector<Status> expect_of(const Given& given);
+
+/// The method or element of this name, which stands in what was given.
+Method method_named(const Given& given, const std::string& name);
+ElementName element_named(const Given& given, const std::string& name);
+
+PlateContact plates_of(const Given& given);
+mss::StiffnessForm stiffness_form_of(const Given& given);
+mss::Solver solver_of(const Given& given);
+fem_reference::LinearSolver linear_solver_of(const Given& given);
+fem_reference::LatticeDirection lattice_direction_of(const Given& given);
+
+std::array<double, 3> size_of(const Given& given);
+std::array<int, 3> cells_of(const Given& given);
+double poisson_ratio_of(const Given& given);
+double not_negative_of(const Given& given);
+std::optional<double> time_step_of(const Given& given);  // none: auto
+unsigned seed_of(const Given& given);
+
+/// A strain or, in torsion, an angle: positive but in uniaxial, whose sign is free.
+double deformation_of(const Given& given, Test test);
+
+/// A vector other than zero; `unit` is for messages.
+Vector3 load_of(const Given& given, const char* unit);
+
+/// A traction [Pa], along z where the body slides on its plate.
+Vector3 traction_of(const Given& given, PlateContact plates);
+
+/// A displacement gradient H other than zero that turns nothing inside out on the way:
+/// I + s H is regular for s in [0, 1].
+Eigen::Matrix3d gradient_of(const Given& given);
+
+}  // namespace springcheck

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "meshing/scene.hpp"
+
+namespace springcheck {
+
+/// Undeformed area that each node of the mesh stands for in the region [m^2], 0 off it:
+///
+///     A_a = int N_a dA,   N_a the bilinear shape function of each face at node a
+///
+/// by 2 x 2 Gauss points: exact for plane faces, on warped ones dA is no polynomial.
+std::vector<double> nodal_areas(const Mesh& mesh, const Region& region);
+
+/// Consistent nodal forces of the scene's tractions at the full load [N], one per node:
+/// A_a times the force per undeformed area. Source: virtual work of a dead load.
+std::vector<Vector3> traction_forces(const Mesh& mesh, const Scene& scene);
+
+}  // namespace springcheck
