@@ -15,7 +15,7 @@
 #include "comparisons/scene_file.hpp"
 #include "comparisons/shipped.hpp"
 #include "comparisons/split_output.hpp"
-#include "comparisons/text_columns.hpp"
+#include "comparisons/text_table.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/mesh_files.hpp"
 #include "meshing/output_file.hpp"
@@ -35,18 +35,6 @@ RunSettings settings_of(const std::string& scene,
 std::string shown(const std::optional<double>& value, const char* format,
                   double factor = 1) {
   return value ? fmt::format(fmt::runtime(format), factor * *value) : "-";
-}
-
-/// Leaves out the columns that hold nothing but "-" below their heading.
-std::vector<std::vector<std::string>> without_empty_columns(
-    const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::vector<std::string>> kept(rows.size());
-  for (std::size_t i = 0; i < rows.front().size(); ++i) {
-    const auto is_empty = [&](const auto& row) { return row[i] == "-"; };
-    if (std::ranges::all_of(rows.begin() + 1, rows.end(), is_empty)) continue;
-    for (std::size_t r = 0; r < rows.size(); ++r) kept[r].push_back(rows[r][i]);
-  }
-  return kept;
 }
 
 /// The results as an aligned table, reasons and reference below it.
@@ -71,7 +59,7 @@ std::string text_of(const std::vector<CaseResult>& results) {
          shown(m.deviation_l2_relative, "{:.3f}", 100),
          fmt::format("{:.2f}", result.solve_wall_s)});
   }
-  std::string text = in_columns(without_empty_columns(std::move(rows)));
+  std::string text = in_columns(without_empty_columns(std::move(rows), "-"));
   for (const CaseResult& result : results)
     if (!result.reason.empty())
       text += fmt::format("{}: {}\n", label(result.request.settings), result.reason);
@@ -146,9 +134,9 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
   return as_expected ? ExitStatus::done : ExitStatus::unexpected_status;
 }
 
-ExitStatus table_command(const std::string& name,
-                         const std::optional<std::filesystem::path>& from,
+ExitStatus table_command(const std::string& name, const TableFiles& files,
                          const std::string& reference, TableFormat format, int parallel) {
+  const auto& [from, out] = files;
   std::map<std::string, StoredCase> stored;
   if (from) {
     stored = read_results(*from);
@@ -156,18 +144,25 @@ ExitStatus table_command(const std::string& name,
       spdlog::warn("{} was written by commit {}, this program is {}", from->string(),
                    commit, build_info::commit);
   }
+  if (out) check_results_writable(*out);
   std::optional<ReferenceMethod> chosen;
   if (!reference.empty())
     chosen = reference_named(Given::from_text("--reference", reference));
   MeshStore meshes;
-  const ComputedTables computed = compute_tables(
-      {name}, chosen, meshes, parallel,
-      [&](const Request& request, const std::string& key) -> std::optional<CaseResult> {
-        const auto found = stored.find(key);
-        if (found == stored.end()) return std::nullopt;
-        return with_stored(request, key, found->second);
-      });
-  fmt::print("{}", format_table(computed.tables.front(), format));
+  const auto known = [&](const Request& request,
+                         const std::string& key) -> std::optional<CaseResult> {
+    const auto found = stored.find(key);
+    if (found == stored.end()) return std::nullopt;
+    CaseResult result = with_stored(request, key, found->second);
+    read_fields(*from, meshes.mesh(request.settings.block), result);
+    return result;
+  };
+  const ComputedTables computed = compute_tables({name}, chosen, meshes, parallel, known);
+  if (out) write_results(*out, computed.results, meshes);
+  for (const Table& table : computed.tables)
+    fmt::print("{}", format_table(table, format));
+  for (const Sheet& sheet : computed.sheets)
+    fmt::print("{}", format_sheet(sheet, format));
   return ExitStatus::done;
 }
 

@@ -23,9 +23,13 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
                        const std::optional<std::filesystem::path>& result_file,
                        Output output, ErrorSplit error_split, int parallel);
 
-/// `springcheck table`: prints one table, with what `from` holds taken from there.
-ExitStatus table_command(const std::string& name,
-                         const std::optional<std::filesystem::path>& from,
+/// Result files of a table: what to take cases from, where to write all of them.
+struct TableFiles {
+  std::optional<std::filesystem::path> from, out;
+};
+
+/// `springcheck table`: prints one table.
+ExitStatus table_command(const std::string& name, const TableFiles& files,
                          const std::string& reference, TableFormat format, int parallel);
 
 /// `springcheck list`; an empty `what` lists everything.

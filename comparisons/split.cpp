@@ -40,11 +40,11 @@ std::vector<GridValue> on_grids(Runs runs, Of&& of) {
 }
 
 /// A scalar measure; changes below `noise` times its unit are the solvers'.
-ConvergedValue converged_measure(Runs runs, Measures::Value Measures::*measure,
+ConvergedValue converged_measure(Runs runs, const SplitMeasure& measure,
                                  const std::optional<double>& unit) {
   ConvergedValue value{
       .grids =
-          on_grids(runs, [&](const CaseResult& run) { return run.measures.*measure; }),
+          on_grids(runs, [&](const CaseResult& run) { return measure.of(run.measures); }),
       .value = {},
       .order = {},
       .bar = {}};
@@ -62,8 +62,7 @@ ConvergedValue converged_measure(Runs runs, Measures::Value Measures::*measure,
   return value;
 }
 
-ContinuumValue continuum_measure(Runs runs, Runs check,
-                                 Measures::Value Measures::*measure,
+ContinuumValue continuum_measure(Runs runs, Runs check, const SplitMeasure& measure,
                                  const std::optional<double>& unit) {
   ContinuumValue both{.converged = converged_measure(runs, measure, unit),
                       .check = converged_measure(check, measure, unit),
@@ -138,13 +137,13 @@ struct ContinuumRuns {
   Runs runs, check;
 };
 
-SplitQuantity split_measure(const std::string& name, Measures::Value Measures::*measure,
+SplitQuantity split_measure(const SplitMeasure& measure,
                             const std::optional<double>& unit, const CaseResult& springs,
                             const ContinuumRuns& cauchy_born,
                             const ContinuumRuns& reference) {
   SplitQuantity quantity{
-      .name = name,
-      .springs = springs.measures.*measure,
+      .name = measure.name,
+      .springs = measure.of(springs.measures),
       .cauchy_born =
           continuum_measure(cauchy_born.runs, cauchy_born.check, measure, unit),
       .reference = continuum_measure(reference.runs, reference.check, measure, unit),
@@ -194,6 +193,8 @@ SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
   CaseSettings lattice = springs;
   lattice.method = *find_method("fem-cauchy-born");
   lattice.element = *find_element("q1-sri");
+  lattice.lattice = *find_lattice(springs.method.name);
+  lattice.lattice_direction = fem_reference::LatticeDirection::d100;
   CaseSettings reference = lattice;
   reference.method = law;
   return {.springs = springs,
@@ -220,19 +221,28 @@ bool SplitQuantity::is_resolved() const {
   return springs && cauchy_born.is_resolved() && reference.is_resolved();
 }
 
-ForceMeasure force_measure(Test test) {
+std::optional<SplitMeasure> answer_to_load(Test test) {
   switch (test) {
     case Test::compression:
     case Test::tension:
-      return {"plate_force", &Measures::plate_force};
+    case Test::uniaxial:
+      return SplitMeasure{"plate_force", &Measures::plate_force};
     case Test::shearing:
-      return {"plate_force_norm", &Measures::plate_force_norm};
+      return SplitMeasure{"plate_force_norm", &Measures::plate_force_norm};
     case Test::torsion:
-      return {"plate_torque", &Measures::plate_torque};
+      return SplitMeasure{"plate_torque", &Measures::plate_torque};
     case Test::bending:
-      return {"tip_deflection", &Measures::tip_deflection};
+      return SplitMeasure{"tip_deflection", &Measures::tip_deflection};
+    case Test::traction:
+      return SplitMeasure{"face_displacement",
+                          [](const Measures& m) -> std::optional<double> {
+                            if (!m.face_displacement) return std::nullopt;
+                            return m.face_displacement->norm();
+                          }};
+    case Test::affine:
+      return std::nullopt;
   }
-  return {};
+  return std::nullopt;
 }
 
 Split split_error(const SplitPlan& plan, const CaseResult& springs,
@@ -241,11 +251,11 @@ Split split_error(const SplitPlan& plan, const CaseResult& springs,
   const ContinuumRuns cauchy_born{runs.subspan(0, 3), runs.subspan(3, 3)};
   const ContinuumRuns reference{runs.subspan(6, 3), runs.subspan(9, 3)};
   Split split{.plan = plan, .quantities = {}, .reasons = {}};
-  split.quantities.push_back(split_measure("volume_error", &Measures::volume_error, 1,
+  split.quantities.push_back(split_measure({"volume_error", &Measures::volume_error}, 1,
                                            springs, cauchy_born, reference));
-  const auto [name, measure] = force_measure(plan.springs.test);
-  split.quantities.push_back(
-      split_measure(name, measure, std::nullopt, springs, cauchy_born, reference));
+  if (const auto answer = answer_to_load(plan.springs.test))
+    split.quantities.push_back(
+        split_measure(*answer, std::nullopt, springs, cauchy_born, reference));
   split.quantities.push_back(split_field(springs, cauchy_born, reference, meshes));
   for (const CaseResult& run : runs)
     if (run.status != Status::ok)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -75,17 +76,20 @@ struct SplitQuantity {
 
 struct Split {
   SplitPlan plan;
-  std::vector<SplitQuantity> quantities;  // volume, force or its like, field
+  std::vector<SplitQuantity> quantities;  // volume, answer to the load, field
   std::vector<std::string> reasons;       // runs that are not "ok", in words
 };
 
-/// The measure that stands for the force: of the plate in compression and tension, its
-/// resultant in shearing, the torque in torsion, the tip's deflection in bending.
-struct ForceMeasure {
+/// A number that is split, by the name of its measure.
+struct SplitMeasure {
   std::string name;
-  Measures::Value Measures::*measure;
+  std::function<std::optional<double>(const Measures&)> of;
 };
-ForceMeasure force_measure(Test test);
+
+/// The answer to the load: the plate's force, in shearing its resultant, in torsion its
+/// torque; the tip's drop in bending, the length of the face's displacement in traction;
+/// none in affine, where the fields agree by construction.
+std::optional<SplitMeasure> answer_to_load(Test test);
 
 /// Splits the springs' error; `runs` are the results of split_requests, with fields.
 Split split_error(const SplitPlan& plan, const CaseResult& springs,

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "comparisons/text_columns.hpp"
+#include "comparisons/text_table.hpp"
 
 namespace springcheck {
 namespace {
@@ -63,6 +63,7 @@ ShownMeasure shown_measure(const std::string& measure) {
   if (measure == "plate_force_norm") return {"resultant", "N", 1};
   if (measure == "plate_torque") return {"torque", "N m", 1};
   if (measure == "tip_deflection") return {"tip drop", "m", 1};
+  if (measure == "face_displacement") return {"face displacement", "m", 1};
   if (measure == "mean_deviation") return {"mean deviation", "m", 1};
   return {measure, "", 1};
 }

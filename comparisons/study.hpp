@@ -87,8 +87,8 @@ using KnownResult = std::function<std::optional<CaseResult>(const Request& reque
 using Finished = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Runs every request that is not known and returns the results in the requests' order.
-/// Simulations that several requests share, references included, run once; `parallel` of
-/// them at a time.
+/// Simulations that several requests share, references included, run once, `parallel` of
+/// them at a time; those that are known with their fields do not run.
 std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStore& meshes,
                                   int parallel, const Finished& finished,
                                   const KnownResult& known = {});
