@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <span>
 
-#include "comparisons/beam_theory.hpp"
+#include "comparisons/beam_measures.hpp"
+#include "comparisons/displacement_norms.hpp"
 #include "meshing/hexahedron.hpp"
 #include "meshing/traction.hpp"
 
 namespace springcheck {
 namespace {
-
-constexpr double on_plane = 1e-9;  // of the block's height: coordinates are exact
 
 std::vector<Vector3> deformed(const Mesh& mesh, std::span<const Vector3> displacements) {
   std::vector<Vector3> positions = mesh.nodes();
@@ -66,19 +64,6 @@ void measure_plate(Measures& measures, const CaseSettings& settings, const Scene
     measures.plate_force = force.dot(plate.motion.translation.normalized());
 }
 
-/// int u dA/A over the face that the scene's traction loads [m].
-Vector3 loaded_face_displacement(const Mesh& mesh, const Scene& scene,
-                                 std::span<const Vector3> displacements) {
-  const auto areas = nodal_areas(mesh, mesh.region(scene.tractions.front().region));
-  Vector3 integral = Vector3::Zero();
-  double area = 0;
-  for (std::size_t n = 0; n < areas.size(); ++n) {
-    integral += areas[n] * displacements[n];
-    area += areas[n];
-  }
-  return integral / area;
-}
-
 void measure_traction(Measures& measures, const Scene& scene, const Mesh& mesh,
                       const Solution& solution) {
   if (scene.tractions.empty()) return;
@@ -89,52 +74,6 @@ void measure_traction(Measures& measures, const Scene& scene, const Mesh& mesh,
   measures.plate_force_norm = force.norm();
   measures.face_displacement =
       loaded_face_displacement(mesh, scene, solution.displacements);
-}
-
-/// Volume each node stands for: an eighth of each of its cells.
-std::vector<double> nodal_volumes(const Mesh& mesh) {
-  std::vector<double> volumes(mesh.nodes().size(), 0);
-  for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c)
-    for (const NodeIndex node : mesh.hexahedra()[c])
-      volumes[node] += mesh.cell_volumes()[c] / 8;
-  return volumes;
-}
-
-/// Volume-weighted root mean square, and largest, of a distance over the nodes with a
-/// free component; none without such nodes.
-struct FreeDistance {
-  double root_mean_square;
-  double largest;
-};
-std::optional<FreeDistance> over_free_nodes(
-    const Mesh& mesh, const Scene& scene,
-    const std::function<double(std::size_t)>& distance) {
-  const std::vector<bool> is_free =
-      free_components(mesh, prescribed_components(mesh, scene));
-  const std::vector<double> weights = nodal_volumes(mesh);
-  double square_sum = 0, weight = 0, largest = 0;
-  for (std::size_t n = 0; n < weights.size(); ++n) {
-    if (!is_free[3 * n] && !is_free[3 * n + 1] && !is_free[3 * n + 2]) continue;
-    const double d = distance(n);
-    square_sum += weights[n] * d * d;
-    weight += weights[n];
-    largest = std::max(largest, d);
-  }
-  if (weight == 0) return std::nullopt;
-  return FreeDistance{.root_mean_square = std::sqrt(square_sum / weight),
-                      .largest = largest};
-}
-
-/// Largest displacement that the plates or the boundary gradient impose on a node [m].
-double largest_imposed_displacement(const Mesh& mesh, const Scene& scene) {
-  double largest = 0;
-  for (const Plate& plate : scene.plates)
-    for (const NodeIndex n : mesh.region(plate.region).nodes)
-      largest = std::max(largest, displacement(plate.motion, mesh.nodes()[n], 1).norm());
-  if (scene.boundary_gradient)
-    for (const NodeIndex n : mesh.boundary().nodes)
-      largest = std::max(largest, (*scene.boundary_gradient * mesh.nodes()[n]).norm());
-  return largest;
 }
 
 void measure_affine(Measures& measures, const Scene& scene, const Mesh& mesh,
@@ -151,80 +90,6 @@ void measure_affine(Measures& measures, const Scene& scene, const Mesh& mesh,
   if (deviation)
     measures.affine_deviation_relative =
         deviation->root_mean_square / largest_imposed_displacement(mesh, scene);
-}
-
-/// Nodes of the centre line from the clamp to the tip; empty unless x and y counts are
-/// even.
-std::vector<NodeIndex> centre_line(const CaseSettings& settings, const Mesh& mesh) {
-  std::vector<NodeIndex> line;
-  const auto [width, depth, height] = settings.block.size;
-  for (NodeIndex n = 0; n < mesh.nodes().size(); ++n)
-    if (std::abs(mesh.nodes()[n].x() - width / 2) < on_plane * height &&
-        std::abs(mesh.nodes()[n].y() - depth / 2) < on_plane * height)
-      line.push_back(n);
-  std::ranges::sort(line, {}, [&](NodeIndex n) { return mesh.nodes()[n].z(); });
-  return line;
-}
-
-std::optional<double> tip_deflection(const CaseSettings& settings, const Mesh& mesh,
-                                     std::span<const Vector3> displacements) {
-  const std::vector<NodeIndex> line = centre_line(settings, mesh);
-  if (line.empty()) return std::nullopt;
-  return displacements[line.back()].dot(settings.gravity.normalized());
-}
-
-void measure_beam(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
-                  std::span<const Vector3> displacements) {
-  if (settings.test != Test::bending || settings.gravity.isZero(0)) return;
-  measures.tip_deflection = tip_deflection(settings, mesh, displacements);
-  const auto [size_x, size_y, length] = settings.block.size;
-  const Vector3 down = settings.gravity.normalized();
-  // The theories know a load across one side of the section only.
-  const bool along_x = std::abs(down.x()) > 1 - 1e-12;
-  if (!along_x && std::abs(down.y()) < 1 - 1e-12) return;
-  const Cantilever beam{.length = length,
-                        .width = along_x ? size_y : size_x,
-                        .height = along_x ? size_x : size_y,
-                        .young_modulus = settings.material.young_modulus,
-                        .shear_modulus = lame_constants(settings.material).mu,
-                        .load_per_length = settings.material.density *
-                                           settings.gravity.norm() * size_x * size_y};
-  const std::vector<NodeIndex> line = centre_line(settings, mesh);
-  std::vector<double> s;
-  for (const NodeIndex n : line) s.push_back(mesh.nodes()[n].z());
-
-  const auto compare = [&](const std::vector<BeamPoint>& theory, Measures::Value& tip,
-                           Measures::Value& distance) {
-    tip = theory.back().drop;
-    if (line.empty()) return;
-    distance = 0;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const Vector3& u = displacements[line[i]];
-      distance = std::max(*distance, std::hypot(u.dot(down) - theory[i].drop,
-                                                s[i] + u.z() - theory[i].axial));
-    }
-  };
-  if (line.empty()) s = {length};
-  const auto each = [&](auto&& theory) {
-    std::vector<BeamPoint> points;
-    for (const double at : s) points.push_back(theory(beam, at));
-    return points;
-  };
-  compare(each(euler_bernoulli), measures.tip_euler_bernoulli,
-          measures.centre_line_euler_bernoulli);
-  compare(each(timoshenko), measures.tip_timoshenko, measures.centre_line_timoshenko);
-  compare(elastica(beam, s), measures.tip_elastica, measures.centre_line_elastica);
-}
-
-/// The length deviations are divided by: the largest imposed displacement, or the
-/// reference's tip deflection in bending and face displacement in traction.
-std::optional<double> imposed_length(const CaseSettings& settings, const Scene& scene,
-                                     const Mesh& mesh,
-                                     std::span<const Vector3> reference) {
-  if (settings.test == Test::bending) return tip_deflection(settings, mesh, reference);
-  if (settings.test == Test::traction)
-    return loaded_face_displacement(mesh, scene, reference).norm();
-  return largest_imposed_displacement(mesh, scene);
 }
 
 }  // namespace
@@ -249,41 +114,6 @@ Measures measure(const CaseSettings& settings, const Mesh& mesh,
         *solution.definite_up_to * *settings.deformation;
   measures.strain_energy = solution.strain_energy;
   return measures;
-}
-
-void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
-                       const Solution& solution, const Solution& reference) {
-  const Scene scene = mechanical_scene(settings);
-  const double height = settings.block.size[2];
-  const auto distance = [&](std::size_t n) {
-    return (solution.displacements[n] - reference.displacements[n]).norm();
-  };
-  double sum = 0, largest = 0, layer_sum = 0;
-  int layer_nodes = 0;
-  for (std::size_t n = 0; n < mesh.nodes().size(); ++n) {
-    sum += distance(n);
-    largest = std::max(largest, distance(n));
-    if (std::abs(mesh.nodes()[n].z() - height / 2) < on_plane * height) {
-      layer_sum += distance(n);
-      ++layer_nodes;
-    }
-  }
-  measures.mean_deviation = sum / static_cast<double>(mesh.nodes().size());
-  measures.max_deviation = largest;
-  if (layer_nodes > 0) measures.middle_layer_deviation = layer_sum / layer_nodes;
-  const auto length = imposed_length(settings, scene, mesh, reference.displacements);
-  const auto free = over_free_nodes(mesh, scene, distance);
-  if (length && *length > 0 && free) {
-    measures.deviation_l2_relative = free->root_mean_square / *length;
-    measures.deviation_max_relative = free->largest / *length;
-  }
-
-  const auto volumes = deformed_volumes(mesh, solution),
-             reference_volumes = deformed_volumes(mesh, reference);
-  double square_sum = 0;
-  for (std::size_t c = 0; c < volumes.size(); ++c)
-    square_sum += std::pow(volumes[c] - reference_volumes[c], 2) / mesh.cell_volumes()[c];
-  measures.cell_volume_ratio_rms_difference = std::sqrt(square_sum / mesh.volume());
 }
 
 }  // namespace springcheck

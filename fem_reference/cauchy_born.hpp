@@ -37,6 +37,10 @@ struct CauchyBorn {
   [[nodiscard]] VolumetricEnergy volumetric_energy(double dilatation) const;
 };
 
+/// Rotation from the lattice's frame to the body's; its rows are the body's axes in the
+/// lattice's frame.
+Matrix3 lattice_to_body(LatticeDirection direction);
+
 /// Weights w of the lattices [Pa], h having dropped out:
 ///
 ///     cf, fd    edges (3)             (3A + 8) mu/(3A + 4)

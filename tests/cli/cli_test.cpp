@@ -102,8 +102,15 @@ BOOST_AUTO_TEST_CASE(run_prints_the_documented_json) {
                           "deviation_l2_relative",
                           "reference",
                           "tip_deflection",
+                          "face_displacement",
+                          "mean_stress",
+                          "affine_deviation_relative",
+                          "definite_up_to_deformation",
+                          "traction",
+                          "gradient",
                           "strain_energy",
                           "steps",
+                          "linear_iterations",
                           "dt",
                           "dt_limit",
                           "force_evaluations",
@@ -139,6 +146,57 @@ BOOST_AUTO_TEST_CASE(options_reach_the_simulation) {
   BOOST_TEST(std::abs(result["deformation"].get<double>() - 10 * M_PI / 180) < 1e-15);
   BOOST_TEST(result["plate_force"].is_null());  // torsion has no direction for it
   BOOST_TEST(result["plate_torque"].get<double>() > 0);
+}
+
+BOOST_AUTO_TEST_CASE(loads_are_options_and_negative_numbers_are_values) {
+  const Json pressed =
+      json_of("run uniaxial --method mss-cf --deformation -5% --json")["results"][0];
+  BOOST_TEST(pressed["deformation"] == -0.05);
+  BOOST_TEST(pressed["plate_force"].get<double>() > 0);
+  BOOST_TEST(pressed["force"][2].get<double>() < 0);
+  const Json pulled = json_of(
+      "run traction --method mss-cf --plates glued --traction -60,-30,100 "
+      "--json")["results"][0];
+  BOOST_TEST(pulled["status"] == "ok");
+  BOOST_TEST(pulled["traction"] == Json({-60, -30, 100}));
+  BOOST_TEST(pulled["deformation"].is_null());
+  BOOST_TEST(pulled["face_displacement"][0].get<double>() < 0);
+  const Json affine = json_of(
+      "run affine --method mss-cf --gradient -.1,0,0,0,0,0.2,0,0,0 --json")["results"][0];
+  BOOST_TEST(affine["gradient"][1][2] == 0.2);
+  BOOST_TEST(affine["mean_stress"][0][0].get<double>() < 0);  // pressed along x
+  BOOST_TEST(affine["mean_stress"].size() == 3U);
+  BOOST_TEST(affine["affine_deviation_relative"].get<double>() < 1e-10);
+  BOOST_TEST(affine["wrinkle_alternation"].is_null());
+  BOOST_TEST(affine["plate_force"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(finite_element_keys_reach_the_simulation) {
+  const auto force = [](const std::string& options) {
+    const Json result =
+        json_of("run uniaxial --method fem-cauchy-born --json " + options)["results"][0];
+    BOOST_TEST(result["status"] == "ok", options);
+    return result["plate_force"].get<double>();
+  };
+  BOOST_TEST(force("--lattice-direction 111") != force(""));
+  BOOST_TEST(force("--lattice mss-affine") != force(""));
+  BOOST_TEST(force("--element q2") == force(""), boost::test_tools::tolerance(1e-8));
+  const Json iterated =
+      json_of("run compression --method fem-hencky --linear-solver multigrid --json " +
+              small)["results"][0];
+  BOOST_TEST(iterated["linear_iterations"].get<int>() > 0);
+  BOOST_TEST(json_of("run compression --method fem-hencky --json " +
+                     small)["results"][0]["linear_iterations"]
+                 .is_null());
+}
+
+BOOST_AUTO_TEST_CASE(a_table_shows_the_columns_that_have_values) {
+  const std::string affine = springcheck("run affine").out,
+                    traction = springcheck("run traction").out;
+  BOOST_TEST(affine.find("affine deviation %") != std::string::npos);
+  BOOST_TEST(affine.find("plate force") == std::string::npos);
+  BOOST_TEST(traction.find("face z m") != std::string::npos);
+  BOOST_TEST(traction.find("tip m") == std::string::npos);
 }
 
 // Torque scales with E L^3 and force with E L^2 (static).
@@ -211,12 +269,23 @@ BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_unless_forced) {
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
-  expect_bad_input("run compresion", "expected one of bending");
+  expect_bad_input("run compresion", "expected one of affine, bending");
   expect_bad_input("run nowhere.toml",
                    "nowhere.toml:1:1: expected a readable scene file");
   expect_bad_input("run compression --method mss-fc",
                    "mss-baudet, mss-nfd, mss-fd, mss-cf");
-  expect_bad_input("run compression --element q3", "q1, q1-sri");
+  expect_bad_input("run compression --element q3", "q1, q1-sri, q2");
+  expect_bad_input("run compression --traction 0,0,1", "no traction but in traction");
+  expect_bad_input("run compression --gradient 1,0,0,0,0,0,0,0,0",
+                   "no gradient but in affine");
+  expect_bad_input("run traction --traction 1,0,5", "slides on its plate");
+  expect_bad_input("run traction --plates floating", "glued, sliding");
+  expect_bad_input("run traction --deformation 0.1", "no deformation in traction");
+  expect_bad_input("run affine --gradient -1,0,0,0,0,0,0,0,0", "inside out");
+  expect_bad_input("run uniaxial --deformation -1", "above -1");
+  expect_bad_input("run compression --lattice cubic", "mss-cf, mss-affine");
+  expect_bad_input("run compression --lattice-direction 123", "100, 110, 111");
+  expect_bad_input("run compression --linear-solver lu", "auto, direct, multigrid");
   expect_bad_input("run compression --solver magic", "static, semi-implicit");
   expect_bad_input("run compression --nu 0.5", "--nu: expected a number in (-1, 0.5)");
   expect_bad_input("run compression --young -1", "--young");
@@ -263,12 +332,16 @@ BOOST_AUTO_TEST_CASE(help_version_and_lists_work) {
   }
   BOOST_TEST(springcheck("--version").out.starts_with("springcheck "));
   const Json lists = json_of("list --json");
-  for (const char* method :
-       {"mss-baudet", "mss-nfd", "mss-fd", "mss-cf", "fem-hooke", "fem-stvk"})
+  for (const char* method : {"mss-baudet", "mss-nfd", "mss-fd", "mss-cf", "fem-hooke",
+                             "fem-stvk", "fem-hencky", "fem-cauchy-born"})
     BOOST_TEST(lists["methods"].contains(method), method);
-  for (const char* scene :
-       {"compression", "tension", "shearing", "torsion", "bending", "bending-cm"})
+  for (const char* scene : {"compression", "tension", "shearing", "torsion", "bending",
+                            "bending-cm", "uniaxial", "traction", "affine"})
     BOOST_TEST(lists["scenes"].contains(scene), scene);
+  for (const char* element : {"q1", "q1-sri", "q2"})
+    BOOST_TEST(lists["elements"].contains(element), element);
+  for (const char* law : {"hooke", "stvk", "hencky", "cauchy-born"})
+    BOOST_TEST(lists["materials"].contains(law), law);
   BOOST_TEST(springcheck("list elements").out.find("q1-sri") != std::string::npos);
 }
 

@@ -4,6 +4,7 @@
 
 #include "comparisons/measures.hpp"
 #include "comparisons/wrinkles.hpp"
+#include "meshing/traction.hpp"
 #include "settings.hpp"
 
 using namespace springcheck;
@@ -96,6 +97,117 @@ BOOST_AUTO_TEST_CASE(plate_force_is_positive_along_the_imposed_motion) {
       torsion, mesh, moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); }));
   BOOST_TEST(!m.plate_force.has_value());  // no direction to take it along
   BOOST_TEST(m.plate_torque.has_value());
+}
+
+// At rest the plate's reactions are made up: 2 N down. Both signs are resistance.
+BOOST_AUTO_TEST_CASE(plate_force_of_a_uniaxial_strain_is_positive_where_it_is_resisted) {
+  for (const auto& [deformation, force] : {std::pair("-.1", -2.), std::pair(".1", 2.)}) {
+    const CaseSettings settings = small_block("uniaxial", deformation);
+    const Mesh mesh = generate_block(settings.block);
+    Solution solution = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
+    solution.reactions[mesh.region("top").nodes.front()] = Vector3(0, 0, force);
+    BOOST_TEST(*measure(settings, mesh, solution).plate_force == 2.);
+  }
+}
+
+// 30, -40 and 120 Pa on .4 x .4 m, and a face that rises, tilts and bulges: the mean of
+// x y over the square of side a is a^2/4. Round-off.
+BOOST_AUTO_TEST_CASE(a_traction_s_force_and_its_face_s_mean_displacement,
+                     *utf::tolerance(1e-12)) {
+  const CaseSettings settings =
+      case_of("traction", {"size=.4,.4,.8", "cells=4,2,8", "plates=glued",
+                           "traction=30,-40,120", "method=mss-cf"});
+  const Mesh mesh = generate_block(settings.block);
+  const Solution solution = moved(mesh, [](const Vector3& x) {
+    return Vector3(0.1 * x.x(), -0.05, 0.01 + x.x() * x.y() + (x.z() - 0.8));
+  });
+  Measures m = measure(settings, mesh, solution);
+  BOOST_TEST(*m.plate_force == 0.16 * 130);
+  BOOST_TEST(*m.plate_force_norm == 0.16 * 130);
+  BOOST_TEST((*m.force - 0.16 * Vector3(30, -40, 120)).norm() < 1e-12);
+  BOOST_TEST(m.face_displacement->x() == 0.1 * 0.2);
+  BOOST_TEST(m.face_displacement->y() == -0.05);
+  BOOST_TEST(m.face_displacement->z() == 0.01 + 0.04);
+  BOOST_TEST(!m.plate_torque.has_value());
+  BOOST_TEST(!m.mean_stress.has_value());
+
+  // Deviations are divided by the reference's face displacement.
+  const Solution reference =
+      moved(mesh, [](const Vector3& x) { return Vector3(0, 0, 0.5 * x.z()); });
+  Solution off = reference;
+  off.displacements.back() += Vector3(0, 0.001, 0);
+  measure_deviation(m, settings, mesh, off, reference);
+  BOOST_TEST(*m.deviation_max_relative == 0.001 / (0.5 * 0.8));
+}
+
+// Reactions P N dA of a uniform stress give P back: with A the side's area, r = +-P N A
+// shared alike by its nodes' areas. A stress that is not symmetric shows rows from
+// columns. Round-off.
+BOOST_AUTO_TEST_CASE(mean_stress_is_the_stress_that_the_boundary_carries,
+                     *utf::tolerance(1e-12)) {
+  const CaseSettings settings = case_of("affine", {"cells=3,4,2", "method=mss-cf"});
+  const Mesh mesh = generate_block(settings.block);
+  Eigen::Matrix3d P;
+  P << 1, 2, 3, -4, 5, 6, 7, -8, 9;
+  Solution solution =
+      moved(mesh, [&](const Vector3& x) { return Vector3(settings.gradient * x); });
+  const std::pair<const char*, Vector3> sides[] = {
+      {"x_min", {-1, 0, 0}}, {"x_max", {1, 0, 0}},   {"y_min", {0, -1, 0}},
+      {"y_max", {0, 1, 0}},  {"bottom", {0, 0, -1}}, {"top", {0, 0, 1}}};
+  for (const auto& [name, normal] : sides) {
+    const std::vector<double> areas = nodal_areas(mesh, mesh.region(name));
+    for (std::size_t n = 0; n < areas.size(); ++n)
+      solution.reactions[n] += areas[n] * P * normal;
+  }
+  Measures m = measure(settings, mesh, solution);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) BOOST_TEST((*m.mean_stress)(i, j) == P(i, j));
+  BOOST_TEST(*m.affine_deviation_relative == 0);
+  BOOST_TEST(!m.plate_force.has_value());
+
+  // One of 2 x 3 x 1 nodes inside is off by d. They are all of the same weight.
+  const double d = 0.001;
+  const auto inside = static_cast<std::size_t>(1 + 4 * (1 + 5 * 1));
+  solution.displacements[inside] += Vector3(0, 0, d);
+  m = measure(settings, mesh, solution);
+  double imposed = 0;
+  for (const Vector3& x : mesh.nodes())
+    imposed = std::max(imposed, (settings.gradient * x).norm());
+  BOOST_TEST(*m.affine_deviation_relative == d / std::sqrt(6.) / imposed);
+}
+
+BOOST_AUTO_TEST_CASE(loss_of_definiteness_is_reported_as_a_deformation,
+                     *utf::tolerance(1e-15)) {
+  const auto measured = [](const CaseSettings& settings) {
+    const Mesh mesh = generate_block(settings.block);
+    Solution solution = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
+    const bool never = !measure(settings, mesh, solution).definite_up_to_deformation;
+    BOOST_TEST(never);
+    solution.definite_up_to = 0.3;
+    return measure(settings, mesh, solution).definite_up_to_deformation;
+  };
+  BOOST_TEST(*measured(small_block("compression", ".2")) == 0.3 * 0.2);
+  BOOST_TEST(*measured(small_block("uniaxial", "-.2")) == 0.3 * -0.2);
+  BOOST_TEST(!measured(small_block("bending")).has_value());
+}
+
+// A solution whose field is not trilinear knows its volumes itself. Round-off.
+BOOST_AUTO_TEST_CASE(a_solution_s_own_cell_volumes_count, *utf::tolerance(1e-12)) {
+  const CaseSettings settings = small_block("compression");
+  const Mesh mesh = generate_block(settings.block);
+  const Solution trilinear = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
+  Solution solution = trilinear;
+  solution.cell_volumes = mesh.cell_volumes();
+  solution.cell_volumes.front() *= 0.5;
+  solution.cell_volumes.back() *= 1.25;
+  Measures m = measure(settings, mesh, solution);
+  BOOST_TEST(*m.volume_change == -0.25 / 128);
+  BOOST_TEST(*m.cell_volume_ratio_min == 0.5);
+  BOOST_TEST(*m.cell_volume_ratio_max == 1.25);
+  BOOST_TEST(*m.corner_jacobian_ratio_min == 1);
+  measure_deviation(m, settings, mesh, solution, trilinear);
+  BOOST_TEST(*m.cell_volume_ratio_rms_difference ==
+             std::sqrt((0.5 * 0.5 + 0.25 * 0.25) / 128));
 }
 
 // One interior node off by d: every measure in closed form. Round-off.
@@ -196,10 +308,37 @@ BOOST_AUTO_TEST_CASE(plates_are_not_searched_for_wrinkles) {
           .value()));
 }
 
+// A sliding plate holds the normal displacement like a glued one; the face that a
+// traction loads is free; an affine boundary leaves no face.
+BOOST_AUTO_TEST_CASE(faces_without_a_normal_support_are_searched_for_wrinkles) {
+  const auto seen = [](const CaseSettings& settings, const std::string& face) {
+    const Mesh mesh = generate_block(settings.block);
+    Solution solution = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
+    for (const NodeIndex n : mesh.region(face).nodes)
+      solution.displacements[n].z() =
+          std::lround(mesh.nodes()[n].x() / 0.1) % 2 == 0 ? 0.01 : -0.01;
+    return measure_wrinkling(mesh, mechanical_scene(settings), 0.1,
+                             solution.displacements);
+  };
+  const CaseSettings traction =
+      case_of("traction", {"size=.4,.4,.8", "cells=4,4,8", "method=mss-cf"});
+  BOOST_TEST(is_wrinkled(seen(traction, "top").value()));
+  BOOST_TEST(!is_wrinkled(seen(traction, "bottom").value()));
+  BOOST_TEST(!is_wrinkled(seen(small_block("uniaxial"), "top").value()));
+  BOOST_TEST(!is_wrinkled(seen(small_block("uniaxial"), "bottom").value()));
+  const CaseSettings affine =
+      case_of("affine", {"size=.4,.4,.8", "cells=4,4,8", "method=mss-cf"});
+  BOOST_TEST(!seen(affine, "top").has_value());
+}
+
 // 1 m/2.4 m and the fibre strain of the 2 MPa beam, by hand.
 BOOST_AUTO_TEST_CASE(imposed_strains, *utf::tolerance(1e-12)) {
   BOOST_TEST(imposed_strain(small_block("shearing", ".2")) == 0.2);
   BOOST_TEST(imposed_strain(small_block("torsion", ".5")) == 0.5 * 0.2 / 0.8);
+  BOOST_TEST(imposed_strain(small_block("uniaxial", "-.2")) == 0.2);
+  BOOST_TEST(imposed_strain(case_of("traction", {"size=.4,.5,.8", "traction=3,-5,-7",
+                                                 "plates=glued", "method=mss-cf"})) ==
+             (7 + 6 * 0.8 * (3 / 0.4 + 5 / 0.5)) / 10e3);
   BOOST_TEST(imposed_strain(case_of("bending", {"method=mss-cf"})) ==
              0.2 * (1600 * 2.4 * 2.4 / 2) / (2e6 * std::pow(0.4, 4) / 12));
 }

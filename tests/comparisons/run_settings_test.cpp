@@ -57,6 +57,12 @@ std::string with(const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
 }
 
+/// The good scene as another test, with this in the place of its deformation (line 7).
+std::string of_test(const std::string& test, const std::string& instead) {
+  std::string text = with("deformation = 0.05", instead);
+  return text.replace(text.find("compression"), 11, test);
+}
+
 struct Bad {
   std::string scene;
   std::string message_start;
@@ -133,6 +139,54 @@ const std::vector<Bad> bad_scenes{
      "scene.toml:9:10: expect: expected statuses among ok, wrinkled"},
     {good + "reference = \"fem-stvk@converged\"\n",
      "scene.toml:9:13: reference: expected METHOD or"},
+    {good + "traction = [0, 0, 1]\n",
+     "scene.toml:9:12: traction: expected no traction but in traction"},
+    {good + "gradient = [1, 0, 0, 0, 0, 0, 0, 0, 0]\n",
+     "scene.toml:9:12: gradient: expected no gradient but in affine"},
+    {good + "plates = \"sliding\"\n",
+     "scene.toml:9:10: plates: expected no plates but in traction"},
+    {good + "lattice = \"fem-hooke\"\n",
+     "scene.toml:9:11: lattice: expected one of mss-baudet, mss-nfd, mss-fd, mss-cf, "
+     "mss-affine, got 'fem-hooke'"},
+    {good + "lattice-direction = 101\n",
+     "scene.toml:9:21: lattice-direction: expected one of 100, 110, 111, got 101"},
+    {good + "linear-solver = \"cholesky\"\n",
+     "scene.toml:9:17: linear-solver: expected one of auto, direct, multigrid"},
+    {of_test("uniaxial", "deformation = 0"),
+     "scene.toml:7:15: deformation: expected a strain above -1 other than 0"},
+    {of_test("uniaxial", "deformation = -1"),
+     "scene.toml:7:15: deformation: expected a strain above -1 other than 0"},
+    {of_test("uniaxial", "deformation = 101"),
+     "scene.toml:7:15: deformation: expected a deformation of at most 100"},
+    {of_test("uniaxial", "traction = [0, 0, 1]"),
+     "scene.toml:7:12: traction: expected no traction but in traction"},
+    {of_test("traction", ""),
+     "scene.toml:1:1: key 'traction': expected a force per area [Pa], got none"},
+    {of_test("traction", "traction = [0, 0, 0]"),
+     "scene.toml:7:12: traction: expected a vector other than zero [Pa]"},
+    {of_test("traction", "traction = [1, 2]"),
+     "scene.toml:7:12: traction: expected three finite numbers"},
+    {of_test("traction", "traction = [0, 1, 2]\nplates = 'sliding'"),
+     "scene.toml:7:12: traction: expected a traction along z: the body slides"},
+    {of_test("traction", "traction = [0, 0, 1]\nplates = 'loose'"),
+     "scene.toml:8:10: plates: expected one of glued, sliding, got 'loose'"},
+    {of_test("traction", "traction = [0, 0, 1]\ndeformation = 0.1"),
+     "scene.toml:8:15: deformation: expected no deformation in traction"},
+    {of_test("affine", ""),
+     "scene.toml:1:1: key 'gradient': expected nine numbers, row by row, got none"},
+    {of_test("affine", "gradient = [1, 2, 3]"),
+     "scene.toml:7:12: gradient: expected nine finite numbers"},
+    {of_test("affine", "gradient = [0, 0, 0, 0, 0, 0, 0, 0, 0]"),
+     "scene.toml:7:12: gradient: expected a gradient other than zero"},
+    {of_test("affine", "gradient = [0, 0, 0, 0, 101, 0, 0, 0, 0]"),
+     "scene.toml:7:12: gradient: expected components between -100 and 100"},
+    {of_test("affine", "gradient = [0, 0, 0, 0, 0, 0, 0, 0, -1]"),
+     "scene.toml:7:12: gradient: expected a gradient H that turns no body inside out"},
+    // Half a turn about z: its end is regular, the way there is not.
+    {of_test("affine", "gradient = [-2, 0, 0, 0, -2, 0, 0, 0, 0]"),
+     "scene.toml:7:12: gradient: expected a gradient H that turns no body inside out"},
+    {of_test("affine", "deformation = 0.1"),
+     "scene.toml:7:15: deformation: expected no deformation in affine"},
     {good + "nu = 0.3\n", "scene.toml:9:6: expected TOML, got"}};  // a key twice
 
 }  // namespace
@@ -170,6 +224,35 @@ BOOST_AUTO_TEST_CASE(deformations_are_understood_with_units,
   BOOST_TEST(*case_of("torsion", {"deformation=45deg"}).deformation ==
              std::numbers::pi / 4);
   BOOST_TEST(*case_of("compression", {"deformation=.2"}).deformation == 0.2);
+  BOOST_TEST(*case_of("uniaxial", {"deformation=-5%"}).deformation == -0.05);
+}
+
+BOOST_AUTO_TEST_CASE(loads_and_gradients_reach_the_scene) {
+  const Scene glued = mechanical_scene(
+      case_of("traction", {"plates=glued", "traction=1,-2,3", "method=mss-cf"}));
+  BOOST_TEST((glued.plates.front().held == all_components));
+  BOOST_TEST(glued.pins.empty());
+  BOOST_TEST((glued.tractions.front().stress == Vector3(1, -2, 3)));
+  const Scene affine = mechanical_scene(
+      case_of("affine", {"gradient=.1,.2,.3,.4,.5,.6,.7,.8,.9", "method=mss-cf"}));
+  BOOST_TEST((*affine.boundary_gradient)(0, 1) == 0.2);  // row by row
+  BOOST_TEST((*affine.boundary_gradient)(2, 0) == 0.7);
+}
+
+// What holds the body leaves it no rigid motion and no more: on sliding plates, one
+// component of each node on them and three at two corners.
+BOOST_AUTO_TEST_CASE(sliding_plates_and_pins_hold_only_rigid_motions) {
+  const auto held = [](const std::string& scene) {
+    const CaseSettings settings = case_of(scene, {"cells=2,2,2", "method=mss-cf"});
+    return prescribed_components(generate_block(settings.block),
+                                 mechanical_scene(settings))
+        .size();
+  };
+  BOOST_TEST(held("uniaxial") == 2 * 9U + 3);
+  BOOST_TEST(held("traction") == 9U + 3);
+  BOOST_TEST(held("compression") == 2 * 27U);
+  BOOST_TEST(held("bending") == 27U);
+  BOOST_TEST(held("affine") == 26 * 3U);
 }
 
 // INTERFACE: fem-hooke:q1-sri up to .02, fem-stvk:q1-sri above, on the same mesh.
@@ -182,6 +265,12 @@ BOOST_AUTO_TEST_CASE(the_default_reference_depends_on_the_deformation) {
   BOOST_TEST(reference("torsion", "deformation=1deg") == "fem-hooke:q1-sri");
   BOOST_TEST(reference("bending", "nu=.2") == "fem-stvk:q1-sri");
   BOOST_TEST(reference("bending-cm", "nu=.2") == "fem-hooke:q1-sri");
+  BOOST_TEST(reference("uniaxial", "deformation=-.02") == "fem-hooke:q1-sri");
+  BOOST_TEST(reference("uniaxial", "deformation=-.2") == "fem-stvk:q1-sri");
+  BOOST_TEST(reference("traction", "nu=.2") == "fem-stvk:q1-sri");
+  BOOST_TEST(reference("affine", "nu=.2") == "fem-stvk:q1-sri");
+  BOOST_TEST(reference("compression", "reference=fem-cauchy-born:q2") ==
+             "fem-cauchy-born:q2");
   BOOST_TEST(reference("compression", "reference=fem-hooke:q1") == "fem-hooke:q1");
   BOOST_TEST(reference("compression", "reference=mss-fd") == "mss-fd");
 }
@@ -206,4 +295,44 @@ BOOST_AUTO_TEST_CASE(settings_json_holds_what_a_method_reads) {
   BOOST_TEST(json({"method=mss-cf"}) != json({"method=mss-cf", "seed=7"}));
   BOOST_TEST(json({"method=mss-cf"}) == json({"method=mss-cf", "dt=.001"}));
   BOOST_TEST(json({"method=mss-cf"}) != json({"method=mss-cf", "solver=semi-implicit"}));
+  const auto differ = [&](const std::string& method, const std::string& change) {
+    return json({"method=" + method}) != json({"method=" + method, change});
+  };
+  BOOST_TEST(differ("fem-stvk", "linear-solver=direct"));
+  BOOST_TEST(differ("fem-stvk", "element=q2"));
+  BOOST_TEST(!differ("mss-cf", "linear-solver=direct"));
+  for (const char* change : {"lattice=mss-nfd", "lattice-direction=111",
+                             "diagonal-ratio=2", "stiffness-form=E"}) {
+    BOOST_TEST(differ("fem-cauchy-born", change), change);
+    BOOST_TEST(!differ("fem-hencky", change), change);
+  }
+  BOOST_TEST(!differ("mss-cf", "lattice=mss-nfd"));
+  BOOST_TEST(json({"method=fem-cauchy-born", "lattice=mss-baudet"}) ==
+             json({"method=fem-cauchy-born", "lattice=mss-baudet", "diagonal-ratio=2",
+                   "stiffness-form=E"}));
+}
+
+BOOST_AUTO_TEST_CASE(settings_json_holds_what_a_test_reads) {
+  const auto json = [](const std::string& scene, const std::string& change) {
+    return settings_json(case_of(scene, {"method=mss-cf", change})).dump();
+  };
+  BOOST_TEST(json("traction", "plates=glued") != json("traction", "plates=sliding"));
+  BOOST_TEST(json("traction", "traction=0,0,1") != json("traction", "traction=0,0,2"));
+  BOOST_TEST(json("affine", "gradient=.1,0,0,0,0,0,0,0,0") !=
+             json("affine", "gradient=0,.1,0,0,0,0,0,0,0"));
+}
+
+BOOST_AUTO_TEST_CASE(every_key_reaches_the_finite_elements) {
+  const auto settings = reference_settings(case_of(
+      "compression",
+      {"method=fem-cauchy-born", "element=q2", "lattice=mss-fd", "lattice-direction=110",
+       "diagonal-ratio=3", "stiffness-form=E", "linear-solver=multigrid"}));
+  using namespace fem_reference;
+  BOOST_TEST((settings.law == Law::cauchy_born));
+  BOOST_TEST((settings.element == Element::q2));
+  BOOST_TEST((settings.lattice.springs == Springs::fd));
+  BOOST_TEST((settings.lattice.direction == LatticeDirection::d110));
+  BOOST_TEST((settings.lattice.constants == SpringConstants::from_young_modulus));
+  BOOST_TEST(settings.lattice.diagonal_ratio == 3);
+  BOOST_TEST((settings.linear_solver == LinearSolver::multigrid));
 }

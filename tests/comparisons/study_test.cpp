@@ -115,19 +115,27 @@ BOOST_AUTO_TEST_CASE(a_refused_case_is_a_result_without_measures) {
   });
 }
 
+// With vectors and matrices among the measures, and iterations where there are any.
 BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
   const OwnFolder own;
   const auto file = own.path / "study.h5";
   MeshStore meshes;
-  const auto written = study(requests(run_of("compression", small)), meshes, 1);
+  auto all = requests(run_of("compression", small));
+  for (const char* scene : {"traction", "affine"})
+    all.push_back(
+        requests(run_of(scene, {"method=fem-stvk", "linear-solver=multigrid"})).front());
+  const auto written = study(all, meshes, 1);
+  BOOST_TEST(!written[0].solution.linear_iterations.has_value());
+  BOOST_TEST(written[2].solution.linear_iterations.value() > 0);
   write_results(file, written, meshes);
   const auto stored = read_results(file);
-  BOOST_TEST_REQUIRE(stored.size() == 2U);
+  BOOST_TEST_REQUIRE(stored.size() == 4U);
   for (const CaseResult& result : written) {
     const CaseResult read =
         with_stored(result.request, result.key, stored.at(result.key));
     BOOST_TEST((read.status == result.status));
     BOOST_TEST(read.solution.steps == result.solution.steps);
+    BOOST_TEST((read.solution.linear_iterations == result.solution.linear_iterations));
     BOOST_TEST(read.wall_s == result.wall_s);
     std::vector<double> before, after;  // exact: binary numbers
     const auto collect = [](std::vector<double>& into) {
@@ -145,7 +153,7 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
   BOOST_TEST(!std::filesystem::exists(file.string() + ".part"));
   const auto root = hdf5::open_file(file);
   const auto meshes_group = hdf5::open_group(root, "meshes");
-  BOOST_TEST(hdf5::links(meshes_group).size() == 1U);  // stored once
+  BOOST_TEST(hdf5::links(meshes_group).size() == 1U);  // all the same, stored once
   auto xdmf = file;
   BOOST_TEST(std::filesystem::exists(xdmf.replace_extension(".xdmf")));
 }

@@ -1,0 +1,64 @@
+#include "comparisons/displacement_norms.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "meshing/traction.hpp"
+
+namespace springcheck {
+namespace {
+
+/// Volume each node stands for: an eighth of each of its cells.
+std::vector<double> nodal_volumes(const Mesh& mesh) {
+  std::vector<double> volumes(mesh.nodes().size(), 0);
+  for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c)
+    for (const NodeIndex node : mesh.hexahedra()[c])
+      volumes[node] += mesh.cell_volumes()[c] / 8;
+  return volumes;
+}
+
+}  // namespace
+
+std::optional<FreeDistance> over_free_nodes(
+    const Mesh& mesh, const Scene& scene,
+    const std::function<double(std::size_t)>& distance) {
+  const std::vector<bool> is_free =
+      free_components(mesh, prescribed_components(mesh, scene));
+  const std::vector<double> weights = nodal_volumes(mesh);
+  double square_sum = 0, weight = 0, largest = 0;
+  for (std::size_t n = 0; n < weights.size(); ++n) {
+    if (!is_free[3 * n] && !is_free[3 * n + 1] && !is_free[3 * n + 2]) continue;
+    const double d = distance(n);
+    square_sum += weights[n] * d * d;
+    weight += weights[n];
+    largest = std::max(largest, d);
+  }
+  if (weight == 0) return std::nullopt;
+  return FreeDistance{.root_mean_square = std::sqrt(square_sum / weight),
+                      .largest = largest};
+}
+
+double largest_imposed_displacement(const Mesh& mesh, const Scene& scene) {
+  double largest = 0;
+  for (const Plate& plate : scene.plates)
+    for (const NodeIndex n : mesh.region(plate.region).nodes)
+      largest = std::max(largest, displacement(plate.motion, mesh.nodes()[n], 1).norm());
+  if (scene.boundary_gradient)
+    for (const NodeIndex n : mesh.boundary().nodes)
+      largest = std::max(largest, (*scene.boundary_gradient * mesh.nodes()[n]).norm());
+  return largest;
+}
+
+Vector3 loaded_face_displacement(const Mesh& mesh, const Scene& scene,
+                                 std::span<const Vector3> displacements) {
+  const auto areas = nodal_areas(mesh, mesh.region(scene.tractions.front().region));
+  Vector3 integral = Vector3::Zero();
+  double area = 0;
+  for (std::size_t n = 0; n < areas.size(); ++n) {
+    integral += areas[n] * displacements[n];
+    area += areas[n];
+  }
+  return integral / area;
+}
+
+}  // namespace springcheck
