@@ -14,6 +14,8 @@
 #include "comparisons/result_json.hpp"
 #include "comparisons/scene_file.hpp"
 #include "comparisons/shipped.hpp"
+#include "comparisons/split_output.hpp"
+#include "comparisons/text_table.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/mesh_files.hpp"
 #include "meshing/output_file.hpp"
@@ -33,18 +35,6 @@ RunSettings settings_of(const std::string& scene,
 std::string shown(const std::optional<double>& value, const char* format,
                   double factor = 1) {
   return value ? fmt::format(fmt::runtime(format), factor * *value) : "-";
-}
-
-/// Leaves out the columns that hold nothing but "-" below their heading.
-std::vector<std::vector<std::string>> without_empty_columns(
-    const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::vector<std::string>> kept(rows.size());
-  for (std::size_t i = 0; i < rows.front().size(); ++i) {
-    const auto is_empty = [&](const auto& row) { return row[i] == "-"; };
-    if (std::ranges::all_of(rows.begin() + 1, rows.end(), is_empty)) continue;
-    for (std::size_t r = 0; r < rows.size(); ++r) kept[r].push_back(rows[r][i]);
-  }
-  return kept;
 }
 
 /// The results as an aligned table, reasons and reference below it.
@@ -69,62 +59,84 @@ std::string text_of(const std::vector<CaseResult>& results) {
          shown(m.deviation_l2_relative, "{:.3f}", 100),
          fmt::format("{:.2f}", result.solve_wall_s)});
   }
-  rows = without_empty_columns(rows);
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], row[i].size());
-  std::string text;
-  for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i)
-      text += i == 0 ? fmt::format("{:<{}}", row[i], widths[i])
-                     : fmt::format("  {:>{}}", row[i], widths[i]);
-    text += "\n";
-  }
+  std::string text = in_columns(without_empty_columns(std::move(rows), "-"));
   for (const CaseResult& result : results)
     if (!result.reason.empty())
       text += fmt::format("{}: {}\n", label(result.request.settings), result.reason);
   for (const CaseResult& result : results)
     if (result.request.reference) {
-      text += fmt::format("Deviations are from {} on the same mesh.\n",
-                          label(*result.request.reference));
+      const std::string reference = reference_label(result.request);
+      text += fmt::format(
+          "Deviations are from {}{}.\n", reference,
+          reference.find('@') == std::string::npos ? " on the same mesh" : "");
       break;
     }
   return text;
+}
+
+/// The split of a spring method's error against the law of the named reference, or
+/// against Hencky's; finite elements have none.
+std::optional<SplitPlan> split_plan_of(const RunSettings& run, const Request& request) {
+  if (is_finite_element(request.settings.method)) return std::nullopt;
+  return plan_split(request.settings,
+                    run.reference ? run.reference->method : *find_method("fem-hencky"));
 }
 
 }  // namespace
 
 ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
                        const std::optional<std::filesystem::path>& result_file,
-                       Output output) {
+                       Output output, ErrorSplit error_split, int parallel) {
   const RunSettings run = settings_of(scene, options);
-  const std::vector<Request> all = requests(run);
-  check_memory(run.cells_place, all, 1);
+  std::vector<Request> all = requests(run);
+  const std::size_t asked = all.size();
+  std::vector<std::optional<SplitPlan>> plans(asked);
+  if (error_split == ErrorSplit::wanted)
+    for (std::size_t i = 0; i < asked; ++i) {
+      plans[i] = split_plan_of(run, all[i]);
+      if (!plans[i]) continue;
+      const std::vector<Request> needed = split_requests(*plans[i]);
+      all.insert(all.end(), needed.begin(), needed.end());
+    }
+  // One at a time, unless the grids of a split make it long.
+  const int at_once = all.size() > asked ? parallel : 1;
+  check_memory(run.cells_place, all, at_once);
   if (result_file) check_results_writable(*result_file);
 
   MeshStore meshes;
   std::vector<CaseResult> results;
   {
     Progress progress("simulations");
-    results = run_study(all, meshes, 1, [&](std::size_t done, std::size_t of) {
+    results = run_study(all, meshes, at_once, [&](std::size_t done, std::size_t of) {
       progress.show(done, of);
     });
   }
   if (result_file) write_results(*result_file, results, meshes);
-  if (output == Output::json)
-    fmt::print("{}\n", run_json(run.common.scene, results, meshes).dump(2));
-  else
+  std::vector<std::optional<Split>> splits(asked);
+  std::span<const CaseResult> grids = std::span(results).subspan(asked);
+  for (std::size_t i = 0; i < asked; ++i)
+    if (plans[i]) {
+      const std::size_t count = split_requests(*plans[i]).size();
+      splits[i] = split_error(*plans[i], results[i], grids.first(count), meshes);
+      grids = grids.subspan(count);
+    }
+  results.resize(asked);
+  if (output == Output::json) {
+    fmt::print("{}\n", run_json(run.common.scene, results, splits, meshes).dump(2));
+  } else {
     fmt::print("{}", text_of(results));
+    for (const auto& split : splits)
+      if (split) fmt::print("\n{}", split_text(*split));
+  }
 
   const bool as_expected =
       results.size() > 1 || std::ranges::count(run.expect, results.front().status) > 0;
   return as_expected ? ExitStatus::done : ExitStatus::unexpected_status;
 }
 
-ExitStatus table_command(const std::string& name,
-                         const std::optional<std::filesystem::path>& from,
+ExitStatus table_command(const std::string& name, const TableFiles& files,
                          const std::string& reference, TableFormat format, int parallel) {
+  const auto& [from, out] = files;
   std::map<std::string, StoredCase> stored;
   if (from) {
     stored = read_results(*from);
@@ -132,18 +144,25 @@ ExitStatus table_command(const std::string& name,
       spdlog::warn("{} was written by commit {}, this program is {}", from->string(),
                    commit, build_info::commit);
   }
+  if (out) check_results_writable(*out);
   std::optional<ReferenceMethod> chosen;
   if (!reference.empty())
     chosen = reference_named(Given::from_text("--reference", reference));
   MeshStore meshes;
-  const ComputedTables computed = compute_tables(
-      {name}, chosen, meshes, parallel,
-      [&](const Request& request, const std::string& key) -> std::optional<CaseResult> {
-        const auto found = stored.find(key);
-        if (found == stored.end()) return std::nullopt;
-        return with_stored(request, key, found->second);
-      });
-  fmt::print("{}", format_table(computed.tables.front(), format));
+  const auto known = [&](const Request& request,
+                         const std::string& key) -> std::optional<CaseResult> {
+    const auto found = stored.find(key);
+    if (found == stored.end()) return std::nullopt;
+    CaseResult result = with_stored(request, key, found->second);
+    read_fields(*from, meshes.mesh(request.settings.block), result);
+    return result;
+  };
+  const ComputedTables computed = compute_tables({name}, chosen, meshes, parallel, known);
+  if (out) write_results(*out, computed.results, meshes);
+  for (const Table& table : computed.tables)
+    fmt::print("{}", format_table(table, format));
+  for (const Sheet& sheet : computed.sheets)
+    fmt::print("{}", format_sheet(sheet, format));
   return ExitStatus::done;
 }
 

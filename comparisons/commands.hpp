@@ -15,14 +15,21 @@ enum ExitStatus { done = 0, fell_short = 1, bad_input = 2, unexpected_status = 3
 
 enum class Output { text, json };
 
-/// `springcheck run`: prints the results, writes them to `result_file` when given.
+enum class ErrorSplit { not_wanted, wanted };
+
+/// `springcheck run`: prints the results, writes them to `result_file` when given. The
+/// simulations that split the error are run `parallel` at a time.
 ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
                        const std::optional<std::filesystem::path>& result_file,
-                       Output output);
+                       Output output, ErrorSplit error_split, int parallel);
 
-/// `springcheck table`: prints one table, with what `from` holds taken from there.
-ExitStatus table_command(const std::string& name,
-                         const std::optional<std::filesystem::path>& from,
+/// Result files of a table: what to take cases from, where to write all of them.
+struct TableFiles {
+  std::optional<std::filesystem::path> from, out;
+};
+
+/// `springcheck table`: prints one table.
+ExitStatus table_command(const std::string& name, const TableFiles& files,
                          const std::string& reference, TableFormat format, int parallel);
 
 /// `springcheck list`; an empty `what` lists everything.

@@ -123,6 +123,15 @@ std::vector<std::string> Given::texts() const {
   return all;
 }
 
+std::string Given::joined() const {
+  std::string all;
+  for (const Scalar& value : values_) {
+    const auto* text = std::get_if<std::string>(&value);
+    all += (all.empty() ? "" : ",") + (text != nullptr ? *text : described(value));
+  }
+  return all;
+}
+
 template <std::size_t N>
 std::array<double, N> Given::finite_numbers(const std::string& expected) const {
   std::array<double, N> numbers{};

@@ -34,6 +34,7 @@ class Given {
   [[nodiscard]] bool is_text() const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::vector<std::string> texts() const;  // at least one
+  [[nodiscard]] std::string joined() const;              // a list's with commas
   [[nodiscard]] std::array<double, 3> three_numbers() const;
   [[nodiscard]] std::array<double, 9> nine_numbers() const;
   [[nodiscard]] std::array<std::int64_t, 3> three_integers() const;

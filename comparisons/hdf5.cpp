@@ -154,4 +154,17 @@ void write_table(hid_t parent, const std::string& name,
   write_any_table(parent, name, H5T_NATIVE_UINT32, values.data(), values.size(), columns);
 }
 
+std::optional<std::vector<double>> read_table(hid_t parent, const std::string& name) {
+  if (!has_link(parent, name)) return std::nullopt;
+  const Handle table(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose,
+                     "table " + name);
+  const Handle space(H5Dget_space(table), H5Sclose, "shape of " + name);
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  if (count < 0) throw std::runtime_error("HDF5: table " + name + " has no size");
+  std::vector<double> values(static_cast<std::size_t>(count));
+  check(H5Dread(table, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+        "reading table " + name);
+  return values;
+}
+
 }  // namespace springcheck::hdf5

@@ -53,4 +53,7 @@ void write_table(hid_t parent, const std::string& name, std::span<const double> 
 void write_table(hid_t parent, const std::string& name,
                  std::span<const std::uint32_t> values, hsize_t columns);
 
+/// A table's numbers, row by row; none where there is no such table.
+std::optional<std::vector<double>> read_table(hid_t parent, const std::string& name);
+
 }  // namespace springcheck::hdf5

@@ -95,7 +95,7 @@ int command_line(int argc, char** argv) {
   app.add_flag("--verbose", verbose, "log every Newton iteration to stderr");
 
   std::string scene, out, name, from, reference, format = "md", what;
-  bool json = false;
+  bool json = false, split = false, all = false;
   int threads = cores;
   int status = ExitStatus::done;
   const auto output = [&] { return json ? Output::json : Output::text; };
@@ -109,15 +109,27 @@ int command_line(int argc, char** argv) {
   const SettingOptions run_options(run);
   run->add_option("--out", out, "HDF5 file for measures and fields")
       ->check(check_not_empty);
+  run->add_flag("--split", split,
+                "split the errors of spring methods into law and discretisation; runs "
+                "finite elements on up to 4 times as many cells along each axis");
   run->add_flag("--json", json, "print one JSON document");
   add_threads(run);
 
   CLI::App* table =
-      app.add_subcommand("table", "Print one of the thesis's tables beside ours");
-  table->add_option("name", name, "5.1, 5.2, 5.3, 5.4, deviation or bending")->required();
+      app.add_subcommand("table",
+                         "Print one of the thesis's tables beside ours, or one "
+                         "of our own");
+  table
+      ->add_option("name", name,
+                   "5.1, 5.2, 5.3, 5.4, deviation, bending, split (takes minutes), "
+                   "elements or orientation")
+      ->required();
   table->add_option("--from", from, "result file to take cases from; computes the rest")
       ->check(check_not_empty);
-  table->add_option("--reference", reference, "METHOD or METHOD:ELEMENT");
+  table->add_option("--out", out, "HDF5 file for the cases behind the table")
+      ->check(check_not_empty);
+  table->add_option("--reference", reference,
+                    "METHOD[:ELEMENT][@CELLS|@converged] for the thesis's tables");
   table->add_option("--format", format, "md (default), csv or json");
   add_threads(table);
 
@@ -125,6 +137,7 @@ int command_line(int argc, char** argv) {
   everything->add_option("--out", out, "folder for tables, results and summary")
       ->required()
       ->check(check_not_empty);
+  everything->add_flag("--all", all, "the split table too, which takes minutes");
   add_threads(everything);
 
   CLI::App* list = app.add_subcommand("list", "List what there is");
@@ -159,16 +172,17 @@ int command_line(int argc, char** argv) {
                                   static_cast<std::size_t>(threads));
 
   if (*run)
-    status = run_command(scene, run_options.given(), path_or_none(out), output());
+    status = run_command(scene, run_options.given(), path_or_none(out), output(),
+                         split ? ErrorSplit::wanted : ErrorSplit::not_wanted, threads);
   else if (*table)
-    status =
-        table_command(name, path_or_none(from), reference, table_format(format), threads);
+    status = table_command(name, {path_or_none(from), path_or_none(out)}, reference,
+                           table_format(format), threads);
   else if (*list)
     status = list_command(what, output());
   else if (*mesh)
     status = mesh_command(scene, mesh_options.given(), out);
   else {
-    reproduce(out, threads);
+    reproduce(out, all ? Extent::all : Extent::without_split, threads);
     fmt::print("Tables, results and summary are in {}\n", out);
   }
   flush_output();

@@ -1,6 +1,7 @@
 #include "comparisons/memory.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,9 +105,11 @@ void check_memory(const std::string& place, const std::vector<Request>& requests
   for (const Request& request : requests) {
     refuse_if_too_large(place, label(request.settings),
                         estimated_memory(request.settings), parallel);
-    if (request.reference)
-      refuse_if_too_large(place, label(*request.reference),
-                          estimated_memory(*request.reference), parallel);
+    for (const CaseSettings& reference : reference_cases(request))
+      refuse_if_too_large(place,
+                          fmt::format("{} on {} cells", label(reference),
+                                      fmt::join(reference.block.cells, " x ")),
+                          estimated_memory(reference), parallel);
   }
 }
 

@@ -32,16 +32,15 @@ std::string row_name(const Table& table, const TableRow& row) {
   return name;
 }
 
-/// The row of mss-cf that is furthest from its printed value, relative to it or, for
-/// printed percentages, in points.
-std::string worst_against_thesis(const Table& table) {
+/// The row of a method that is furthest from its printed value, relative to it or, for
+/// printed percentages, in points. Empty when none has a printed value.
+std::string worst_against_thesis(const Table& table, const std::string& method) {
   const bool points = table.plan.quantity.unit == "%";
   const TableRow* worst = nullptr;
   double largest = -1;
   int compared = 0;
   for (const TableRow& row : table.rows) {
-    const bool ours_by_thesis = row.result.request.settings.method.name == "mss-cf";
-    if (!ours_by_thesis || !row.difference) continue;
+    if (row.result.request.settings.method.name != method || !row.difference) continue;
     ++compared;
     const double size = points ? std::abs(*row.difference)
                                : std::abs(*row.difference / *row.plan.printed);
@@ -50,16 +49,25 @@ std::string worst_against_thesis(const Table& table) {
       worst = &row;
     }
   }
-  if (worst == nullptr) return "no printed figure of mss-cf to compare with";
+  if (worst == nullptr) return {};
   return fmt::format(
-      "{} mss-cf rows; furthest from print: {} ({}){}", compared, row_name(table, *worst),
+      "{} {} rows; furthest from print: {} ({}){}", compared, method,
+      row_name(table, *worst),
       points ? fmt::format("{:+.2f} points", *worst->difference)
              : fmt::format("{:+.1f} %", 100 * *worst->difference / *worst->plan.printed),
       worst->plan.notes.empty() ? "" : ": see its notes in the table");
 }
 
-std::string summary(const std::vector<Table>& tables,
-                    const std::vector<CaseResult>& results, double seconds) {
+/// mss-cf against the thesis's own, and the law that reproduces its FEM column.
+std::string against_thesis(const Table& table) {
+  std::string text = worst_against_thesis(table, "mss-cf");
+  if (text.empty()) return "no printed figure of mss-cf to compare with";
+  const std::string fem = worst_against_thesis(table, "fem-hencky");
+  return fem.empty() ? text : text + "; " + fem;
+}
+
+std::string summary(const ComputedTables& computed, double seconds) {
+  const auto& [tables, sheets, results] = computed;
   std::map<Status, int> count;
   std::set<std::string> keys;
   for (const CaseResult& result : results)
@@ -77,7 +85,15 @@ std::string summary(const std::vector<Table>& tables,
   text += "\n## Against the printed figures\n\n";
   for (const Table& table : tables)
     text += fmt::format("- [{}](tables/{}.md): {}\n", table.plan.title, table.plan.name,
-                        worst_against_thesis(table));
+                        against_thesis(table));
+  text += "\n## Tables of our own figures\n\n";
+  for (const Sheet& sheet : sheets)
+    text += fmt::format("- [{}](tables/{}.md)\n", sheet.title, sheet.name);
+  const bool has_split = std::ranges::count(sheets, "split", &Sheet::name) > 0;
+  if (!has_split)
+    text +=
+        "- split takes minutes and is left out: `springcheck table split`, or "
+        "`springcheck reproduce --all`\n";
   text +=
       "\n## Cases that are not ok\n\n| table | case | status | why |\n"
       "| --- | --- | --- | --- |\n";
@@ -90,22 +106,35 @@ std::string summary(const std::vector<Table>& tables,
   return text;
 }
 
+void append(std::vector<Request>& all, const std::vector<Request>& further) {
+  all.insert(all.end(), further.begin(), further.end());
+}
+
 }  // namespace
 
 ComputedTables compute_tables(const std::vector<std::string>& names,
                               const std::optional<ReferenceMethod>& reference,
                               MeshStore& meshes, int parallel, const KnownResult& known) {
   std::vector<TablePlan> plans;
-  std::vector<Request> all;
-  for (const std::string& name : names) {
-    plans.push_back(plan_table(name, reference));
-    const std::vector<Request> needed = table_requests(plans.back());
-    all.insert(all.end(), needed.begin(), needed.end());
-  }
+  std::vector<SheetPlan> sheets;
+  std::vector<Request> all, of_sheets;
+  for (const std::string& name : names)
+    if (std::ranges::count(sheet_names(), name) > 0) {
+      if (reference)
+        throw InputError(reference->place, "", "no reference: table " + name + " has its",
+                         "one");
+      sheets.push_back(plan_sheet(name));
+      append(of_sheets, sheets.back().requests);
+    } else {
+      plans.push_back(plan_table(name, reference));
+      append(all, table_requests(plans.back()));
+    }
+  append(all, of_sheets);
   check_memory("table", all, parallel);
   Progress progress("simulations");
   ComputedTables computed{
       .tables = {},
+      .sheets = {},
       .results = run_study(
           all, meshes, parallel,
           [&](std::size_t done, std::size_t of) { progress.show(done, of); }, known)};
@@ -115,10 +144,15 @@ ComputedTables compute_tables(const std::vector<std::string>& names,
     computed.tables.push_back(fill_table(std::move(plan), {next, next + count}));
     next += count;
   }
+  for (const SheetPlan& plan : sheets) {
+    const std::size_t count = plan.requests.size();
+    computed.sheets.push_back(plan.make({next, count}, meshes));
+    next += static_cast<std::ptrdiff_t>(count);
+  }
   return computed;
 }
 
-void reproduce(const std::filesystem::path& directory, int parallel) {
+void reproduce(const std::filesystem::path& directory, Extent extent, int parallel) {
   const auto start = std::chrono::steady_clock::now();
   std::error_code failed;
   std::filesystem::create_directories(directory / "tables", failed);
@@ -129,18 +163,28 @@ void reproduce(const std::filesystem::path& directory, int parallel) {
   check_writable(result_file);
   check_writable(directory / "tables" / "5.1.md");
 
+  std::vector<std::string> names = table_names();
+  for (const std::string& name : sheet_names())
+    if (name != "split" || extent == Extent::all) names.push_back(name);
   MeshStore meshes;
-  const auto [tables, results] =
-      compute_tables(table_names(), std::nullopt, meshes, parallel);
+  const auto [tables, sheets, results] =
+      compute_tables(names, std::nullopt, meshes, parallel);
   write_results(result_file, results, meshes);
-  for (const Table& table : tables) {
-    const std::filesystem::path stem = directory / "tables" / table.plan.name;
-    write_text(stem.string() + ".md", format_table(table, TableFormat::markdown));
-    write_text(stem.string() + ".csv", format_table(table, TableFormat::csv));
-    write_text(stem.string() + ".json", format_table(table, TableFormat::json));
-  }
+  const auto write_table = [&](const std::string& name, auto&& text_as) {
+    const std::filesystem::path stem = directory / "tables" / name;
+    write_text(stem.string() + ".md", text_as(TableFormat::markdown));
+    write_text(stem.string() + ".csv", text_as(TableFormat::csv));
+    write_text(stem.string() + ".json", text_as(TableFormat::json));
+  };
+  for (const Table& table : tables)
+    write_table(table.plan.name,
+                [&](TableFormat format) { return format_table(table, format); });
+  for (const Sheet& sheet : sheets)
+    write_table(sheet.name,
+                [&](TableFormat format) { return format_sheet(sheet, format); });
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  write_text(directory / "summary.md", summary(tables, results, elapsed.count()));
+  write_text(directory / "summary.md",
+             summary({tables, sheets, results}, elapsed.count()));
 }
 
 }  // namespace springcheck

@@ -57,6 +57,14 @@ std::vector<double> flat(const std::vector<Vector3>& vectors) {
   return values;
 }
 
+/// The inverse of flat.
+std::vector<Vector3> vectors(const std::vector<double>& values) {
+  std::vector<Vector3> all;
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3)
+    all.emplace_back(values[i], values[i + 1], values[i + 2]);
+  return all;
+}
+
 template <std::size_t N>
 std::vector<std::uint32_t> flat(const std::vector<std::array<NodeIndex, N>>& cells) {
   std::vector<std::uint32_t> values;
@@ -130,7 +138,7 @@ void write_case(hid_t cases, const CaseResult& result, const Mesh& mesh) {
   const Solution& solution = result.solution;
   write_settings(group, settings_json(result.request.settings));
   if (result.request.reference) {
-    hdf5::write_attribute(group, "reference", label(*result.request.reference));
+    hdf5::write_attribute(group, "reference", reference_label(result.request));
     hdf5::write_attribute(group, "reference_settings",
                           settings_json(*result.request.reference).dump());
   }
@@ -299,6 +307,34 @@ CaseResult with_stored(const Request& request, const std::string& key,
                        .dt_limit = stored.dt_limit},
           .wall_s = stored.wall_s,
           .solve_wall_s = stored.solve_wall_s};
+}
+
+void read_fields(const std::filesystem::path& file, const Mesh& mesh,
+                 CaseResult& result) {
+  reading(file, [&](hid_t root) {
+    const auto cases = hdf5::open_group(root, "cases");
+    const auto group = hdf5::open_group(cases, result.key);
+    const std::string partial = result.measures.volume_error ? "" : "partial_";
+    const auto table = [&](const char* name, std::size_t count) {
+      auto values = hdf5::read_table(group, partial + name);
+      if (values && values->size() != count)
+        throw InputError(
+            file.string(), fmt::format("{}{} of case {}", partial, name, result.key),
+            fmt::format("{} numbers", count), fmt::to_string(values->size()));
+      return values;
+    };
+    const std::size_t nodes = mesh.nodes().size(), cells = mesh.hexahedra().size();
+    if (const auto displacements = table("displacement", 3 * nodes))
+      result.solution.displacements = vectors(*displacements);
+    if (const auto reactions = table("reaction", 3 * nodes))
+      result.solution.reactions = vectors(*reactions);
+    if (const auto ratios = table("cell_volume_ratio", cells)) {
+      result.solution.cell_volumes = *ratios;
+      for (std::size_t c = 0; c < cells; ++c)
+        result.solution.cell_volumes[c] *= mesh.cell_volumes()[c];
+    }
+    return 0;
+  });
 }
 
 }  // namespace springcheck

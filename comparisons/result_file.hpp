@@ -48,4 +48,8 @@ std::string commit_of(const std::filesystem::path& file);
 CaseResult with_stored(const Request& request, const std::string& key,
                        const StoredCase& stored);
 
+/// Gives the result, whose key is in the file, the fields that are stored for it. Throws
+/// InputError when they are not those of the mesh.
+void read_fields(const std::filesystem::path& file, const Mesh& mesh, CaseResult& result);
+
 }  // namespace springcheck

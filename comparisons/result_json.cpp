@@ -1,6 +1,7 @@
 #include "comparisons/result_json.hpp"
 
 #include "comparisons/build_info.hpp"
+#include "comparisons/split_output.hpp"
 
 namespace springcheck {
 namespace {
@@ -50,7 +51,7 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
                    [&](const char* name, const auto& value) { out[name] = json(value); });
   const Solution& solution = result.solution;
   out["reference"] =
-      result.request.reference ? Json(label(*result.request.reference)) : Json();
+      result.request.reference ? Json(reference_label(result.request)) : Json();
   const bool ran = result.status != Status::refused;
   out["load_fraction"] = ran ? Json(solution.load_fraction) : Json();
   out["steps"] = ran ? Json(solution.steps) : Json();
@@ -68,10 +69,13 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
 }  // namespace
 
 Json run_json(const std::string& scene, const std::vector<CaseResult>& results,
-              MeshStore& meshes) {
+              const std::vector<std::optional<Split>>& splits, MeshStore& meshes) {
   Json cases = Json::array();
-  for (const CaseResult& result : results)
-    cases.push_back(case_json(result, meshes.mesh(result.request.settings.block)));
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    Json out = case_json(results[i], meshes.mesh(results[i].request.settings.block));
+    out["split"] = splits[i] ? split_json(*splits[i]) : Json();
+    cases.push_back(std::move(out));
+  }
   return {{"springcheck", build_info::version}, {"scene", scene}, {"results", cases}};
 }
 

@@ -1,11 +1,16 @@
 #include "comparisons/run_settings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <sstream>
 
+#include "comparisons/grids.hpp"
 #include "comparisons/setting_values.hpp"
 #include "meshing/input_error.hpp"
 
@@ -49,17 +54,65 @@ void check_applicable(const Settings& settings, Test test) {
   if (test != Test::affine) refuse("gradient", "no gradient but in affine");
 }
 
+/// "N" or "NX,NY,NZ" behind a reference's '@'.
+std::vector<int> reference_cells_of(const Given& given, const std::string& text) {
+  const std::string expected =
+      "METHOD[:ELEMENT], @NX,NY,NZ, @N or @converged behind it, counts of at least 1";
+  std::vector<int> cells;
+  std::istringstream counts(text);
+  for (std::string count; std::getline(counts, count, ',');) {
+    int value = 0;
+    const auto [end, error] =
+        std::from_chars(count.data(), count.data() + count.size(), value);
+    if (error != std::errc{} || end != count.data() + count.size() || value < 1)
+      given.refuse(expected);
+    cells.push_back(value);
+  }
+  if ((cells.size() != 1 && cells.size() != 3) || text.back() == ',')
+    given.refuse(expected);
+  return cells;
+}
+
+/// The cells a reference runs on beside a case.
+Cells cells_beside(const ReferenceMethod& reference, const Cells& cells) {
+  if (reference.cells.empty()) return cells;
+  const auto refuse = [&](const std::string& expected) {
+    throw InputError(reference.place, "cells of the reference",
+                     fmt::format("{} the case's {}", expected, fmt::join(cells, ",")),
+                     fmt::format("{}", fmt::join(reference.cells, ",")));
+  };
+  if (reference.cells.size() == 1) {
+    const int along_x = reference.cells.front();
+    if (along_x % cells[0] != 0) refuse("a whole multiple of the first of");
+    return refined(cells, along_x / cells[0]);
+  }
+  const Cells finer{reference.cells[0], reference.cells[1], reference.cells[2]};
+  if (!is_refinement(finer, cells)) refuse("whole multiples of");
+  return finer;
+}
+
 }  // namespace
 
 ReferenceMethod reference_named(const Given& given) {
-  const std::string text = given.text();
-  if (text.find('@') != std::string::npos)
-    given.refuse("METHOD or METHOD:ELEMENT, on the same mesh");
-  const std::size_t colon = text.find(':');
-  const Method method = method_named(given, text.substr(0, colon));
-  if (colon == std::string::npos) return {method, *find_element("q1-sri")};
-  if (!is_finite_element(method)) given.refuse("an element for fem- methods only");
-  return {method, element_named(given, text.substr(colon + 1))};
+  const std::string text = given.joined();
+  const std::size_t at = text.find('@');
+  const std::string what = text.substr(0, at);
+  const std::size_t colon = what.find(':');
+  ReferenceMethod reference{.method = method_named(given, what.substr(0, colon)),
+                            .element = *find_element("q1-sri"),
+                            .place = given.place()};
+  if (colon != std::string::npos) {
+    if (!is_finite_element(reference.method))
+      given.refuse("an element for fem- methods only");
+    reference.element = element_named(given, what.substr(colon + 1));
+  }
+  if (at == std::string::npos) return reference;
+  const std::string grid = text.substr(at + 1);
+  if (grid == "converged")
+    reference.grid = ReferenceGrid::converged;
+  else
+    reference.cells = reference_cells_of(given, grid);
+  return reference;
 }
 
 const std::vector<SettingKey>& option_keys() {
@@ -99,9 +152,9 @@ const std::vector<SettingKey>& option_keys() {
       {"damping", "dashpots in dynamics, fraction of critical (default 0.05)"},
       {"seed", "decides between equal directions out of an unstable state (default 1)"},
       {"reference",
-       "METHOD or METHOD:ELEMENT that deviations are measured against (default on the "
-       "same mesh: fem-hooke:q1-sri up to a deformation of .02, fem-stvk:q1-sri above "
-       "and in tests without a deformation)"}};
+       "METHOD[:ELEMENT][@CELLS|@converged] that deviations are measured against "
+       "(default on the same mesh: fem-hooke:q1-sri up to a deformation of .02, "
+       "fem-stvk:q1-sri above and in tests without a deformation)"}};
   return keys;
 }
 
@@ -189,7 +242,10 @@ std::vector<Request> requests(const RunSettings& run) {
     request.settings.method = method;
     request.reference->method = reference.method;
     request.reference->element = reference.element;
-    if (settings_json(request.settings) == settings_json(*request.reference))
+    request.reference->block.cells = cells_beside(reference, run.common.block.cells);
+    request.reference_grid = reference.grid;
+    if (reference.grid == ReferenceGrid::one &&
+        settings_json(request.settings) == settings_json(*request.reference))
       request.reference.reset();
     all.push_back(request);
   }

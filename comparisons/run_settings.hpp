@@ -10,10 +10,19 @@
 
 namespace springcheck {
 
-/// A method with the element it runs on, as "METHOD" or "METHOD:ELEMENT" names it.
+/// A method with the element and the grid it runs on, as the user names it:
+///
+///     METHOD[:ELEMENT]              the element is q1-sri when none is named; the
+///                                   case's own mesh
+///     METHOD[:ELEMENT]@NX,NY,NZ     this many cells: whole multiples of the case's
+///     METHOD[:ELEMENT]@N            N along x, the others in proportion
+///     METHOD[:ELEMENT]@converged    extrapolated, see converged.hpp
 struct ReferenceMethod {
   Method method;
   ElementName element;
+  std::vector<int> cells{};  // none, N, or three
+  ReferenceGrid grid = ReferenceGrid::one;
+  std::string place{};  // where it was given, for messages
 };
 
 /// What `run` computes: a case for each method, of otherwise equal settings.
@@ -25,7 +34,7 @@ struct RunSettings {
   std::vector<Status> expect;
 };
 
-/// Reads "METHOD" or "METHOD:ELEMENT"; the element is q1-sri when none is named.
+/// Reads a reference; whether its cells fit the case's is seen in requests().
 ReferenceMethod reference_named(const Given& given);
 
 /// One setting's name and help text.
@@ -54,6 +63,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
 /// on the same mesh, fem-hooke:q1-sri up to a deformation of .02 and fem-stvk:q1-sri
 /// above (and in tests without a deformation) unless the run names one. The reference
 /// itself has none.
+/// Throws InputError where the named reference's cells are no refinement of the run's.
 std::vector<Request> requests(const RunSettings& run);
 
 }  // namespace springcheck

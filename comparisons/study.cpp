@@ -1,5 +1,7 @@
 #include "comparisons/study.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <omp.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -12,6 +14,7 @@
 #include <type_traits>
 
 #include "comparisons/build_info.hpp"
+#include "comparisons/converged.hpp"
 #include "comparisons/wrinkles.hpp"
 #include "meshing/sha256.hpp"
 
@@ -133,11 +136,29 @@ std::string_view name_of(Status status) {
   return {};
 }
 
+std::vector<CaseSettings> reference_cases(const Request& request) {
+  if (!request.reference) return {};
+  if (request.reference_grid == ReferenceGrid::one) return {*request.reference};
+  const ThreeCases grids = convergence_grids(*request.reference);
+  return {grids.begin(), grids.end()};
+}
+
+std::string reference_label(const Request& request) {
+  if (!request.reference) return {};
+  const std::string name = label(*request.reference);
+  if (request.reference_grid == ReferenceGrid::converged) return name + "@converged";
+  const Cells& cells = request.reference->block.cells;
+  if (cells == request.settings.block.cells) return name;
+  return fmt::format("{}@{}", name, fmt::join(cells, ","));
+}
+
 std::string case_key(const Request& request, const Mesh& mesh) {
   nlohmann::json all{{"settings", settings_json(request.settings)},
                      {"mesh", mesh.sha256()},
                      {"version", build_info::version}};
   if (request.reference) all["reference"] = settings_json(*request.reference);
+  if (request.reference_grid == ReferenceGrid::converged)
+    all["reference-grid"] = "converged";
   return sha256(all.dump());
 }
 
@@ -182,48 +203,58 @@ std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStor
     CaseResult result;
   };
   std::vector<Simulation> simulations;
+  std::vector<std::size_t> to_run;
   std::map<std::string, std::size_t> place_of;
   const auto plan = [&](const CaseSettings& settings) {
     const Mesh& mesh = meshes.mesh(settings.block);
-    const auto [place, is_new] =
-        place_of.try_emplace(case_key({settings, {}}, mesh), simulations.size());
-    if (is_new) simulations.push_back({settings, &mesh, {}});
+    const Request alone{.settings = settings, .reference = std::nullopt};
+    const std::string key = case_key(alone, mesh);
+    const auto [place, is_new] = place_of.try_emplace(key, simulations.size());
+    if (!is_new) return place->second;
+    simulations.push_back({settings, &mesh, {}});
+    auto result = known ? known(alone, key) : std::nullopt;
+    if (result && !result->solution.displacements.empty())
+      simulations.back().result = std::move(*result);
+    else
+      to_run.push_back(place->second);
     return place->second;
   };
 
   struct Answer {
     std::optional<CaseResult> known;
-    std::size_t simulation, reference;
+    std::size_t simulation;
+    std::vector<std::size_t> reference;
   };
   std::vector<Answer> answers;
   for (const Request& request : requests) {
-    Answer answer{std::nullopt, 0, 0};
+    Answer answer{std::nullopt, 0, {}};
     if (known)
       answer.known =
           known(request, case_key(request, meshes.mesh(request.settings.block)));
     if (!answer.known) {
       answer.simulation = plan(request.settings);
-      answer.reference = request.reference ? plan(*request.reference) : answer.simulation;
+      for (const CaseSettings& settings : reference_cases(request))
+        answer.reference.push_back(plan(settings));
     }
     answers.push_back(std::move(answer));
   }
 
-  finished(0, simulations.size());
+  finished(0, to_run.size());
   std::size_t done = 0;
   std::mutex one_at_a_time;
   tbb::task_arena arena(parallel);
   arena.execute([&] {
     tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, simulations.size(), 1),
+        tbb::blocked_range<std::size_t>(0, to_run.size(), 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
           for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            Simulation& simulation = simulations[i];
+            Simulation& simulation = simulations[to_run[i]];
             // Isolated: a thread that waits for its own inner loops must not start
             // another simulation meanwhile, whose time would count twice.
             simulation.result = tbb::this_task_arena::isolate(
                 [&] { return simulate(simulation.settings, *simulation.mesh); });
             const std::lock_guard lock(one_at_a_time);
-            finished(++done, simulations.size());
+            finished(++done, to_run.size());
           }
         },
         tbb::simple_partitioner());
@@ -236,12 +267,14 @@ std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStor
       continue;
     }
     CaseResult result = simulations[answers[i].simulation].result;
-    const CaseResult& reference = simulations[answers[i].reference].result;
     const Mesh& mesh = *simulations[answers[i].simulation].mesh;
-    if (requests[i].reference && result.measures.volume_error &&
-        reference.measures.volume_error)
+    std::vector<const CaseResult*> runs;
+    for (const std::size_t place : answers[i].reference)
+      runs.push_back(&simulations[place].result);
+    if (const auto reference = reference_solution(requests[i], runs, meshes);
+        reference && result.measures.volume_error)
       measure_deviation(result.measures, requests[i].settings, mesh, result.solution,
-                        reference.solution);
+                        *reference);
     result.request = requests[i];
     result.key = case_key(requests[i], mesh);
     results.push_back(std::move(result));

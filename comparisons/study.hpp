@@ -27,11 +27,23 @@ enum class Status {
 std::string_view name_of(Status status);
 const std::vector<Status>& all_statuses();
 
+/// Whether a reference is one simulation, or what it converges to on three grids.
+enum class ReferenceGrid { one, converged };
+
 /// A simulation that was asked for, with what its deviations are measured against.
 struct Request {
   CaseSettings settings;
+  // On the same mesh or a refinement of it; on the same mesh when `converged`:
   std::optional<CaseSettings> reference;
+  ReferenceGrid reference_grid = ReferenceGrid::one;
 };
+
+/// The simulations its reference is made of: none, one, or three from coarse to fine.
+std::vector<CaseSettings> reference_cases(const Request& request);
+
+/// "fem-stvk:q1-sri"; with "@20,20,20" on cells other than the case's, "@converged" when
+/// extrapolated. Empty without a reference.
+std::string reference_label(const Request& request);
 
 struct CaseResult {
   Request request;
@@ -75,8 +87,8 @@ using KnownResult = std::function<std::optional<CaseResult>(const Request& reque
 using Finished = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Runs every request that is not known and returns the results in the requests' order.
-/// Simulations that several requests share, references included, run once; `parallel` of
-/// them at a time.
+/// Simulations that several requests share, references included, run once, `parallel` of
+/// them at a time; those that are known with their fields do not run.
 std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStore& meshes,
                                   int parallel, const Finished& finished,
                                   const KnownResult& known = {});

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "comparisons/build_info.hpp"
+#include "comparisons/text_table.hpp"
 
 namespace springcheck {
 namespace {
@@ -19,9 +20,7 @@ std::string number(const Quantity& quantity, const std::optional<double>& value,
                    Digits digits) {
   if (!value) return {};
   if (digits == Digits::all) return fmt::format("{}", *value);
-  const std::string text = fmt::format(fmt::runtime(quantity.format), *value);
-  const bool is_zero = text.find_first_of("123456789") == std::string::npos;
-  return is_zero && text.starts_with('-') ? text.substr(1) : text;
+  return rounded(quantity.format, *value);
 }
 
 std::string signed_number(const Quantity& quantity, const std::optional<double>& value,
@@ -56,7 +55,7 @@ std::string statuses(const CaseResult& result) {
 }
 
 std::string reference_of(const CaseResult& result) {
-  return result.request.reference ? label(*result.request.reference) : "itself";
+  return result.request.reference ? reference_label(result.request) : "itself";
 }
 
 /// All footnotes of the table: on the whole first, then the rows', each once.
@@ -110,50 +109,27 @@ std::vector<std::string> cells(const Table& table, const TableRow& row,
 
 /// Heads and rows, without the columns that are empty in every row.
 std::vector<std::vector<std::string>> grid(const Table& table,
-                                           const std::vector<std::string>& notes,
-                                           Digits digits) {
+                                           const std::vector<std::string>& notes) {
   std::vector<std::vector<std::string>> lines{headings(table)};
   for (const TableRow& row : table.rows)
-    lines.push_back(cells(table, row, notes, digits));
-  for (std::size_t column = lines.front().size(); column-- > 0;) {
-    const bool is_empty = std::all_of(lines.begin() + 1, lines.end(),
-                                      [&](auto& line) { return line[column].empty(); });
-    if (is_empty)
-      for (auto& line : lines)
-        line.erase(line.begin() + static_cast<std::ptrdiff_t>(column));
-  }
-  return lines;
+    lines.push_back(cells(table, row, notes, Digits::rounded));
+  return without_empty_columns(std::move(lines));
 }
 
 std::string markdown(const Table& table) {
   const std::vector<std::string> notes = footnotes(table);
-  const auto lines = grid(table, notes, Digits::rounded);
-  std::string text = fmt::format("## {}\n\n", table.plan.title);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    text += fmt::format("| {} |\n", fmt::join(lines[i], " | "));
-    if (i > 0) continue;
-    for (std::size_t column = 0; column < lines[0].size(); ++column) text += "| --- ";
-    text += "|\n";
-  }
-  text +=
-      "\nReference: the solution on the same mesh (method:element) that deviations and "
-      "the columns \"reference's\" belong to.\n";
-  for (const std::string& note : table.plan.notes) text += "\n" + note + "\n";
-  if (!notes.empty()) text += "\n";
-  for (std::size_t i = 0; i < notes.size(); ++i)
-    text += fmt::format("{}. {}\n", i + 1, notes[i]);
-  return text;
+  std::vector<std::string> on_the_table{
+      "Reference: the solution (method:element, on the same mesh unless @ says "
+      "otherwise) "
+      "that deviations and the columns \"reference's\" belong to."};
+  on_the_table.insert(on_the_table.end(), table.plan.notes.begin(),
+                      table.plan.notes.end());
+  return markdown_text(
+      grid(table, notes),
+      {.title = table.plan.title, .notes = on_the_table, .footnotes = notes});
 }
 
-std::string quoted(const std::string& cell) {
-  if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
-  std::string text = "\"";
-  for (const char c : cell) text += c == '"' ? "\"\"" : std::string(1, c);
-  return text + "\"";
-}
-
-/// Comma-separated values by RFC 4180: a head line, then the rows with all digits and
-/// their notes in words.
+/// All digits, and the notes in words.
 std::string csv(const Table& table) {
   const std::vector<std::string> notes = footnotes(table);
   std::vector<std::vector<std::string>> lines{headings(table)};
@@ -162,11 +138,7 @@ std::string csv(const Table& table) {
     lines.back().end()[-2] = fmt::format("{}", fmt::join(row.plan.notes, " "));
     lines.back().back() = row.result.key;
   }
-  std::string text;
-  for (const auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i)
-      text += quoted(line[i]) + (i + 1 < line.size() ? "," : "\n");
-  return text;
+  return csv_text(lines);
 }
 
 Json json(const std::optional<double>& value) {
@@ -185,9 +157,8 @@ std::string json_text(const Table& table) {
     out["ours"] = json(row.ours);
     out["difference"] = json(row.difference);
     out["reference_value"] = json(row.reference_value);
-    out["reference"] = row.result.request.reference
-                           ? Json(label(*row.result.request.reference))
-                           : Json();
+    out["reference"] =
+        row.result.request.reference ? Json(reference_label(row.result.request)) : Json();
     out["cells"] = row.result.request.settings.block.cells;
     out["printed_instabilities"] =
         row.plan.verdict.empty() ? Json() : Json(row.plan.verdict);

@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <span>
 
+#include "comparisons/converged.hpp"
 #include "comparisons/printed_figures.hpp"
 #include "comparisons/scene_file.hpp"
+#include "comparisons/sheet.hpp"
 #include "comparisons/table_notes.hpp"
 #include "meshing/input_error.hpp"
 
@@ -68,13 +72,13 @@ PlannedRow row_of(const PrintedFigure& figure, const std::string& method,
   return row;
 }
 
-/// Rows of tables 5.1 to 5.4: one per printed figure, but two laws for the FEM column and
-/// the E-form beside the mu-form where the printed value needs it.
+/// Rows of tables 5.1 to 5.4: one per printed figure, but three laws for the FEM column
+/// and the E-form beside the mu-form where the printed value needs it.
 std::vector<PlannedRow> rows_of(const std::string& table, const Reference& reference) {
   std::vector<PlannedRow> rows;
   for (const PrintedFigure& figure : printed_figures(table)) {
     if (figure.method == "fem") {
-      for (const char* law : {"fem-hooke", "fem-stvk"}) {
+      for (const char* law : {"fem-hencky", "fem-hooke", "fem-stvk"}) {
         rows.push_back(row_of(figure, law, {}, reference));
         rows.back().notes.emplace_back(table_notes::fem_column);
         if (table == "5.2") rows.back().notes.emplace_back(table_notes::tension_mesh);
@@ -237,6 +241,23 @@ TablePlan bending_table(const Reference& reference) {
   return plan;
 }
 
+/// The quantity of the reference, extrapolated where it ran on three grids. None for
+/// deviations, which are from it.
+std::optional<double> reference_value(const Quantity& quantity,
+                                      std::span<const CaseResult> runs) {
+  if (runs.size() == 1) return quantity.of(runs.front().measures);
+  if (runs.empty()) return std::nullopt;
+  OnThreeGrids values;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::optional<double> value = quantity.of(runs[i].measures);
+    if (!value) return std::nullopt;
+    values[i] = Eigen::MatrixXd::Constant(1, 1, *value);
+  }
+  const GridSizes sizes = grid_sizes(
+      {runs[0].request.settings, runs[1].request.settings, runs[2].request.settings});
+  return extrapolate(sizes, values, solver_noise * std::abs(values[2](0))).value(0);
+}
+
 }  // namespace
 
 const std::vector<std::string>& table_names() {
@@ -254,7 +275,9 @@ TablePlan plan_table(const std::string& name, const Reference& reference) {
   if (name == "5.4") return torsion_table(reference);
   if (name == "deviation") return deviation_table(reference);
   if (name == "bending") return bending_table(reference);
-  throw InputError("table", "", fmt::format("one of {}", fmt::join(table_names(), ", ")),
+  throw InputError("table", "",
+                   fmt::format("one of {}, {}", fmt::join(table_names(), ", "),
+                               fmt::join(sheet_names(), ", ")),
                    "'" + name + "'");
 }
 
@@ -262,8 +285,8 @@ std::vector<Request> table_requests(const TablePlan& plan) {
   std::vector<Request> all;
   for (const PlannedRow& row : plan.rows) {
     all.push_back(row.request);
-    if (row.request.reference)
-      all.push_back({.settings = *row.request.reference, .reference = std::nullopt});
+    for (const CaseSettings& reference : reference_cases(row.request))
+      all.push_back({.settings = reference, .reference = std::nullopt});
   }
   return all;
 }
@@ -278,8 +301,10 @@ Table fill_table(TablePlan plan, const std::vector<CaseResult>& results) {
                  .difference = {},
                  .reference_value = {},
                  .further = {}};
-    if (planned.request.reference)  // empty for deviations, which are from it
-      row.reference_value = table.plan.quantity.of(results.at(next++).measures);
+    const std::size_t references = reference_cases(planned.request).size();
+    row.reference_value = reference_value(table.plan.quantity,
+                                          std::span(results).subspan(next, references));
+    next += references;
     row.ours = table.plan.quantity.of(row.result.measures);
     if (row.ours && planned.printed) row.difference = *row.ours - *planned.printed;
     for (const Quantity& quantity : table.plan.further)

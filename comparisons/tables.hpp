@@ -38,7 +38,7 @@ struct TablePlan {
   std::vector<std::string> notes;  // on the table as a whole
 };
 
-/// Names of the tables there are: 5.1, 5.2, 5.3, 5.4, deviation, bending.
+/// Names of the tables beside the thesis's: 5.1, 5.2, 5.3, 5.4, deviation, bending.
 const std::vector<std::string>& table_names();
 
 /// The plan of a table; `reference` replaces the default of requests(). Throws InputError

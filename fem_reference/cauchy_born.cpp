@@ -23,22 +23,6 @@ Stretched stretched(const Vector3d& n, const Matrix3& H) {
           .elongation = (2 * n.dot(Hn) + Hn.squaredNorm()) / (length + 1)};
 }
 
-/// Rows: the body's axes in the lattice's frame.
-Matrix3 lattice_to_body(LatticeDirection direction) {
-  Matrix3 rows = Matrix3::Identity();
-  switch (direction) {
-    case LatticeDirection::d100:
-      break;
-    case LatticeDirection::d110:
-      rows << 0, 0, 1, 1, -1, 0, 1, 1, 0;
-      break;
-    case LatticeDirection::d111:
-      rows << 1, -1, 0, 1, 1, -2, 1, 1, 1;
-      break;
-  }
-  return rows.rowwise().normalized();
-}
-
 struct Weights {
   double edge;
   double face_diagonal;
@@ -90,6 +74,21 @@ std::vector<SpringDirection> icosahedral_springs(double mu) {
 }
 
 }  // namespace
+
+Matrix3 lattice_to_body(LatticeDirection direction) {
+  Matrix3 rows = Matrix3::Identity();
+  switch (direction) {
+    case LatticeDirection::d100:
+      break;
+    case LatticeDirection::d110:
+      rows << 0, 0, 1, 1, -1, 0, 1, 1, 0;
+      break;
+    case LatticeDirection::d111:
+      rows << 1, -1, 0, 1, 1, -2, 1, 1, 1;
+      break;
+  }
+  return rows.rowwise().normalized();
+}
 
 double CauchyBorn::energy(const Matrix3& displacement_gradient) const {
   double sum = 0;

@@ -1,0 +1,108 @@
+#include "comparisons/converged.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace springcheck {
+namespace {
+
+/// One column per node.
+Eigen::MatrixXd matrix_of(const std::vector<Vector3>& field) {
+  Eigen::MatrixXd matrix(3, static_cast<Eigen::Index>(field.size()));
+  for (Eigen::Index n = 0; const Vector3& value : field) matrix.col(n++) = value;
+  return matrix;
+}
+
+Eigen::MatrixXd matrix_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::RowVectorXd>(values.data(),
+                                              static_cast<Eigen::Index>(values.size()));
+}
+
+std::vector<Vector3> displacements_at(const CaseResult& run, const Cells& cells) {
+  return at_coarse_nodes(run.solution.displacements, run.request.settings.block.cells,
+                         cells);
+}
+
+std::vector<double> cell_volumes_on(const CaseResult& run, const Cells& cells,
+                                    MeshStore& meshes) {
+  const BlockSize& block = run.request.settings.block;
+  return summed_over_coarse_cells(deformed_volumes(meshes.mesh(block), run.solution),
+                                  block.cells, cells);
+}
+
+}  // namespace
+
+ThreeCases convergence_grids(const CaseSettings& settings) {
+  ThreeCases grids{settings, settings, settings};
+  grids[1].block.cells = refined(settings.block.cells, 2);
+  grids[2].block.cells = refined(settings.block.cells, 4);
+  return grids;
+}
+
+GridSizes grid_sizes(const ThreeCases& cases) {
+  return {cell_size(cases[0].block), cell_size(cases[1].block),
+          cell_size(cases[2].block)};
+}
+
+ConvergedField converged_field(std::span<const CaseResult* const> runs,
+                               const Cells& cells, MeshStore& meshes) {
+  assert(runs.size() == 3);
+  const GridSizes sizes = grid_sizes(
+      {runs[0]->request.settings, runs[1]->request.settings, runs[2]->request.settings});
+  OnThreeGrids displacements, volumes;
+  for (std::size_t i = 0; i < 3; ++i) {
+    displacements[i] = matrix_of(displacements_at(*runs[i], cells));
+    volumes[i] = matrix_of(cell_volumes_on(*runs[i], cells, meshes));
+  }
+  const double largest = displacements[2].colwise().norm().maxCoeff();
+  const Extrapolated field = extrapolate(sizes, displacements, solver_noise * largest);
+  const Extrapolated cell_volumes =
+      extrapolate(sizes, volumes, solver_noise * volumes[2].mean());
+
+  ConvergedField converged{
+      .displacements = {},
+      .cell_volumes = {cell_volumes.value.data(),
+                       cell_volumes.value.data() + cell_volumes.value.size()},
+      .order = field.order,
+      .bar = field.bar.colwise().norm().mean()};
+  for (const auto& u : field.value.colwise()) converged.displacements.emplace_back(u);
+  return converged;
+}
+
+ConvergedField finest_field(std::span<const CaseResult* const> runs, const Cells& cells,
+                            MeshStore& meshes) {
+  assert(runs.size() >= 2);
+  const CaseResult& finest = *runs.back();
+  ConvergedField field{.displacements = displacements_at(finest, cells),
+                       .cell_volumes = cell_volumes_on(finest, cells, meshes),
+                       .order = std::nullopt,
+                       .bar = 0};
+  const Eigen::MatrixXd u = matrix_of(field.displacements);
+  const Eigen::MatrixXd change =
+      u - matrix_of(displacements_at(*runs[runs.size() - 2], cells));
+  field.bar = std::max(safety_without_order * change.colwise().norm().mean(),
+                       solver_noise * u.colwise().norm().maxCoeff());
+  return field;
+}
+
+std::optional<Solution> reference_solution(const Request& request,
+                                           std::span<const CaseResult* const> runs,
+                                           MeshStore& meshes) {
+  const bool all_measured = std::ranges::all_of(
+      runs, [](const CaseResult* run) { return run->measures.volume_error.has_value(); });
+  if (runs.empty() || !all_measured) return std::nullopt;
+  const Cells& cells = request.settings.block.cells;
+  Solution reference = runs.back()->solution;
+  reference.reactions.clear();
+  if (runs.size() == 1) {
+    reference.displacements = displacements_at(*runs[0], cells);
+    reference.cell_volumes = cell_volumes_on(*runs[0], cells, meshes);
+    return reference;
+  }
+  ConvergedField converged = converged_field(runs, cells, meshes);
+  reference.displacements = std::move(converged.displacements);
+  reference.cell_volumes = std::move(converged.cell_volumes);
+  return reference;
+}
+
+}  // namespace springcheck

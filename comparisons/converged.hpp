@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "comparisons/extrapolation.hpp"
+#include "comparisons/grids.hpp"
+#include "comparisons/study.hpp"
+
+namespace springcheck {
+
+/// Changes between grids below this fraction of a quantity (of V0 for volumes, of the
+/// largest displacement for fields) are what the solvers' tolerances leave.
+inline constexpr double solver_noise = 1e-8;
+
+/// One case on three grids, from coarse to fine.
+using ThreeCases = std::array<CaseSettings, 3>;
+
+/// On the case's own cells and on two and four times as many along each axis.
+ThreeCases convergence_grids(const CaseSettings& settings);
+
+/// The sizes of the three grids' cells.
+GridSizes grid_sizes(const ThreeCases& cases);
+
+/// What displacements converge to, at the nodes of a mesh.
+struct ConvergedField {
+  std::vector<Vector3> displacements;
+  std::vector<double> cell_volumes;  // [m^3] deformed, of its cells
+  std::optional<double> order;       // of the displacements
+  double bar;                        // mean over the nodes of the distance it bounds [m]
+};
+
+/// Extrapolates three runs, which must have their fields, at the nodes of a mesh of
+/// `cells` that all three refine.
+ConvergedField converged_field(std::span<const CaseResult* const> runs,
+                               const Cells& cells, MeshStore& meshes);
+
+/// The field of the finest of the runs, from coarse to fine, with three times its mean
+/// distance from the next as bar (extrapolation.hpp: no order observed).
+ConvergedField finest_field(std::span<const CaseResult* const> runs, const Cells& cells,
+                            MeshStore& meshes);
+
+/// What deviations of the request are measured against, as a solution on the case's mesh
+/// (displacements and cell volumes only), from the runs of reference_cases(request); none
+/// when one of them failed.
+std::optional<Solution> reference_solution(const Request& request,
+                                           std::span<const CaseResult* const> runs,
+                                           MeshStore& meshes);
+
+}  // namespace springcheck

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "meshing/gmsh.hpp"
+
+namespace springcheck {
+
+/// Numbers of cells of a block along x, y, z; nodes and cells of its mesh are numbered
+/// lexicographically, x fastest (generate_block).
+using Cells = std::array<int, 3>;
+
+/// Each count times `factor`. Throws InputError where one would not fit an int.
+Cells refined(const Cells& cells, int factor);
+
+/// Each count halved, odd ones rounded up.
+Cells coarsened(const Cells& cells);
+
+/// Whether each count of `fine` is a whole multiple of the one of `coarse`: then every
+/// node of the coarse grid is one of the fine grid.
+bool is_refinement(const Cells& fine, const Cells& coarse);
+
+/// Cube root of a cell's mean volume [m].
+double cell_size(const BlockSize& block);
+
+/// Values at the coarse grid's nodes, of a field given at the nodes of a refinement.
+std::vector<Vector3> at_coarse_nodes(std::span<const Vector3> field, const Cells& fine,
+                                     const Cells& coarse);
+
+/// For each coarse cell, the sum of `values` over the fine cells in it.
+std::vector<double> summed_over_coarse_cells(std::span<const double> values,
+                                             const Cells& fine, const Cells& coarse);
+
+}  // namespace springcheck

@@ -1,0 +1,140 @@
+#include "comparisons/sheet.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "comparisons/build_info.hpp"
+#include "comparisons/elements_table.hpp"
+#include "comparisons/orientation_table.hpp"
+#include "comparisons/scene_file.hpp"
+#include "comparisons/split_table.hpp"
+#include "comparisons/text_table.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> footnotes(const Sheet& sheet) {
+  std::vector<std::string> notes;
+  for (const SheetRow& row : sheet.rows)
+    for (const std::string& note : row.notes)
+      if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+  return notes;
+}
+
+/// Head line and rows; shown(column, cell) is a cell's text.
+template <class Shown, class Notes, class Cases>
+TextLines lines_of(const Sheet& sheet, Shown&& shown, Notes&& notes, Cases&& cases) {
+  TextLines lines(1);
+  for (const Column& column : sheet.columns) lines[0].push_back(column.heading);
+  lines[0].insert(lines[0].end(), {"notes", "case"});
+  for (const SheetRow& row : sheet.rows) {
+    std::vector<std::string> line;
+    for (std::size_t i = 0; i < sheet.columns.size(); ++i) {
+      const Cell& cell = row.cells.at(i);
+      line.push_back(cell.number ? shown(sheet.columns[i], *cell.number) : cell.text);
+    }
+    line.insert(line.end(), {notes(row), cases(row)});
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::string markdown(const Sheet& sheet) {
+  const std::vector<std::string> notes = footnotes(sheet);
+  const auto marks = [&](const SheetRow& row) {
+    std::vector<std::ptrdiff_t> numbers;
+    for (const std::string& note : row.notes)
+      numbers.push_back(std::ranges::find(notes, note) - notes.begin() + 1);
+    return fmt::format("{}", fmt::join(numbers, " "));
+  };
+  const auto key = [](const SheetRow& row) {
+    return row.cases.empty() ? std::string() : row.cases.front().substr(0, 12);
+  };
+  const TextLines lines = lines_of(
+      sheet,
+      [](const Column& column, double number) { return rounded(column.format, number); },
+      marks, key);
+  return markdown_text(without_empty_columns(lines),
+                       {.title = sheet.title, .notes = sheet.notes, .footnotes = notes});
+}
+
+std::string csv(const Sheet& sheet) {
+  return csv_text(lines_of(
+      sheet, [](const Column&, double number) { return fmt::format("{}", number); },
+      [](const SheetRow& row) { return fmt::format("{}", fmt::join(row.notes, " ")); },
+      [](const SheetRow& row) { return fmt::format("{}", fmt::join(row.cases, " ")); }));
+}
+
+Json json(const Column& column, const Cell& cell) {
+  if (!column.format.empty()) return cell.number ? Json(*cell.number) : Json();
+  return cell.text.empty() ? Json() : Json(cell.text);
+}
+
+std::string json_text(const Sheet& sheet) {
+  Json rows = Json::array();
+  for (const SheetRow& row : sheet.rows) {
+    Json out;
+    for (std::size_t i = 0; i < sheet.columns.size(); ++i)
+      out[sheet.columns[i].key] = json(sheet.columns[i], row.cells[i]);
+    out["notes"] = row.notes;
+    out["case"] = row.cases.empty() ? Json() : Json(row.cases.front());
+    out["cases"] = row.cases;
+    rows.push_back(out);
+  }
+  const Json document{{"springcheck", build_info::version},
+                      {"table", sheet.name},
+                      {"title", sheet.title},
+                      {"rows", rows},
+                      {"notes", sheet.notes}};
+  return document.dump(2) + "\n";
+}
+
+}  // namespace
+
+std::string format_sheet(const Sheet& sheet, TableFormat format) {
+  switch (format) {
+    case TableFormat::markdown:
+      return markdown(sheet);
+    case TableFormat::csv:
+      return csv(sheet);
+    case TableFormat::json:
+      return json_text(sheet);
+  }
+  return {};
+}
+
+const std::vector<std::string>& sheet_names() {
+  static const std::vector<std::string> names{"split", "elements", "orientation"};
+  return names;
+}
+
+SheetPlan plan_sheet(const std::string& name) {
+  if (name == "split") return plan_split_table();
+  if (name == "elements") return plan_elements_table();
+  if (name == "orientation") return plan_orientation_table();
+  throw InputError("table", "", fmt::format("one of {}", fmt::join(sheet_names(), ", ")),
+                   "'" + name + "'");
+}
+
+CaseSettings case_of_scene(
+    const std::string& scene,
+    const std::vector<std::pair<std::string, std::string>>& changes) {
+  SceneFile file = read_scene(scene);
+  for (const auto& [key, value] : changes)
+    file.settings.push_back({key, Given::from_text("table", value)});
+  return requests(make_run_settings(file.name, file.file, file.settings))
+      .front()
+      .settings;
+}
+
+Cell value_or_status(const std::optional<double>& value, const CaseResult& result) {
+  return {.number = value, .text = std::string(name_of(result.status))};
+}
+
+}  // namespace springcheck

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "comparisons/study.hpp"
+#include "comparisons/table_format.hpp"
+
+namespace springcheck {
+
+/// A column of a sheet: of numbers where it has a format, else of texts.
+struct Column {
+  std::string key;       // its name in JSON
+  std::string heading;   // in markdown and CSV, with the unit
+  std::string format{};  // fmt's, for one double
+};
+
+/// A number of its column, or a text; both may be lacking. Beside a number the text is
+/// ignored; where a number is lacking it says why.
+struct Cell {
+  std::optional<double> number{};
+  std::string text{};
+};
+
+struct SheetRow {
+  std::vector<Cell> cells;           // one per column
+  std::vector<std::string> notes{};  // footnotes, shared by equal text
+  std::vector<std::string> cases{};  // keys of the simulations behind it, the main first
+};
+
+/// A table of our own figures, of which the thesis printed none.
+struct Sheet {
+  std::string name;
+  std::string title;
+  std::vector<Column> columns;
+  std::vector<SheetRow> rows;
+  std::vector<std::string> notes;  // on the sheet as a whole
+};
+
+/// Texts of a sheet: markdown rounds and shows the start of each row's first key; CSV and
+/// JSON have all digits and all keys.
+std::string format_sheet(const Sheet& sheet, TableFormat format);
+
+/// A sheet before it is computed: the simulations it needs, and how it is made of their
+/// results, which come in the same order and with their fields.
+struct SheetPlan {
+  std::vector<Request> requests;
+  std::function<Sheet(std::span<const CaseResult>, MeshStore&)> make;
+};
+
+/// "split", "elements", "orientation".
+const std::vector<std::string>& sheet_names();
+
+/// Throws InputError for an unknown name.
+SheetPlan plan_sheet(const std::string& name);
+
+/// The one simulation of a shipped scene with settings changed, {key, value}, without a
+/// reference.
+CaseSettings case_of_scene(
+    const std::string& scene,
+    const std::vector<std::pair<std::string, std::string>>& changes);
+
+/// A value for a cell, or the status that stands in its place.
+Cell value_or_status(const std::optional<double>& value, const CaseResult& result);
+
+}  // namespace springcheck

@@ -1,0 +1,60 @@
+#define BOOST_TEST_MODULE grids
+#include <boost/test/unit_test.hpp>
+#include <numeric>
+
+#include "comparisons/grids.hpp"
+#include "meshing/input_error.hpp"
+
+using namespace springcheck;
+
+namespace {
+
+const std::array<double, 3> size{0.05, 0.03, 0.02};
+const Cells coarse{3, 2, 1}, fine{6, 4, 3};
+
+}  // namespace
+
+// The fine grid's own coordinates, read off at the coarse nodes, are theirs.
+BOOST_AUTO_TEST_CASE(coarse_nodes_are_found_among_the_fine_ones) {
+  const Mesh on_fine = generate_block({size, fine});
+  const Mesh on_coarse = generate_block({size, coarse});
+  const auto found = at_coarse_nodes(on_fine.nodes(), fine, coarse);
+  BOOST_TEST_REQUIRE(found.size() == on_coarse.nodes().size());
+  for (std::size_t n = 0; n < found.size(); ++n)
+    BOOST_TEST((found[n] - on_coarse.nodes()[n]).norm() < 1e-15);
+}
+
+// A squeezed block, so that cells differ: the fine cells' volumes add up to the coarse
+// cells' where faces stay plane.
+BOOST_AUTO_TEST_CASE(fine_cells_are_summed_into_the_coarse_cell_around_them) {
+  const auto volumes = [](const Cells& cells) {
+    const Mesh block = generate_block({size, cells});
+    std::vector<double> values;
+    for (const Hexahedron& cell : block.hexahedra()) {
+      const Vector3 a = block.nodes()[cell[0]], b = block.nodes()[cell[6]];
+      const auto cubed = [](double x) { return x * x * x; };
+      values.push_back((cubed(b.x()) - cubed(a.x())) * (cubed(b.y()) - cubed(a.y())) *
+                       (cubed(b.z()) - cubed(a.z())));
+    }
+    return values;
+  };
+  const auto sums = summed_over_coarse_cells(volumes(fine), fine, coarse);
+  const auto expected = volumes(coarse);
+  BOOST_TEST_REQUIRE(sums.size() == expected.size());
+  for (std::size_t c = 0; c < sums.size(); ++c)
+    BOOST_TEST(sums[c] == expected[c], boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(whole_multiples_are_refinements) {
+  BOOST_TEST(is_refinement(fine, coarse));
+  BOOST_TEST(is_refinement(coarse, coarse));
+  BOOST_TEST(!is_refinement({6, 3, 3}, coarse));
+  BOOST_TEST((refined(coarse, 4) == Cells{12, 8, 4}));
+  BOOST_TEST((coarsened({10, 5, 1}) == Cells{5, 3, 1}));
+  BOOST_CHECK_THROW(refined({1 << 30, 1, 1}, 4), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(the_size_of_a_cell_is_the_cube_root_of_its_volume) {
+  BOOST_TEST(cell_size({{0.4, 0.4, 0.8}, {4, 4, 8}}) == 0.1,
+             boost::test_tools::tolerance(1e-12));
+}
