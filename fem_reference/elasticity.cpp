@@ -10,22 +10,12 @@
 namespace springcheck::fem_reference {
 namespace {
 
-constexpr double linear_tolerance = 1e-11;
+/// Of the right-hand side, which on n cells across exceeds the reactions that Newton's
+/// method measures by (a factor of about n): one solve must reach its 1e-10 of them.
+constexpr double linear_tolerance = 1e-12;
 
 /// An old hierarchy is replaced when it needs this many times a fresh one's iterations.
 constexpr double stale = 1.5;
-
-/// Multigrid is the cheaper solver above so many dofs. Measured on cubes, one solution of
-/// Hooke's law, direct / multigrid [s]: q1_sri at 10^3, 20^3, 30^3 cells and nu = .25
-/// 0.1/0.4, 2.2/1.0, 13/3.7; nu = .499 0.1/0.7, 2.2/2.7; q2 at 10^3 cells 2.3/3.1 and
-/// 2.3/20. A factor also needs two to three times the memory.
-bool prefers_multigrid(const Settings& settings, double poisson_ratio, std::size_t dofs) {
-  if (settings.linear_solver != LinearSolver::automatic)
-    return settings.linear_solver == LinearSolver::multigrid;
-  const std::size_t limit = settings.element == Element::q2 ? 50000 : 25000;
-  const bool nearly_incompressible = poisson_ratio > 0.45;
-  return dofs > (nearly_incompressible ? 2 * limit : limit);
-}
 
 /// Computes something for every cell in parallel and hands it over in the order of the
 /// cells, so that sums do not depend on the number of threads.
@@ -51,7 +41,7 @@ Elasticity::Elasticity(const Discretisation& body, const Material& material,
       law_{.constitution = constitution(material, settings),
            .dilatation = dilatation_taken(settings)},
       stiffness_(body, prescribed) {
-  if (prefers_multigrid(settings, material.poisson_ratio, prescribed.size()))
+  if (takes_multigrid(settings, material.poisson_ratio, prescribed.size()))
     multigrid_.emplace(body.nodes, prescribed);
 }
 
