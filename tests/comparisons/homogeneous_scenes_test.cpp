@@ -15,12 +15,17 @@ namespace {
 
 constexpr double E = 10e3, area = 0.05 * 0.05;  // of the shipped scenes
 
-CaseResult result_of(const std::string& scene, std::vector<std::string> changes) {
+CaseResult any_result_of(const std::string& scene, std::vector<std::string> changes) {
   changes.emplace_back("cells=3,3,3");
   MeshStore meshes;
-  CaseResult result = run_study({{case_of(scene, changes), std::nullopt}}, meshes, 1,
-                                [](std::size_t, std::size_t) {})
-                          .front();
+  return run_study({{case_of(scene, changes), std::nullopt}}, meshes, 1,
+                   [](std::size_t, std::size_t) {})
+      .front();
+}
+
+/// Of a case that must be ok.
+CaseResult result_of(const std::string& scene, const std::vector<std::string>& changes) {
+  CaseResult result = any_result_of(scene, changes);
   BOOST_TEST_REQUIRE((result.status == Status::ok), name_of(result.status)
                                                         << ": " << result.reason);
   return result;
@@ -188,4 +193,19 @@ BOOST_AUTO_TEST_CASE(mean_stress_is_that_of_the_law) {
   };
   const Eigen::Matrix3d lattice = stress("mss-cf");
   BOOST_TEST((lattice - stress("fem-cauchy-born")).norm() < 1e-10 * lattice.norm());
+}
+
+// The block of St-Venant-Kirchhoff becomes unstable at the same strain whatever strain it
+// is driven to. The path brackets it by steps of up to 1/64 of the load.
+BOOST_AUTO_TEST_CASE(loss_of_definiteness_does_not_depend_on_where_the_load_ends) {
+  const auto lost_at = [](const char* deformation) {
+    const CaseResult result = any_result_of(
+        "uniaxial", {"method=fem-stvk", std::string("deformation=") + deformation});
+    BOOST_TEST((result.status == Status::indefinite), name_of(result.status));
+    return result.measures.definite_up_to_deformation.value();
+  };
+  BOOST_TEST(std::abs(lost_at("-.35") - lost_at("-.45")) < 0.45 / 64);
+  BOOST_TEST(std::abs(lost_at("-.4") - lost_at("-.45")) < 0.45 / 64);
+  BOOST_TEST(!result_of("uniaxial", {"method=fem-stvk", "deformation=-.2"})
+                  .measures.definite_up_to_deformation.has_value());
 }

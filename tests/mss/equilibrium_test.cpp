@@ -214,6 +214,7 @@ BOOST_AUTO_TEST_CASE(plate_force_is_the_slope_of_the_energy) {
 BOOST_AUTO_TEST_CASE(unstable_straight_state_is_left_for_a_minimum) {
   const Case c = solved(compression(0.25, 0.1), Method::nfd);
   BOOST_TEST((c.solution.status == SolveStatus::ok), c.solution.reason);
+  BOOST_TEST(!c.solution.definite_up_to.has_value());  // a minimum at every step
   const auto u = [&](int i, int j, int k) {
     return c.solution.displacements[static_cast<std::size_t>(i + 5 * (j + 5 * k))];
   };
@@ -238,6 +239,7 @@ BOOST_AUTO_TEST_CASE(tension_without_equilibrium_ends_where_it_is_lost) {
   BOOST_TEST(std::abs(20 * solution.load_fraction - 17.5) < 0.1,
              20 * solution.load_fraction << " %");
   BOOST_TEST(solution.displacements.size() == mesh.nodes().size());  // the last state
+  BOOST_TEST(solution.definite_up_to.value() == solution.load_fraction);
   BOOST_TEST(solution.reason.find("no equilibrium found") == 0U);
 }
 
