@@ -22,7 +22,7 @@ struct SpringDirection {
 ///     dP_iJ/dF_kL = sum w [(1 - 1/|d|) delta_ik + d_i d_k/|d|^3] n_J n_L
 ///
 /// Validity: any F with no spring of zero length.
-/// Source: Born and Huang, Dynamical Theory of Crystal Lattices (1954), section 11; the
+/// Source: Born and Huang, Dynamical Theory of Crystal Lattices (1954); the
 /// energy is the mss-cf cell's (Golec 2018, chapter 5) with lattice values of k over h^3.
 struct CauchyBorn {
   std::vector<SpringDirection> springs;
@@ -43,11 +43,13 @@ Matrix3 lattice_to_body(LatticeDirection direction);
 
 /// Weights w of the lattices [Pa], h having dropped out:
 ///
-///     per direction              edges (3)            face diagonals (6)  inner
-///     diagonals (4) cf, fd (nfd: A = 0)        (3A + 8) mu/(3A + 4) 6 A mu/(3A + 4) 9
-///     mu/(3A + 4) baudet                     E (4nu + 1)/(2(1+nu))  -                 9
-///     E/(8(1+nu)) affine                     5 mu/2 along the six axes of the
-///     icosahedron
+///     cf, fd    edges (3)             (3A + 8) mu/(3A + 4)
+///               face diagonals (6)    6 A mu/(3A + 4)
+///               inner diagonals (4)   9 mu/(3A + 4)
+///     nfd       the same with A = 0
+///     baudet    edges (3)             E (4 nu + 1)/(2 (1 + nu))
+///               inner diagonals (4)   9 E/(8 (1 + nu))
+///     affine    icosahedron's axes (6), (phi, +-1, 0) and cyclic   5 mu/2
 ///
 /// kappa = lambda - mu; 0 for baudet and fd. With SpringConstants::from_young_modulus mu
 /// is 2E/5 in the weights, as Golec 2018, Eq. 5.12 prints them.

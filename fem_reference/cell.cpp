@@ -6,38 +6,38 @@
 namespace springcheck::fem_reference {
 namespace {
 
-Matrix3 displacement_gradient(const Cell& cell, const CellVectors& u,
+Matrix3 displacement_gradient(const Shape& shape, const CellVectors& u,
                               Eigen::Index point) {
-  return u * cell.gradients_at(point).transpose();
+  return u * shape.gradients_at(point).transpose();
 }
 
 /// The dilatation of the whole cell; empty sums where it is taken at the points.
 template <class Law>
-double mean_dilatation(const Law& law, DilatationTaken taken, const Cell& cell,
+double mean_dilatation(const Law& law, DilatationTaken taken, const Shape& shape,
                        const CellVectors& u) {
   if (taken == DilatationTaken::of_mean_gradient)
-    return law.dilatation(displacement_gradient(cell, u, cell.weights.size())).value;
+    return law.dilatation(displacement_gradient(shape, u, shape.weights.size())).value;
   double integral = 0;
   if (taken == DilatationTaken::cell_mean)
-    for (Eigen::Index q = 0; q < cell.weights.size(); ++q)
+    for (Eigen::Index q = 0; q < shape.weights.size(); ++q)
       integral +=
-          cell.weights[q] * law.dilatation(displacement_gradient(cell, u, q)).value;
-  return integral / cell.volume;
+          shape.weights[q] * law.dilatation(displacement_gradient(shape, u, q)).value;
+  return integral / shape.volume;
 }
 
 template <class Law>
-CellState state(const Law& law, DilatationTaken taken, const Cell& cell,
+CellState state(const Law& law, DilatationTaken taken, const Shape& shape,
                 const CellVectors& u) {
   const VolumetricEnergy whole =
-      law.volumetric_energy(mean_dilatation(law, taken, cell, u));
+      law.volumetric_energy(mean_dilatation(law, taken, shape, u));
   CellState sum{.energy = 0,
                 .forces = CellVectors::Zero(3, u.cols()),
                 .smallest_jacobian = std::numeric_limits<double>::infinity(),
                 .gradient_square = 0,
                 .deformed_volume = 0};
-  for (Eigen::Index q = 0; q < cell.weights.size(); ++q) {
-    const Matrix3 H = displacement_gradient(cell, u, q);
-    const double w = cell.weights[q];
+  for (Eigen::Index q = 0; q < shape.weights.size(); ++q) {
+    const Matrix3 H = displacement_gradient(shape, u, q);
+    const double w = shape.weights[q];
     double psi = law.energy(H);
     Matrix3 P = law.stress(H);
     if (taken == DilatationTaken::at_points) {
@@ -49,18 +49,18 @@ CellState state(const Law& law, DilatationTaken taken, const Cell& cell,
       P += whole.first * law.dilatation(H).first;
     }
     sum.energy += w * psi;
-    sum.forces += w * P * cell.gradients_at(q);
+    sum.forces += w * P * shape.gradients_at(q);
     const double J = (H + Matrix3::Identity()).determinant();
     sum.smallest_jacobian = std::min(sum.smallest_jacobian, J);
     sum.gradient_square += w * H.squaredNorm();
     sum.deformed_volume += w * J;
   }
   if (taken == DilatationTaken::at_points) return sum;
-  sum.energy += cell.volume * whole.value;
+  sum.energy += shape.volume * whole.value;
   if (taken == DilatationTaken::of_mean_gradient) {
-    const Matrix3 H = displacement_gradient(cell, u, cell.weights.size());
+    const Matrix3 H = displacement_gradient(shape, u, shape.weights.size());
     sum.forces +=
-        cell.volume * whole.first * law.dilatation(H).first * cell.mean_gradients();
+        shape.volume * whole.first * law.dilatation(H).first * shape.mean_gradients();
   }
   return sum;
 }
@@ -71,7 +71,8 @@ void add_stiffness(CellMatrix& K, const Matrix9& A, const Gradients& g) {
   // A is symmetric. Column (i + 3J) of `changes` is the change of P_iJ by each dof.
   Eigen::MatrixXd changes(3 * g.cols(), 9);
   for (Eigen::Index c = 0; c < 9; ++c)
-    changes.col(c).reshaped(3, g.cols()).noalias() = A.col(c).reshaped(3, 3) * g;
+    changes.col(c).reshaped(3, g.cols()) =
+        A.col(c).reshaped(3, 3).lazyProduct(g);  // too small for a blocked product
   for (Eigen::Index a = 0; a < g.cols(); ++a)
     for (Eigen::Index i = 0; i < 3; ++i)
       K.col(3 * a + i) += g(0, a) * changes.col(i) + g(1, a) * changes.col(i + 3) +
@@ -79,37 +80,37 @@ void add_stiffness(CellMatrix& K, const Matrix9& A, const Gradients& g) {
 }
 
 template <class Law>
-CellMatrix stiffness(const Law& law, DilatationTaken taken, const Cell& cell,
+CellMatrix stiffness(const Law& law, DilatationTaken taken, const Shape& shape,
                      const CellVectors& u) {
   const VolumetricEnergy whole =
-      law.volumetric_energy(mean_dilatation(law, taken, cell, u));
+      law.volumetric_energy(mean_dilatation(law, taken, shape, u));
   CellVectors c = CellVectors::Zero(3, u.cols());  // V dt/du
   CellMatrix K = CellMatrix::Zero(3 * u.cols(), 3 * u.cols());
-  for (Eigen::Index q = 0; q < cell.weights.size(); ++q) {
-    const Matrix3 H = displacement_gradient(cell, u, q);
-    const double w = cell.weights[q];
+  for (Eigen::Index q = 0; q < shape.weights.size(); ++q) {
+    const Matrix3 H = displacement_gradient(shape, u, q);
+    const double w = shape.weights[q];
     Matrix9 A = law.tangent(H);
     if (taken != DilatationTaken::of_mean_gradient) {
       const Dilatation t = law.dilatation(H);
       if (taken == DilatationTaken::cell_mean) {
         A += whole.first * t.second;
-        c += w * t.first * cell.gradients_at(q);
+        c += w * t.first * shape.gradients_at(q);
       } else {
         const VolumetricEnergy U = law.volumetric_energy(t.value);
         A += U.first * t.second +
              U.second * t.first.reshaped() * t.first.reshaped().transpose();
       }
     }
-    add_stiffness(K, w * A, cell.gradients_at(q));
+    add_stiffness(K, w * A, shape.gradients_at(q));
   }
   if (taken == DilatationTaken::at_points) return K;
   if (taken == DilatationTaken::of_mean_gradient) {
     const Dilatation t =
-        law.dilatation(displacement_gradient(cell, u, cell.weights.size()));
-    c = cell.volume * t.first * cell.mean_gradients();
-    add_stiffness(K, cell.volume * whole.first * t.second, cell.mean_gradients());
+        law.dilatation(displacement_gradient(shape, u, shape.weights.size()));
+    c = shape.volume * t.first * shape.mean_gradients();
+    add_stiffness(K, shape.volume * whole.first * t.second, shape.mean_gradients());
   }
-  K += whole.second / cell.volume * c.reshaped() * c.reshaped().transpose();
+  K += whole.second / shape.volume * c.reshaped() * c.reshaped().transpose();
   return K;
 }
 
@@ -121,15 +122,15 @@ DilatationTaken dilatation_taken(const Settings& settings) {
                                           : DilatationTaken::cell_mean;
 }
 
-CellState cell_state(const CellLaw& law, const Cell& cell, const CellVectors& u) {
+CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u) {
   return std::visit(
-      [&](const auto& part) { return state(part, law.dilatation, cell, u); },
+      [&](const auto& part) { return state(part, law.dilatation, shape, u); },
       law.constitution);
 }
 
-CellMatrix cell_tangent(const CellLaw& law, const Cell& cell, const CellVectors& u) {
+CellMatrix cell_tangent(const CellLaw& law, const Shape& shape, const CellVectors& u) {
   return std::visit(
-      [&](const auto& part) { return stiffness(part, law.dilatation, cell, u); },
+      [&](const auto& part) { return stiffness(part, law.dilatation, shape, u); },
       law.constitution);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "fem_reference/materials.hpp"
@@ -10,19 +11,24 @@ namespace springcheck::fem_reference {
 using CellVectors = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 using CellMatrix = Eigen::MatrixXd;
 
-/// The undeformed cell as its integrals see it.
-struct Cell {
-  std::vector<NodeIndex> nodes;  // the corners first
-  Eigen::VectorXd weights;       // of the Gauss points [m^3]
-  CellVectors gradients;  // of the shape functions [1/m], point after point; at the end
-                          // their means over the cell
-  double volume;          // [m^3]
+/// The shape functions' integrals over an undeformed cell.
+struct Shape {
+  Eigen::VectorXd weights;  // of the Gauss points [m^3]
+  CellVectors gradients;    // of the shape functions [1/m], point after point; at the end
+                            // their means over the cell
+  Eigen::Index nodes;
+  double volume;  // [m^3]
 
   [[nodiscard]] auto gradients_at(Eigen::Index point) const {
-    const auto count = static_cast<Eigen::Index>(nodes.size());
-    return gradients.middleCols(point * count, count);
+    return gradients.middleCols(point * nodes, nodes);
   }
   [[nodiscard]] auto mean_gradients() const { return gradients_at(weights.size()); }
+};
+
+/// A cell. Those that are translations of each other share a shape.
+struct Cell {
+  std::vector<NodeIndex> nodes;  // the corners first
+  std::shared_ptr<const Shape> shape;
 };
 
 /// Where an element takes the dilatation t of a law psi = shape part + U(t):
@@ -54,7 +60,7 @@ struct CellState {
   double gradient_square;    // int |H|^2 dV [m^3]
   double deformed_volume;    // int det F dV [m^3]
 };
-CellState cell_state(const CellLaw& law, const Cell& cell, const CellVectors& u);
+CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u);
 
 /// d2W/du2 [N/m], dof = 3 node + component:
 ///
@@ -62,6 +68,6 @@ CellState cell_state(const CellLaw& law, const Cell& cell, const CellVectors& u)
 ///
 /// the second term for a mean dilatation only; P is the stress of the shape part and of
 /// U'(t) dt/dF at constant U'(t).
-CellMatrix cell_tangent(const CellLaw& law, const Cell& cell, const CellVectors& u);
+CellMatrix cell_tangent(const CellLaw& law, const Shape& shape, const CellVectors& u);
 
 }  // namespace springcheck::fem_reference

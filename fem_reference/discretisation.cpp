@@ -83,34 +83,58 @@ void number_nodes(Discretisation& body, const dealii::FE_Q<3>& element,
   }
 }
 
+/// Whether two cells' corners differ by a translation, to rounding.
+bool same_shape(const Discretisation& body, const Cell& one, const Cell& other) {
+  const Vector3 shift = body.nodes[other.nodes[0]] - body.nodes[one.nodes[0]];
+  const double size = (body.nodes[one.nodes[7]] - body.nodes[one.nodes[0]]).norm();
+  constexpr double rounding = 1e-12;  // of the coordinates, in a body of many cells
+  for (std::size_t corner = 1; corner < 8; ++corner)
+    if ((body.nodes[other.nodes[corner]] - body.nodes[one.nodes[corner]] - shift).norm() >
+        rounding * size)
+      return false;
+  return true;
+}
+
+Shape integrated(const dealii::FEValues<3>& values) {
+  const auto points = static_cast<Eigen::Index>(values.n_quadrature_points);
+  const auto count = static_cast<Eigen::Index>(values.dofs_per_cell);
+  Shape shape{.weights = Eigen::VectorXd(points),
+              .gradients = CellVectors::Zero(3, count * (points + 1)),
+              .nodes = count,
+              .volume = 0};
+  auto mean = shape.gradients.rightCols(count);
+  for (const unsigned int q : values.quadrature_point_indices()) {
+    shape.weights[q] = values.JxW(q);
+    shape.volume += values.JxW(q);
+    for (const unsigned int a : values.dof_indices())
+      for (unsigned int i = 0; i < 3; ++i) {
+        const double gradient = values.shape_grad(a, q)[i];
+        shape.gradients(i, count * q + a) = gradient;
+        mean(i, a) += values.JxW(q) * gradient;
+      }
+  }
+  mean /= shape.volume;
+  return shape;
+}
+
 void integrate_cells(Discretisation& body, const dealii::FE_Q<3>& element,
                      const dealii::Triangulation<3>& triangulation) {
-  const dealii::QGauss<3> gauss(element.degree + 1);
   dealii::FEValues<3> values(
-      element, gauss,
+      element, dealii::QGauss<3>(element.degree + 1),
       dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
-  const auto count = static_cast<Eigen::Index>(element.dofs_per_cell);
+  Cell* last = nullptr;
   auto place = body.cells.begin();
-  for (const auto& shape : triangulation.active_cell_iterators()) {
-    values.reinit(shape);
+  for (const auto& geometry : triangulation.active_cell_iterators()) {
     Cell& cell = *place++;
-    cell.weights.resize(gauss.size());
-    cell.gradients.setZero(3, count * (gauss.size() + 1));
-    cell.volume = 0;
-    auto mean = cell.gradients.rightCols(count);
-    for (const unsigned int q : values.quadrature_point_indices()) {
-      cell.weights[q] = values.JxW(q);
-      cell.volume += values.JxW(q);
-      for (const unsigned int a : values.dof_indices())
-        for (unsigned int i = 0; i < 3; ++i) {
-          const double gradient = values.shape_grad(a, q)[i];
-          cell.gradients(i, count * q + a) = gradient;
-          mean(i, a) += values.JxW(q) * gradient;
-        }
+    if (last != nullptr && same_shape(body, *last, cell)) {
+      cell.shape = last->shape;
+      continue;
     }
-    mean /= cell.volume;
+    values.reinit(geometry);
+    cell.shape = std::make_shared<const Shape>(integrated(values));
+    last = &cell;
   }
-  body.shape_values.resize(gauss.size(), count);
+  body.shape_values.resize(values.n_quadrature_points, element.dofs_per_cell);
   for (const unsigned int q : values.quadrature_point_indices())
     for (const unsigned int a : values.dof_indices())
       body.shape_values(q, a) = values.shape_value(a, q);
@@ -177,12 +201,12 @@ Eigen::VectorXd body_load(const Discretisation& body,
   Eigen::VectorXd load =
       Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(body.nodes.size()));
   for (const Cell& cell : body.cells)
-    for (Eigen::Index q = 0; q < cell.weights.size(); ++q) {
+    for (Eigen::Index q = 0; q < cell.shape->weights.size(); ++q) {
       Vector3 place = Vector3::Zero();
       for (std::size_t a = 0; a < cell.nodes.size(); ++a)
         place += body.shape_values(q, static_cast<Eigen::Index>(a)) *
                  body.nodes[cell.nodes[a]];
-      const Vector3 force = cell.weights[q] * density(place);
+      const Vector3 force = cell.shape->weights[q] * density(place);
       for (std::size_t a = 0; a < cell.nodes.size(); ++a)
         load.segment<3>(3 * cell.nodes[a]) +=
             body.shape_values(q, static_cast<Eigen::Index>(a)) * force;

@@ -1,6 +1,7 @@
 #include "fem_reference/elasticity.hpp"
 
 #include <spdlog/spdlog.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,17 +10,26 @@
 namespace springcheck::fem_reference {
 namespace {
 
-/// Unknowns above which multigrid is the cheaper solver; measured on cubes, see README.
-constexpr std::size_t direct_limit = 40000;
-
-constexpr double linear_tolerance = 1e-11;
+/// Of the right-hand side, which on n cells across exceeds the reactions that Newton's
+/// method measures by (a factor of about n): one solve must reach its 1e-10 of them.
+constexpr double linear_tolerance = 1e-12;
 
 /// An old hierarchy is replaced when it needs this many times a fresh one's iterations.
 constexpr double stale = 1.5;
 
-bool prefers_multigrid(LinearSolver wanted, std::size_t dofs) {
-  if (wanted == LinearSolver::automatic) return dofs > direct_limit;
-  return wanted == LinearSolver::multigrid;
+/// Computes something for every cell in parallel and hands it over in the order of the
+/// cells, so that sums do not depend on the number of threads.
+template <class Compute, class Use>
+void for_each_cell(const std::vector<Cell>& cells, const Compute& compute,
+                   const Use& use) {
+  constexpr std::size_t at_once = 512;
+  std::vector<decltype(compute(cells.front()))> results(std::min(at_once, cells.size()));
+  for (std::size_t first = 0; first < cells.size(); first += at_once) {
+    const std::size_t count = std::min(at_once, cells.size() - first);
+    tbb::parallel_for(std::size_t{0}, count,
+                      [&](std::size_t i) { results[i] = compute(cells[first + i]); });
+    for (std::size_t i = 0; i < count; ++i) use(cells[first + i], results[i]);
+  }
 }
 
 }  // namespace
@@ -31,7 +41,7 @@ Elasticity::Elasticity(const Discretisation& body, const Material& material,
       law_{.constitution = constitution(material, settings),
            .dilatation = dilatation_taken(settings)},
       stiffness_(body, prescribed) {
-  if (prefers_multigrid(settings.linear_solver, prescribed.size()))
+  if (takes_multigrid(settings, material.poisson_ratio, prescribed.size()))
     multigrid_.emplace(body.nodes, prescribed);
 }
 
@@ -45,16 +55,18 @@ Elasticity::Internal Elasticity::internal(const Eigen::VectorXd& displacements) 
                .smallest_jacobian = std::numeric_limits<double>::infinity(),
                .mean_gradient = 0};
   double volume = 0;
-  for (const Cell& cell : body_.cells) {
-    const CellState state = cell_state(law_, cell, of_cell(displacements, cell));
+  const auto state_of = [&](const Cell& cell) {
+    return cell_state(law_, *cell.shape, of_cell(displacements, cell));
+  };
+  for_each_cell(body_.cells, state_of, [&](const Cell& cell, const CellState& state) {
     sum.energy += state.energy;
     for (std::size_t a = 0; a < cell.nodes.size(); ++a)
       sum.forces.segment<3>(3 * cell.nodes[a]) +=
           state.forces.col(static_cast<Eigen::Index>(a));
     sum.smallest_jacobian = std::min(sum.smallest_jacobian, state.smallest_jacobian);
     sum.mean_gradient += state.gradient_square;
-    volume += cell.volume;
-  }
+    volume += cell.shape->volume;
+  });
   sum.mean_gradient = std::sqrt(sum.mean_gradient / volume);
   return sum;
 }
@@ -63,7 +75,7 @@ std::vector<double> Elasticity::cell_volumes(const Eigen::VectorXd& displacement
   std::vector<double> volumes;
   for (const Cell& cell : body_.cells)
     volumes.push_back(
-        cell_state(law_, cell, of_cell(displacements, cell)).deformed_volume);
+        cell_state(law_, *cell.shape, of_cell(displacements, cell)).deformed_volume);
   return volumes;
 }
 
@@ -71,12 +83,16 @@ bool Elasticity::linearise(const Eigen::VectorXd& displacements) {
   if (is_linear() && linearised_at_.size() > 0) return true;  // the tangent is constant
   linearised_at_ = displacements;
   stiffness_.clear();
-  for (const Cell& cell : body_.cells)
-    stiffness_.add(cell, cell_tangent(law_, cell, of_cell(displacements, cell)));
+  const auto tangent_of = [&](const Cell& cell) {
+    return cell_tangent(law_, *cell.shape, of_cell(displacements, cell));
+  };
+  for_each_cell(body_.cells, tangent_of,
+                [&](const Cell& cell, const CellMatrix& tangent) {
+                  stiffness_.add(cell, tangent);
+                });
   stiffness_.finish();
   definiteness_ = Definiteness::unknown;
   if (multigrid_) {
-    preconditioner_is_fresh_ = false;
     if (is_linear()) definiteness_ = Definiteness::definite;
     if (!multigrid_->has_preconditioner()) {
       multigrid_->precondition(stiffness_.matrix());
@@ -130,6 +146,7 @@ std::optional<Eigen::VectorXd> Elasticity::solved(const Eigen::VectorXd& right) 
   }
   if (preconditioner_is_fresh_) {
     iterations_when_fresh_ = answer.iterations;
+    preconditioner_is_fresh_ = false;
   } else if (answer.iterations > stale * iterations_when_fresh_ && is_definite()) {
     multigrid_->precondition(stiffness_.matrix());
     preconditioner_is_fresh_ = true;
@@ -143,7 +160,7 @@ Eigen::VectorXd Elasticity::forces_of(const Eigen::VectorXd& increment) const {
     const CellVectors moved = of_cell(increment, cell);
     if (moved.isZero(0)) continue;
     const Eigen::VectorXd pushed =
-        cell_tangent(law_, cell, of_cell(linearised_at_, cell)) * moved.reshaped();
+        cell_tangent(law_, *cell.shape, of_cell(linearised_at_, cell)) * moved.reshaped();
     for (std::size_t a = 0; a < cell.nodes.size(); ++a)
       forces.segment<3>(3 * cell.nodes[a]) +=
           pushed.segment<3>(static_cast<Eigen::Index>(3 * a));

@@ -46,7 +46,7 @@ class Elasticity {
   bool accept_indefinite();
 
   /// Negative eigenvalues of a tangent that is not positive definite, after
-  /// accept_indefinite(): exact with the direct solver, at least so many with multigrid.
+  /// accept_indefinite(): exact with the direct solver, by Multigrid::probe() otherwise.
   [[nodiscard]] int negative_eigenvalues() const { return negative_eigenvalues_; }
 
   /// Displacement increment that equals `increment` on prescribed dofs and answers the

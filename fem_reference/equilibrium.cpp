@@ -128,8 +128,9 @@ class Follower {
           100 * loss_.last_definite, 100 * loss_.regained);
     return fmt::format(
         "the tangent lost positive definiteness at {:.2f} % of the load "
-        "(negative eigenvalues now: {})",
-        100 * loss_.last_definite, body_.negative_eigenvalues());
+        "(negative eigenvalues {}: {})",
+        100 * loss_.last_definite, body_.linear_iterations() ? "seen" : "now",
+        body_.negative_eigenvalues());
   }
 
   Equilibrium give_up(const NewtonResult& result, double to) {

@@ -19,8 +19,8 @@ namespace springcheck::fem_reference {
 /// g_ab = (S_a - S_b)/(E_a - E_b), E_a = (l_a^2 - 1)/2, written with log(1 + x)/x so that
 /// equal stretches need no case of their own.
 ///
-/// Validity: det F > 0, any rotation; the tensor of moduli loses ellipticity where a
-/// stretch exceeds about 1.4.
+/// Validity: det F > 0, any rotation; strongly elliptic for principal stretches between
+/// about 0.212 and 1.396.
 /// Source: Hencky, Z. Techn. Phys. 9 (1928) 215; spectral form: Ogden, Non-linear Elastic
 /// Deformations (1984), section 6.1; ellipticity: Bruhns, Xiao and Meyers, Proc. R. Soc.
 /// A 457 (2001) 2207.

@@ -19,7 +19,7 @@
 namespace springcheck::fem_reference {
 namespace {
 
-constexpr int iteration_limit = 2000;
+constexpr int iteration_limit = 5000;
 
 /// Trilinos and MPI are used by one thread at a time.
 std::mutex trilinos;

@@ -45,11 +45,13 @@ class Multigrid {
                                         const Eigen::VectorXd& right,
                                         double tolerance) const;
 
-  /// Negative eigenvalues of the matrix as far as conjugate gradients from a random (but
-  /// always the same) right-hand side see them: by Sylvester's law the Lanczos matrix
-  /// they build has as many negative eigenvalues as there are negative curvatures. Run
-  /// until the residual has fallen by 1e-4, when every eigenvector has been resolved to
-  /// about that; an isolated negative eigenvalue is the first thing they find.
+  /// Whether the matrix has negative eigenvalues: conjugate gradients from a random (but
+  /// always the same) right-hand side; by Sylvester's law the Lanczos matrix they build
+  /// has as many negative eigenvalues as there are negative curvatures. Run until the
+  /// residual has fallen by 1e-4, when every eigenvector has been resolved to about that;
+  /// an isolated negative eigenvalue is the first thing they find. Of equal eigenvalues
+  /// they see one, and in a long run rounding lets them see one twice: the number is
+  /// exact only when few and different.
   [[nodiscard]] Answer probe(const SparseMatrix& matrix) const;
 
  private:

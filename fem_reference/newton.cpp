@@ -65,8 +65,8 @@ NewtonResult newton(Elasticity& body, Eigen::VectorXd start, const Eigen::Vector
 
   for (int iteration = 0;; ++iteration) {
     if (!now.usable(body.is_linear()))
-      return finish(std::isfinite(now.relative) ? NewtonOutcome::inverted
-                                                : NewtonOutcome::stalled);
+      return finish(now.internal.smallest_jacobian <= 0 ? NewtonOutcome::inverted
+                                                        : NewtonOutcome::stalled);
     definite = body.linearise(now.displacements);
     const bool converged = now.relative <= relative_residual ||
                            now.unbalanced.norm() <= body.round_off(now.displacements);

@@ -52,6 +52,15 @@ std::vector<Vector3> by_node(const Eigen::VectorXd& nodal, std::size_t nodes) {
 
 }  // namespace
 
+bool takes_multigrid(const Settings& settings, double poisson_ratio,
+                     std::size_t components) {
+  if (settings.linear_solver != LinearSolver::automatic)
+    return settings.linear_solver == LinearSolver::multigrid;
+  const std::size_t limit = settings.element == Element::q2 ? 50000 : 25000;
+  const bool nearly_incompressible = poisson_ratio > 0.45;
+  return components > (nearly_incompressible ? 2 * limit : limit);
+}
+
 Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
   check(scene);
   if (const auto reason = reason_to_refuse(scene.material, settings))

@@ -1,23 +1,25 @@
 #include "fem_reference/supports.hpp"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 namespace springcheck::fem_reference {
 namespace {
 
-using Entities = std::set<std::vector<NodeIndex>>;
+/// Components in which plates hold their edges and faces, by the ascending vertices of
+/// these.
+using HeldEntities = std::map<std::vector<NodeIndex>, Held>;
 
-/// Edges and faces of a region, as their ascending vertices.
-void add_entities(Entities& entities, const Region& region) {
+void hold(HeldEntities& entities, const Region& region, const Held& held) {
+  const auto hold_one = [&](std::vector<NodeIndex> vertices) {
+    std::ranges::sort(vertices);
+    Held& entity = entities[std::move(vertices)];
+    for (std::size_t i = 0; i < 3; ++i) entity[i] = entity[i] || held[i];
+  };
   for (const Quadrilateral& face : region.faces) {
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      const auto [a, b] = std::minmax(face[i], face[(i + 1) % face.size()]);
-      entities.insert({a, b});
-    }
-    std::vector<NodeIndex> whole(face.begin(), face.end());
-    std::ranges::sort(whole);
-    entities.insert(std::move(whole));
+    for (std::size_t i = 0; i < face.size(); ++i)
+      hold_one({face[i], face[(i + 1) % face.size()]});
+    hold_one({face.begin(), face.end()});
   }
 }
 
@@ -31,20 +33,17 @@ Supports::Supports(const Mesh& mesh, const Scene& scene, const Discretisation& b
   for (const auto& [node, component, plate] : at_vertices_)
     prescribed_[3 * node + component] = true;
   if (body.parents.empty()) return;
-  std::vector<bool> by_plate(prescribed_.size(), false);  // or boundary, but not a pin
-  for (const auto& [node, component, plate] : at_vertices_)
-    by_plate[3 * node + component] = plate || scene.boundary_gradient;
-  Entities held;
-  for (const Plate& plate : scene.plates) add_entities(held, mesh.region(plate.region));
-  if (scene.boundary_gradient) add_entities(held, mesh.boundary());
+  HeldEntities held;
+  for (const Plate& plate : scene.plates)
+    hold(held, mesh.region(plate.region), plate.held);
+  if (scene.boundary_gradient) hold(held, mesh.boundary(), all_components);
   for (std::size_t i = 0; i < body.parents.size(); ++i) {
+    const auto found = held.find(body.parents[i]);
+    if (found == held.end()) continue;
     const auto node = static_cast<NodeIndex>(body.vertices + i);
-    const std::vector<NodeIndex>& parents = body.parents[i];
-    if (!held.contains(parents)) continue;
-    intermediate_.push_back({.node = node, .parents = parents});
+    intermediate_.push_back({.node = node, .parents = body.parents[i]});
     for (std::size_t component = 0; component < 3; ++component)
-      prescribed_[3 * node + component] = std::ranges::all_of(
-          parents, [&](NodeIndex parent) { return by_plate[3 * parent + component]; });
+      prescribed_[3 * node + component] = found->second[component];
   }
 }
 

@@ -7,8 +7,8 @@
 namespace springcheck::fem_reference {
 
 /// What the scene prescribes of a discretisation's dofs (3 node + component). An
-/// intermediate node on a plate's face or edge is held as all the vertices it lies
-/// between are, and moves by their mean: plates are rigid.
+/// intermediate node on a plate's face or edge is held as the plate holds its vertices,
+/// and moves by their mean: plates are rigid.
 class Supports {
  public:
   Supports(const Mesh& mesh, const Scene& scene, const Discretisation& body);

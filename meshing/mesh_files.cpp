@@ -3,7 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
+
 #include "meshing/gmsh.hpp"
+#include "meshing/hexahedron.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
 
@@ -11,6 +16,11 @@ namespace springcheck {
 namespace {
 
 // {} prints the shortest decimal that reads back as the same double.
+
+Quadrilateral ascending(Quadrilateral face) {
+  std::ranges::sort(face);
+  return face;
+}
 
 void write_vtu(const Mesh& mesh, std::ostream& out) {
   constexpr int vtk_hexahedron = 12;
@@ -40,11 +50,52 @@ void write_vtu(const Mesh& mesh, std::ostream& out) {
   fmt::print(out, "</DataArray>\n</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
 }
 
+/// x in at most 20 characters: CalculiX drops what follows them, be it the exponent. The
+/// shortest decimal that reads back as the same double, or as many digits as there is
+/// room for.
+std::string inp_number(double x) {
+  std::string text = fmt::format("{}", x);
+  for (int digits = 16; text.size() > 20; --digits)
+    text = fmt::format("{:.{}g}", x, digits);
+  return text;
+}
+
+/// A face of a cell as CalculiX numbers both, from 1.
+struct InpFace {
+  std::size_t cell;
+  int label;  // of S1 to S6
+};
+
+/// The cells at the faces of the regions, by the faces' ascending nodes.
+std::map<Quadrilateral, InpFace> faces_of_cells(const Mesh& mesh) {
+  constexpr std::array<int, 6> labels{1, 2, 3, 5, 6, 4};  // of hexahedron_faces
+  std::map<Quadrilateral, InpFace> faces;
+  for (const auto& [name, region] : mesh.regions())
+    for (const Quadrilateral& face : region.faces) faces[ascending(face)] = {0, 0};
+  for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c)
+    for (std::size_t f = 0; f < hexahedron_faces.size(); ++f) {
+      Quadrilateral face;
+      std::ranges::transform(hexahedron_faces[f], face.begin(), [&](int i) {
+        return mesh.hexahedra()[c][static_cast<std::size_t>(i)];
+      });
+      if (const auto found = faces.find(ascending(face)); found != faces.end())
+        found->second = {c + 1, labels[f]};
+    }
+  return faces;
+}
+
 void write_inp(const Mesh& mesh, std::ostream& out) {
-  fmt::print(out, "** {}; lengths in m\n*NODE, NSET=Nall\n", mesh.source());
+  fmt::print(out,
+             "** {}; lengths in m\n"
+             "** Sets: all nodes Nall, all cells Eall; each region of the boundary is a\n"
+             "** node set (for *BOUNDARY) and a surface (for *DSLOAD) of its name.\n"
+             "** To be added: *MATERIAL, *SOLID SECTION, *STEP.\n"
+             "*NODE, NSET=Nall\n",
+             mesh.source());
   for (std::size_t n = 0; n < mesh.nodes().size(); ++n) {
     const Vector3& x = mesh.nodes()[n];
-    fmt::print(out, "{}, {}, {}, {}\n", n + 1, x.x(), x.y(), x.z());
+    fmt::print(out, "{}, {}, {}, {}\n", n + 1, inp_number(x.x()), inp_number(x.y()),
+               inp_number(x.z()));
   }
   fmt::print(out, "*ELEMENT, TYPE=C3D8, ELSET=Eall\n");
   for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c) {
@@ -52,9 +103,15 @@ void write_inp(const Mesh& mesh, std::ostream& out) {
     for (const NodeIndex node : mesh.hexahedra()[c]) fmt::print(out, ", {}", node + 1);
     fmt::print(out, "\n");
   }
+  const std::map<Quadrilateral, InpFace> faces = faces_of_cells(mesh);
   for (const auto& [name, region] : mesh.regions()) {
     fmt::print(out, "*NSET, NSET={}\n", name);
     for (const NodeIndex node : region.nodes) fmt::print(out, "{},\n", node + 1);
+    fmt::print(out, "*SURFACE, NAME={}, TYPE=ELEMENT\n", name);
+    for (const Quadrilateral& face : region.faces) {
+      const auto [cell, label] = faces.at(ascending(face));
+      fmt::print(out, "{}, S{}\n", cell, label);
+    }
   }
 }
 

@@ -8,7 +8,9 @@ namespace springcheck {
 
 /// Writes the mesh in the format its extension names: .msh (gmsh 4.1), .vtu (VTK
 /// unstructured grid, ASCII, coordinates that read back exactly) or .inp (CalculiX:
-/// *NODE, *ELEMENT of type C3D8 in the set Eall, one *NSET per region).
+/// *NODE in the set Nall, *ELEMENT of type C3D8 in Eall, and for each region *NSET and
+/// *SURFACE of its name; coordinates to 14 digits or more, which is what fits into the 20
+/// characters that CalculiX reads of a number).
 ///
 /// The file appears whole or not at all. Throws InputError for another extension,
 /// std::runtime_error when not all could be written.

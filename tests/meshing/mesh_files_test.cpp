@@ -130,6 +130,53 @@ BOOST_AUTO_TEST_CASE(inp_file_reads_back_to_the_same_mesh) {
              boost::test_tools::per_element());
 }
 
+// CalculiX reads 20 characters of a number: more would cost the exponent. What fits are
+// 14 digits beside a sign, a point and an exponent: off by 5e-14 of the number at most.
+BOOST_AUTO_TEST_CASE(inp_file_has_no_number_of_more_than_20_characters) {
+  const Directory directory;
+  const std::vector<double> z{-1e-4 / 7, 1e-4 / 7, 1e-3 / 7};
+  std::vector<Vector3> nodes;
+  for (const double height : z)
+    for (const auto& [x, y] : {std::pair{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}})
+      nodes.emplace_back(x, y, height);
+  write_mesh(
+      Mesh("thin", nodes, {{0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 6, 7, 8, 9, 10, 11}}, {}),
+      directory / "mesh.inp");
+  const std::string text = text_of(directory / "mesh.inp");
+  std::size_t length = 0;
+  for (const char c : text.substr(text.find("*NODE, NSET=Nall\n") + 17)) {
+    length = c == ',' || c == ' ' || c == '\n' ? 0 : length + 1;
+    BOOST_TEST(length <= 20U);
+  }
+  const auto numbers = numbers_between<double>(text, "*NODE, NSET=Nall", '*');
+  BOOST_TEST_REQUIRE(numbers.size() == 48U);
+  for (std::size_t n = 0; n < 12; ++n)
+    BOOST_TEST(numbers[4 * n + 3] == z[n / 4], boost::test_tools::tolerance(1e-13));
+}
+
+// CalculiX numbers the faces of 1-2-3-4, 5-6-7-8: S1 1-2-3-4, S2 5-8-7-6, S3 1-5-6-2,
+// S4 2-6-7-3, S5 3-7-8-4, S6 4-8-5-1. The cell with the face need not be the first one.
+BOOST_AUTO_TEST_CASE(inp_surfaces_name_the_faces_as_calculix_does) {
+  const Directory directory;
+  const std::vector<Quadrilateral> as_calculix{{0, 3, 2, 1}, {8, 9, 10, 11},
+                                               {0, 1, 5, 4}, {1, 2, 6, 5},
+                                               {2, 3, 7, 6}, {3, 0, 4, 7}};
+  std::map<std::string, std::vector<Quadrilateral>> regions;
+  for (std::size_t f = 0; f < 6; ++f)
+    regions["face" + std::to_string(f + 1)] = {as_calculix[f]};
+  const Mesh mesh = mesh_with_long_decimals();
+  write_mesh(Mesh("faces", mesh.nodes(), mesh.hexahedra(), regions),
+             directory / "mesh.inp");
+  const std::string text = text_of(directory / "mesh.inp");
+  for (int f = 1; f <= 6; ++f) {
+    const std::string number = std::to_string(f);
+    BOOST_TEST(
+        text.find("*SURFACE, NAME=face" + number + ", TYPE=ELEMENT\n" +
+                  (f == 2 ? "2" : "1") + ", S" + number + "\n") != std::string::npos,
+        text);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(finished_file_replaces_the_old_one_and_leaves_nothing_beside_it) {
   for (const char* name : {"mesh.msh", "mesh.vtu", "mesh.inp"}) {
     const Directory directory;

@@ -54,6 +54,19 @@ BOOST_AUTO_TEST_CASE(single_oscillator_has_the_limit_of_the_textbook,
   }
 }
 
+// Held along the stiffer spring, a mass swings along the softer one: omega is 3, then 2.
+BOOST_AUTO_TEST_CASE(held_component_does_not_swing, *boost::unit_test::tolerance(2e-4)) {
+  Network corner = oscillator();
+  corner.rest_positions.emplace_back(1, 1, 0);
+  corner.springs.push_back({.a = 1, .b = 2, .stiffness = 4, .rest_length = 1});
+  corner.masses.push_back(1e9);
+  std::vector<bool> is_free(9, false);
+  is_free[3] = is_free[4] = is_free[5] = true;
+  BOOST_TEST(largest_stable_step(corner, 0, is_free) == 2. / 3);
+  is_free[3] = false;
+  BOOST_TEST(largest_stable_step(corner, 0, is_free) == 2. / 2);
+}
+
 // Figures of an independent prototype on a free block, printed to three digits; its
 // number of cells is not recorded, and from 4^3 on moves them by .3 %.
 BOOST_AUTO_TEST_CASE(free_block_has_the_limits_computed_independently,
