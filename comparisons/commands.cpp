@@ -82,6 +82,22 @@ std::optional<SplitPlan> split_plan_of(const RunSettings& run, const Request& re
                     run.reference ? run.reference->method : *find_method("fem-hencky"));
 }
 
+/// Cases of result files by key, with the file that holds their fields.
+using StoredCases = std::map<std::string, std::pair<std::filesystem::path, StoredCase>>;
+
+/// All cases of the files; warns of those that another commit wrote.
+StoredCases stored_cases(const std::vector<std::filesystem::path>& files) {
+  StoredCases all;
+  for (const std::filesystem::path& file : files) {
+    if (const std::string commit = commit_of(file); commit != build_info::commit)
+      spdlog::warn("{} was written by commit {}, this program is {}", file.string(),
+                   commit, build_info::commit);
+    for (auto& [key, stored] : read_results(file))
+      all.try_emplace(key, file, std::move(stored));
+  }
+  return all;
+}
+
 }  // namespace
 
 ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
@@ -137,13 +153,7 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
 ExitStatus table_command(const std::string& name, const TableFiles& files,
                          const std::string& reference, TableFormat format, int parallel) {
   const auto& [from, out] = files;
-  std::map<std::string, StoredCase> stored;
-  if (from) {
-    stored = read_results(*from);
-    if (const std::string commit = commit_of(*from); commit != build_info::commit)
-      spdlog::warn("{} was written by commit {}, this program is {}", from->string(),
-                   commit, build_info::commit);
-  }
+  const StoredCases stored = stored_cases(from);
   if (out) check_results_writable(*out);
   std::optional<ReferenceMethod> chosen;
   if (!reference.empty())
@@ -153,8 +163,9 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
                          const std::string& key) -> std::optional<CaseResult> {
     const auto found = stored.find(key);
     if (found == stored.end()) return std::nullopt;
-    CaseResult result = with_stored(request, key, found->second);
-    read_fields(*from, meshes.mesh(request.settings.block), result);
+    const auto& [file, stored_case] = found->second;
+    CaseResult result = with_stored(request, key, stored_case);
+    read_fields(file, meshes.mesh(request.settings.block), result);
     return result;
   };
   const ComputedTables computed = compute_tables({name}, chosen, meshes, parallel, known);

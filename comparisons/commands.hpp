@@ -25,7 +25,8 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
 
 /// Result files of a table: what to take cases from, where to write all of them.
 struct TableFiles {
-  std::optional<std::filesystem::path> from, out;
+  std::vector<std::filesystem::path> from;
+  std::optional<std::filesystem::path> out;
 };
 
 /// `springcheck table`: prints one table.

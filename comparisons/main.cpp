@@ -94,7 +94,8 @@ int command_line(int argc, char** argv) {
   bool verbose = false;
   app.add_flag("--verbose", verbose, "log every Newton iteration to stderr");
 
-  std::string scene, out, name, from, reference, format = "md", what;
+  std::vector<std::filesystem::path> from;
+  std::string scene, out, name, reference, format = "md", what;
   bool json = false, split = false, all = false;
   int threads = cores;
   int status = ExitStatus::done;
@@ -124,7 +125,7 @@ int command_line(int argc, char** argv) {
                    "5.1, 5.2, 5.3, 5.4, deviation, bending, split (takes minutes), "
                    "elements or orientation")
       ->required();
-  table->add_option("--from", from, "result file to take cases from; computes the rest")
+  table->add_option("--from", from, "result files to take cases from; computes the rest")
       ->check(check_not_empty);
   table->add_option("--out", out, "HDF5 file for the cases behind the table")
       ->check(check_not_empty);
@@ -175,7 +176,7 @@ int command_line(int argc, char** argv) {
     status = run_command(scene, run_options.given(), path_or_none(out), output(),
                          split ? ErrorSplit::wanted : ErrorSplit::not_wanted, threads);
   else if (*table)
-    status = table_command(name, {path_or_none(from), path_or_none(out)}, reference,
+    status = table_command(name, {from, path_or_none(out)}, reference,
                            table_format(format), threads);
   else if (*list)
     status = list_command(what, output());

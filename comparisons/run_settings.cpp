@@ -57,7 +57,7 @@ void check_applicable(const Settings& settings, Test test) {
 /// "N" or "NX,NY,NZ" behind a reference's '@'.
 std::vector<int> reference_cells_of(const Given& given, const std::string& text) {
   const std::string expected =
-      "METHOD[:ELEMENT], @NX,NY,NZ, @N or @converged behind it, counts of at least 1";
+      "METHOD[:ELEMENT] and behind it @NX,NY,NZ, @N or @converged, counts of at least 1";
   std::vector<int> cells;
   std::istringstream counts(text);
   for (std::string count; std::getline(counts, count, ',');) {

@@ -86,9 +86,9 @@ Json split_json(const Split& split) {
 
 std::string split_text(const Split& split) {
   const SplitPlan& plan = split.plan;
-  std::vector<std::vector<std::string>> rows{{"", label(plan.springs), "Cauchy-Born",
-                                              std::string(plan.reference[0].method.name),
-                                              "law", "discretisation", ""}};
+  std::vector<std::vector<std::string>> rows{
+      {"", label(plan.springs), "Cauchy-Born", std::string(plan.reference[0].method.name),
+       "law", "discretisation", "converged values"}};
   for (const SplitQuantity& quantity : split.quantities) {
     const auto [name, unit, factor] = shown_measure(quantity.name);
     rows.push_back(

@@ -397,6 +397,60 @@ BOOST_AUTO_TEST_CASE(a_link_stays_a_link) {
   BOOST_TEST(fs::file_size(folder / "behind.inp") > 0U);
 }
 
+BOOST_AUTO_TEST_CASE(split_is_an_object_for_springs_and_null_for_finite_elements) {
+  const Json json = json_of(
+      "run shearing --method mss-cf,fem-stvk --cells 2,2,2 --split --out split.h5 "
+      "--json");
+  const Json& split = json["results"][0]["split"];
+  BOOST_TEST(json["results"][1]["split"].is_null());
+  BOOST_TEST(split["reference"] == "fem-hencky:q1-sri");
+  for (const char* name : {"volume_error", "plate_force_norm", "mean_deviation"}) {
+    const Json& quantity = split["quantities"][name];
+    for (const char* key :
+         {"springs", "cauchy_born", "reference", "law", "discretisation", "resolved"})
+      BOOST_TEST(quantity.contains(key), name << " " << key);
+    for (const char* key :
+         {"value", "order", "bar", "grids", "check", "disagreement", "resolved"})
+      BOOST_TEST(quantity["cauchy_born"].contains(key), name << " " << key);
+    BOOST_TEST(quantity["cauchy_born"]["grids"].size() == 3U);
+  }
+  // The grids are cases of the result file.
+  const std::string key =
+      split["quantities"]["volume_error"]["reference"]["grids"][2]["key"];
+  BOOST_TEST(text_of(folder / "split.h5").find(key) != std::string::npos);
+  // Without --split there is none.
+  BOOST_TEST(
+      json_of("run shearing --method mss-cf --cells 2,2,2 --json")["results"][0]["split"]
+          .is_null());
+  expect_bad_input("run shearing --method mss-cf --split --reference mss-fd",
+                   "a law of finite elements");
+}
+
+BOOST_AUTO_TEST_CASE(references_on_other_grids_are_named_with_theirs) {
+  const auto reference = [](const std::string& grid) {
+    return json_of(
+               "run shearing --method mss-cf --cells 2,2,2 --json --reference "
+               "fem-hencky" +
+               grid)["results"][0]["reference"]
+        .get<std::string>();
+  };
+  BOOST_TEST(reference("") == "fem-hencky:q1-sri");
+  BOOST_TEST(reference(":q2@4") == "fem-hencky:q2@4,4,4");
+  BOOST_TEST(reference("@4,4,2") == "fem-hencky:q1-sri@4,4,2");
+  BOOST_TEST(reference("@converged") == "fem-hencky:q1-sri@converged");
+  expect_bad_input("run shearing --method mss-cf --cells 2,2,2 --reference fem-hencky@3",
+                   "a whole multiple of the first of the case's 2,2,2, got 3");
+  expect_bad_input("table elements --reference fem-hencky", "no reference");
+}
+
+BOOST_AUTO_TEST_CASE(a_table_s_cases_can_be_written_and_taken_again) {
+  const Run first = springcheck("table orientation --out orientation.h5");
+  BOOST_TEST(first.status == 0);
+  const Run again = springcheck("table orientation --from orientation.h5 --out two.h5");
+  BOOST_TEST(again.out == first.out);
+  BOOST_TEST(fs::file_size(folder / "two.h5") > 0U);
+}
+
 BOOST_AUTO_TEST_CASE(a_result_file_feeds_a_table_without_computing) {
   BOOST_TEST(springcheck("run compression --out one.h5 " + small).status == 0);
   BOOST_TEST(fs::exists(folder / "one.h5"));

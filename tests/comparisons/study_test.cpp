@@ -80,6 +80,26 @@ BOOST_AUTO_TEST_CASE(the_key_holds_what_deviations_are_measured_against) {
   BOOST_TEST(case_key(request, mesh) != key);
 }
 
+// A reference that a file holds with its fields is not computed again.
+BOOST_AUTO_TEST_CASE(known_references_are_taken_with_their_fields) {
+  MeshStore meshes;
+  const Request request = requests(run_of("compression", small)).front();
+  const Request alone{.settings = *request.reference, .reference = std::nullopt};
+  const CaseResult reference = study({alone}, meshes, 1).front();
+  const CaseResult computed = study({request}, meshes, 1).front();
+  std::size_t simulations = 0;
+  const CaseResult result =
+      run_study(
+          {request}, meshes, 1, [&](std::size_t, std::size_t all) { simulations = all; },
+          [&](const Request&, const std::string& key) -> std::optional<CaseResult> {
+            if (key != reference.key) return std::nullopt;
+            return reference;
+          })
+          .front();
+  BOOST_TEST(simulations == 1U);
+  BOOST_TEST(*result.measures.mean_deviation == *computed.measures.mean_deviation);
+}
+
 // Nearly incompressible and crushed to four tenths of its height, the lattice folds over.
 BOOST_AUTO_TEST_CASE(a_folded_cell_is_reported_inverted) {
   MeshStore meshes;
@@ -131,8 +151,17 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
   const auto stored = read_results(file);
   BOOST_TEST_REQUIRE(stored.size() == 4U);
   for (const CaseResult& result : written) {
-    const CaseResult read =
-        with_stored(result.request, result.key, stored.at(result.key));
+    CaseResult read = with_stored(result.request, result.key, stored.at(result.key));
+    const Mesh& mesh = meshes.mesh(result.request.settings.block);
+    read_fields(file, mesh, read);
+    BOOST_TEST((read.solution.displacements == result.solution.displacements));
+    BOOST_TEST((read.solution.reactions == result.solution.reactions));
+    const auto volumes = deformed_volumes(mesh, result.solution);
+    for (std::size_t c = 0; c < volumes.size(); ++c)
+      BOOST_TEST(read.solution.cell_volumes.at(c) == volumes[c],
+                 boost::test_tools::tolerance(1e-14));
+    const Mesh other = generate_block({.size = {1, 1, 1}, .cells = {2, 2, 2}});
+    BOOST_CHECK_THROW(read_fields(file, other, read), InputError);
     BOOST_TEST((read.status == result.status));
     BOOST_TEST(read.solution.steps == result.solution.steps);
     BOOST_TEST((read.solution.linear_iterations == result.solution.linear_iterations));

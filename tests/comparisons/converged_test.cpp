@@ -1,0 +1,152 @@
+#define BOOST_TEST_MODULE converged
+#include <boost/test/unit_test.hpp>
+
+#include "comparisons/converged.hpp"
+#include "meshing/input_error.hpp"
+#include "settings.hpp"
+
+using namespace springcheck;
+using boost::test_tools::tolerance;
+
+namespace {
+
+CaseResult result_of(const std::string& scene, const std::vector<std::string>& changes,
+                     MeshStore& meshes) {
+  return run_study(requests(run_of(scene, changes)), meshes, 1,
+                   [](std::size_t, std::size_t) {})
+      .front();
+}
+
+}  // namespace
+
+// A homogeneous field is the same on every grid. The solver leaves about 1e-10 of it.
+BOOST_AUTO_TEST_CASE(a_homogeneous_field_does_not_deviate_from_finer_grids) {
+  MeshStore meshes;
+  for (const char* reference :
+       {"fem-stvk@4", "fem-stvk:q2@6,2,4", "fem-stvk@converged"}) {
+    const CaseResult result = result_of(
+        "affine",
+        {"cells=2,2,2", "method=fem-stvk", std::string("reference=") + reference},
+        meshes);
+    const Measures& m = result.measures;
+    BOOST_TEST_CONTEXT(reference) {
+      BOOST_TEST_REQUIRE(m.deviation_l2_relative.has_value());
+      BOOST_TEST(*m.deviation_l2_relative < 1e-8);
+      BOOST_TEST(*m.deviation_max_relative < 1e-8);
+      BOOST_TEST(*m.cell_volume_ratio_rms_difference < 1e-10);
+    }
+  }
+}
+
+// Against a finer grid: the distance at the shared nodes and the volumes of the eight
+// fine cells in each coarse one, taken by hand. Exact: the same simulations.
+BOOST_AUTO_TEST_CASE(deviations_from_a_finer_grid_are_taken_at_the_shared_nodes) {
+  MeshStore meshes;
+  const std::vector<std::string> changes{"method=fem-hencky", "deformation=.1"};
+  const auto with = [&](const char* change) {
+    auto all = changes;
+    all.emplace_back(change);
+    return all;
+  };
+  const CaseResult fine = result_of("shearing", with("cells=4,4,4"), meshes);
+  auto on_coarse = with("cells=2,2,2");
+  on_coarse.emplace_back("reference=fem-hencky@4");
+  const CaseResult coarse = result_of("shearing", on_coarse, meshes);
+  BOOST_TEST(reference_label(coarse.request) == "fem-hencky:q1-sri@4,4,4");
+
+  const Cells two{2, 2, 2}, four{4, 4, 4};
+  const auto u = at_coarse_nodes(fine.solution.displacements, four, two);
+  double sum = 0;
+  for (std::size_t n = 0; n < u.size(); ++n)
+    sum += (coarse.solution.displacements[n] - u[n]).norm();
+  BOOST_TEST(*coarse.measures.mean_deviation == sum / 27, tolerance(1e-12));
+  BOOST_TEST(*coarse.measures.mean_deviation > 1e-6);  // m: there is something to find
+
+  const Mesh& fine_mesh = meshes.mesh(fine.request.settings.block);
+  const Mesh& mesh = meshes.mesh(coarse.request.settings.block);
+  const auto volumes = deformed_volumes(mesh, coarse.solution);
+  const auto reference =
+      summed_over_coarse_cells(deformed_volumes(fine_mesh, fine.solution), four, two);
+  double squares = 0;
+  for (std::size_t c = 0; c < volumes.size(); ++c)
+    squares += std::pow((volumes[c] - reference[c]) / mesh.cell_volumes()[c], 2) / 8;
+  BOOST_TEST(*coarse.measures.cell_volume_ratio_rms_difference == std::sqrt(squares),
+             tolerance(1e-12));
+}
+
+// The error of a coarse solution is mostly gone on the next grid, and the converged field
+// is further away than that: by the bar the extrapolation gives.
+BOOST_AUTO_TEST_CASE(the_converged_field_lies_beyond_the_finer_grids) {
+  MeshStore meshes;
+  const auto deviation_from = [&](const char* reference) {
+    return *result_of("shearing",
+                      {"cells=2,2,2", "method=fem-hencky",
+                       std::string("reference=") + reference},
+                      meshes)
+                .measures.mean_deviation;
+  };
+  const double from_4 = deviation_from("fem-hencky@4"),
+               from_8 = deviation_from("fem-hencky@8"),
+               from_limit = deviation_from("fem-hencky@converged");
+  BOOST_TEST(from_4 < from_8);
+  BOOST_TEST(from_8 < from_limit);
+  BOOST_TEST(from_limit < 1.5 * from_8);
+}
+
+BOOST_AUTO_TEST_CASE(the_key_and_the_label_name_the_grid_of_the_reference) {
+  MeshStore meshes;
+  std::vector<std::string> keys, labels;
+  for (const char* reference :
+       {"fem-stvk", "fem-stvk@2", "fem-stvk@4", "fem-stvk@4,2,2", "fem-stvk@converged"}) {
+    const Request request =
+        requests(run_of("compression", {"cells=2,2,2", "method=mss-cf",
+                                        std::string("reference=") + reference}))
+            .front();
+    keys.push_back(case_key(request, meshes.mesh(request.settings.block)));
+    labels.push_back(reference_label(request));
+  }
+  BOOST_TEST(keys[0] == keys[1]);  // its own mesh, however it is said
+  for (std::size_t i = 1; i < keys.size(); ++i)
+    for (std::size_t j = i + 1; j < keys.size(); ++j) BOOST_TEST(keys[i] != keys[j]);
+  const std::vector<std::string> expected{
+      "fem-stvk:q1-sri", "fem-stvk:q1-sri", "fem-stvk:q1-sri@4,4,4",
+      "fem-stvk:q1-sri@4,2,2", "fem-stvk:q1-sri@converged"};
+  BOOST_TEST(labels == expected, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(cells_of_a_reference_must_refine_the_case_s) {
+  const auto refusal_of = [](const std::string& reference) -> std::string {
+    try {
+      requests(run_of("tension", {"method=mss-cf", "reference=" + reference}));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  BOOST_TEST(refusal_of("fem-stvk@8") == "accepted");  // 8, 8, 48
+  BOOST_TEST(refusal_of("fem-stvk:q2@4,8,24") == "accepted");
+  BOOST_TEST(refusal_of("fem-stvk@6") ==
+             "--reference: cells of the reference: expected a whole multiple of the "
+             "first of the case's 4,4,24, got 6");
+  BOOST_TEST(refusal_of("fem-stvk@8,8,24,1").starts_with("--reference: expected "));
+  BOOST_TEST(refusal_of("fem-stvk@8,6,24") ==
+             "--reference: cells of the reference: expected whole multiples of the "
+             "case's 4,4,24, got 8,6,24");
+  for (const char* grid : {"@", "@0", "@-4", "@8,8", "@fine", "@8,", "@Converged", "@8x"})
+    BOOST_TEST(
+        refusal_of(std::string("fem-stvk") + grid).find("@NX,NY,NZ, @N or @converged") !=
+            std::string::npos,
+        grid);
+}
+
+// A reference that fails leaves no deviations, as one on the same mesh does.
+BOOST_AUTO_TEST_CASE(a_reference_that_fails_leaves_no_deviations) {
+  MeshStore meshes;
+  const CaseResult result =
+      result_of("compression",
+                {"cells=2,2,2", "method=mss-cf", "nu=-0.3", "lattice=mss-baudet",
+                 "reference=fem-cauchy-born@converged"},
+                meshes);
+  BOOST_TEST(result.measures.volume_error.has_value());
+  BOOST_TEST(!result.measures.mean_deviation.has_value());
+}
