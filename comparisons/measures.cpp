@@ -99,6 +99,12 @@ std::vector<double> deformed_volumes(const Mesh& mesh, const Solution& solution)
   return cell_volumes(mesh.hexahedra(), deformed(mesh, solution.displacements));
 }
 
+Measures::Value definite_up_to_deformation(const CaseSettings& settings,
+                                           const Solution& solution) {
+  if (!solution.definite_up_to || !settings.deformation) return std::nullopt;
+  return *solution.definite_up_to * *settings.deformation;
+}
+
 Measures measure(const CaseSettings& settings, const Mesh& mesh,
                  const Solution& solution) {
   Measures measures;
@@ -109,9 +115,7 @@ Measures measure(const CaseSettings& settings, const Mesh& mesh,
   measure_traction(measures, scene, mesh, solution);
   measure_affine(measures, scene, mesh, solution);
   measure_beam(measures, settings, mesh, solution.displacements);
-  if (solution.definite_up_to && settings.deformation)
-    measures.definite_up_to_deformation =
-        *solution.definite_up_to * *settings.deformation;
+  measures.definite_up_to_deformation = definite_up_to_deformation(settings, solution);
   measures.strain_energy = solution.strain_energy;
   return measures;
 }

@@ -50,7 +50,8 @@ struct Measures {
   Value affine_deviation_relative{};
 
   // Deformation up to which the tangent was positive definite, where that was lost on the
-  // way: load fraction times deformation. Empty in tests without a deformation.
+  // way: load fraction times deformation. Known of runs that found no equilibrium too;
+  // empty in tests without a deformation.
   Value definite_up_to_deformation{};
 
   // Distances between equal nodes of this solution and the reference's [m].
@@ -115,6 +116,10 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
 
 /// Deformed volume of each cell [m^3]: the solution's own, or the exact trilinear one.
 std::vector<double> deformed_volumes(const Mesh& mesh, const Solution& solution);
+
+/// The measure of that name.
+Measures::Value definite_up_to_deformation(const CaseSettings& settings,
+                                           const Solution& solution);
 
 /// All measures that need no reference.
 Measures measure(const CaseSettings& settings, const Mesh& mesh,

@@ -68,6 +68,8 @@ CaseResult simulate(const CaseSettings& settings, const Mesh& mesh) {
                     .solve_wall_s = seconds_since(start)};
   const Solution& solution = result.solution;
   result.reason = solution.reason;
+  result.measures.definite_up_to_deformation =
+      definite_up_to_deformation(settings, solution);
   bool inverted = false, wrinkled = false;
   SolveStatus solved = solution.status;
   if (has_equilibrium(solution)) {
