@@ -125,9 +125,7 @@ Dilatation CauchyBorn::dilatation(const Matrix3& displacement_gradient) {
 }
 
 VolumetricEnergy CauchyBorn::volumetric_energy(double dilatation) const {
-  return {.value = volume_modulus / 2 * dilatation * dilatation,
-          .first = volume_modulus * dilatation,
-          .second = volume_modulus};
+  return quadratic(volume_modulus, dilatation);
 }
 
 CauchyBorn cauchy_born(const Material& material, const Lattice& lattice) {

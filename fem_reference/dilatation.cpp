@@ -41,4 +41,10 @@ Dilatation volume_change(const Matrix3& displacement_gradient) {
   return t;
 }
 
+VolumetricEnergy quadratic(double modulus, double dilatation) {
+  return {.value = modulus / 2 * dilatation * dilatation,
+          .first = modulus * dilatation,
+          .second = modulus};
+}
+
 }  // namespace springcheck::fem_reference

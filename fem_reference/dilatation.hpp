@@ -30,4 +30,7 @@ struct VolumetricEnergy {
   double second;
 };
 
+/// U = modulus/2 t^2.
+VolumetricEnergy quadratic(double modulus, double dilatation);
+
 }  // namespace springcheck::fem_reference

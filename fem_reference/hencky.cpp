@@ -93,7 +93,7 @@ VolumetricEnergy Hencky::volumetric_energy(double dilatation) const {
 }
 
 Hencky hencky(const LameConstants& lame) {
-  return {.shear_modulus = lame.mu, .bulk_modulus = lame.lambda + 2 * lame.mu / 3};
+  return {.shear_modulus = lame.mu, .bulk_modulus = bulk_modulus(lame)};
 }
 
 }  // namespace springcheck::fem_reference

@@ -32,13 +32,11 @@ Dilatation Hooke::dilatation(const Matrix3& displacement_gradient) {
 }
 
 VolumetricEnergy Hooke::volumetric_energy(double dilatation) const {
-  return {.value = bulk_modulus / 2 * dilatation * dilatation,
-          .first = bulk_modulus * dilatation,
-          .second = bulk_modulus};
+  return quadratic(bulk_modulus, dilatation);
 }
 
 Hooke hooke(const LameConstants& lame) {
-  return {.shear_modulus = lame.mu, .bulk_modulus = lame.lambda + 2 * lame.mu / 3};
+  return {.shear_modulus = lame.mu, .bulk_modulus = bulk_modulus(lame)};
 }
 
 }  // namespace springcheck::fem_reference

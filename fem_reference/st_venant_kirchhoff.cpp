@@ -41,13 +41,11 @@ Dilatation StVenantKirchhoff::dilatation(const Matrix3& displacement_gradient) {
 }
 
 VolumetricEnergy StVenantKirchhoff::volumetric_energy(double dilatation) const {
-  return {.value = bulk_modulus / 2 * dilatation * dilatation,
-          .first = bulk_modulus * dilatation,
-          .second = bulk_modulus};
+  return quadratic(bulk_modulus, dilatation);
 }
 
 StVenantKirchhoff st_venant_kirchhoff(const LameConstants& lame) {
-  return {.shear_modulus = lame.mu, .bulk_modulus = lame.lambda + 2 * lame.mu / 3};
+  return {.shear_modulus = lame.mu, .bulk_modulus = bulk_modulus(lame)};
 }
 
 }  // namespace springcheck::fem_reference

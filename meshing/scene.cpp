@@ -11,6 +11,10 @@ LameConstants lame_constants(const Material& material) {
   return {.lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), .mu = E / (2 * (1 + nu))};
 }
 
+double bulk_modulus(const LameConstants& lame) {
+  return lame.lambda + 2 * lame.mu / 3;
+}
+
 Vector3 displacement(const RigidMotion& motion, const Vector3& point,
                      double load_fraction) {
   const Eigen::AngleAxisd rotation(load_fraction * motion.angle, motion.axis);

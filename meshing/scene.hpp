@@ -23,6 +23,9 @@ struct LameConstants {
 };
 LameConstants lame_constants(const Material& material);
 
+/// K = lambda + 2 mu/3 [Pa].
+double bulk_modulus(const LameConstants& lame);
+
 /// Rigid motion of a plate, driven by the load fraction s in [0, 1]: a rotation by
 /// s * angle about the axis through the centre, then a translation by s * translation.
 struct RigidMotion {
