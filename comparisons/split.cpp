@@ -62,11 +62,17 @@ ConvergedValue converged_measure(Runs runs, const SplitMeasure& measure,
   return value;
 }
 
+bool all_ok(Runs runs, Runs check) {
+  const auto is_ok = [](const CaseResult& run) { return run.status == Status::ok; };
+  return std::ranges::all_of(runs, is_ok) && std::ranges::all_of(check, is_ok);
+}
+
 ContinuumValue continuum_measure(Runs runs, Runs check, const SplitMeasure& measure,
                                  const std::optional<double>& unit) {
   ContinuumValue both{.converged = converged_measure(runs, measure, unit),
                       .check = converged_measure(check, measure, unit),
-                      .disagreement = {}};
+                      .disagreement = {},
+                      .all_ok = all_ok(runs, check)};
   if (both.converged.value && both.check.value)
     both.disagreement = std::abs(*both.converged.value - *both.check.value);
   return both;
@@ -171,10 +177,12 @@ SplitQuantity split_field(const CaseResult& springs, const ContinuumRuns& cauchy
       .springs = mean_distance(own, law),
       .cauchy_born = {converged_distance(cauchy_born.runs, lattice, law, cells),
                       converged_distance(cauchy_born.check, lattice_check, law, cells),
-                      mean_distance(lattice, lattice_check)},
+                      mean_distance(lattice, lattice_check),
+                      all_ok(cauchy_born.runs, cauchy_born.check)},
       .reference = {converged_distance(reference.runs, law, law, cells),
                     converged_distance(reference.check, law_check, law, cells),
-                    mean_distance(law, law_check)},
+                    mean_distance(law, law_check),
+                    all_ok(reference.runs, reference.check)},
       .law = {},
       .discretisation = {}};
   const auto& lattice_bar = quantity.cauchy_born.converged.bar;
@@ -214,7 +222,7 @@ std::vector<Request> split_requests(const SplitPlan& plan) {
 }
 
 bool ContinuumValue::is_resolved() const {
-  return disagreement && *disagreement <= *converged.bar + *check.bar;
+  return all_ok && disagreement && *disagreement <= *converged.bar + *check.bar;
 }
 
 bool SplitQuantity::is_resolved() const {

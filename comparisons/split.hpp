@@ -50,8 +50,9 @@ struct ContinuumValue {
   ConvergedValue check;      // q2
   // Between the two: |value - value|, or the mean distance of the fields.
   std::optional<double> disagreement;
+  bool all_ok;  // the status of every run
 
-  /// Whether the two agree within the sum of their bars.
+  /// Whether the two agree within the sum of their bars, and all runs are ok.
   [[nodiscard]] bool is_resolved() const;
 };
 

@@ -157,6 +157,14 @@ BOOST_AUTO_TEST_CASE(discretisations_that_disagree_beyond_their_bars_are_unresol
   BOOST_TEST(split_text(split).find("unresolved") != std::string::npos);
   BOOST_TEST(split_json(split)["quantities"]["volume_error"]["resolved"] == false);
 
+  // Agreement of states that are none does not count.
+  std::vector<CaseResult> runs = invented(plan, errors, meshes);
+  BOOST_TEST(quantity(split, "mean_deviation").is_resolved());
+  runs[2].status = Status::indefinite;
+  const Split indefinite = split_error(plan, springs, runs, meshes);
+  BOOST_TEST(!quantity(indefinite, "mean_deviation").is_resolved());
+  BOOST_TEST(indefinite.reasons.size() == 1U);
+
   const std::string table =
       format_sheet(split_sheet({split}, {springs}), TableFormat::markdown);
   BOOST_TEST(table.find("| unresolved |") != std::string::npos);
