@@ -187,7 +187,15 @@ BOOST_AUTO_TEST_CASE(definiteness_regained_is_ok_and_remembered) {
       problem.found([](double s) { return s < 0.6 ? s / 0.6 : 1 - (s - 0.6); });
   BOOST_TEST((found.status == SolveStatus::ok), found.reason);
   BOOST_TEST(found.load_fraction == 1);
-  BOOST_TEST(contains(found.reason, "was not positive definite between"));
+  const std::string words = "was not positive definite between ";
+  BOOST_TEST_REQUIRE(contains(found.reason, words), found.reason);
+  const std::string interval =
+      found.reason.substr(found.reason.find(words) + words.size());
+  double lost = 0, regained = 0;  // %
+  BOOST_TEST(std::sscanf(interval.c_str(), "%lf %% and %lf %%", &lost, &regained) == 2);
+  BOOST_TEST(lost < 60);
+  BOOST_TEST(regained > 60);
+  BOOST_TEST(regained < 90);
   BOOST_TEST_REQUIRE(found.definite_up_to.has_value());
   BOOST_TEST(*found.definite_up_to < 0.6);
   const Equilibrium straight = problem.found([](double s) { return 0.6 * s; });
