@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <numeric>
 #include <random>
 #include <string>
 #include <utility>
@@ -40,6 +42,27 @@ inline Mesh mapped(const Mesh& mesh, const std::function<Vector3(const Vector3&)
   std::map<std::string, std::vector<Quadrilateral>> regions;
   for (const auto& [name, region] : mesh.regions()) regions[name] = region.faces;
   return {"mapped " + mesh.source(), nodes, mesh.hexahedra(), regions};
+}
+
+/// The mesh with its nodes numbered at random.
+inline Mesh renumbered(const Mesh& mesh) {
+  std::vector<NodeIndex> number(mesh.nodes().size());
+  std::iota(number.begin(), number.end(), NodeIndex{0});
+  std::ranges::shuffle(number, std::mt19937(5));
+  std::vector<Vector3> nodes(number.size());
+  for (std::size_t node = 0; node < number.size(); ++node)
+    nodes[number[node]] = mesh.nodes()[node];
+  const auto renumber = [&](auto corners) {
+    for (NodeIndex& node : corners) node = number[node];
+    return corners;
+  };
+  std::vector<Hexahedron> cells;
+  for (const Hexahedron& cell : mesh.hexahedra()) cells.push_back(renumber(cell));
+  std::map<std::string, std::vector<Quadrilateral>> regions;
+  for (const auto& [name, region] : mesh.regions())
+    for (const Quadrilateral& face : region.faces)
+      regions[name].push_back(renumber(face));
+  return {"renumbered " + mesh.source(), nodes, cells, regions};
 }
 
 /// Components uniform in [-size, size].

@@ -175,6 +175,21 @@ BOOST_AUTO_TEST_CASE(one_element_in_bending_has_its_closed_form_energy,
   }
 }
 
+// det F = 1 + c z, smallest at the lower of the Gauss points z = +-h/(2 sqrt(3)) and 0 or
+// +-sqrt(3/5) h/2; int |H|^2 = c^2 int (x^2 + z^2), int det F = V. Round-off.
+BOOST_AUTO_TEST_CASE(cell_reports_the_smallest_jacobian_of_its_gauss_points,
+                     *boost::unit_test::tolerance(1e-12)) {
+  for (const Element element : elements) {
+    const OneCell cell(cube(1), element);
+    const CellState state = cell_state(cell_law(Law::hencky, DilatationTaken::at_points),
+                                       cell.shape(), cell.at_nodes(bent));
+    const double lowest = element == Element::q2 ? std::sqrt(0.6) : std::sqrt(1. / 3);
+    BOOST_TEST(state.smallest_jacobian == 1 - c * edge / 2 * lowest);
+    BOOST_TEST(state.gradient_square == c * c * std::pow(edge, 5) / 6);
+    BOOST_TEST(state.deformed_volume == volume);
+  }
+}
+
 // tr E = c z + c^2 (x^2 + z^2)/2: its mean is c^2 h^2/12, though the mean gradient is
 // zero. At the points of q2 (exact to fifth degree) its square gives the integral
 // c^2 h^2/12 + c^4/4 (h^4/40 + h^4/72) per volume. Round-off.

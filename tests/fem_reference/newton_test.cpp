@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE fem_reference_newton
 #include "fem_reference/newton.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <optional>
@@ -102,6 +103,46 @@ BOOST_AUTO_TEST_CASE(line_search_leads_back_to_the_solution) {
                                      problem.no_load, Tangents::definite);
   BOOST_TEST((result.displacements - direct.displacements).norm() <
              1e-8 * direct.displacements.norm());
+}
+
+// A nearly incompressible body under dead loads: on the way there are states where every
+// part of Newton's step raises the residual, and only the falling energy leads on.
+BOOST_AUTO_TEST_CASE(energy_leads_where_the_residual_rises) {
+  Problem problem(2, {.law = Law::hencky, .element = Element::q1_sri}, 0, 0, 0.499);
+  const Eigen::VectorXd load =
+      problem.elasticity.free_part(random_nodal(problem.body, 1));
+  const CapturedLog log;
+  const NewtonResult result =
+      newton(problem.elasticity, problem.no_load, load, Tangents::any);
+  BOOST_TEST((result.outcome == NewtonOutcome::converged));
+  const std::vector<double> r = log.residuals().front();
+  BOOST_TEST(!std::ranges::is_sorted(r, std::ranges::greater()));
+  BOOST_TEST(result.internal.energy < load.dot(result.displacements));
+}
+
+// Equal and opposite pulls on a body that is only kept from moving rigidly: there are no
+// reactions to measure the residual by, but a load.
+BOOST_AUTO_TEST_CASE(balanced_loads_without_reactions_converge) {
+  const Mesh mesh = cube(2);
+  const Scene scene{
+      .material = of_poisson_ratio(0.25),
+      .plates = {},
+      .pins = {{.point = Vector3::Zero(), .held = {true, true, true}},
+               {.point = Vector3(edge, 0, 0), .held = {false, true, true}},
+               {.point = Vector3(0, edge, 0), .held = {false, false, true}}},
+      .gravity = Vector3::Zero()};
+  const Discretisation body = discretise(mesh, Element::q1_sri);
+  const Supports supports(mesh, scene, body);
+  Elasticity elasticity(body, scene.material,
+                        {.law = Law::hencky, .element = Element::q1_sri},
+                        supports.prescribed());
+  const Eigen::VectorXd load =
+      traction_load(body, {.region = "x_max", .stress = {0.1 * young, 0, 0}}) +
+      traction_load(body, {.region = "x_min", .stress = {-0.1 * young, 0, 0}});
+  const NewtonResult result =
+      newton(elasticity, Eigen::VectorXd::Zero(load.size()), load, Tangents::definite);
+  BOOST_TEST((result.outcome == NewtonOutcome::converged));
+  BOOST_TEST(result.residual < 1e-10);
 }
 
 // Forces that balance the load to 1e-10, prescribed entries as they were; the state is

@@ -18,8 +18,8 @@ namespace {
 using Expected = std::function<Held(const Vector3& X)>;
 using Motion = std::function<Vector3(const Vector3& X, double s)>;
 
-void check(const Mesh& mesh, const Scene& scene, const Expected& held,
-           const Motion& motion) {
+void check_numbered(const Mesh& mesh, const Scene& scene, const Expected& held,
+                    const Motion& motion) {
   for (const Element element : elements) {
     const Discretisation body = discretise(mesh, element);
     const Supports supports(mesh, scene, body);
@@ -40,6 +40,13 @@ void check(const Mesh& mesh, const Scene& scene, const Expected& held,
         }
     }
   }
+}
+
+/// On the mesh as it is and with its nodes in disorder.
+void check(const Mesh& mesh, const Scene& scene, const Expected& held,
+           const Motion& motion) {
+  check_numbered(mesh, scene, held, motion);
+  check_numbered(renumbered(mesh), scene, held, motion);
 }
 
 bool at(double coordinate, double value) {
