@@ -36,7 +36,7 @@ const std::vector<ElementName>& elements() {
   static const std::vector<ElementName> all{
       {"q1", Element::q1, "trilinear, 2x2x2 points: locks near nu = 0.5"},
       {"q1-sri", Element::q1_sri,
-       "trilinear, volumetric part at the centroid (selective reduced integration)"},
+       "trilinear, volumetric part from the cell's mean (selective reduced integration)"},
       {"q2", Element::q2, "triquadratic (27 nodes), 3x3x3 points, on the same cells"}};
   return all;
 }

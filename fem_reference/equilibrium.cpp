@@ -17,6 +17,7 @@ constexpr double first_indefinite_load_step = 1. / 64;
 /// Root mean square of the displacement gradient in the first load step: 20 % compression
 /// begins with about a quarter of the load, 5 % is one step.
 constexpr double first_gradient = 0.06;
+constexpr double largest_gradient = 0.5;  // in any step
 
 /// Where the path ran with an indefinite tangent.
 struct LossOfDefiniteness {
@@ -40,6 +41,7 @@ class Follower {
 
   Equilibrium run() {
     rest();
+    if (!body_.is_linear()) measure_path();
     double step = first_step();
     bool failed_before = false;
     while (path_.load_fraction < 1) {
@@ -52,7 +54,7 @@ class Follower {
                     words(result.outcome), result.residual);
       if (result.outcome == NewtonOutcome::converged) {
         accept(std::move(result), to);
-        if (!failed_before) step *= 2;
+        if (!failed_before) step = std::min(2 * step, longest_step());
         failed_before = false;
         continue;
       }
@@ -94,13 +96,24 @@ class Follower {
                .value_or(moved);
   }
 
-  double first_step() {
-    if (body_.is_linear()) return 1;
-    const double gradient = body_.internal(predicted(1)).mean_gradient;
-    ++evaluations_;
-    return gradient > first_gradient
-               ? std::max(first_gradient / gradient, smallest_load_step)
+  /// Sets the length of the path: its chord, or longer where the supports turn.
+  void measure_path() {
+    constexpr double little = 1. / 64;
+    const double chord = body_.internal(predicted(1)).mean_gradient;
+    const double path = body_.internal(predicted(little)).mean_gradient / little;
+    evaluations_ += 2;
+    gradient_ = path > 1.01 * chord ? path : chord;
+  }
+
+  [[nodiscard]] double first_step() const {
+    return gradient_ > first_gradient
+               ? std::max(first_gradient / gradient_, smallest_load_step)
                : 1;
+  }
+
+  /// Longer steps could take a turn of the supports for a smaller one.
+  [[nodiscard]] double longest_step() const {
+    return gradient_ > largest_gradient ? largest_gradient / gradient_ : 1;
   }
 
   NewtonResult attempt(double to) {
@@ -134,7 +147,14 @@ class Follower {
   }
 
   Equilibrium give_up(const NewtonResult& result, double to) {
-    const bool limit_point = tangents_ == Tangents::any;
+    // An inverted cell, or a residual that rounding keeps from the tolerance, is no sign
+    // that the path ends.
+    constexpr double rounding = 1e-8;
+    const bool limit_point = tangents_ == Tangents::any &&
+                             result.outcome != NewtonOutcome::inverted &&
+                             result.residual > rounding;
+    if (limit_point)
+      loss_.last_definite = std::min(loss_.last_definite, path_.load_fraction);
     std::string reason = fmt::format(
         "{} at {:.2f} % of the load: from there to {:.2f} % Newton's method {} (relative "
         "residual {:.1e}, smallest det F {:.3g})",
@@ -183,6 +203,7 @@ class Follower {
   Path path_;
   Tangents tangents_ = Tangents::definite;
   LossOfDefiniteness loss_;
+  double gradient_ = 0;  // of the whole path, see first_gradient
   int steps_ = 0;
   int evaluations_ = 0;
 };

@@ -28,6 +28,8 @@ void start_mpi() {
   int started = 0;
   MPI_Initialized(&started);
   if (started != 0) return;
+  // One process needs no daemon beside it (Open MPI; others ignore the variable).
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   int provided = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
   std::atexit([] { MPI_Finalize(); });
@@ -132,6 +134,7 @@ void Multigrid::precondition(const SparseMatrix& matrix) {
   settings.set("aggregation: threshold", 0.0);
   settings.set("smoother: type", "Chebyshev");
   settings.set("smoother: sweeps", 3);
+  settings.set("eigen-analysis: type", "Anorm");  // the others start at random
   settings.set("coarse: type", "Amesos-KLU");
   settings.set("coarse: max size", 2000);
   settings.set("null space: type", "pre-computed");

@@ -30,7 +30,11 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
 
   bool definite = landscape.factor(x);
   if (!definite) landscape.factor_clamped();
-  const double whole_gradient = landscape.gradient(x, landscape.predicted(x, 1));
+  // The chord of the whole path, or its length where that is longer: supports that turn.
+  constexpr double little = 1. / 64;
+  const double chord = landscape.gradient(x, landscape.predicted(x, 1));
+  const double path = landscape.gradient(x, landscape.predicted(x, little)) / little;
+  const double whole_gradient = path > 1.01 * chord ? path : chord;
   const double largest_step =
       whole_gradient > gradient_per_step
           ? std::max(gradient_per_step / whole_gradient, 2 * smallest_load_step)
