@@ -56,7 +56,7 @@ inline constexpr const char* deviation =
     "Printed against LS-DYNA's large-rotation law, ours against the reference named: at "
     "this "
     "deformation the difference of the laws is part of ours, and most of it at nu = "
-    "0.499.";
+    "0.499. `--reference fem-hencky` compares with that law.";
 inline constexpr const char* layer =
     "The middle layer is taken at half height. The thesis's figure 5.11 may show the "
     "vertical "
