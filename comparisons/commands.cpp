@@ -66,20 +66,43 @@ std::string text_of(const std::vector<CaseResult>& results) {
   for (const CaseResult& result : results)
     if (result.request.reference) {
       const std::string reference = reference_label(result.request);
+      const Measures& m = result.measures;
       text += fmt::format(
-          "Deviations are from {}{}.\n", reference,
-          reference.find('@') == std::string::npos ? " on the same mesh" : "");
+          "Deviations are from {}{}{}{}.\n", reference,
+          reference.find('@') == std::string::npos ? " on the same mesh" : "",
+          m.reference_bar ? fmt::format(", mean error bar {:.2g} m", *m.reference_bar)
+                          : "",
+          m.reference_order ? fmt::format(", order {:.2f}", *m.reference_order) : "");
       break;
     }
   return text;
 }
 
-/// The split of a spring method's error against the law of the named reference, or
-/// against Hencky's; finite elements have none.
-std::optional<SplitPlan> split_plan_of(const RunSettings& run, const Request& request) {
-  if (is_finite_element(request.settings.method)) return std::nullopt;
-  return plan_split(request.settings,
-                    run.reference ? run.reference->method : *find_method("fem-hencky"));
+/// The splits of the spring methods' errors against the law of the named reference, or
+/// against Hencky's; finite elements have none. Throws InputError where nothing can be
+/// split as asked.
+std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
+                                                  const std::vector<Request>& requests) {
+  if (std::ranges::all_of(run.methods, is_finite_element))
+    throw InputError("--split", "method", "at least one of springs",
+                     "finite elements only");
+  if (run.common.solver != mss::Solver::static_equilibrium)
+    throw InputError("--split", "solver",
+                     "static: the end of dynamics has an error of its own",
+                     std::string(name_of(run.common.solver)));
+  const Method law = run.reference ? run.reference->method : *find_method("fem-hencky");
+  if (run.reference &&
+      (run.reference->grid == ReferenceGrid::converged || !run.reference->cells.empty() ||
+       run.reference->element.name != "q1-sri"))
+    throw InputError(run.reference->place, "",
+                     "a method alone with --split, which has its own elements and grids",
+                     "'" + run.reference->text + "'");
+  std::vector<std::optional<SplitPlan>> plans;
+  for (const Request& request : requests)
+    plans.push_back(is_finite_element(request.settings.method)
+                        ? std::nullopt
+                        : std::optional(plan_split(request.settings, law)));
+  return plans;
 }
 
 /// Cases of result files by key, with the file that holds their fields.
@@ -107,11 +130,10 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
   std::vector<Request> all = requests(run);
   const std::size_t asked = all.size();
   std::vector<std::optional<SplitPlan>> plans(asked);
-  if (error_split == ErrorSplit::wanted)
-    for (std::size_t i = 0; i < asked; ++i) {
-      plans[i] = split_plan_of(run, all[i]);
-      if (!plans[i]) continue;
-      const std::vector<Request> needed = split_requests(*plans[i]);
+  if (error_split == ErrorSplit::wanted) plans = split_plans(run, all);
+  for (const auto& plan : plans)
+    if (plan) {
+      const std::vector<Request> needed = split_requests(*plan);
       all.insert(all.end(), needed.begin(), needed.end());
     }
   // One at a time, unless the grids of a split make it long.

@@ -85,24 +85,26 @@ ConvergedField finest_field(std::span<const CaseResult* const> runs, const Cells
   return field;
 }
 
-std::optional<Solution> reference_solution(const Request& request,
-                                           std::span<const CaseResult* const> runs,
-                                           MeshStore& meshes) {
+std::optional<ReferenceField> reference_field(const Request& request,
+                                              std::span<const CaseResult* const> runs,
+                                              MeshStore& meshes) {
   const bool all_measured = std::ranges::all_of(
       runs, [](const CaseResult* run) { return run->measures.volume_error.has_value(); });
   if (runs.empty() || !all_measured) return std::nullopt;
   const Cells& cells = request.settings.block.cells;
-  Solution reference = runs.back()->solution;
-  reference.reactions.clear();
+  ReferenceField field{.solution = runs.back()->solution, .order = {}, .bar = {}};
+  field.solution.reactions.clear();
   if (runs.size() == 1) {
-    reference.displacements = displacements_at(*runs[0], cells);
-    reference.cell_volumes = cell_volumes_on(*runs[0], cells, meshes);
-    return reference;
+    field.solution.displacements = displacements_at(*runs[0], cells);
+    field.solution.cell_volumes = cell_volumes_on(*runs[0], cells, meshes);
+    return field;
   }
   ConvergedField converged = converged_field(runs, cells, meshes);
-  reference.displacements = std::move(converged.displacements);
-  reference.cell_volumes = std::move(converged.cell_volumes);
-  return reference;
+  field.solution.displacements = std::move(converged.displacements);
+  field.solution.cell_volumes = std::move(converged.cell_volumes);
+  field.order = converged.order;
+  field.bar = converged.bar;
+  return field;
 }
 
 }  // namespace springcheck

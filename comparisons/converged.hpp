@@ -42,11 +42,16 @@ ConvergedField converged_field(std::span<const CaseResult* const> runs,
 ConvergedField finest_field(std::span<const CaseResult* const> runs, const Cells& cells,
                             MeshStore& meshes);
 
-/// What deviations of the request are measured against, as a solution on the case's mesh
-/// (displacements and cell volumes only), from the runs of reference_cases(request); none
-/// when one of them failed.
-std::optional<Solution> reference_solution(const Request& request,
-                                           std::span<const CaseResult* const> runs,
-                                           MeshStore& meshes);
+/// What deviations are measured against.
+struct ReferenceField {
+  Solution solution;                 // displacements and cell volumes, on the case's mesh
+  std::optional<double> order, bar;  // as ConvergedField's, where extrapolated
+};
+
+/// The request's, from the runs of reference_cases(request); none when one of them
+/// failed.
+std::optional<ReferenceField> reference_field(const Request& request,
+                                              std::span<const CaseResult* const> runs,
+                                              MeshStore& meshes);
 
 }  // namespace springcheck

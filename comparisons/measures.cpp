@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <type_traits>
 
 #include "comparisons/beam_measures.hpp"
 #include "comparisons/displacement_norms.hpp"
@@ -93,6 +94,18 @@ void measure_affine(Measures& measures, const Scene& scene, const Mesh& mesh,
 }
 
 }  // namespace
+
+std::optional<std::string> not_finite(const Measures& measures) {
+  std::optional<std::string> found;
+  for_each_measure(measures, [&](const char* name, const auto& value) {
+    if constexpr (std::is_same_v<decltype(value), const Measures::Value&>) {
+      if (value && !std::isfinite(*value)) found = name;
+    } else {
+      if (value && !value->allFinite()) found = name;
+    }
+  });
+  return found;
+}
 
 std::vector<double> deformed_volumes(const Mesh& mesh, const Solution& solution) {
   if (!solution.cell_volumes.empty()) return solution.cell_volumes;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "comparisons/case.hpp"
@@ -64,6 +65,10 @@ struct Measures {
   Value deviation_l2_relative{};  // volume-weighted root mean square
   Value deviation_max_relative{};
   Value cell_volume_ratio_rms_difference{};  // volume-weighted, V/V0 against reference's
+  // Of an extrapolated reference: the order its displacements show, none if they show
+  // none, and the mean distance it may be off [m]; see converged.hpp.
+  Value reference_order{};
+  Value reference_bar{};
 
   // Bending: the tip is the node at the centre of the end face (even cell counts).
   Value tip_deflection{};       // [m] along gravity
@@ -104,6 +109,8 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
   visit("deviation_l2_relative", measures.deviation_l2_relative);
   visit("deviation_max_relative", measures.deviation_max_relative);
   visit("cell_volume_ratio_rms_difference", measures.cell_volume_ratio_rms_difference);
+  visit("reference_order", measures.reference_order);
+  visit("reference_bar", measures.reference_bar);
   visit("tip_deflection", measures.tip_deflection);
   visit("tip_euler_bernoulli", measures.tip_euler_bernoulli);
   visit("tip_timoshenko", measures.tip_timoshenko);
@@ -113,6 +120,9 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
   visit("centre_line_elastica", measures.centre_line_elastica);
   visit("strain_energy", measures.strain_energy);
 }
+
+/// The name of a measure that is not a finite number; none if all are that are known.
+std::optional<std::string> not_finite(const Measures& measures);
 
 /// Deformed volume of each cell [m^3]: the solution's own, or the exact trilinear one.
 std::vector<double> deformed_volumes(const Mesh& mesh, const Solution& solution);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -178,12 +179,29 @@ Status status_of(const std::string& name, const std::string& file) {
   return *found;
 }
 
-StoredCase read_case(hid_t group, const std::string& file) {
+/// Throws InputError where measures are no numbers, or do not go with the status: a case
+/// has a volume if and only if it ended in an equilibrium.
+void check_measures(const StoredCase& stored, const std::string& key,
+                    const std::string& file) {
+  if (const auto name = not_finite(stored.measures))
+    throw InputError(file, fmt::format("{} of case {}", *name, key), "finite numbers",
+                     "others");
+  const bool has_equilibrium =
+      stored.status == Status::ok || stored.status == Status::indefinite ||
+      stored.status == Status::wrinkled || stored.status == Status::inverted;
+  if (stored.measures.volume_error.has_value() != has_equilibrium)
+    throw InputError(file, fmt::format("volume_error of case {}", key),
+                     has_equilibrium ? "a number" : "none",
+                     fmt::format("{} with status {}", has_equilibrium ? "none" : "one",
+                                 name_of(stored.status)));
+}
+
+StoredCase read_case(hid_t group, const std::string& key, const std::string& file) {
   const auto number = [&](const char* name) {
     const auto values = hdf5::read_numbers(group, name);
-    if (!values || values->size() != 1)
-      throw InputError(file, fmt::format("attribute '{}' of a case", name), "a number",
-                       "none");
+    if (!values || values->size() != 1 || !std::isfinite(values->front()))
+      throw InputError(file, fmt::format("attribute '{}' of case {}", name, key),
+                       "a number", "none");
     return values->front();
   };
   StoredCase stored{
@@ -212,6 +230,7 @@ StoredCase read_case(hid_t group, const std::string& file) {
     stored.linear_iterations = static_cast<int>(number("linear_iterations"));
   read_measure(group, "dt_used", stored.dt);
   read_measure(group, "dt_limit", stored.dt_limit);
+  check_measures(stored, key, file);
   return stored;
 }
 
@@ -274,7 +293,8 @@ std::map<std::string, StoredCase> read_results(const std::filesystem::path& file
     std::map<std::string, StoredCase> cases;
     const auto case_group = hdf5::open_group(root, "cases");
     for (const std::string& key : hdf5::links(case_group))
-      cases.emplace(key, read_case(hdf5::open_group(case_group, key), file.string()));
+      cases.emplace(key,
+                    read_case(hdf5::open_group(case_group, key), key, file.string()));
     return cases;
   });
 }

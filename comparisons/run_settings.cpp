@@ -54,6 +54,18 @@ void check_applicable(const Settings& settings, Test test) {
   if (test != Test::affine) refuse("gradient", "no gradient but in affine");
 }
 
+/// Settings of fem-cauchy-born where nothing runs it.
+void check_lattice_is_used(const Settings& settings, const RunSettings& run) {
+  const auto is_cauchy_born = [](const Method& m) { return m.name == "fem-cauchy-born"; };
+  if (std::ranges::any_of(run.methods, is_cauchy_born) ||
+      (run.reference && is_cauchy_born(run.reference->method)))
+    return;
+  for (const char* key : {"lattice", "lattice-direction"})
+    if (const auto found = settings.find(std::string_view(key)); found != settings.end())
+      found->second.refuse(std::string("no ") + key +
+                           " without fem-cauchy-born as method or reference");
+}
+
 /// "N" or "NX,NY,NZ" behind a reference's '@'.
 std::vector<int> reference_cells_of(const Given& given, const std::string& text) {
   const std::string expected =
@@ -100,7 +112,8 @@ ReferenceMethod reference_named(const Given& given) {
   const std::size_t colon = what.find(':');
   ReferenceMethod reference{.method = method_named(given, what.substr(0, colon)),
                             .element = *find_element("q1-sri"),
-                            .place = given.place()};
+                            .place = given.place(),
+                            .text = text};
   if (colon != std::string::npos) {
     if (!is_finite_element(reference.method))
       given.refuse("an element for fem- methods only");
@@ -228,6 +241,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   if (const auto reference = settings.find(std::string_view("reference"));
       reference != settings.end())
     run.reference = reference_named(reference->second);
+  check_lattice_is_used(settings, run);
   return run;
 }
 

@@ -22,7 +22,7 @@ struct ReferenceMethod {
   ElementName element;
   std::vector<int> cells{};  // none, N, or three
   ReferenceGrid grid = ReferenceGrid::one;
-  std::string place{};  // where it was given, for messages
+  std::string place{}, text{};  // where and how it was given, for messages
 };
 
 /// What `run` computes: a case for each method, of otherwise equal settings.

@@ -203,8 +203,9 @@ SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
   lattice.element = *find_element("q1-sri");
   lattice.lattice = *find_lattice(springs.method.name);
   lattice.lattice_direction = fem_reference::LatticeDirection::d100;
-  CaseSettings reference = lattice;
+  CaseSettings reference = springs;
   reference.method = law;
+  reference.element = lattice.element;
   return {.springs = springs,
           .cauchy_born = convergence_grids(lattice),
           .cauchy_born_check = check_grids(lattice),
@@ -259,7 +260,9 @@ Split split_error(const SplitPlan& plan, const CaseResult& springs,
   const ContinuumRuns cauchy_born{runs.subspan(0, 3), runs.subspan(3, 3)};
   const ContinuumRuns reference{runs.subspan(6, 3), runs.subspan(9, 3)};
   Split split{.plan = plan, .quantities = {}, .reasons = {}};
-  split.quantities.push_back(split_measure({"volume_error", &Measures::volume_error}, 1,
+  // Signed: of the errors' absolute values, parts would not add up where laws disagree
+  // on the sign.
+  split.quantities.push_back(split_measure({"volume_change", &Measures::volume_change}, 1,
                                            springs, cauchy_born, reference));
   if (const auto answer = answer_to_load(plan.springs.test))
     split.quantities.push_back(

@@ -77,7 +77,7 @@ struct SplitQuantity {
 
 struct Split {
   SplitPlan plan;
-  std::vector<SplitQuantity> quantities;  // volume, answer to the load, field
+  std::vector<SplitQuantity> quantities;  // volume change, answer to the load, field
   std::vector<std::string> reasons;       // runs that are not "ok", in words
 };
 

@@ -58,7 +58,7 @@ std::string with_order(const ConvergedValue& converged, double factor) {
 }  // namespace
 
 ShownMeasure shown_measure(const std::string& measure) {
-  if (measure == "volume_error") return {"volume error", "%", 100};
+  if (measure == "volume_change") return {"volume change", "%", 100};
   if (measure == "plate_force") return {"plate force", "N", 1};
   if (measure == "plate_force_norm") return {"resultant", "N", 1};
   if (measure == "plate_torque") return {"torque", "N m", 1};

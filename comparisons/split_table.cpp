@@ -38,7 +38,7 @@ std::optional<double> scaled(const std::optional<double>& value, double factor) 
 /// A part in percent of the converged reference, where that is not a difference itself.
 std::optional<double> percent(const ErrorPart& part, const SplitQuantity& quantity) {
   const bool is_force =
-      quantity.name != "volume_error" && quantity.name != "mean_deviation";
+      quantity.name != "volume_change" && quantity.name != "mean_deviation";
   const auto& whole = quantity.reference.converged.value;
   if (!is_force || !whole) return std::nullopt;
   return scaled(part.value, 100 / *whole);
@@ -71,7 +71,9 @@ SheetRow row_of(const SplitQuantity& quantity, const Split& split,
                     {.number = scaled(law.bar, factor)},
                     {.number = law.order},
                     {.number = scaled(quantity.law.value, factor)},
+                    {.number = scaled(quantity.law.bar, factor)},
                     {.number = scaled(quantity.discretisation.value, factor)},
+                    {.number = scaled(quantity.discretisation.bar, factor)},
                     {.number = percent(quantity.law, quantity)},
                     {.number = percent(quantity.discretisation, quantity)},
                     {.text = quantity.is_resolved() ? "resolved" : "unresolved"}},
@@ -92,13 +94,15 @@ Sheet split_sheet(const std::vector<Split>& splits,
                   {"unit", "unit"},
                   {"springs", "springs", "{:.5g}"},
                   {"cauchy_born", "Cauchy-Born", "{:.5g}"},
-                  {"cauchy_born_bar", "+-", "{:.1g}"},
-                  {"cauchy_born_order", "order", "{:.2f}"},
+                  {"cauchy_born_bar", "Cauchy-Born +-", "{:.1g}"},
+                  {"cauchy_born_order", "Cauchy-Born order", "{:.2f}"},
                   {"reference", "Hencky", "{:.5g}"},
-                  {"reference_bar", "+-", "{:.1g}"},
-                  {"reference_order", "order", "{:.2f}"},
+                  {"reference_bar", "Hencky +-", "{:.1g}"},
+                  {"reference_order", "Hencky order", "{:.2f}"},
                   {"law", "law part", "{:+.3g}"},
+                  {"law_bar", "law part +-", "{:.1g}"},
                   {"discretisation", "discretisation part", "{:+.3g}"},
+                  {"discretisation_bar", "discretisation part +-", "{:.1g}"},
                   {"law_percent", "law part [% of Hencky]", "{:+.2f}"},
                   {"discretisation_percent", "discretisation part [% of Hencky]",
                    "{:+.2f}"},
@@ -108,7 +112,10 @@ Sheet split_sheet(const std::vector<Split>& splits,
           "Law part: converged Cauchy-Born (the continuum of the springs' lattice) minus "
           "converged Hencky. Discretisation part: the springs on this mesh minus "
           "converged Cauchy-Born. The law part is as uncertain as both bars together, "
-          "the discretisation part as Cauchy-Born's.",
+          "the discretisation part as Cauchy-Born's; the sign of a part within its bar "
+          "is not "
+          "known.",
+          "Volume errors e are the absolute values of the volume changes.",
           "Mean deviations are mean distances over the nodes from converged Hencky, the "
           "discretisation part from converged Cauchy-Born.",
           "Converged: extrapolated from q1-sri on the springs' mesh and on 2 and 4 times "

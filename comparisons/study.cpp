@@ -8,10 +8,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <type_traits>
 
 #include "comparisons/build_info.hpp"
 #include "comparisons/converged.hpp"
@@ -40,17 +38,6 @@ Solution solve(const CaseSettings& settings, const Mesh& mesh) {
 
 bool has_equilibrium(const Solution& solution) {
   return solution.status == SolveStatus::ok || solution.status == SolveStatus::indefinite;
-}
-
-bool all_finite(const Measures& measures) {
-  bool finite = true;
-  for_each_measure(measures, [&](const char*, const auto& value) {
-    if constexpr (std::is_same_v<decltype(value), const Measures::Value&>)
-      finite &= !value || std::isfinite(*value);
-    else
-      finite &= !value || value->allFinite();
-  });
-  return finite;
 }
 
 /// One simulation without its reference.
@@ -83,10 +70,10 @@ CaseResult simulate(const CaseSettings& settings, const Mesh& mesh) {
       wrinkled = is_wrinkled(*wrinkling);
     }
     inverted = *measures.corner_jacobian_ratio_min < 0;
-    if (!all_finite(measures)) {
+    if (const auto name = not_finite(measures)) {
       measures = {};
       solved = SolveStatus::not_converged;
-      result.reason = "a measure overflows";
+      result.reason = *name + " overflows";
     }
   }
   const Verdict verdict = judge(solved, inverted, wrinkled);
@@ -273,10 +260,13 @@ std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStor
     std::vector<const CaseResult*> runs;
     for (const std::size_t place : answers[i].reference)
       runs.push_back(&simulations[place].result);
-    if (const auto reference = reference_solution(requests[i], runs, meshes);
-        reference && result.measures.volume_error)
+    if (const auto reference = reference_field(requests[i], runs, meshes);
+        reference && result.measures.volume_error) {
       measure_deviation(result.measures, requests[i].settings, mesh, result.solution,
-                        *reference);
+                        reference->solution);
+      result.measures.reference_order = reference->order;
+      result.measures.reference_bar = reference->bar;
+    }
     result.request = requests[i];
     result.key = case_key(requests[i], mesh);
     results.push_back(std::move(result));

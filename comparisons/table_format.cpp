@@ -23,6 +23,11 @@ std::string number(const Quantity& quantity, const std::optional<double>& value,
   return rounded(quantity.format, *value);
 }
 
+std::string plain(const std::optional<double>& value, const char* format, Digits digits) {
+  if (!value) return {};
+  return digits == Digits::all ? fmt::format("{}", *value) : rounded(format, *value);
+}
+
 std::string signed_number(const Quantity& quantity, const std::optional<double>& value,
                           Digits digits) {
   const std::string text = number(quantity, value, digits);
@@ -83,7 +88,8 @@ std::vector<std::string> headings(const Table& table) {
   std::vector<std::string> all = table.plan.label_headings;
   all.insert(all.end(), {"printed " + heading(quantity), "ours " + heading(quantity),
                          "ours - printed" + unit, "reference's " + heading(quantity),
-                         "reference", "mesh", "printed instabilities", "status"});
+                         "reference's +-", "reference's order", "reference", "mesh",
+                         "printed instabilities", "status"});
   for (const Quantity& further : table.plan.further) all.push_back(heading(further));
   all.insert(all.end(), {"notes", "case"});
   return all;
@@ -98,7 +104,9 @@ std::vector<std::string> cells(const Table& table, const TableRow& row,
       {row.plan.printed_text,
        row.ours ? number(quantity, row.ours, digits) : instead_of_value(row.result),
        signed_number(quantity, row.difference, digits),
-       number(quantity, row.reference_value, digits), reference_of(row.result),
+       number(quantity, row.reference_value, digits),
+       plain(row.reference_bar, "{:.1g}", digits),
+       plain(row.reference_order, "{:.2f}", digits), reference_of(row.result),
        fmt::format("{}", fmt::join(row.result.request.settings.block.cells, "x")),
        row.plan.verdict, statuses(row.result)});
   for (std::size_t i = 0; i < table.plan.further.size(); ++i)
@@ -121,7 +129,9 @@ std::string markdown(const Table& table) {
   std::vector<std::string> on_the_table{
       "Reference: the solution (method:element, on the same mesh unless @ says "
       "otherwise) "
-      "that deviations and the columns \"reference's\" belong to."};
+      "that deviations and the columns \"reference's\" belong to; with @converged, its "
+      "error "
+      "bar (+-) and the order observed."};
   on_the_table.insert(on_the_table.end(), table.plan.notes.begin(),
                       table.plan.notes.end());
   return markdown_text(
@@ -157,6 +167,8 @@ std::string json_text(const Table& table) {
     out["ours"] = json(row.ours);
     out["difference"] = json(row.difference);
     out["reference_value"] = json(row.reference_value);
+    out["reference_bar"] = json(row.reference_bar);
+    out["reference_order"] = json(row.reference_order);
     out["reference"] =
         row.result.request.reference ? Json(reference_label(row.result.request)) : Json();
     out["cells"] = row.result.request.settings.block.cells;

@@ -241,21 +241,25 @@ TablePlan bending_table(const Reference& reference) {
   return plan;
 }
 
-/// The quantity of the reference, extrapolated where it ran on three grids. None for
-/// deviations, which are from it.
-std::optional<double> reference_value(const Quantity& quantity,
-                                      std::span<const CaseResult> runs) {
-  if (runs.size() == 1) return quantity.of(runs.front().measures);
-  if (runs.empty()) return std::nullopt;
+/// Puts in the quantity of the reference, extrapolated where it ran on three grids. None
+/// for deviations, which are from it.
+void set_reference_value(TableRow& row, const Quantity& quantity,
+                         std::span<const CaseResult> runs) {
+  if (runs.size() == 1) row.reference_value = quantity.of(runs.front().measures);
+  if (runs.size() != 3) return;
   OnThreeGrids values;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::optional<double> value = quantity.of(runs[i].measures);
-    if (!value) return std::nullopt;
+    if (!value) return;
     values[i] = Eigen::MatrixXd::Constant(1, 1, *value);
   }
   const GridSizes sizes = grid_sizes(
       {runs[0].request.settings, runs[1].request.settings, runs[2].request.settings});
-  return extrapolate(sizes, values, solver_noise * std::abs(values[2](0))).value(0);
+  const Extrapolated limit =
+      extrapolate(sizes, values, solver_noise * std::abs(values[2](0)));
+  row.reference_value = limit.value(0);
+  row.reference_order = limit.order;
+  row.reference_bar = limit.bar(0);
 }
 
 }  // namespace
@@ -300,10 +304,12 @@ Table fill_table(TablePlan plan, const std::vector<CaseResult>& results) {
                  .ours = {},
                  .difference = {},
                  .reference_value = {},
+                 .reference_order = {},
+                 .reference_bar = {},
                  .further = {}};
     const std::size_t references = reference_cases(planned.request).size();
-    row.reference_value = reference_value(table.plan.quantity,
-                                          std::span(results).subspan(next, references));
+    set_reference_value(row, table.plan.quantity,
+                        std::span(results).subspan(next, references));
     next += references;
     row.ours = table.plan.quantity.of(row.result.measures);
     if (row.ours && planned.printed) row.difference = *row.ours - *planned.printed;

@@ -53,6 +53,8 @@ struct TableRow {
   std::optional<double> ours;             // in the table's unit
   std::optional<double> difference;       // ours - printed
   std::optional<double> reference_value;  // the same quantity of the reference
+  // Of an extrapolated one, the order observed and the error bar:
+  std::optional<double> reference_order, reference_bar;
   std::vector<std::optional<double>> further;
 };
 

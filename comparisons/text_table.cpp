@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace springcheck {
 namespace {
@@ -68,6 +69,7 @@ std::string csv_text(const TextLines& lines) {
 
 std::string rounded(const std::string& format, double value) {
   const std::string text = fmt::format(fmt::runtime(format), value);
+  if (!std::isfinite(value)) return text;
   const bool is_zero = text.find_first_of("123456789") == std::string::npos;
   return is_zero ? fmt::format(fmt::runtime(format), 0.) : text;
 }

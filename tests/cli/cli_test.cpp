@@ -404,7 +404,7 @@ BOOST_AUTO_TEST_CASE(split_is_an_object_for_springs_and_null_for_finite_elements
   const Json& split = json["results"][0]["split"];
   BOOST_TEST(json["results"][1]["split"].is_null());
   BOOST_TEST(split["reference"] == "fem-hencky:q1-sri");
-  for (const char* name : {"volume_error", "plate_force_norm", "mean_deviation"}) {
+  for (const char* name : {"volume_change", "plate_force_norm", "mean_deviation"}) {
     const Json& quantity = split["quantities"][name];
     for (const char* key :
          {"springs", "cauchy_born", "reference", "law", "discretisation", "resolved"})
@@ -416,7 +416,7 @@ BOOST_AUTO_TEST_CASE(split_is_an_object_for_springs_and_null_for_finite_elements
   }
   // The grids are cases of the result file.
   const std::string key =
-      split["quantities"]["volume_error"]["reference"]["grids"][2]["key"];
+      split["quantities"]["volume_change"]["reference"]["grids"][2]["key"];
   BOOST_TEST(text_of(folder / "split.h5").find(key) != std::string::npos);
   // Without --split there is none.
   BOOST_TEST(
@@ -424,6 +424,13 @@ BOOST_AUTO_TEST_CASE(split_is_an_object_for_springs_and_null_for_finite_elements
           .is_null());
   expect_bad_input("run shearing --method mss-cf --split --reference mss-fd",
                    "a law of finite elements");
+  expect_bad_input("run shearing --method mss-cf --split --reference fem-stvk:q2",
+                   "a method alone with --split");
+  expect_bad_input("run shearing --method mss-cf --split --reference fem-stvk@converged",
+                   "a method alone with --split");
+  expect_bad_input("run shearing --method fem-stvk --split", "at least one of springs");
+  expect_bad_input("run shearing --method mss-cf --split --solver semi-implicit",
+                   "expected static");
 }
 
 BOOST_AUTO_TEST_CASE(references_on_other_grids_are_named_with_theirs) {

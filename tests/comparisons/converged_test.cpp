@@ -93,6 +93,28 @@ BOOST_AUTO_TEST_CASE(the_converged_field_lies_beyond_the_finer_grids) {
   BOOST_TEST(from_limit < 1.5 * from_8);
 }
 
+// What a converged reference is worth goes with the deviations from it.
+BOOST_AUTO_TEST_CASE(measures_hold_order_and_bar_of_an_extrapolated_reference) {
+  MeshStore meshes;
+  const auto measures_with = [&](const char* reference) {
+    return result_of("shearing",
+                     {"cells=2,2,2", "method=fem-hencky",
+                      std::string("reference=") + reference},
+                     meshes)
+        .measures;
+  };
+  BOOST_TEST(!measures_with("fem-hencky@4").reference_bar.has_value());
+  const Measures extrapolated = measures_with("fem-hencky@converged");
+  std::vector<CaseResult> runs;
+  for (const char* cells : {"cells=2,2,2", "cells=4,4,4", "cells=8,8,8"})
+    runs.push_back(result_of("shearing", {cells, "method=fem-hencky"}, meshes));
+  const std::array<const CaseResult*, 3> grids{&runs[0], &runs[1], &runs[2]};
+  const ConvergedField field = converged_field(grids, {2, 2, 2}, meshes);
+  BOOST_TEST(*extrapolated.reference_bar == field.bar);
+  BOOST_TEST(*extrapolated.reference_order == *field.order);
+  BOOST_TEST(field.bar > 0);
+}
+
 BOOST_AUTO_TEST_CASE(the_key_and_the_label_name_the_grid_of_the_reference) {
   MeshStore meshes;
   std::vector<std::string> keys, labels;

@@ -241,6 +241,40 @@ BOOST_AUTO_TEST_CASE(foreign_and_broken_files_are_refused_by_name) {
   BOOST_TEST(message(folder / "cut.h5").find("cases") != std::string::npos);
 }
 
+// Figures that no program of ours writes are not taken into tables.
+BOOST_AUTO_TEST_CASE(damaged_figures_are_refused_with_their_case) {
+  const OwnFolder own;
+  MeshStore meshes;
+  const std::vector<CaseResult> good =
+      study({requests(run_of("compression", small)).back()}, meshes, 1);
+  const auto message = [&](const auto& damage) {
+    std::vector<CaseResult> bad = good;
+    damage(bad.front());
+    write_results(own.path / "bad.h5", bad, meshes);
+    try {
+      read_results(own.path / "bad.h5");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  BOOST_TEST(message([](CaseResult&) {}) == "accepted");
+  const std::string of_case = " of case " + good.front().key + ": expected ";
+  const auto ends_with = [&](const std::string& text, const std::string& end) {
+    BOOST_TEST(text.ends_with(end), text);
+  };
+  ends_with(message([](CaseResult& r) { r.measures.plate_force = std::nan(""); }),
+            "plate_force" + of_case + "finite numbers, got others");
+  ends_with(message([](CaseResult& r) { r.measures.force->x() = INFINITY; }),
+            "force" + of_case + "finite numbers, got others");
+  ends_with(message([](CaseResult& r) { r.measures.volume_error.reset(); }),
+            "volume_error" + of_case + "a number, got none with status ok");
+  ends_with(message([](CaseResult& r) { r.status = Status::not_converged; }),
+            "volume_error" + of_case + "none, got one with status not_converged");
+  ends_with(message([](CaseResult& r) { r.wall_s = std::nan(""); }),
+            "attribute 'wall_s'" + of_case + "a number, got none");
+}
+
 BOOST_AUTO_TEST_CASE(too_many_cells_are_refused_before_allocating) {
   const auto all =
       requests(run_of("compression", {"cells=2000,2000,2000", "method=mss-cf"}));

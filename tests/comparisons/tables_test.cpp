@@ -1,5 +1,6 @@
 #define BOOST_TEST_MODULE tables
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
@@ -7,6 +8,7 @@
 #include "comparisons/printed_figures.hpp"
 #include "comparisons/sheet.hpp"
 #include "comparisons/table_format.hpp"
+#include "comparisons/text_table.hpp"
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;
@@ -228,4 +230,34 @@ BOOST_AUTO_TEST_CASE(an_unknown_table_is_refused) {
                message.find("split, elements, orientation") != std::string::npos;
       });
   BOOST_CHECK_THROW(plan_sheet("5.1"), InputError);
+}
+
+// On three grids .2, .16, .14 m halve their change: order 1, limit .12, bar 1.25 * .02.
+BOOST_AUTO_TEST_CASE(a_converged_reference_shows_its_order_and_bar,
+                     *boost::unit_test::tolerance(1e-9)) {
+  TablePlan plan = plan_table(
+      "5.1", reference_named(Given::from_text("--reference", "fem-hencky@converged")));
+  plan.rows.resize(1);
+  std::vector<CaseResult> results = invented(plan, Status::ok);
+  BOOST_TEST_REQUIRE(results.size() == 4U);
+  for (std::size_t i = 1; i < 4; ++i)
+    results[i].measures.volume_error = std::array{0.20, 0.16, 0.14}.at(i - 1);
+  const Table table = fill_table(plan, results);
+  BOOST_TEST(*table.rows[0].reference_value == 12.);  // %
+  BOOST_TEST(*table.rows[0].reference_order == 1.);
+  BOOST_TEST(*table.rows[0].reference_bar == 2.5);
+  const auto json = nlohmann::json::parse(format_table(table, TableFormat::json));
+  BOOST_TEST(json["rows"][0]["reference_bar"].get<double>() == 2.5);
+  BOOST_TEST(json["rows"][0]["reference_order"].get<double>() == 1.);
+  const std::string text = format_table(table, TableFormat::markdown);
+  BOOST_TEST(text.find("| 12.000 | 2 | 1.00 | fem-hencky:q1-sri@converged |") !=
+                 std::string::npos,
+             text);
+}
+
+BOOST_AUTO_TEST_CASE(rounding_leaves_no_signed_zero_and_hides_no_failure) {
+  BOOST_TEST(rounded("{:+.2f}", -0.001) == "+0.00");
+  BOOST_TEST(rounded("{:.2f}", -0.006) == "-0.01");
+  BOOST_TEST(rounded("{:.2f}", std::nan("")) == "nan");
+  BOOST_TEST(rounded("{:.2f}", -INFINITY) == "-inf");
 }
