@@ -74,8 +74,10 @@ Sheet orientation_sheet(std::span<const CaseResult> results) {
           "only.",
           "Cauchy-Born: one cell between sliding plates, the lattice turned so that the "
           "direction lies along the load. mss-cf: a block of springs whose boundary "
-          "follows the same homogeneous state, turned back into the lattice's frame; "
-          "the mean stress along the direction."}};
+          "follows Cauchy-Born's homogeneous state, turned back into the lattice's "
+          "frame; "
+          "the mean stress along the direction. It is a patch test: springs that follow "
+          "the state inside carry Cauchy-Born's stress."}};
   std::optional<double> along_100;
   for (; results.size() >= 2; results = results.subspan(2)) {
     const CaseResult &continuum = results[0], &springs = results[1];
