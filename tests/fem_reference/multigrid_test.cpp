@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(multigrid_solves_bodies_under_traction) {
   check_same(cube(4), pulled, {.law = Law::hencky, .element = Element::q1_sri}, 1e-8);
 }
 
-// 3993 and 46,875 dofs: 12 and 14 iterations. A good hierarchy needs the same number on
+// 3993 and 46,875 dofs: 11 and 12 iterations (up to 60^3 cells in large_test). A good hierarchy needs the same number on
 // all grids; less than 1.5 times is allowed.
 BOOST_AUTO_TEST_CASE(iterations_hardly_grow_with_the_number_of_cells) {
   const auto iterations = [](int cells) {
