@@ -112,10 +112,12 @@ using StoredCases = std::map<std::string, std::pair<std::filesystem::path, Store
 StoredCases stored_cases(const std::vector<std::filesystem::path>& files) {
   StoredCases all;
   for (const std::filesystem::path& file : files) {
-    if (const std::string commit = commit_of(file); commit != build_info::commit)
-      spdlog::warn("{} was written by commit {}, this program is {}", file.string(),
-                   commit, build_info::commit);
-    for (auto& [key, stored] : read_results(file))
+    StoredResults results = read_results(file);
+    for (const std::string& commit : results.commits)
+      if (commit != build_info::commit)
+        spdlog::warn("{} was written by commit {}, this program is {}", file.string(),
+                     commit, build_info::commit);
+    for (auto& [key, stored] : results.cases)
       all.try_emplace(key, file, std::move(stored));
   }
   return all;

@@ -3,50 +3,69 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 
-#include "comparisons/study.hpp"
+#include "comparisons/case_rows.hpp"
+#include "comparisons/store/lock_file.hpp"
 
 namespace springcheck {
 
-/// HDF5 layout 1, documented in the README's reference part:
+/// HDF5 layout 2, documented in the README's reference part:
 ///
-///     /                    attributes: layout, springcheck version, provenance
-///     /meshes/SHA256       nodes, hexahedra, regions/NAME
-///     /cases/KEY           attributes: settings, status, measures, times;
-///                          displacement, reaction (or partial_ of both, when the case
-///                          ended without an equilibrium), cell_volume_ratio
+///     /                attributes: layout
+///     /cases           one column (dataset) for each setting and measure, see case_rows
+///     /provenance      columns, a row for each time the file was written
+///     /meshes/SHA256   nodes, hexahedra, regions/NAME
+///     /fields/KEY      displacement, reaction, cell_volume_ratio, or partial_ of all
+///                      three when the case ended without an equilibrium
 ///
-/// Writes the results and beside them FILE.xdmf for ParaView, each whole or not at all.
-void write_results(const std::filesystem::path& file,
-                   const std::vector<CaseResult>& results, MeshStore& meshes);
+/// Results are added whole or not at all, whatever ends the program (store/journal.hpp).
+class ResultFile {
+ public:
+  /// Opens a result file to add to it; a missing one is made with the first results. What
+  /// a killed program left is repaired. Throws InputError when it is not ours, of another
+  /// layout, cannot be written, or another process is writing it.
+  explicit ResultFile(const std::filesystem::path& file);
+
+  /// Status of each case in the file, by its key.
+  [[nodiscard]] const std::map<std::string, Status>& statuses() const {
+    return statuses_;
+  }
+
+  /// Adds the results; those of keys in the file replace what it has. Fields are stored
+  /// where results have them and `with_fields` says so.
+  void put(std::span<const CaseResult> results, bool with_fields, MeshStore& meshes);
+
+ private:
+  void create();
+
+  std::filesystem::path file_;
+  LockFile lock_;
+  std::map<std::string, Status> statuses_;
+  std::map<std::string, std::size_t> rows_;
+  std::optional<std::size_t> provenance_;  // row of this session, once written
+};
+
+/// Adds results with their fields and writes FILE.xdmf for ParaView beside it.
+void write_results(const std::filesystem::path& file, std::span<const CaseResult> results,
+                   MeshStore& meshes);
 
 /// Throws InputError unless write_results could write both files.
 void check_results_writable(const std::filesystem::path& file);
 
-/// What a result file knows about a case, by its key.
-struct StoredCase {
-  Status status;
-  std::vector<Status> flags;
-  std::string reason;
-  Measures measures;
-  double load_fraction;
-  int steps, force_evaluations;
-  std::optional<int> linear_iterations;
-  std::optional<double> dt, dt_limit;
-  double wall_s, solve_wall_s;
+/// The table of cases of a result file. Throws InputError for a file that is not HDF5,
+/// not ours, damaged, or of another layout.
+Columns read_cases(const std::filesystem::path& file);
+
+/// The cases by key, without fields, and the commits of the programs that computed them.
+/// Throws like read_cases and stored_case.
+struct StoredResults {
+  std::map<std::string, StoredCase> cases;
+  std::set<std::string> commits;
 };
-
-/// The cases of a result file by key, without fields. Throws InputError for a file that
-/// is not HDF5, not ours, damaged, or of another layout.
-std::map<std::string, StoredCase> read_results(const std::filesystem::path& file);
-
-/// The commit of the program that wrote the file. Throws InputError like read_results.
-std::string commit_of(const std::filesystem::path& file);
-
-/// The stored case as a CaseResult of this request, without fields.
-CaseResult with_stored(const Request& request, const std::string& key,
-                       const StoredCase& stored);
+StoredResults read_results(const std::filesystem::path& file);
 
 /// Gives the result, whose key is in the file, the fields that are stored for it. Throws
 /// InputError when they are not those of the mesh.

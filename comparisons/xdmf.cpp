@@ -3,21 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <set>
+#include <cmath>
 
+#include "comparisons/store/columns.hpp"
+#include "comparisons/store/hdf5.hpp"
 #include "meshing/output_file.hpp"
 
 namespace springcheck {
 namespace {
-
-std::string grid_name(const CaseResult& result) {
-  const CaseSettings& settings = result.request.settings;
-  std::string name = fmt::format("{} {} nu={:g}", settings.scene, label(settings),
-                                 settings.material.poisson_ratio);
-  if (settings.deformation)
-    name += fmt::format(" deformation={:g}", *settings.deformation);
-  return fmt::format("{} {}", name, result.key.substr(0, 8));
-}
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -37,18 +30,37 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-void write_grids(std::ostream& out, const std::string& data,
-                 const std::vector<CaseResult>& results, MeshStore& meshes) {
+/// "compression fem-stvk:q1 nu=0.25 deformation=0.05 0123abcd".
+std::string grid_name(const Columns& cases, std::size_t row) {
+  const auto text = [&](const char* name) {
+    const auto column = cases.texts.find(name);
+    return column == cases.texts.end() ? std::string() : column->second[row];
+  };
+  std::string name = text("scene") + " " + text("method");
+  if (!text("element").empty()) name += ":" + text("element");
+  for (const char* key : {"nu", "deformation"})
+    if (const auto column = cases.numbers.find(key);
+        column != cases.numbers.end() && !std::isnan(column->second.values[row]))
+      name += fmt::format(" {}={:g}", key, column->second.values[row]);
+  return name + " " + text("key").substr(0, 8);
+}
+
+void write_grids(std::ostream& out, const std::string& data, hid_t root) {
   fmt::print(out, "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n");
-  std::set<std::string> written;
-  for (const CaseResult& result : results) {
-    if (result.solution.displacements.empty() || !written.insert(result.key).second)
-      continue;
-    const Mesh& mesh = meshes.mesh(result.request.settings.block);
-    const std::size_t nodes = mesh.nodes().size(), cells = mesh.hexahedra().size();
-    const std::string in_mesh = fmt::format("{}:/meshes/{}", data, mesh.sha256());
-    const std::string in_case = fmt::format("{}:/cases/{}", data, result.key);
-    const std::string partial = result.measures.volume_error ? "" : "partial_";
+  const auto meshes = hdf5::open_group(root, "meshes"),
+             fields = hdf5::open_group(root, "fields");
+  const Columns cases = read_columns(hdf5::open_group(root, "cases"));
+  for (std::size_t row = 0; row < cases.rows; ++row) {
+    const std::string &key = cases.texts.at("key")[row],
+                      &sha256 = cases.texts.at("mesh")[row];
+    if (!hdf5::has_link(fields, key)) continue;
+    const auto mesh = hdf5::open_group(meshes, sha256);
+    const std::size_t nodes = hdf5::row_count_of_table(mesh, "nodes"),
+                      cells = hdf5::row_count_of_table(mesh, "hexahedra");
+    const std::string in_mesh = fmt::format("{}:/meshes/{}", data, sha256);
+    const std::string in_case = fmt::format("{}:/fields/{}", data, key);
+    const std::string partial =
+        hdf5::has_link(hdf5::open_group(fields, key), "displacement") ? "" : "partial_";
     fmt::print(out,
                "<Grid Name=\"{}\">\n"
                "<Topology TopologyType=\"Hexahedron\" NumberOfElements=\"{}\">"
@@ -57,7 +69,7 @@ void write_grids(std::ostream& out, const std::string& data,
                "<Geometry GeometryType=\"XYZ\"><DataItem Format=\"HDF\" "
                "NumberType=\"Float\" Precision=\"8\" Dimensions=\"{} 3\">"
                "{}/nodes</DataItem></Geometry>\n",
-               escaped(grid_name(result)), cells, cells, in_mesh, nodes, in_mesh);
+               escaped(grid_name(cases, row)), cells, cells, in_mesh, nodes, in_mesh);
     for (const char* field : {"displacement", "reaction"})
       fmt::print(out,
                  "<Attribute Name=\"{0}{1}\" AttributeType=\"Vector\" Center=\"Node\">"
@@ -76,10 +88,9 @@ void write_grids(std::ostream& out, const std::string& data,
 
 }  // namespace
 
-void write_xdmf(const std::filesystem::path& file, const std::string& data,
-                const std::vector<CaseResult>& results, MeshStore& meshes) {
-  write_whole_stream(
-      file, [&](std::ostream& out) { write_grids(out, escaped(data), results, meshes); });
+void write_xdmf(const std::filesystem::path& file, const std::string& data, hid_t root) {
+  write_whole_stream(file,
+                     [&](std::ostream& out) { write_grids(out, escaped(data), root); });
 }
 
 }  // namespace springcheck

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <filesystem>
-#include <vector>
+#include <hdf5.h>
 
-#include "comparisons/study.hpp"
+#include <filesystem>
 
 namespace springcheck {
 
-/// Writes `file` in XDMF: one grid per case, which refers to mesh and fields inside the
-/// HDF5 file named `data` in the same folder. Cases without fields are left out.
-void write_xdmf(const std::filesystem::path& file, const std::string& data,
-                const std::vector<CaseResult>& results, MeshStore& meshes);
+/// Writes `file` in XDMF: one grid per case that has fields in the open result file
+/// `root`, named `data` and in the same folder.
+void write_xdmf(const std::filesystem::path& file, const std::string& data, hid_t root);
 
 }  // namespace springcheck

@@ -12,24 +12,20 @@
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
-namespace {
 
-/// Where the bytes go: a link is followed, so that the link stays one.
-std::filesystem::path target(const std::filesystem::path& file) {
+std::filesystem::path link_target(const std::filesystem::path& file) {
   std::filesystem::path place = file;
   for (int links = 0; links < 40 && std::filesystem::is_symlink(place); ++links)
     place = place.parent_path() / std::filesystem::read_symlink(place);
   return place;
 }
 
-}  // namespace
-
 void check_writable(const std::filesystem::path& file) {
   const auto refuse = [&](const std::string& got) {
     throw InputError(file.string(), "", "a file that can be written", got);
   };
   if (file.empty()) refuse("an empty name");
-  const std::filesystem::path place = target(file);
+  const std::filesystem::path place = link_target(file);
   if (std::filesystem::is_directory(place)) refuse("a directory");
   if (std::filesystem::exists(place) && !std::filesystem::is_regular_file(place))
     refuse("something that is not a regular file");
@@ -45,7 +41,7 @@ void check_writable(const std::filesystem::path& file) {
 void write_whole(
     const std::filesystem::path& file,
     const std::function<void(const std::filesystem::path& unfinished)>& write) {
-  const std::filesystem::path place = target(file);
+  const std::filesystem::path place = link_target(file);
   std::filesystem::path unfinished = place;
   unfinished.replace_extension(".part" + place.extension().string());
   try {

@@ -6,6 +6,9 @@
 
 namespace springcheck {
 
+/// Where the bytes of `file` go: the target of a symbolic link, so that it stays one.
+std::filesystem::path link_target(const std::filesystem::path& file);
+
 /// Throws InputError unless `file` can be created, or overwritten as a regular file
 /// (through a symbolic link: its target). Leaves no trace.
 void check_writable(const std::filesystem::path& file);

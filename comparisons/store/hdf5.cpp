@@ -1,4 +1,4 @@
-#include "comparisons/hdf5.hpp"
+#include "comparisons/store/hdf5.hpp"
 
 #include <array>
 #include <stdexcept>
@@ -44,27 +44,6 @@ Handle::Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what)
   if (id < 0) throw std::runtime_error("HDF5: cannot open or create " + what);
 }
 
-// HDF5 1.10 crashes when the disk is full: files are made in memory, and their bytes
-// written by a stream that says so.
-Handle create_in_memory() {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are thrown, not printed
-  constexpr std::size_t increment = 1 << 20;
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
-  check(H5Pset_fapl_core(access, increment, 0), "choosing memory");
-  return {H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose,
-          "a file in memory"};
-}
-
-std::string file_image(hid_t file) {
-  check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flushing");
-  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
-  check(size < 0 ? -1 : 0, "sizing a file in memory");
-  std::string image(static_cast<std::size_t>(size), '\0');
-  check(H5Fget_file_image(file, image.data(), image.size()) < 0 ? -1 : 0,
-        "copying a file from memory");
-  return image;
-}
-
 Handle open_file(const std::filesystem::path& file) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, file.string()};
@@ -92,6 +71,11 @@ std::vector<std::string> links(hid_t parent) {
   check(H5Literate(parent, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names),
         "listing a group");
   return names;
+}
+
+void remove_link(hid_t parent, const std::string& name) {
+  if (has_link(parent, name))
+    check(H5Ldelete(parent, name.c_str(), H5P_DEFAULT), "removing " + name);
 }
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text) {
@@ -152,6 +136,17 @@ void write_table(hid_t parent, const std::string& name, std::span<const double> 
 void write_table(hid_t parent, const std::string& name,
                  std::span<const std::uint32_t> values, hsize_t columns) {
   write_any_table(parent, name, H5T_NATIVE_UINT32, values.data(), values.size(), columns);
+}
+
+std::size_t row_count_of_table(hid_t parent, const std::string& name) {
+  const Handle table(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose,
+                     "table " + name);
+  const Handle space(H5Dget_space(table), H5Sclose, "shape of " + name);
+  std::array<hsize_t, 2> shape{};
+  if (H5Sget_simple_extent_ndims(space) > 2)
+    throw std::runtime_error("HDF5: table " + name + " has too many dimensions");
+  check(H5Sget_simple_extent_dims(space, shape.data(), nullptr), "sizing table " + name);
+  return shape[0];
 }
 
 std::optional<std::vector<double>> read_table(hid_t parent, const std::string& name) {

@@ -31,13 +31,12 @@ class Handle {
 };
 
 /// All of these throw std::runtime_error with the object's name when HDF5 fails.
-Handle create_in_memory();
-std::string file_image(hid_t file);  // the bytes of a file created in memory
 Handle open_file(const std::filesystem::path& file);  // for reading
 Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
 bool has_link(hid_t parent, const std::string& name);
 std::vector<std::string> links(hid_t parent);
+void remove_link(hid_t parent, const std::string& name);  // if it is there
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name,
@@ -52,6 +51,8 @@ void write_table(hid_t parent, const std::string& name, std::span<const double> 
                  hsize_t columns);
 void write_table(hid_t parent, const std::string& name,
                  std::span<const std::uint32_t> values, hsize_t columns);
+
+std::size_t row_count_of_table(hid_t parent, const std::string& name);
 
 /// A table's numbers, row by row; none where there is no such table.
 std::optional<std::vector<double>> read_table(hid_t parent, const std::string& name);

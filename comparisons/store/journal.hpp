@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+
+namespace springcheck {
+
+inline constexpr std::size_t page_size = 4096;  // [bytes]
+using Page = std::array<char, page_size>;
+
+/// New contents of a file's pages, by page number, and its new size [bytes].
+struct PageWrites {
+  std::map<std::uint64_t, Page> pages;
+  std::uint64_t file_size = 0;
+};
+
+/// Where a file's journal is: FILE-journal.
+std::filesystem::path journal_of(const std::filesystem::path& file);
+
+/// Changes `file`, which must exist, wholly or not at all, also when the program is
+/// killed or the power fails: the pages go to the journal, then to the file, then the
+/// journal is removed. Killed before the journal is whole, the file has not changed;
+/// later, recover() does the rest. The caller keeps other writers away.
+///
+/// Throws std::runtime_error when the disk is full or fails; the file has not changed
+/// then, or the journal is whole and kept.
+///
+/// Journal, numbers little-endian of 64 bits: "springcheck journal 1\n", zeros up to 32
+/// bytes; size of the file; number of pages; for each page its number and its 4096 bytes;
+/// SHA-256 of all that as 64 hexadecimal digits.
+void write_pages(const std::filesystem::path& file, const PageWrites& writes);
+
+/// What is left by a program that was killed: a whole journal is written to the file, and
+/// any is removed. Throws as write_pages.
+void recover(const std::filesystem::path& file);
+
+}  // namespace springcheck
