@@ -142,7 +142,7 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
   if (results.empty()) return;
   if (!std::filesystem::exists(file_)) create();
   OverlayFile overlay(file_);
-  auto rows = rows_;
+  std::map<std::string, std::size_t> new_rows;
   std::size_t provenance_row = 0;
   {
     const hdf5::Handle root(overlay.open(), H5Fclose, file_.string());
@@ -158,12 +158,12 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
       const Mesh& mesh = meshes.mesh(result.request.settings.block);
       if (!hdf5::has_link(mesh_group, mesh.sha256())) write_mesh_group(mesh_group, mesh);
       const Row row = row_of(result, mesh, provenance_row);
-      const auto [place, is_new] = rows.try_emplace(result.key, rows.size());
-      if (!is_new && !rows_.contains(result.key)) continue;  // twice among the results
-      if (is_new)
+      if (const auto known = rows_.find(result.key); known != rows_.end())
+        replace_row(cases, known->second, row);
+      else if (new_rows.try_emplace(result.key, rows_.size() + added.size()).second)
         added.push_back(row);
       else
-        replace_row(cases, place->second, row);
+        continue;  // twice among the results
       hdf5::remove_link(fields, result.key);
       if (with_fields) write_fields(fields, result, mesh);
     }
@@ -171,7 +171,7 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
   }
   write_pages(file_, overlay.writes());
   provenance_ = provenance_row;
-  rows_ = std::move(rows);
+  rows_.merge(new_rows);
   for (const CaseResult& result : results) statuses_[result.key] = result.status;
 }
 

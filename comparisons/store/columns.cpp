@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 
 #include "comparisons/store/hdf5.hpp"
 
@@ -103,8 +104,8 @@ std::string read_text_bytes(hid_t column, const std::string& name, const Shape& 
 std::vector<std::string> split(const std::string& bytes, std::size_t width) {
   std::vector<std::string> texts;
   for (std::size_t at = 0; at < bytes.size(); at += width) {
-    const std::size_t end = std::min(bytes.find('\0', at), at + width);
-    texts.push_back(bytes.substr(at, end - at));
+    const std::string_view cell = std::string_view(bytes).substr(at, width);
+    texts.emplace_back(cell.substr(0, cell.find('\0')));
   }
   return texts;
 }
