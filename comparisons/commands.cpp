@@ -140,7 +140,7 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
     }
   // One at a time, unless the grids of a split make it long.
   const int at_once = all.size() > asked ? parallel : 1;
-  check_memory(run.cells_place, all, at_once);
+  check_memory(run.cells_place, all);
   if (result_file) check_results_writable(*result_file);
 
   MeshStore meshes;
