@@ -211,6 +211,11 @@ ExitStatus list_command(const std::string& what, Output output) {
     lists["scenes"][std::filesystem::path(scene.name).stem().string()] =
         scene.text.substr(2, end - 2);
   }
+  for (const ShippedFile& sweep : shipped_sweeps()) {
+    const std::size_t end = sweep.text.find('\n');
+    lists["sweeps"][std::filesystem::path(sweep.name).stem().string()] =
+        sweep.text.substr(2, end - 2);
+  }
   for (const ElementName& element : elements())
     lists["elements"][std::string(element.name)] = element.description;
   lists["materials"] = {
@@ -220,7 +225,7 @@ ExitStatus list_command(const std::string& what, Output output) {
       {"cauchy-born", "continuum of a spring lattice (fem-cauchy-born)"}};
   if (!what.empty()) {
     if (!lists.contains(what))
-      throw InputError("list", "", "one of methods, scenes, elements, materials",
+      throw InputError("list", "", "one of methods, scenes, sweeps, elements, materials",
                        "'" + what + "'");
     lists = Json{{what, lists[what]}};
   }
