@@ -47,15 +47,21 @@ Wrinkling zigzag(const Mesh& mesh, const Region& region, Eigen::Index axis, doub
     square_sum += d2 * d2;
     edge_sum += (mesh.nodes()[middle] - mesh.nodes()[before]).norm();
   }
-  double product_sum = 0;
+  double product_sum = 0, pairs = 0;
   for (const auto& [middle, d2] : second_difference)
     if (const auto neighbour = second_difference.find(next.at(middle));
-        neighbour != second_difference.end())
+        neighbour != second_difference.end()) {
       product_sum += d2 * neighbour->second;
-  if (square_sum == 0) return {.alternation = -1, .amplitude = 0};
+      ++pairs;
+    }
   const auto count = static_cast<double>(second_difference.size());
+  const double per_line = count / (count - pairs);
+  if (square_sum == 0)
+    return {.alternation = -1, .amplitude = 0, .differences = per_line, .strain = strain};
   return {.alternation = -product_sum / square_sum,
-          .amplitude = std::sqrt(square_sum / count) / (4 * edge_sum / count * strain)};
+          .amplitude = std::sqrt(square_sum / count) / (4 * edge_sum / count * strain),
+          .differences = per_line,
+          .strain = strain};
 }
 
 }  // namespace
@@ -64,7 +70,7 @@ std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
                                            double strain,
                                            std::span<const Vector3> displacements) {
   if (scene.boundary_gradient) return std::nullopt;
-  Wrinkling worst{.alternation = -1, .amplitude = 0};
+  Wrinkling worst{.alternation = -1, .amplitude = 0, .differences = 0, .strain = strain};
   for (const auto& [name, region] : mesh.regions()) {
     if (std::ranges::any_of(scene.plates,
                             [&](const Plate& plate) { return plate.region == name; }))
@@ -81,7 +87,11 @@ std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
 }
 
 bool is_wrinkled(const Wrinkling& wrinkling) {
-  return wrinkling.alternation > 0.5 && wrinkling.amplitude > 0.02;
+  constexpr double high = 0.02, high_bulge = 0.28;  // the latter times the strain
+  const bool short_line = wrinkling.differences < 3.5;
+  return wrinkling.alternation > 0.5 &&
+         wrinkling.amplitude >
+             (short_line ? std::max(high, high_bulge * wrinkling.strain) : high);
 }
 
 double imposed_strain(const CaseSettings& settings) {
