@@ -59,8 +59,9 @@ struct Measures {
   Value max_deviation{};
   Value middle_layer_deviation{};  // mean over the nodes at half height (the thesis's
                                    // measure); even cell counts only
-  // Over the nodes with a free component, divided by the largest imposed displacement
-  // (bending: by the reference's tip deflection; traction: by its face displacement):
+  // Over the nodes with a free component, divided by the largest displacement imposed on
+  // the way (bending: by the reference's tip deflection; traction: by its face
+  // displacement):
   Value deviation_l2_relative{};  // volume-weighted root mean square
   Value deviation_max_relative{};
   Value cell_volume_ratio_rms_difference{};  // volume-weighted, V/V0 against reference's

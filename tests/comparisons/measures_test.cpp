@@ -237,6 +237,27 @@ BOOST_AUTO_TEST_CASE(deviations_of_one_moved_node, *utf::tolerance(1e-12)) {
              std::sqrt(8. / 128) * d * 0.1 * 0.1 / 4 / 1e-3);
 }
 
+// A corner of the plate, at r = .2 sqrt(2) m from the axis, is 2 r sin(angle/2) from its
+// place, and after half a turn it has been 2 r away: a whole turn that ends where it
+// began has no smaller measure. Round-off.
+BOOST_AUTO_TEST_CASE(deviations_in_torsion_are_divided_by_the_largest_chord_of_the_way,
+                     *utf::tolerance(1e-12)) {
+  const double r = 0.2 * std::sqrt(2.), d = 0.001;
+  for (const auto& [angle, chord] :
+       {std::pair("60deg", r), std::pair("180deg", 2 * r), std::pair("270deg", 2 * r),
+        std::pair("360deg", 2 * r)}) {
+    const CaseSettings settings = small_block("torsion", angle);
+    const Mesh mesh = generate_block(settings.block);
+    const Solution reference =
+        moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
+    Solution here = reference;
+    here.displacements[static_cast<std::size_t>(2 + 5 * (2 + 5 * 4))].y() = d;  // inside
+    Measures m;
+    measure_deviation(m, settings, mesh, here, reference);
+    BOOST_TEST(*m.deviation_max_relative == d / chord);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(odd_cell_counts_have_no_middle_layer_and_no_tip) {
   const CaseSettings odd = case_of("bending", {"cells=3,4,5", "method=mss-cf"});
   const Mesh mesh = generate_block(odd.block);
