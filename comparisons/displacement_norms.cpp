@@ -55,12 +55,14 @@ double largest_imposed_displacement(const Mesh& mesh, const Scene& scene) {
 }
 
 Vector3 loaded_face_displacement(const Mesh& mesh, const Scene& scene,
-                                 std::span<const Vector3> displacements) {
+                                 const Solution& solution) {
+  if (!solution.loaded_face_displacements.empty())
+    return solution.loaded_face_displacements.front();
   const auto areas = nodal_areas(mesh, mesh.region(scene.tractions.front().region));
   Vector3 integral = Vector3::Zero();
   double area = 0;
   for (std::size_t n = 0; n < areas.size(); ++n) {
-    integral += areas[n] * displacements[n];
+    integral += areas[n] * solution.displacements[n];
     area += areas[n];
   }
   return integral / area;

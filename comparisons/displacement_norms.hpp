@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 
 #include "meshing/scene.hpp"
 
@@ -24,8 +23,8 @@ std::optional<FreeDistance> over_free_nodes(
 double largest_imposed_displacement(const Mesh& mesh, const Scene& scene);
 
 /// Mean displacement of the face that the scene's traction loads [m], int u dA/A over its
-/// undeformed area with u bilinear on each face of a cell.
+/// undeformed area: the solution's own, or that of a u bilinear on each face of a cell.
 Vector3 loaded_face_displacement(const Mesh& mesh, const Scene& scene,
-                                 std::span<const Vector3> displacements);
+                                 const Solution& solution);
 
 }  // namespace springcheck

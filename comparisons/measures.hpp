@@ -36,7 +36,7 @@ struct Measures {
   Value plate_torque{};      // component about z
 
   // Traction: area-weighted mean displacement of the loaded face [m], int u dA/A with the
-  // bilinear u of its nodes.
+  // element's own u (springs: bilinear on each face of a cell).
   Vector face_displacement{};
 
   // Affine: mean first Piola-Kirchhoff stress [Pa], positive in tension; its columns

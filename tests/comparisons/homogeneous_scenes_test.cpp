@@ -158,6 +158,19 @@ BOOST_AUTO_TEST_CASE(glued_plate_holds_against_any_traction) {
     }
 }
 
+// Clapeyron's theorem: a dead traction's work, t.u A by the mean u of its face, is twice
+// what a linear body stores. Bounded by the residual, 1e-10 of the forces.
+BOOST_AUTO_TEST_CASE(work_of_a_traction_is_twice_hooke_s_energy,
+                     *boost::unit_test::tolerance(1e-9)) {
+  for (const char* element : {"q1", "q1-sri", "q2"}) {
+    const Measures m =
+        result_of("traction", {"method=fem-hooke", std::string("element=") + element,
+                               "plates=glued", "traction=60,-30,100"})
+            .measures;
+    BOOST_TEST(m.force->dot(*m.face_displacement) == 2 * *m.strain_energy, element);
+  }
+}
+
 // The patch test of springs and elements at a gradient of any size, and P = F S of
 // St-Venant-Kirchhoff in closed form. Round-off, times the condition of the tangent.
 BOOST_AUTO_TEST_CASE(inside_follows_an_affine_boundary) {
