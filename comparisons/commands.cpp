@@ -182,6 +182,9 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
   std::optional<ReferenceMethod> chosen;
   if (!reference.empty())
     chosen = reference_named(Given::from_text("--reference", reference));
+  if (chosen && is_custom(chosen->method))
+    throw InputError(chosen->place, "", "a method without constants of its own",
+                     "'mss-custom'");
   MeshStore meshes;
   const auto known = [&](const Request& request,
                          const std::string& key) -> std::optional<CaseResult> {

@@ -22,7 +22,8 @@ Solution solve(const CaseSettings& settings, const Mesh& mesh) {
   return mss::solve(mesh, scene,
                     {.network = {.method = std::get<mss::Method>(settings.method.model),
                                  .stiffness_form = settings.stiffness_form,
-                                 .diagonal_ratio = settings.diagonal_ratio},
+                                 .diagonal_ratio = settings.diagonal_ratio,
+                                 .constants = settings.constants},
                      .solver = settings.solver,
                      .dynamics = settings.dynamics,
                      .seed = settings.seed});

@@ -64,6 +64,13 @@ Wrinkling zigzag(const Mesh& mesh, const Region& region, Eigen::Index axis, doub
           .strain = strain};
 }
 
+/// Young's modulus along the axis [Pa].
+double axial_modulus(const CaseSettings& settings) {
+  if (!is_custom(settings.method)) return settings.material.young_modulus;
+  const double cell_edge = settings.block.size[0] / settings.block.cells[0];
+  return mss::axial_modulus(settings.constants.value(), cell_edge);
+}
+
 }  // namespace
 
 std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
@@ -108,7 +115,7 @@ double imposed_strain(const CaseSettings& settings) {
     case Test::traction: {
       const Vector3 t = settings.traction.cwiseAbs();
       return (t.z() + 6 * length * (t.x() / size_x + t.y() / size_y)) /
-             settings.material.young_modulus;
+             axial_modulus(settings);
     }
     case Test::affine:
       return settings.gradient.norm();
@@ -119,7 +126,7 @@ double imposed_strain(const CaseSettings& settings) {
   const double height = std::abs(down.x()) > std::abs(down.y()) ? size_x : size_y;
   // (h/2) w L^2/(2 E I) with w/I = 12 rho g/h^2, the width cancelling.
   return 3 * settings.material.density * settings.gravity.norm() * length * length /
-         (settings.material.young_modulus * height);
+         (axial_modulus(settings) * height);
 }
 
 }  // namespace springcheck

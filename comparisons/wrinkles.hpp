@@ -42,7 +42,9 @@ bool is_wrinkled(const Wrinkling& wrinkling);
 /// Largest strain a test imposes on its faces [-]: the deformation itself; in torsion
 /// angle * half width / height; in bending that of Euler-Bernoulli's outer fibre at the
 /// clamp, (h/2) w L^2 / (2 E I); in traction t the same of a beam with that end load,
-/// (|t_z| + 6 L (|t_x|/size_x + |t_y|/size_y)) / E; in affine the gradient's norm.
+/// (|t_z| + 6 L (|t_x|/size_x + |t_y|/size_y)) / E; in affine the gradient's norm. E is
+/// the material's, of mss-custom its lattice's mss::axial_modulus; where that is 0, the
+/// strain of a load is infinite.
 double imposed_strain(const CaseSettings& settings);
 
 }  // namespace springcheck

@@ -387,3 +387,17 @@ BOOST_AUTO_TEST_CASE(imposed_strains, *utf::tolerance(1e-12)) {
   BOOST_TEST(imposed_strain(case_of("bending", {"method=mss-cf"})) ==
              0.2 * (1600 * 2.4 * 2.4 / 2) / (2e6 * std::pow(0.4, 4) / 12));
 }
+
+// Edge springs of .3 N/m in cells of .1 m: E = 3 Pa, whatever `young` is. Face diagonals
+// with a kappa that they do not hold have no modulus.
+BOOST_AUTO_TEST_CASE(loads_strain_a_custom_lattice_by_its_own_modulus,
+                     *utf::tolerance(1e-12)) {
+  const auto strain = [](const char* stiffness, const char* kappa) {
+    return imposed_strain(
+        case_of("traction",
+                {"size=.4,.4,.8", "cells=4,4,8", "traction=0,0,-6", "method=mss-custom",
+                 std::string("stiffness=") + stiffness, std::string("kappa=") + kappa}));
+  };
+  BOOST_TEST(strain(".3,0,0", "0") == 2);
+  BOOST_TEST(std::isinf(strain("0,3,0", "-41")));
+}
