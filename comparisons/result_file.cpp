@@ -276,8 +276,8 @@ void check_results_writable(const std::filesystem::path& file) {
   if (file.extension() == ".xdmf")
     throw InputError(file.string(), "extension", "that of an HDF5 file, such as .h5",
                      ".xdmf, which is written beside it");
-  check_writable(xdmf_beside(file));
   const ResultFile opened(file);
+  check_writable(xdmf_beside(file));
 }
 
 Columns read_cases(const std::filesystem::path& file) {
