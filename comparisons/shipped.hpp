@@ -14,6 +14,9 @@ struct ShippedFile {
 /// comparisons/scenes/*.toml
 const std::vector<ShippedFile>& shipped_scenes();
 
+/// comparisons/gates/*.toml
+const std::vector<ShippedFile>& shipped_gates();
+
 /// comparisons/thesis/printed.csv
 std::string_view shipped_figures();
 
