@@ -39,7 +39,11 @@ void add_reference_settings(nlohmann::json& json, const CaseSettings& settings) 
 /// Settings of the springs alone.
 void add_spring_settings(nlohmann::json& json, const CaseSettings& settings) {
   const auto springs = std::get<mss::Method>(settings.method.model);
-  if (springs != mss::Method::baudet)
+  if (springs == mss::Method::custom) {
+    const auto& [k, kappa] = settings.constants.value();
+    json["stiffness"] = {k.edge, k.face_diagonal, k.inner_diagonal};
+    json["kappa"] = kappa;
+  } else if (springs != mss::Method::baudet)
     json["stiffness-form"] = name_of(settings.stiffness_form);
   if (springs == mss::Method::fd || springs == mss::Method::cf)
     json["diagonal-ratio"] = settings.diagonal_ratio;

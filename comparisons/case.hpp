@@ -57,6 +57,7 @@ struct CaseSettings {
   LatticeName lattice;  // of fem-cauchy-born
   fem_reference::LatticeDirection lattice_direction;
   // Springs:
+  std::optional<mss::LatticeConstants> constants;  // of mss-custom, at this cell size
   mss::Solver solver;
   mss::DynamicsSettings dynamics;  // of the semi-implicit solver
   unsigned seed;                   // of the static solver

@@ -140,7 +140,7 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
     }
   // One at a time, unless the grids of a split make it long.
   const int at_once = all.size() > asked ? parallel : 1;
-  check_memory(run.cells_place, all, at_once);
+  check_memory(run.cells_place, all);
   if (result_file) check_results_writable(*result_file);
 
   MeshStore meshes;
@@ -182,6 +182,9 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
   std::optional<ReferenceMethod> chosen;
   if (!reference.empty())
     chosen = reference_named(Given::from_text("--reference", reference));
+  if (chosen && is_custom(chosen->method))
+    throw InputError(chosen->place, "", "a method without constants of its own",
+                     "'mss-custom'");
   MeshStore meshes;
   const auto known = [&](const Request& request,
                          const std::string& key) -> std::optional<CaseResult> {
@@ -211,6 +214,11 @@ ExitStatus list_command(const std::string& what, Output output) {
     lists["scenes"][std::filesystem::path(scene.name).stem().string()] =
         scene.text.substr(2, end - 2);
   }
+  for (const ShippedFile& sweep : shipped_sweeps()) {
+    const std::size_t end = sweep.text.find('\n');
+    lists["sweeps"][std::filesystem::path(sweep.name).stem().string()] =
+        sweep.text.substr(2, end - 2);
+  }
   for (const ElementName& element : elements())
     lists["elements"][std::string(element.name)] = element.description;
   lists["materials"] = {
@@ -220,7 +228,7 @@ ExitStatus list_command(const std::string& what, Output output) {
       {"cauchy-born", "continuum of a spring lattice (fem-cauchy-born)"}};
   if (!what.empty()) {
     if (!lists.contains(what))
-      throw InputError("list", "", "one of methods, scenes, elements, materials",
+      throw InputError("list", "", "one of methods, scenes, sweeps, elements, materials",
                        "'" + what + "'");
     lists = Json{{what, lists[what]}};
   }

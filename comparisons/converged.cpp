@@ -30,6 +30,21 @@ std::vector<double> cell_volumes_on(const CaseResult& run, const Cells& cells,
                                   block.cells, cells);
 }
 
+GridSizes sizes_of(std::span<const CaseResult* const> runs) {
+  return grid_sizes(
+      {runs[0]->request.settings, runs[1]->request.settings, runs[2]->request.settings});
+}
+
+/// What the runs say of the loaded face: the only one's displacement, or the one that
+/// three converge to. Empty without a load.
+std::vector<Vector3> face_displacements(std::span<const CaseResult* const> runs) {
+  if (!runs.front()->measures.face_displacement) return {};
+  if (runs.size() == 1) return {*runs.front()->measures.face_displacement};
+  OnThreeGrids on_grids;
+  for (std::size_t i = 0; i < 3; ++i) on_grids[i] = *runs[i]->measures.face_displacement;
+  return {extrapolate(sizes_of(runs), on_grids, solver_noise * on_grids[2].norm()).value};
+}
+
 }  // namespace
 
 ThreeCases convergence_grids(const CaseSettings& settings) {
@@ -47,8 +62,7 @@ GridSizes grid_sizes(const ThreeCases& cases) {
 ConvergedField converged_field(std::span<const CaseResult* const> runs,
                                const Cells& cells, MeshStore& meshes) {
   assert(runs.size() == 3);
-  const GridSizes sizes = grid_sizes(
-      {runs[0]->request.settings, runs[1]->request.settings, runs[2]->request.settings});
+  const GridSizes sizes = sizes_of(runs);
   OnThreeGrids displacements, volumes;
   for (std::size_t i = 0; i < 3; ++i) {
     displacements[i] = matrix_of(displacements_at(*runs[i], cells));
@@ -94,6 +108,7 @@ std::optional<ReferenceField> reference_field(const Request& request,
   const Cells& cells = request.settings.block.cells;
   ReferenceField field{.solution = runs.back()->solution, .order = {}, .bar = {}};
   field.solution.reactions.clear();
+  field.solution.loaded_face_displacements = face_displacements(runs);
   if (runs.size() == 1) {
     field.solution.displacements = displacements_at(*runs[0], cells);
     field.solution.cell_volumes = cell_volumes_on(*runs[0], cells, meshes);

@@ -13,9 +13,9 @@ constexpr double on_plane = 1e-9;  // of the block's height: coordinates are exa
 /// The length deviations are divided by: the largest imposed displacement, or the
 /// reference's tip deflection in bending and face displacement in traction.
 std::optional<double> imposed_length(const CaseSettings& settings, const Scene& scene,
-                                     const Mesh& mesh,
-                                     std::span<const Vector3> reference) {
-  if (settings.test == Test::bending) return tip_deflection(settings, mesh, reference);
+                                     const Mesh& mesh, const Solution& reference) {
+  if (settings.test == Test::bending)
+    return tip_deflection(settings, mesh, reference.displacements);
   if (settings.test == Test::traction)
     return loaded_face_displacement(mesh, scene, reference).norm();
   return largest_imposed_displacement(mesh, scene);
@@ -43,7 +43,7 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
   measures.mean_deviation = sum / static_cast<double>(mesh.nodes().size());
   measures.max_deviation = largest;
   if (layer_nodes > 0) measures.middle_layer_deviation = layer_sum / layer_nodes;
-  const auto length = imposed_length(settings, scene, mesh, reference.displacements);
+  const auto length = imposed_length(settings, scene, mesh, reference);
   const auto free = over_free_nodes(mesh, scene, distance);
   if (length && *length > 0 && free) {
     measures.deviation_l2_relative = free->root_mean_square / *length;

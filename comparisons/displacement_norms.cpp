@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "meshing/traction.hpp"
 
@@ -40,9 +41,13 @@ std::optional<FreeDistance> over_free_nodes(
 
 double largest_imposed_displacement(const Mesh& mesh, const Scene& scene) {
   double largest = 0;
-  for (const Plate& plate : scene.plates)
-    for (const NodeIndex n : mesh.region(plate.region).nodes)
-      largest = std::max(largest, displacement(plate.motion, mesh.nodes()[n], 1).norm());
+  for (const Plate& plate : scene.plates) {
+    const double half_turn = std::numbers::pi / std::abs(plate.motion.angle);
+    for (const double s : {std::min(half_turn, 1.), 1.})
+      for (const NodeIndex n : mesh.region(plate.region).nodes)
+        largest =
+            std::max(largest, displacement(plate.motion, mesh.nodes()[n], s).norm());
+  }
   if (scene.boundary_gradient)
     for (const NodeIndex n : mesh.boundary().nodes)
       largest = std::max(largest, (*scene.boundary_gradient * mesh.nodes()[n]).norm());
@@ -50,12 +55,14 @@ double largest_imposed_displacement(const Mesh& mesh, const Scene& scene) {
 }
 
 Vector3 loaded_face_displacement(const Mesh& mesh, const Scene& scene,
-                                 std::span<const Vector3> displacements) {
+                                 const Solution& solution) {
+  if (!solution.loaded_face_displacements.empty())
+    return solution.loaded_face_displacements.front();
   const auto areas = nodal_areas(mesh, mesh.region(scene.tractions.front().region));
   Vector3 integral = Vector3::Zero();
   double area = 0;
   for (std::size_t n = 0; n < areas.size(); ++n) {
-    integral += areas[n] * displacements[n];
+    integral += areas[n] * solution.displacements[n];
     area += areas[n];
   }
   return integral / area;

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 
 #include "meshing/scene.hpp"
 
@@ -18,12 +17,14 @@ std::optional<FreeDistance> over_free_nodes(
     const Mesh& mesh, const Scene& scene,
     const std::function<double(std::size_t)>& distance);
 
-/// Largest displacement that the plates or the boundary gradient impose on a node [m].
+/// Largest displacement that the plates or the boundary gradient impose on a node on the
+/// way to the full load [m]. A plate that turns moves its nodes farthest in half a turn;
+/// one that turns and moves along is looked at there and at the end only.
 double largest_imposed_displacement(const Mesh& mesh, const Scene& scene);
 
 /// Mean displacement of the face that the scene's traction loads [m], int u dA/A over its
-/// undeformed area with u bilinear on each face of a cell.
+/// undeformed area: the solution's own, or that of a u bilinear on each face of a cell.
 Vector3 loaded_face_displacement(const Mesh& mesh, const Scene& scene,
-                                 std::span<const Vector3> displacements);
+                                 const Solution& solution);
 
 }  // namespace springcheck

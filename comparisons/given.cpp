@@ -47,6 +47,7 @@ std::string described(const Given::Scalar& value) {
       return looks_integral ? text + ".0" : text;
     }
     std::string operator()(const std::string& s) const { return fmt::format("'{}'", s); }
+    std::string operator()(const Given::Unreadable& u) const { return u.text; }
   } describe;
   return std::visit(describe, value);
 }

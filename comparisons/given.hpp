@@ -14,7 +14,11 @@ namespace springcheck {
 /// that error messages name. The readers throw InputError when it is not what they want.
 class Given {
  public:
-  using Scalar = std::variant<bool, std::int64_t, double, std::string>;
+  /// A nested list, a table or a date: no setting takes one. The text is for messages.
+  struct Unreadable {
+    std::string text;
+  };
+  using Scalar = std::variant<bool, std::int64_t, double, std::string, Unreadable>;
 
   /// place: "scene.toml:4:7: nu" or "--nu".
   Given(std::string place, Scalar value)

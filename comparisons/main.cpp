@@ -13,6 +13,7 @@
 #include "comparisons/commands.hpp"
 #include "comparisons/gate_command.hpp"
 #include "comparisons/reproduce.hpp"
+#include "comparisons/sweep_command.hpp"
 #include "meshing/input_error.hpp"
 
 extern "C" void openblas_set_num_threads(int);
@@ -97,6 +98,8 @@ int command_line(int argc, char** argv) {
 
   std::vector<std::filesystem::path> from;
   std::string scene, out, name, reference, format = "md", what, results, junit;
+  std::string shard = "1/1";
+  SweepOptions sweep_options{.jobs = cores};
   bool json = false, split = false, all = false, bless = false;
   int threads = cores;
   int status = ExitStatus::done;
@@ -142,8 +145,32 @@ int command_line(int argc, char** argv) {
   everything->add_flag("--all", all, "the split table too, which takes minutes");
   add_threads(everything);
 
+  CLI::App* sweep =
+      app.add_subcommand("sweep", "Run the cases of a sweep that a result file lacks");
+  sweep->add_option("sweep", name, "name of a shipped sweep, or a .toml file")
+      ->required();
+  sweep->add_option("--out", out, "HDF5 file to add the cases to")
+      ->required()
+      ->check(check_not_empty);
+  sweep
+      ->add_option("--jobs", threads, "simulations at once, at most (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+  sweep->add_flag("--dry-run", sweep_options.dry_run, "count and estimate only");
+  sweep->add_flag("--only-failed", sweep_options.only_failed,
+                  "run again what the file holds with a status other than ok");
+  sweep->add_option("--shard", shard, "I/N: every N-th case from the I-th on");
+  sweep->add_flag("--yes", sweep_options.yes,
+                  "more than a million combinations are meant");
+
+  CLI::App* merge = app.add_subcommand(
+      "merge", "Add the cases of result files to another; may be repeated");
+  merge->add_option("out", out, "HDF5 file to add to")
+      ->required()
+      ->check(check_not_empty);
+  merge->add_option("from", from, "result files")->required()->check(check_not_empty);
+
   CLI::App* list = app.add_subcommand("list", "List what there is");
-  list->add_option("what", what, "methods, scenes, elements or materials");
+  list->add_option("what", what, "methods, scenes, sweeps, elements or materials");
   list->add_flag("--json", json, "print one JSON document");
 
   CLI::App* mesh = app.add_subcommand("mesh", "Write the mesh that both solvers use");
@@ -188,6 +215,12 @@ int command_line(int argc, char** argv) {
   else if (*table)
     status = table_command(name, {from, path_or_none(out)}, reference,
                            table_format(format), threads);
+  else if (*sweep) {
+    sweep_options.jobs = threads;
+    set_shard(sweep_options, shard);
+    status = sweep_command(name, out, sweep_options);
+  } else if (*merge)
+    status = merge_command(out, from);
   else if (*list)
     status = list_command(what, output());
   else if (*gate)

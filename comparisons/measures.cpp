@@ -73,8 +73,7 @@ void measure_traction(Measures& measures, const Scene& scene, const Mesh& mesh,
   measures.force = force;
   measures.plate_force = force.norm();
   measures.plate_force_norm = force.norm();
-  measures.face_displacement =
-      loaded_face_displacement(mesh, scene, solution.displacements);
+  measures.face_displacement = loaded_face_displacement(mesh, scene, solution);
 }
 
 void measure_affine(Measures& measures, const Scene& scene, const Mesh& mesh,

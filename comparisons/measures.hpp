@@ -37,7 +37,7 @@ struct Measures {
   Value plate_torque{};      // component about z
 
   // Traction: area-weighted mean displacement of the loaded face [m], int u dA/A with the
-  // bilinear u of its nodes.
+  // element's own u (springs: bilinear on each face of a cell).
   Vector face_displacement{};
 
   // Affine: mean first Piola-Kirchhoff stress [Pa], positive in tension; its columns
@@ -60,8 +60,9 @@ struct Measures {
   Value max_deviation{};
   Value middle_layer_deviation{};  // mean over the nodes at half height (the thesis's
                                    // measure); even cell counts only
-  // Over the nodes with a free component, divided by the largest imposed displacement
-  // (bending: by the reference's tip deflection; traction: by its face displacement):
+  // Over the nodes with a free component, divided by the largest displacement imposed on
+  // the way (bending: by the reference's tip deflection; traction: by its face
+  // displacement):
   Value deviation_l2_relative{};  // volume-weighted root mean square
   Value deviation_max_relative{};
   Value cell_volume_ratio_rms_difference{};  // volume-weighted, V/V0 against reference's

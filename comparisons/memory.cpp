@@ -43,7 +43,19 @@ LinearSystems linear_systems(const CaseSettings& settings) {
   return multigrid ? LinearSystems::multigrid : LinearSystems::cholesky;
 }
 
-/// Peak memory of one simulation [bytes].
+void refuse_if_too_large(const std::string& place, const std::string& what,
+                         double bytes) {
+  const double available = available_memory();
+  if (bytes > available)
+    throw InputError(
+        place, what,
+        fmt::format("cells for at most {:.3g} GB, which this machine has left",
+                    available / 1e9),
+        fmt::format("an estimate of {:.3g} GB", bytes / 1e9));
+}
+
+}  // namespace
+
 double estimated_memory(const CaseSettings& settings) {
   std::array<double, 3> nodes = element_nodes(settings);
   std::ranges::sort(nodes);
@@ -83,34 +95,19 @@ double available_memory() {
   return INFINITY;  // not Linux: nothing to compare with
 }
 
-void refuse_if_too_large(const std::string& place, const std::string& what, double bytes,
-                         int parallel) {
-  const double available = available_memory();
-  if (parallel * bytes > available)
-    throw InputError(
-        place, what,
-        fmt::format("cells for at most {:.3g} GB, which this machine has left",
-                    available / 1e9),
-        fmt::format("an estimate of {:.3g} GB{}", parallel * bytes / 1e9,
-                    parallel > 1 ? fmt::format(" for {} at once", parallel) : ""));
-}
-
-}  // namespace
-
 void check_mesh_memory(const std::string& place, const BlockSize& block) {
-  refuse_if_too_large(place, "mesh", estimated_mesh_memory(block), 1);
+  refuse_if_too_large(place, "mesh", estimated_mesh_memory(block));
 }
 
-void check_memory(const std::string& place, const std::vector<Request>& requests,
-                  int parallel) {
+void check_memory(const std::string& place, const std::vector<Request>& requests) {
   for (const Request& request : requests) {
     refuse_if_too_large(place, label(request.settings),
-                        estimated_memory(request.settings), parallel);
+                        estimated_memory(request.settings));
     for (const CaseSettings& reference : reference_cases(request))
       refuse_if_too_large(place,
                           fmt::format("{} on {} cells", label(reference),
                                       fmt::join(reference.block.cells, " x ")),
-                          estimated_memory(reference), parallel);
+                          estimated_memory(reference));
   }
 }
 

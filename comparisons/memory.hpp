@@ -4,14 +4,20 @@
 
 namespace springcheck {
 
+/// What this machine has left, as Linux estimates it [bytes]; infinite elsewhere.
+double available_memory();
+
+/// Peak memory of the program while it runs one simulation [bytes], fitted to measured
+/// ones (memory.cpp).
+double estimated_memory(const CaseSettings& settings);
+
 /// Throws InputError when the mesh alone would not fit into the memory that is available
 /// (what Linux calls so).
 /// `place` says where the cell counts were given.
 void check_mesh_memory(const std::string& place, const BlockSize& block);
 
-/// Throws InputError when `parallel` of the requests at once, references included, would
-/// not fit into the available memory. Allocates nothing itself.
-void check_memory(const std::string& place, const std::vector<Request>& requests,
-                  int parallel);
+/// Throws InputError when one of the requests, references included, would not fit into
+/// the available memory. Allocates nothing itself.
+void check_memory(const std::string& place, const std::vector<Request>& requests);
 
 }  // namespace springcheck

@@ -23,6 +23,8 @@ const std::vector<Method>& methods() {
       {"mss-fd", mss::Method::fd,
        "all springs without correction: right at nu = 0.25 only"},
       {"mss-cf", mss::Method::cf, "all springs with volume correction (Golec 2018)"},
+      {"mss-custom", mss::Method::custom,
+       "springs and volume correction of your own (options --stiffness, --kappa)"},
       {"fem-hooke", Law::hooke, "finite elements, small-strain Hooke"},
       {"fem-stvk", Law::st_venant_kirchhoff, "finite elements, St-Venant-Kirchhoff"},
       {"fem-hencky", Law::hencky, "finite elements, Hencky (logarithmic strain)"},

@@ -42,6 +42,12 @@ inline bool is_finite_element(const Method& method) {
   return std::holds_alternative<fem_reference::Law>(method.model);
 }
 
+/// Whether its springs have the constants that the user gives.
+inline bool is_custom(const Method& method) {
+  const auto* springs = std::get_if<mss::Method>(&method.model);
+  return springs != nullptr && *springs == mss::Method::custom;
+}
+
 /// "a, b, c" of the entries' names, for messages and help.
 template <class Entries>
 std::string names_of(const Entries& entries) {

@@ -130,7 +130,7 @@ ComputedTables compute_tables(const std::vector<std::string>& names,
       append(all, table_requests(plans.back()));
     }
   append(all, of_sheets);
-  check_memory("table", all, parallel);
+  check_memory("table", all);
   Progress progress("simulations");
   ComputedTables computed{
       .tables = {},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <fstream>
@@ -65,6 +66,18 @@ void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
 
 std::filesystem::path xdmf_beside(std::filesystem::path file) {
   return file.replace_extension(".xdmf");
+}
+
+/// The first column but times and provenance in which two rows of a key differ.
+std::optional<std::string> differing_figure(Row a, Row b) {
+  for (const char* free : {"wall_s", "solve_wall_s", "provenance"}) {
+    a.erase(free);
+    b.erase(free);
+  }
+  for (const Row* row : {&a, &b})
+    for (const auto& [name, value] : *row)
+      if (!a.contains(name) || !b.contains(name) || a.at(name) != b.at(name)) return name;
+  return std::nullopt;
 }
 
 /// Waits for a living writer to finish its journal; a dead one's is finished here.
@@ -137,15 +150,24 @@ void ResultFile::create() {
   });
 }
 
+/// One commit: what `change` does to the open file, wholly or not at all.
+template <class Change>
+void ResultFile::change(Change&& change) {
+  if (!std::filesystem::exists(file_)) create();
+  OverlayFile overlay(file_);
+  {
+    const hdf5::Handle root(overlay.open(), H5Fclose, file_.string());
+    change(root);
+  }
+  write_pages(file_, overlay.writes());
+}
+
 void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
                      MeshStore& meshes) {
   if (results.empty()) return;
-  if (!std::filesystem::exists(file_)) create();
-  OverlayFile overlay(file_);
   std::map<std::string, std::size_t> new_rows;
   std::size_t provenance_row = 0;
-  {
-    const hdf5::Handle root(overlay.open(), H5Fclose, file_.string());
+  change([&](hid_t root) {
     const auto sessions = hdf5::open_group(root, "provenance");
     provenance_row = provenance_.value_or(row_count(sessions));
     if (!provenance_) append_rows(sessions, {{provenance()}});
@@ -168,28 +190,94 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
       if (with_fields) write_fields(fields, result, mesh);
     }
     append_rows(cases, added);
-  }
-  write_pages(file_, overlay.writes());
+  });
   provenance_ = provenance_row;
   rows_.merge(new_rows);
   for (const CaseResult& result : results) statuses_[result.key] = result.status;
 }
 
-void write_results(const std::filesystem::path& file, std::span<const CaseResult> results,
-                   MeshStore& meshes) {
-  ResultFile(file).put(results, true, meshes);
+ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
+  constexpr std::size_t at_once = 500;  // bounds what a commit keeps in memory
+  const Columns theirs = read_cases(from);
+  const Columns ours = std::filesystem::exists(file_) ? read_cases(file_) : Columns{};
+  Absorbed absorbed;
+  std::vector<std::size_t> lacking;
+  for (std::size_t i = 0; i < theirs.rows; ++i) {
+    const std::string& key = theirs.texts.at("key")[i];
+    const auto known = rows_.find(key);
+    if (known == rows_.end()) {
+      lacking.push_back(i);
+      continue;
+    }
+    ++absorbed.already_there;
+    if (const auto column =
+            differing_figure(row_at(ours, known->second), row_at(theirs, i)))
+      absorbed.conflicts.push_back(
+          fmt::format("case {}: {} differs in {}", key, *column, from.string()));
+  }
+  reading(from, [&](hid_t source) {
+    const auto their_meshes = hdf5::open_group(source, "meshes"),
+               their_fields = hdf5::open_group(source, "fields");
+    const Columns sessions = read_columns(hdf5::open_group(source, "provenance"));
+    std::map<double, double> session_of;  // theirs to ours
+    for (std::size_t first = 0; first < lacking.size(); first += at_once) {
+      const std::span<const std::size_t> part =
+          std::span(lacking).subspan(first, std::min(at_once, lacking.size() - first));
+      std::vector<Row> added;
+      change([&](hid_t root) {
+        const auto meshes = hdf5::open_group(root, "meshes"),
+                   fields = hdf5::open_group(root, "fields"),
+                   provenance = hdf5::open_group(root, "provenance");
+        for (const std::size_t i : part) {
+          Row row = row_at(theirs, i);
+          const auto& key = std::get<std::string>(row.at("key"));
+          const auto& mesh = std::get<std::string>(row.at("mesh"));
+          double& session = std::get<std::vector<double>>(row.at("provenance")).front();
+          const auto [place, is_new] =
+              session_of.try_emplace(session, static_cast<double>(row_count(provenance)));
+          if (is_new)
+            append_rows(provenance,
+                        {{row_at(sessions, static_cast<std::size_t>(session))}});
+          session = place->second;
+          if (!hdf5::has_link(meshes, mesh)) hdf5::copy_link(their_meshes, meshes, mesh);
+          if (hdf5::has_link(their_fields, key))
+            hdf5::copy_link(their_fields, fields, key);
+          added.push_back(std::move(row));
+        }
+        append_rows(hdf5::open_group(root, "cases"), added);
+      });
+      for (const Row& row : added) {
+        const auto& key = std::get<std::string>(row.at("key"));
+        rows_.emplace(key, rows_.size());
+        statuses_.emplace(
+            key, status_named(std::get<std::string>(row.at("status")), from.string()));
+      }
+      absorbed.added += added.size();
+    }
+    return 0;
+  });
+  return absorbed;
+}
+
+void write_xdmf_beside(const std::filesystem::path& file) {
   reading(file, [&](hid_t root) {
     write_xdmf(xdmf_beside(file), file.filename().string(), root);
     return 0;
   });
 }
 
+void write_results(const std::filesystem::path& file, std::span<const CaseResult> results,
+                   MeshStore& meshes) {
+  ResultFile(file).put(results, true, meshes);
+  write_xdmf_beside(file);
+}
+
 void check_results_writable(const std::filesystem::path& file) {
   if (file.extension() == ".xdmf")
     throw InputError(file.string(), "extension", "that of an HDF5 file, such as .h5",
                      ".xdmf, which is written beside it");
-  check_writable(xdmf_beside(file));
   const ResultFile opened(file);
+  check_writable(xdmf_beside(file));
 }
 
 Columns read_cases(const std::filesystem::path& file) {

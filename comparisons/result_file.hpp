@@ -38,8 +38,18 @@ class ResultFile {
   /// where results have them and `with_fields` says so.
   void put(std::span<const CaseResult> results, bool with_fields, MeshStore& meshes);
 
+  /// Adds what another result file has and this one lacks: cases with their provenance,
+  /// meshes, fields. Cases that both have stay as they are here.
+  struct Absorbed {
+    std::size_t added = 0, already_there = 0;
+    std::vector<std::string> conflicts;  // cases of other figures, in words
+  };
+  Absorbed absorb(const std::filesystem::path& from);
+
  private:
   void create();
+  template <class Change>
+  void change(Change&& change);
 
   std::filesystem::path file_;
   LockFile lock_;
@@ -48,7 +58,10 @@ class ResultFile {
   std::optional<std::size_t> provenance_;  // row of this session, once written
 };
 
-/// Adds results with their fields and writes FILE.xdmf for ParaView beside it.
+/// Writes FILE.xdmf for ParaView beside the result file: all cases that have fields.
+void write_xdmf_beside(const std::filesystem::path& file);
+
+/// Adds results with their fields, and writes the .xdmf.
 void write_results(const std::filesystem::path& file, std::span<const CaseResult> results,
                    MeshStore& meshes);
 

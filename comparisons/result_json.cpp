@@ -39,6 +39,8 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
            {"gradient", settings.test == Test::affine
                             ? json(Measures::Matrix(settings.gradient))
                             : Json()},
+           {"stiffness", settings_json(settings).value("stiffness", Json())},
+           {"kappa", settings_json(settings).value("kappa", Json())},
            {"mesh",
             {{"cells", mesh.hexahedra().size()},
              {"nodes", mesh.nodes().size()},

@@ -54,16 +54,21 @@ void check_applicable(const Settings& settings, Test test) {
   if (test != Test::affine) refuse("gradient", "no gradient but in affine");
 }
 
-/// Settings of fem-cauchy-born where nothing runs it.
-void check_lattice_is_used(const Settings& settings, const RunSettings& run) {
-  const auto is_cauchy_born = [](const Method& m) { return m.name == "fem-cauchy-born"; };
-  if (std::ranges::any_of(run.methods, is_cauchy_born) ||
-      (run.reference && is_cauchy_born(run.reference->method)))
-    return;
-  for (const char* key : {"lattice", "lattice-direction"})
-    if (const auto found = settings.find(std::string_view(key)); found != settings.end())
-      found->second.refuse(std::string("no ") + key +
-                           " without fem-cauchy-born as method or reference");
+/// Whether a method of this name runs, if only as the reference.
+bool runs(const RunSettings& run, std::string_view name) {
+  return std::ranges::count(run.methods, name, &Method::name) > 0 ||
+         (run.reference && run.reference->method.name == name);
+}
+
+/// Settings of one method where nothing runs it.
+void check_method_runs(const RunSettings& run, const Settings& settings,
+                       const std::string& method,
+                       std::initializer_list<std::string_view> keys) {
+  if (runs(run, method)) return;
+  for (const std::string_view key : keys)
+    if (const auto found = settings.find(key); found != settings.end())
+      found->second.refuse(
+          fmt::format("no {} without {} as method or reference", key, method));
 }
 
 /// "N" or "NX,NY,NZ" behind a reference's '@'.
@@ -120,6 +125,9 @@ ReferenceMethod reference_named(const Given& given) {
     reference.element = element_named(given, what.substr(colon + 1));
   }
   if (at == std::string::npos) return reference;
+  if (is_custom(reference.method))
+    given.refuse(
+        "mss-custom on the case's own mesh: its constants belong to those cells");
   const std::string grid = text.substr(at + 1);
   if (grid == "converged")
     reference.grid = ReferenceGrid::converged;
@@ -147,6 +155,10 @@ const std::vector<SettingKey>& option_keys() {
       {"stiffness-form",
        "spring constants from mu (default) or, as Eq. 5.12 prints, E; of "
        "fem-cauchy-born's lattice too"},
+      {"stiffness",
+       "KE,KF,KC of mss-custom: lattice values of its edge, face-diagonal and "
+       "inner-diagonal springs at the scene's cell size [N/m]"},
+      {"kappa", "modulus of mss-custom's volume correction [Pa] (default 0: none)"},
       {"lattice",
        "springs whose continuum fem-cauchy-born is: mss-baudet, mss-nfd, mss-fd, mss-cf "
        "(default), mss-affine"},
@@ -215,6 +227,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
       .lattice_direction =
           value_or(settings, "lattice-direction", fem_reference::LatticeDirection::d100,
                    lattice_direction_of),
+      .constants = std::nullopt,
       .solver = value_or(settings, "solver", mss::Solver::static_equilibrium, solver_of),
       .dynamics =
           {.duration = value_or(settings, "duration", 10., &Given::positive_number),
@@ -241,7 +254,12 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   if (const auto reference = settings.find(std::string_view("reference"));
       reference != settings.end())
     run.reference = reference_named(reference->second);
-  check_lattice_is_used(settings, run);
+  check_method_runs(run, settings, "fem-cauchy-born", {"lattice", "lattice-direction"});
+  check_method_runs(run, settings, "mss-custom", {"stiffness", "kappa"});
+  if (runs(run, "mss-custom"))
+    run.common.constants = mss::LatticeConstants{
+        .stiffness = stiffness_of(need("stiffness", "KE,KF,KC of mss-custom [N/m]")),
+        .volume_modulus = value_or(settings, "kappa", 0., &Given::finite_number)};
   return run;
 }
 

@@ -21,21 +21,25 @@ bool is_known(std::string_view key) {
          std::ranges::any_of(scene_only_keys(), is_key);
 }
 
+std::vector<GivenSetting> parse(const TomlFile& scene) {
+  const toml::table table = parse_toml(scene.text, scene.file);
+  if (table.empty())
+    throw InputError(scene.file + ":1:1", "", "settings", "an empty scene");
+  std::vector<GivenSetting> settings;
+  for (const auto& [key, node] : table) {
+    if (!is_known(key.str()))
+      throw InputError(place(scene.file, key.source()), "", "one of " + known_keys(),
+                       fmt::format("unknown key '{}'", key.str()));
+    settings.push_back({std::string(key.str()), given(node, scene.file, key.str())});
+  }
+  return settings;
+}
+
 }  // namespace
 
 SceneFile read_scene(const std::string& name_or_path) {
-  const TomlFile toml = toml_file(name_or_path, "scene", shipped_scenes());
-  const toml::table table = parse_toml(toml.text, toml.file);
-  if (table.empty())
-    throw InputError(toml.file + ":1:1", "", "settings", "an empty scene");
-  SceneFile scene{.name = toml.name, .file = toml.file, .settings = {}};
-  for (const auto& [key, node] : table) {
-    if (!is_known(key.str()))
-      throw InputError(place(toml.file, key.source()), "", "one of " + known_keys(),
-                       fmt::format("unknown key '{}'", key.str()));
-    scene.settings.push_back({std::string(key.str()), given(node, toml.file, key.str())});
-  }
-  return scene;
+  const TomlFile scene = toml_file(name_or_path, "scene", shipped_scenes());
+  return {.name = scene.name, .file = scene.file, .settings = parse(scene)};
 }
 
 }  // namespace springcheck

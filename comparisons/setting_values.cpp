@@ -108,6 +108,15 @@ double not_negative_of(const Given& given) {
   return value;
 }
 
+mss::LatticeStiffness stiffness_of(const Given& given) {
+  const auto [edge, face_diagonal, inner_diagonal] = given.three_numbers();
+  const double softest = std::min({edge, face_diagonal, inner_diagonal}),
+               stiffest = std::max({edge, face_diagonal, inner_diagonal});
+  if (softest < 0 || stiffest == 0)
+    given.refuse("KE,KF,KC of at least 0 N/m, one of them above 0");
+  return {.edge = edge, .face_diagonal = face_diagonal, .inner_diagonal = inner_diagonal};
+}
+
 std::optional<double> time_step_of(const Given& given) {
   if (!given.is_text()) return given.positive_number();
   if (given.text() != "auto") given.refuse("a positive time [s] or 'auto'");

@@ -31,6 +31,7 @@ fem_reference::LatticeDirection lattice_direction_of(const Given& given);
 std::array<double, 3> size_of(const Given& given);
 std::array<int, 3> cells_of(const Given& given);
 double poisson_ratio_of(const Given& given);
+mss::LatticeStiffness stiffness_of(const Given& given);  // none negative, not all 0
 double not_negative_of(const Given& given);
 std::optional<double> time_step_of(const Given& given);  // none: auto
 unsigned seed_of(const Given& given);

@@ -14,6 +14,9 @@ struct ShippedFile {
 /// comparisons/scenes/*.toml
 const std::vector<ShippedFile>& shipped_scenes();
 
+/// comparisons/sweeps/*.toml
+const std::vector<ShippedFile>& shipped_sweeps();
+
 /// comparisons/gates/*.toml
 const std::vector<ShippedFile>& shipped_gates();
 

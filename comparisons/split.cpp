@@ -198,10 +198,16 @@ SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
   if (!is_finite_element(law))
     throw InputError("--split", "reference", "a law of finite elements",
                      "'" + std::string(law.name) + "'");
+  const LatticeName* own_lattice = find_lattice(springs.method.name);
+  if (own_lattice == nullptr)
+    throw InputError(
+        "--split", "method",
+        "springs whose continuum fem-cauchy-born is, of " + names_of(lattices()),
+        "'" + std::string(springs.method.name) + "'");
   CaseSettings lattice = springs;
   lattice.method = *find_method("fem-cauchy-born");
   lattice.element = *find_element("q1-sri");
-  lattice.lattice = *find_lattice(springs.method.name);
+  lattice.lattice = *own_lattice;
   lattice.lattice_direction = fem_reference::LatticeDirection::d100;
   CaseSettings reference = springs;
   reference.method = law;

@@ -25,7 +25,8 @@ struct SplitPlan {
   ThreeCases reference, reference_check;
 };
 
-/// Throws InputError unless `law` is one of finite elements.
+/// Throws InputError unless `law` is one of finite elements, and fem-cauchy-born knows
+/// the springs' lattice.
 SplitPlan plan_split(const CaseSettings& springs, const Method& law);
 
 /// The simulations of the continua, in the order split_error takes their results.

@@ -1,276 +1,222 @@
 #include "comparisons/study.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <omp.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
-#include <chrono>
-#include <mutex>
-#include <nlohmann/json.hpp>
+#include <condition_variable>
 
-#include "comparisons/build_info.hpp"
 #include "comparisons/converged.hpp"
-#include "comparisons/wrinkles.hpp"
-#include "meshing/sha256.hpp"
+#include "comparisons/memory.hpp"
+#include "comparisons/simulate.hpp"
 
 namespace springcheck {
 namespace {
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+/// A case that runs once, however many requests need it.
+struct Simulation {
+  CaseSettings settings;
+  const Mesh* mesh;
+  std::optional<CaseResult> result;
+  std::vector<std::size_t> requests;  // that wait for it
+  std::size_t users;                  // requests that have yet to read it
+};
 
-Solution solve(const CaseSettings& settings, const Mesh& mesh) {
-  const Scene scene = mechanical_scene(settings);
-  if (is_finite_element(settings.method))
-    return fem_reference::solve(mesh, scene, reference_settings(settings));
-  return mss::solve(mesh, scene,
-                    {.network = {.method = std::get<mss::Method>(settings.method.model),
-                                 .stiffness_form = settings.stiffness_form,
-                                 .diagonal_ratio = settings.diagonal_ratio},
-                     .solver = settings.solver,
-                     .dynamics = settings.dynamics,
-                     .seed = settings.seed});
-}
+/// What a request is made of.
+struct Parts {
+  std::size_t simulation;
+  std::vector<std::size_t> reference;
+  std::size_t missing;  // of these, not yet simulated
 
-bool has_equilibrium(const Solution& solution) {
-  return solution.status == SolveStatus::ok || solution.status == SolveStatus::indefinite;
-}
-
-/// One simulation without its reference.
-CaseResult simulate(const CaseSettings& settings, const Mesh& mesh) {
-  omp_set_num_threads(1);  // this thread's: CHOLMOD's small loops only wait otherwise
-  const auto start = std::chrono::steady_clock::now();
-  CaseResult result{.request = {.settings = settings, .reference = std::nullopt},
-                    .key = {},
-                    .status = Status::ok,
-                    .flags = {},
-                    .reason = {},
-                    .measures = {},
-                    .solution = solve(settings, mesh),
-                    .wall_s = 0,
-                    .solve_wall_s = seconds_since(start)};
-  const Solution& solution = result.solution;
-  result.reason = solution.reason;
-  result.measures.definite_up_to_deformation =
-      definite_up_to_deformation(settings, solution);
-  bool inverted = false, wrinkled = false;
-  SolveStatus solved = solution.status;
-  if (has_equilibrium(solution)) {
-    Measures& measures = result.measures;
-    measures = measure(settings, mesh, solution);
-    if (const auto wrinkling =
-            measure_wrinkling(mesh, mechanical_scene(settings), imposed_strain(settings),
-                              solution.displacements)) {
-      measures.wrinkle_alternation = wrinkling->alternation;
-      measures.wrinkle_amplitude = wrinkling->amplitude;
-      wrinkled = is_wrinkled(*wrinkling);
-    }
-    inverted = *measures.corner_jacobian_ratio_min < 0;
-    if (const auto name = not_finite(measures)) {
-      measures = {};
-      solved = SolveStatus::not_converged;
-      result.reason = *name + " overflows";
-    }
+  [[nodiscard]] std::vector<std::size_t> all() const {
+    std::vector<std::size_t> places{simulation};
+    places.insert(places.end(), reference.begin(), reference.end());
+    return places;
   }
-  const Verdict verdict = judge(solved, inverted, wrinkled);
-  result.status = verdict.status;
-  result.flags = verdict.flags;
-  for (const Status flag : verdict.flags) {
-    if (flag == Status::indefinite) continue;  // the solver gave its reason
-    result.reason += result.reason.empty() ? "" : "; ";
-    result.reason += flag == Status::inverted ? "a cell is turned inside out at a corner"
-                                              : "a free face zigzags from cell to cell";
+};
+
+/// Lets simulations start while their estimated memory fits; one alone always may.
+class MemoryBudget {
+ public:
+  explicit MemoryBudget(double bytes) : free_(bytes) {}
+
+  void take(double bytes) {
+    std::unique_lock lock(mutex_);
+    released_.wait(lock, [&] { return running_ == 0 || bytes <= free_; });
+    free_ -= bytes;
+    ++running_;
   }
-  result.wall_s = seconds_since(start);
-  return result;
-}
+  void give(double bytes) {
+    {
+      const std::lock_guard lock(mutex_);
+      free_ += bytes;
+      --running_;
+    }
+    released_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable released_;
+  double free_;
+  int running_ = 0;
+};
+
+class Study {
+ public:
+  Study(const std::vector<Request>& requests, MeshStore& meshes, const KnownResult& known,
+        const Deliver& deliver)
+      : requests_(requests), meshes_(meshes), known_(known), deliver_(deliver) {
+    for (std::size_t i = 0; i < requests.size(); ++i) plan(i);
+  }
+
+  void run(int parallel, const Finished& finished) {
+    finished(0, to_run_.size());
+    for (const std::size_t request : ready_) complete(request);
+    std::size_t done = 0;
+    MemoryBudget budget(available_memory());
+    tbb::task_arena arena(parallel);
+    arena.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, to_run_.size(), 1),
+          [&](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+              simulate_one(to_run_[i], budget);
+              const std::lock_guard lock(finishing_);
+              finished(++done, to_run_.size());
+            }
+          },
+          tbb::simple_partitioner());
+    });
+  }
+
+ private:
+  void plan(std::size_t i) {
+    const Request& request = requests_[i];
+    parts_.emplace_back();
+    if (known_) {
+      const Mesh& mesh = meshes_.mesh(request.settings.block);
+      if (auto result = known_(request, case_key(request, mesh))) {
+        deliver_(i, std::move(*result));
+        return;
+      }
+    }
+    Parts& parts = parts_.back();
+    parts.simulation = place_of(request.settings);
+    for (const CaseSettings& settings : reference_cases(request))
+      parts.reference.push_back(place_of(settings));
+    for (const std::size_t place : parts.all()) {
+      Simulation& simulation = simulations_[place];
+      ++simulation.users;
+      if (simulation.result) continue;
+      simulation.requests.push_back(i);
+      ++parts.missing;
+    }
+    if (parts.missing == 0) ready_.push_back(i);
+  }
+
+  /// A simulation is known by its key without a reference.
+  std::size_t place_of(const CaseSettings& settings) {
+    const Mesh& mesh = meshes_.mesh(settings.block);
+    const Request alone{.settings = settings, .reference = std::nullopt};
+    const std::string key = case_key(alone, mesh);
+    const auto [place, is_new] = places_.try_emplace(key, simulations_.size());
+    if (!is_new) return place->second;
+    simulations_.push_back({settings, &mesh, std::nullopt, {}, 0});
+    auto result = known_ ? known_(alone, key) : std::nullopt;
+    if (result && !result->solution.displacements.empty())
+      simulations_.back().result = std::move(*result);
+    else
+      to_run_.push_back(place->second);
+    return place->second;
+  }
+
+  void simulate_one(std::size_t place, MemoryBudget& budget) {
+    Simulation& simulation = simulations_[place];
+    const double bytes = estimated_memory(simulation.settings);
+    budget.take(bytes);
+    CaseResult result;
+    try {
+      // Isolated: a thread that waits for its own inner loops must not start another
+      // simulation meanwhile, whose time would count twice.
+      result = tbb::this_task_arena::isolate(
+          [&] { return simulate(simulation.settings, *simulation.mesh); });
+    } catch (...) {
+      budget.give(bytes);
+      throw;
+    }
+    budget.give(bytes);
+
+    std::vector<std::size_t> ready;
+    {
+      const std::lock_guard lock(planning_);
+      simulation.result = std::move(result);
+      for (const std::size_t request : simulation.requests)
+        if (--parts_[request].missing == 0) ready.push_back(request);
+    }
+    for (const std::size_t request : ready) complete(request);
+  }
+
+  /// Measures the deviations of a request whose simulations are all there.
+  void complete(std::size_t i) {
+    const Request& request = requests_[i];
+    const Parts& parts = parts_[i];
+    const Simulation& own = simulations_[parts.simulation];
+    CaseResult result = *own.result;
+    std::vector<const CaseResult*> runs;
+    for (const std::size_t place : parts.reference)
+      runs.push_back(&*simulations_[place].result);
+    if (const auto reference = reference_field(request, runs, meshes_);
+        reference && result.measures.volume_error) {
+      measure_deviation(result.measures, request.settings, *own.mesh, result.solution,
+                        reference->solution);
+      result.measures.reference_order = reference->order;
+      result.measures.reference_bar = reference->bar;
+    }
+    result.request = request;
+    result.key = case_key(request, *own.mesh);
+    {
+      const std::lock_guard lock(finishing_);
+      deliver_(i, std::move(result));
+    }
+    const std::lock_guard lock(planning_);
+    for (const std::size_t place : parts.all())
+      if (--simulations_[place].users == 0) simulations_[place].result.reset();
+  }
+
+  const std::vector<Request>& requests_;
+  MeshStore& meshes_;
+  const KnownResult& known_;
+  const Deliver& deliver_;
+  std::vector<Simulation> simulations_;
+  std::vector<Parts> parts_;  // of the requests
+  std::map<std::string, std::size_t> places_;
+  std::vector<std::size_t> to_run_, ready_;
+  std::mutex planning_, finishing_;
+};
 
 }  // namespace
 
-const std::vector<Status>& all_statuses() {
-  static const std::vector<Status> all{Status::ok,
-                                       Status::wrinkled,
-                                       Status::inverted,
-                                       Status::indefinite,
-                                       Status::no_equilibrium,
-                                       Status::diverged,
-                                       Status::not_converged,
-                                       Status::refused};
-  return all;
-}
-
-std::string_view name_of(Status status) {
-  switch (status) {
-    case Status::ok:
-      return "ok";
-    case Status::wrinkled:
-      return "wrinkled";
-    case Status::inverted:
-      return "inverted";
-    case Status::indefinite:
-      return "indefinite";
-    case Status::no_equilibrium:
-      return "no_equilibrium";
-    case Status::diverged:
-      return "diverged";
-    case Status::not_converged:
-      return "not_converged";
-    case Status::refused:
-      return "refused";
-  }
-  return {};
-}
-
-std::vector<CaseSettings> reference_cases(const Request& request) {
-  if (!request.reference) return {};
-  if (request.reference_grid == ReferenceGrid::one) return {*request.reference};
-  const ThreeCases grids = convergence_grids(*request.reference);
-  return {grids.begin(), grids.end()};
-}
-
-std::string reference_label(const Request& request) {
-  if (!request.reference) return {};
-  const std::string name = label(*request.reference);
-  if (request.reference_grid == ReferenceGrid::converged) return name + "@converged";
-  const Cells& cells = request.reference->block.cells;
-  if (cells == request.settings.block.cells) return name;
-  return fmt::format("{}@{}", name, fmt::join(cells, ","));
-}
-
-std::string case_key(const Request& request, const Mesh& mesh) {
-  nlohmann::json all{{"settings", settings_json(request.settings)},
-                     {"mesh", mesh.sha256()},
-                     {"version", build_info::version}};
-  if (request.reference) all["reference"] = settings_json(*request.reference);
-  if (request.reference_grid == ReferenceGrid::converged)
-    all["reference-grid"] = "converged";
-  return sha256(all.dump());
-}
-
-Verdict judge(SolveStatus solved, bool inverted, bool wrinkled) {
-  Verdict verdict{.status = Status::ok, .flags = {}};
-  switch (solved) {
-    case SolveStatus::no_equilibrium:
-      verdict.status = Status::no_equilibrium;
-      break;
-    case SolveStatus::diverged:
-      verdict.status = Status::diverged;
-      break;
-    case SolveStatus::not_converged:
-      verdict.status = Status::not_converged;
-      break;
-    case SolveStatus::refused:
-      verdict.status = Status::refused;
-      break;
-    case SolveStatus::ok:
-    case SolveStatus::indefinite:
-      if (inverted) verdict.flags.push_back(Status::inverted);
-      if (wrinkled) verdict.flags.push_back(Status::wrinkled);
-      if (solved == SolveStatus::indefinite) verdict.flags.push_back(Status::indefinite);
-      if (!verdict.flags.empty()) verdict.status = verdict.flags.front();
-  }
-  return verdict;
-}
-
 const Mesh& MeshStore::mesh(const BlockSize& block) {
+  const std::lock_guard lock(one_at_a_time_);
   auto& mesh = meshes_[{block.size, block.cells}];
   if (!mesh) mesh = std::make_unique<const Mesh>(generate_block(block));
   return *mesh;
 }
 
+void run_study(const std::vector<Request>& requests, MeshStore& meshes, int parallel,
+               const Finished& finished, const KnownResult& known,
+               const Deliver& deliver) {
+  Study(requests, meshes, known, deliver).run(parallel, finished);
+}
+
 std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStore& meshes,
                                   int parallel, const Finished& finished,
                                   const KnownResult& known) {
-  // A simulation is known by its key without a reference.
-  struct Simulation {
-    CaseSettings settings;
-    const Mesh* mesh;
-    CaseResult result;
-  };
-  std::vector<Simulation> simulations;
-  std::vector<std::size_t> to_run;
-  std::map<std::string, std::size_t> place_of;
-  const auto plan = [&](const CaseSettings& settings) {
-    const Mesh& mesh = meshes.mesh(settings.block);
-    const Request alone{.settings = settings, .reference = std::nullopt};
-    const std::string key = case_key(alone, mesh);
-    const auto [place, is_new] = place_of.try_emplace(key, simulations.size());
-    if (!is_new) return place->second;
-    simulations.push_back({settings, &mesh, {}});
-    auto result = known ? known(alone, key) : std::nullopt;
-    if (result && !result->solution.displacements.empty())
-      simulations.back().result = std::move(*result);
-    else
-      to_run.push_back(place->second);
-    return place->second;
-  };
-
-  struct Answer {
-    std::optional<CaseResult> known;
-    std::size_t simulation;
-    std::vector<std::size_t> reference;
-  };
-  std::vector<Answer> answers;
-  for (const Request& request : requests) {
-    Answer answer{std::nullopt, 0, {}};
-    if (known)
-      answer.known =
-          known(request, case_key(request, meshes.mesh(request.settings.block)));
-    if (!answer.known) {
-      answer.simulation = plan(request.settings);
-      for (const CaseSettings& settings : reference_cases(request))
-        answer.reference.push_back(plan(settings));
-    }
-    answers.push_back(std::move(answer));
-  }
-
-  finished(0, to_run.size());
-  std::size_t done = 0;
-  std::mutex one_at_a_time;
-  tbb::task_arena arena(parallel);
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, to_run.size(), 1),
-        [&](const tbb::blocked_range<std::size_t>& range) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            Simulation& simulation = simulations[to_run[i]];
-            // Isolated: a thread that waits for its own inner loops must not start
-            // another simulation meanwhile, whose time would count twice.
-            simulation.result = tbb::this_task_arena::isolate(
-                [&] { return simulate(simulation.settings, *simulation.mesh); });
-            const std::lock_guard lock(one_at_a_time);
-            finished(++done, to_run.size());
-          }
-        },
-        tbb::simple_partitioner());
-  });
-
-  std::vector<CaseResult> results;
-  for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (answers[i].known) {
-      results.push_back(std::move(*answers[i].known));
-      continue;
-    }
-    CaseResult result = simulations[answers[i].simulation].result;
-    const Mesh& mesh = *simulations[answers[i].simulation].mesh;
-    std::vector<const CaseResult*> runs;
-    for (const std::size_t place : answers[i].reference)
-      runs.push_back(&simulations[place].result);
-    if (const auto reference = reference_field(requests[i], runs, meshes);
-        reference && result.measures.volume_error) {
-      measure_deviation(result.measures, requests[i].settings, mesh, result.solution,
-                        reference->solution);
-      result.measures.reference_order = reference->order;
-      result.measures.reference_bar = reference->bar;
-    }
-    result.request = requests[i];
-    result.key = case_key(requests[i], mesh);
-    results.push_back(std::move(result));
-  }
+  std::vector<CaseResult> results(requests.size());
+  run_study(requests, meshes, parallel, finished, known,
+            [&](std::size_t request, CaseResult&& result) {
+              results[request] = std::move(result);
+            });
   return results;
 }
 

@@ -3,77 +3,22 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "comparisons/case.hpp"
-#include "comparisons/measures.hpp"
+#include "comparisons/case_result.hpp"
 
 namespace springcheck {
 
-/// How a case ended. The words are those of the command-line interface.
-enum class Status {
-  ok,
-  wrinkled,
-  inverted,
-  indefinite,
-  no_equilibrium,
-  diverged,
-  not_converged,
-  refused
-};
-
-std::string_view name_of(Status status);
-const std::vector<Status>& all_statuses();
-
-/// Whether a reference is one simulation, or what it converges to on three grids.
-enum class ReferenceGrid { one, converged };
-
-/// A simulation that was asked for, with what its deviations are measured against.
-struct Request {
-  CaseSettings settings;
-  // On the same mesh or a refinement of it; on the same mesh when `converged`:
-  std::optional<CaseSettings> reference;
-  ReferenceGrid reference_grid = ReferenceGrid::one;
-};
-
-/// The simulations its reference is made of: none, one, or three from coarse to fine.
-std::vector<CaseSettings> reference_cases(const Request& request);
-
-/// "fem-stvk:q1-sri"; with "@20,20,20" on cells other than the case's, "@converged" when
-/// extrapolated. Empty without a reference.
-std::string reference_label(const Request& request);
-
-struct CaseResult {
-  Request request;
-  std::string key;  // identifies all that determines the result, see case_key
-  Status status;
-  std::vector<Status> flags;  // all of wrinkled, indefinite, inverted that apply
-  std::string reason;         // in words, unless status is ok
-  Measures measures;          // all empty when there is no equilibrium to measure
-  Solution solution;
-  double wall_s;        // solution and measures
-  double solve_wall_s;  // solution alone
-};
-
-/// SHA-256 of settings, reference, mesh and program version.
-std::string case_key(const Request& request, const Mesh& mesh);
-
-/// Status and flags. Failed solutions keep the solver's word; else the first that applies
-/// of inverted (a corner Jacobian below 0), wrinkled, indefinite, ok.
-struct Verdict {
-  Status status;
-  std::vector<Status> flags;
-};
-Verdict judge(SolveStatus solved, bool inverted, bool wrinkled);
-
-/// Meshes of blocks, each generated once.
+/// Meshes of blocks, each generated once. From any thread.
 class MeshStore {
  public:
   const Mesh& mesh(const BlockSize& block);
 
  private:
+  std::mutex one_at_a_time_;
   std::map<std::pair<std::array<double, 3>, std::array<int, 3>>,
            std::unique_ptr<const Mesh>>
       meshes_;
@@ -86,9 +31,20 @@ using KnownResult = std::function<std::optional<CaseResult>(const Request& reque
 /// Called before the first and after each simulation, from any thread but one at a time.
 using Finished = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Runs every request that is not known and returns the results in the requests' order.
-/// Simulations that several requests share, references included, run once, `parallel` of
-/// them at a time; those that are known with their fields do not run.
+/// Takes the result of a request, by its place among them, as soon as it is complete;
+/// from any thread but one at a time.
+using Deliver = std::function<void(std::size_t request, CaseResult&& result)>;
+
+/// Runs every request that is not known. Simulations that several requests share,
+/// references included, run once, `parallel` of them at a time, fewer where their
+/// estimated memory would not fit; those that are known with their fields do not run.
+/// Results are let go as soon as no request needs them. What `deliver` throws ends the
+/// study.
+void run_study(const std::vector<Request>& requests, MeshStore& meshes, int parallel,
+               const Finished& finished, const KnownResult& known,
+               const Deliver& deliver);
+
+/// The same, with all results at the end, in the requests' order.
 std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStore& meshes,
                                   int parallel, const Finished& finished,
                                   const KnownResult& known = {});

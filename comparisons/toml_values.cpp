@@ -36,6 +36,21 @@ std::string text_of_file(const std::string& file, const std::string& kind) {
   return text.str();
 }
 
+/// What is no scalar, on one line.
+std::string written(const toml::node& node) {
+  if (node.is_table()) return "a table";
+  if (const auto number = node.value_exact<double>()) return fmt::to_string(*number);
+  if (const toml::array* list = node.as_array()) {
+    std::string items;
+    for (const toml::node& item : *list)
+      items += (items.empty() ? "" : ", ") + written(item);
+    return "[" + items + "]";
+  }
+  std::ostringstream text;
+  text << toml::toml_formatter(node);
+  return text.str();
+}
+
 }  // namespace
 
 bool is_toml_path(const std::string& name_or_path) {
@@ -75,23 +90,20 @@ std::string place(const std::string& file, const toml::source_region& source) {
   return fmt::format("{}:{}:{}", file, source.begin.line, source.begin.column);
 }
 
-Given::Scalar scalar(const toml::node& node, const std::string& where) {
+Given::Scalar scalar(const toml::node& node) {
   if (const auto value = node.value_exact<bool>()) return *value;
   if (const auto value = node.value_exact<std::int64_t>()) return *value;
   if (const auto value = node.value_exact<double>()) return *value;
   if (const auto value = node.value_exact<std::string>()) return *value;
-  std::ostringstream type;
-  type << node.type();
-  throw InputError(where, "", "a number, text, truth value or list of them",
-                   "a value of type " + type.str());
+  return Given::Unreadable{written(node)};
 }
 
 Given given(const toml::node& node, const std::string& file, std::string_view key) {
   const std::string where = fmt::format("{}: {}", place(file, node.source()), key);
   const toml::array* list = node.as_array();
-  if (list == nullptr) return {where, scalar(node, where)};
+  if (list == nullptr) return {where, scalar(node)};
   std::vector<Given::Scalar> values;
-  for (const toml::node& element : *list) values.push_back(scalar(element, where));
+  for (const toml::node& element : *list) values.push_back(scalar(element));
   return {where, values};
 }
 

@@ -33,8 +33,9 @@ toml::table parse_toml(std::string_view text, const std::string& file);
 /// "scene.toml:4:7"
 std::string place(const std::string& file, const toml::source_region& source);
 
-/// A number, text or truth value. Throws InputError, naming the place, for others.
-Given::Scalar scalar(const toml::node& node, const std::string& where);
+/// A number, text or truth value; others are kept unreadable, for the message of who
+/// reads them.
+Given::Scalar scalar(const toml::node& node);
 
 /// A scalar or a list of them, whose place is "scene.toml:4:7: key".
 Given given(const toml::node& node, const std::string& file, std::string_view key);

@@ -47,15 +47,28 @@ Wrinkling zigzag(const Mesh& mesh, const Region& region, Eigen::Index axis, doub
     square_sum += d2 * d2;
     edge_sum += (mesh.nodes()[middle] - mesh.nodes()[before]).norm();
   }
-  double product_sum = 0;
+  double product_sum = 0, pairs = 0;
   for (const auto& [middle, d2] : second_difference)
     if (const auto neighbour = second_difference.find(next.at(middle));
-        neighbour != second_difference.end())
+        neighbour != second_difference.end()) {
       product_sum += d2 * neighbour->second;
-  if (square_sum == 0) return {.alternation = -1, .amplitude = 0};
+      ++pairs;
+    }
   const auto count = static_cast<double>(second_difference.size());
+  const double per_line = count / (count - pairs);
+  if (square_sum == 0)
+    return {.alternation = -1, .amplitude = 0, .differences = per_line, .strain = strain};
   return {.alternation = -product_sum / square_sum,
-          .amplitude = std::sqrt(square_sum / count) / (4 * edge_sum / count * strain)};
+          .amplitude = std::sqrt(square_sum / count) / (4 * edge_sum / count * strain),
+          .differences = per_line,
+          .strain = strain};
+}
+
+/// Young's modulus along the axis [Pa].
+double axial_modulus(const CaseSettings& settings) {
+  if (!is_custom(settings.method)) return settings.material.young_modulus;
+  const double cell_edge = settings.block.size[0] / settings.block.cells[0];
+  return mss::axial_modulus(settings.constants.value(), cell_edge);
 }
 
 }  // namespace
@@ -64,7 +77,7 @@ std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
                                            double strain,
                                            std::span<const Vector3> displacements) {
   if (scene.boundary_gradient) return std::nullopt;
-  Wrinkling worst{.alternation = -1, .amplitude = 0};
+  Wrinkling worst{.alternation = -1, .amplitude = 0, .differences = 0, .strain = strain};
   for (const auto& [name, region] : mesh.regions()) {
     if (std::ranges::any_of(scene.plates,
                             [&](const Plate& plate) { return plate.region == name; }))
@@ -81,7 +94,11 @@ std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
 }
 
 bool is_wrinkled(const Wrinkling& wrinkling) {
-  return wrinkling.alternation > 0.5 && wrinkling.amplitude > 0.02;
+  constexpr double high = 0.02, high_bulge = 0.28;  // the latter times the strain
+  const bool short_line = wrinkling.differences < 3.5;
+  return wrinkling.alternation > 0.5 &&
+         wrinkling.amplitude >
+             (short_line ? std::max(high, high_bulge * wrinkling.strain) : high);
 }
 
 double imposed_strain(const CaseSettings& settings) {
@@ -98,7 +115,7 @@ double imposed_strain(const CaseSettings& settings) {
     case Test::traction: {
       const Vector3 t = settings.traction.cwiseAbs();
       return (t.z() + 6 * length * (t.x() / size_x + t.y() / size_y)) /
-             settings.material.young_modulus;
+             axial_modulus(settings);
     }
     case Test::affine:
       return settings.gradient.norm();
@@ -109,7 +126,7 @@ double imposed_strain(const CaseSettings& settings) {
   const double height = std::abs(down.x()) > std::abs(down.y()) ? size_x : size_y;
   // (h/2) w L^2/(2 E I) with w/I = 12 rho g/h^2, the width cancelling.
   return 3 * settings.material.density * settings.gravity.norm() * length * length /
-         (settings.material.young_modulus * height);
+         (axial_modulus(settings) * height);
 }
 
 }  // namespace springcheck

@@ -222,6 +222,17 @@ Eigen::VectorXd traction_load(const Discretisation& body, const Traction& tracti
   return load;
 }
 
+Vector3 mean_displacement(const Discretisation& body, const std::string& region,
+                          const Eigen::VectorXd& displacements) {
+  Vector3 integral = Vector3::Zero();
+  double whole = 0;
+  for (const auto& [node, area] : body.regions.at(region)) {
+    integral += area * displacements.segment<3>(3 * node);
+    whole += area;
+  }
+  return integral / whole;
+}
+
 CellVectors of_cell(const Eigen::VectorXd& nodal, const Cell& cell) {
   CellVectors values(3, cell.nodes.size());
   for (std::size_t a = 0; a < cell.nodes.size(); ++a)

@@ -38,6 +38,10 @@ Eigen::VectorXd body_load(const Discretisation& body,
 /// Consistent nodal forces of a uniform dead stress [Pa] on a region [N].
 Eigen::VectorXd traction_load(const Discretisation& body, const Traction& traction);
 
+/// int u dA/A over a region [m].
+Vector3 mean_displacement(const Discretisation& body, const std::string& region,
+                          const Eigen::VectorXd& displacements);
+
 /// The values of one cell's nodes in a nodal vector, dof = 3 node + component.
 CellVectors of_cell(const Eigen::VectorXd& nodal, const Cell& cell);
 

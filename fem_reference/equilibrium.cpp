@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem_reference/limit_point.hpp"
 #include "fem_reference/newton.hpp"
 
 namespace springcheck::fem_reference {
@@ -116,8 +117,19 @@ class Follower {
     return gradient_ > largest_gradient ? largest_gradient / gradient_ : 1;
   }
 
+  /// |du/ds| of the free nodes from the path to a predicted state [m].
+  [[nodiscard]] double rate(const Eigen::VectorXd& state, double to) const {
+    return body_.free_part(state - path_.displacements).norm() /
+           std::abs(to - path_.load_fraction);
+  }
+
   NewtonResult attempt(double to) {
-    return newton(body_, predicted(to), to * program_.forces, tangents_);
+    Eigen::VectorXd start = predicted(to);
+    if (!rates_.empty() && rates_.back().load_fraction == path_.load_fraction)
+      rates_.pop_back();
+    rates_.push_back(
+        {.load_fraction = path_.load_fraction, .displacement = rate(start, to)});
+    return newton(body_, std::move(start), to * program_.forces, tangents_);
   }
 
   void accept(NewtonResult result, double to) {
@@ -146,13 +158,23 @@ class Follower {
         body_.negative_eigenvalues());
   }
 
+  /// The last state's rate is taken backwards here: supports that jump make Newton's
+  /// method fail too, and the way beyond them is as steep as before a limit point.
+  bool ends_in_limit_point(double failed) {
+    if (rates_.size() < 2) return false;
+    return_to_path();
+    const double before = rates_[rates_.size() - 2].load_fraction;
+    rates_.back().displacement = rate(predicted(before), before);
+    return limit_point_ahead(rates_, failed);
+  }
+
   Equilibrium give_up(const NewtonResult& result, double to) {
     // An inverted cell, or a residual that rounding keeps from the tolerance, is no sign
     // that the path ends.
     constexpr double rounding = 1e-8;
     const bool limit_point = tangents_ == Tangents::any &&
                              result.outcome != NewtonOutcome::inverted &&
-                             result.residual > rounding;
+                             result.residual > rounding && ends_in_limit_point(to);
     if (limit_point)
       loss_.last_definite = std::min(loss_.last_definite, path_.load_fraction);
     std::string reason = fmt::format(
@@ -203,6 +225,7 @@ class Follower {
   Path path_;
   Tangents tangents_ = Tangents::definite;
   LossOfDefiniteness loss_;
+  std::vector<Rate> rates_;
   double gradient_ = 0;  // of the whole path, see first_gradient
   int steps_ = 0;
   int evaluations_ = 0;

@@ -84,8 +84,12 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
                     .force_evaluations = found.force_evaluations,
                     .definite_up_to = found.definite_up_to,
                     .linear_iterations = elasticity.linear_iterations()};
-  if (settings.element == Element::q2)
+  if (settings.element == Element::q2) {
     solution.cell_volumes = elasticity.cell_volumes(found.displacements);
+    for (const Traction& traction : scene.tractions)
+      solution.loaded_face_displacements.push_back(
+          mean_displacement(body, traction.region, found.displacements));
+  }
   return solution;
 }
 

@@ -34,6 +34,10 @@ double body_size(const std::vector<Vector3>& nodes) {
   return (high - low).norm();
 }
 
+std::optional<double> if_finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
 }  // namespace
 
 Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& network,
@@ -54,10 +58,14 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
   if (step_count > std::numeric_limits<int>::max())
     reason = fmt::format("dt = {:.4g} s needs {:.3g} steps, more than can be counted",
                          wanted, step_count);
+  if (std::isinf(wanted) && std::ranges::count(is_free, true) > 0)
+    reason =
+        "dt = auto has no swing to go by: no motion about the rest state has a positive "
+        "stiffness";
   if (!reason.empty()) {
     Solution solution = refused(reason);
-    solution.dt = wanted;
-    solution.dt_limit = limit;
+    solution.dt = if_finite(wanted);
+    solution.dt_limit = if_finite(limit);
     return solution;
   }
   const int steps = static_cast<int>(step_count);
@@ -69,18 +77,17 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
     return std::ranges::any_of(
         x, [&](const Vector3& p) { return !p.allFinite() || p.norm() > far; });
   };
-  Solution solution{
-      .status = SolveStatus::ok,
-      .reason = {},
-      .displacements = {},
-      .reactions = {},
-      .lever_arms = LeverArms::deformed,
-      .strain_energy = 0,
-      .load_fraction = 0,
-      .steps = 0,
-      .force_evaluations = 0,
-      .dt = dt,
-      .dt_limit = std::isfinite(limit) ? std::optional(limit) : std::nullopt};
+  Solution solution{.status = SolveStatus::ok,
+                    .reason = {},
+                    .displacements = {},
+                    .reactions = {},
+                    .lever_arms = LeverArms::deformed,
+                    .strain_energy = 0,
+                    .load_fraction = 0,
+                    .steps = 0,
+                    .force_evaluations = 0,
+                    .dt = dt,
+                    .dt_limit = if_finite(limit)};
   for (int step = 1; step <= steps; ++step) {
     const double fraction = static_cast<double>(step) / steps;
     total_forces(network, settings.damping_ratio, fraction, load, x, v, forces);

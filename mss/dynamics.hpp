@@ -21,7 +21,8 @@ struct DynamicsSettings {
 /// with f of springs, volume correction, dashpots, gravity and tractions (these two
 /// growing with the load fraction).
 /// The step is shortened so that a whole number of them fills the duration. A step above
-/// largest_stable_step is refused unless forced; positions that are no longer finite,
+/// largest_stable_step is refused unless forced, and so is a step left open where that is
+/// infinite though nodes are free; positions that are no longer finite,
 /// or a hundred body sizes away, end the run as diverged with the step's number.
 Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& network,
                       const DynamicsSettings& settings);

@@ -13,6 +13,7 @@ namespace {
 
 LatticeStiffness lattice_stiffness(const Material& material, double cell_edge,
                                    const NetworkSettings& settings) {
+  if (settings.method == Method::custom) return settings.constants.value().stiffness;
   if (settings.method == Method::baudet)
     return baudet_stiffness(material.young_modulus, material.poisson_ratio, cell_edge);
   const double A = settings.method == Method::nfd ? 0 : settings.diagonal_ratio;
@@ -21,8 +22,18 @@ LatticeStiffness lattice_stiffness(const Material& material, double cell_edge,
              : young_modulus_form(material.young_modulus, cell_edge, A);
 }
 
-bool corrects_volume(Method method) {
-  return method == Method::nfd || method == Method::cf;
+double volume_modulus(const Material& material, const NetworkSettings& settings) {
+  switch (settings.method) {
+    case Method::nfd:
+    case Method::cf:
+      return volume_correction_modulus(material);
+    case Method::custom:
+      return settings.constants.value().volume_modulus;
+    case Method::baudet:
+    case Method::fd:
+      return 0;
+  }
+  return 0;
 }
 
 /// Puts springs between the same two nodes together, in ascending order of nodes.
@@ -66,9 +77,7 @@ Network build_network(const Mesh& mesh, const Material& material,
   Network network{.rest_positions = mesh.nodes(),
                   .springs = {},
                   .cells = {},
-                  .volume_modulus = corrects_volume(settings.method)
-                                        ? volume_correction_modulus(material)
-                                        : 0,
+                  .volume_modulus = volume_modulus(material, settings),
                   .masses = std::vector<double>(mesh.nodes().size(), 0)};
   std::vector<Spring> springs;
   for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c) {

@@ -13,7 +13,8 @@ enum class Method {
   baudet,  // edges and inner diagonals by Baudet's formulas, no correction
   nfd,     // no face diagonals (A = 0), with volume correction
   fd,      // face diagonals, no correction: right at nu = 1/4 only
-  cf       // face diagonals and volume correction: the thesis's method
+  cf,      // face diagonals and volume correction: the thesis's method
+  custom   // constants of the user's choice
 };
 
 enum class StiffnessForm { shear_modulus, young_modulus };
@@ -22,6 +23,9 @@ struct NetworkSettings {
   Method method;
   StiffnessForm stiffness_form;
   double diagonal_ratio;  // A of fd and cf
+  // Of custom, which needs them, as they stand: they belong to the mesh's cell size, and
+  // the same material in cells of edge h' has the stiffness times h'/h, kappa unchanged.
+  std::optional<LatticeConstants> constants{};
 };
 
 /// A linear spring between two nodes, tension k (|d| - L).

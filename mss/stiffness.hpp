@@ -12,6 +12,12 @@ struct LatticeStiffness {
   double inner_diagonal;
 };
 
+/// Everything a lattice's law is made of.
+struct LatticeConstants {
+  LatticeStiffness stiffness;
+  double volume_modulus;  // kappa [Pa] of the volume correction; 0 without
+};
+
 /// Lattice that reproduces the shear modulus for every Poisson ratio:
 ///
 ///     k_c = 3 mu h / (3A + 4)     k_f = A k_c     k_e = k_f + (8/3) k_c
@@ -47,5 +53,16 @@ LatticeStiffness baudet_stiffness(double young_modulus, double poisson_ratio,
 ///
 /// Negative below nu = 1/4, zero at it. Source: Golec 2018, Eq. 5.36.
 double volume_correction_modulus(const Material& material);
+
+/// Young's modulus of a lattice along its edges at small strain [Pa]:
+///
+///     E_100 = C_11 - 2 C_12^2 / (C_11 + C_12)
+///     C_11 = (k_e + 2 k_f + 4/3 k_c)/h + kappa     C_12 = (k_f + 4/3 k_c)/h + kappa
+///
+/// cell_edge  h [m]
+///
+/// Source: cubic symmetry, and C = (1/V) sum k/l^2 r r r r over a cell's springs.
+/// 0 where it or C_11 + C_12 is not positive: such a lattice is unstable at rest.
+double axial_modulus(const LatticeConstants& lattice, double cell_edge);
 
 }  // namespace springcheck::mss

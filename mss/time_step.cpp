@@ -121,11 +121,14 @@ double largest_stable_step(const Network& network, double damping_ratio,
                            const std::vector<bool>& is_free) {
   if (std::ranges::none_of(is_free, std::identity{}))
     return std::numeric_limits<double>::infinity();  // nothing can swing
-  const StepOperator step_operator(network, damping_ratio, is_free);
-  if (damping_ratio == 0) return 2 / std::sqrt(largest_eigenvalue(step_operator, 1));
+  const double square_frequency =
+      largest_eigenvalue(StepOperator(network, 0, is_free), 1);
+  if (!(square_frequency > 0)) return std::numeric_limits<double>::infinity();
+  const double undamped = 2 / std::sqrt(square_frequency);
+  if (damping_ratio == 0) return undamped;
   // Dashpots only shorten the step, and the eigenvalue grows with dt: bisection.
-  const StepOperator undamped(network, 0, is_free);
-  double low = 0, high = 2 / std::sqrt(largest_eigenvalue(undamped, 1));
+  const StepOperator step_operator(network, damping_ratio, is_free);
+  double low = 0, high = undamped;
   while (high - low > 1e-4 * high) {
     const double dt = (low + high) / 2;
     (largest_eigenvalue(step_operator, dt) < 4 ? low : high) = dt;

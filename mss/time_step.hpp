@@ -10,8 +10,8 @@ namespace springcheck::mss {
 ///     4 M - 2 dt C - dt^2 K   is positive definite on the free components,
 ///
 /// K the tangent and C the dashpots' matrix at rest. Without dashpots this is
-/// 2/omega_max. Largest eigenvalues by Lanczos' method from a fixed start vector, to
-/// about 1e-4.
+/// 2/omega_max. Infinite where nothing swings: K has no positive eigenvalue. Largest
+/// eigenvalues by Lanczos' method from a fixed start vector, to about 1e-4.
 /// Source: the amplification polynomial of v += dt a(x, v), x += dt v,
 /// M(z-1)^2 + dt C(z-1) + dt^2 K z, first leaves the unit circle at z = -1.
 ///

@@ -36,10 +36,13 @@ Condition condition_of(std::string_view column, const toml::node& node,
   const auto value_of = [&](const toml::node& one) {
     std::vector<Given::Scalar> numbers;
     if (const toml::array* list = one.as_array())
-      for (const toml::node& number : *list)
-        numbers.push_back(scalar(number, condition.place));
+      for (const toml::node& number : *list) numbers.push_back(scalar(number));
     else
-      numbers.push_back(scalar(one, condition.place));
+      numbers.push_back(scalar(one));
+    for (const Given::Scalar& number : numbers)
+      if (const auto* other = std::get_if<Given::Unreadable>(&number))
+        throw InputError(condition.place, "",
+                         "a number, text, truth value or list of them", other->text);
     return numbers;
   };
   const toml::array* list = node.as_array();

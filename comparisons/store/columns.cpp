@@ -226,6 +226,20 @@ void write_rows(hid_t group, std::size_t first, std::size_t rows_after,
 
 }  // namespace
 
+Row row_at(const Columns& table, std::size_t index) {
+  Row row;
+  for (const auto& [name, texts] : table.texts)
+    if (!texts[index].empty()) row[name] = texts[index];
+  for (const auto& [name, column] : table.numbers) {
+    const auto first =
+        column.values.begin() + static_cast<std::ptrdiff_t>(index * column.width);
+    std::vector<double> values(first, first + static_cast<std::ptrdiff_t>(column.width));
+    if (!std::ranges::all_of(values, [](double x) { return std::isnan(x); }))
+      row[name] = std::move(values);
+  }
+  return row;
+}
+
 std::size_t row_count(hid_t group) {
   const std::vector<std::string> names = hdf5::links(group);
   if (names.empty()) return 0;

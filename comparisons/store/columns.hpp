@@ -28,6 +28,9 @@ struct Columns {
 /// One row's values by column.
 using Row = std::map<std::string, std::variant<std::string, std::vector<double>>>;
 
+/// A row of a table that was read, without what it lacks.
+Row row_at(const Columns& table, std::size_t index);
+
 /// Rows of the table in the group: the length of its columns.
 std::size_t row_count(hid_t group);
 

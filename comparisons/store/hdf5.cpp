@@ -73,6 +73,11 @@ std::vector<std::string> links(hid_t parent) {
   return names;
 }
 
+void copy_link(hid_t from, hid_t to, const std::string& name) {
+  check(H5Ocopy(from, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        "copying " + name);
+}
+
 void remove_link(hid_t parent, const std::string& name) {
   if (has_link(parent, name))
     check(H5Ldelete(parent, name.c_str(), H5P_DEFAULT), "removing " + name);

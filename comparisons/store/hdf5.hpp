@@ -36,6 +36,8 @@ Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
 bool has_link(hid_t parent, const std::string& name);
 std::vector<std::string> links(hid_t parent);
+/// Copies an object with all it holds into a group of this or another file.
+void copy_link(hid_t from, hid_t to, const std::string& name);
 void remove_link(hid_t parent, const std::string& name);  // if it is there
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text);

@@ -74,6 +74,34 @@ BOOST_AUTO_TEST_CASE(deviations_from_a_finer_grid_are_taken_at_the_shared_nodes)
              tolerance(1e-12));
 }
 
+// Under a traction deviations are divided by the reference's own face displacement, not
+// by one read off at the coarse nodes; with three grids, by what it converges to: beyond
+// the finest grid's, by less than the last change. Exact: the same simulations.
+BOOST_AUTO_TEST_CASE(deviations_are_divided_by_the_reference_s_own_face_displacement) {
+  MeshStore meshes;
+  const std::vector<std::string> changes{"method=fem-hooke", "plates=glued",
+                                         "traction=60,0,0"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    auto all = changes;
+    all.insert(all.end(), more.begin(), more.end());
+    return result_of("traction", all, meshes).measures;
+  };
+  const auto divisor = [](const Measures& m) {
+    return *m.max_deviation / *m.deviation_max_relative;
+  };
+  for (const std::string element : {"q1", "q2"}) {
+    const double own =
+        with({"element=" + element, "cells=4,4,4"}).face_displacement->norm();
+    const Measures m = with({"cells=2,2,2", "reference=fem-hooke:" + element + "@4"});
+    BOOST_TEST(divisor(m) == own, tolerance(1e-12));
+  }
+  const double on_4 = with({"cells=4,4,4"}).face_displacement->norm(),
+               on_8 = with({"cells=8,8,8"}).face_displacement->norm();
+  const double limit = divisor(with({"cells=2,2,2", "reference=fem-hooke@converged"}));
+  BOOST_TEST(limit > on_8);
+  BOOST_TEST(limit < on_8 + (on_8 - on_4));
+}
+
 // The error of a coarse solution is mostly gone on the next grid, and the converged field
 // is further away than that: by the bar the extrapolation gives.
 BOOST_AUTO_TEST_CASE(the_converged_field_lies_beyond_the_finer_grids) {

@@ -211,6 +211,9 @@ const std::vector<BadInput> bad_inputs{
      "gates.toml:4:35: mu: expected a setting: one of scene, "},
     {head + "where = { nu = 'soft' }\nexpect = 'ok'",
      "gates.toml:4:16: nu: expected a number, as cases have it, got 'soft'"},
+    {head + "where = { nu = { low = 0 } }\nexpect = 'ok'",
+     "gates.toml:4:16: nu: expected a number, text, truth value or list of them, got a "
+     "table"},
     {head + "where = { cells = 4 }\nexpect = 'ok'",
      "gates.toml:4:19: cells: expected 3 numbers, or a list of such lists, got cells = "
      "4"},

@@ -57,6 +57,9 @@ std::string with(const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
 }
 
+/// The good scene with springs of one's own, whose constants are to follow in line 9.
+const std::string own = with("mss-cf", "mss-custom");
+
 /// The good scene as another test, with this in the place of its deformation (line 7).
 std::string of_test(const std::string& test, const std::string& instead) {
   std::string text = with("deformation = 0.05", instead);
@@ -92,7 +95,7 @@ const std::vector<Bad> bad_scenes{
     {with("density = 1000", "density = 0"),
      "scene.toml:6:11: density: expected a positive"},
     {with("density = 1000", "density = {x = 1}"),
-     "scene.toml:6:11: density: expected a number"},
+     "scene.toml:6:11: density: expected a positive finite number, got a table"},
     {with("[1, 1, 1]", "[1, 1]"),
      "scene.toml:2:8: size: expected three finite numbers, got [1, 1]"},
     {with("[1, 1, 1]", "[1, 0, 1]"),
@@ -160,6 +163,28 @@ const std::vector<Bad> bad_scenes{
      "scene.toml:9:21: lattice-direction: expected one of 100, 110, 111, got 101"},
     {good + "linear-solver = \"cholesky\"\n",
      "scene.toml:9:17: linear-solver: expected one of auto, direct, multigrid"},
+    {good + "stiffness = [1, 2, 3]\n",
+     "scene.toml:9:13: stiffness: expected no stiffness without mss-custom as method or "
+     "reference, got [1, 2, 3]"},
+    {good + "kappa = 1\n", "scene.toml:9:9: kappa: expected no kappa without mss-custom"},
+    {own,
+     "scene.toml:1:1: key 'stiffness': expected KE,KF,KC of mss-custom [N/m], got "
+     "none"},
+    {own + "kappa = 1\n", "scene.toml:1:1: key 'stiffness': expected KE,KF,KC"},
+    {own + "stiffness = [1, 2]\n",
+     "scene.toml:9:13: stiffness: expected three finite numbers, got [1, 2]"},
+    {own + "stiffness = [1, nan, 3]\n",
+     "scene.toml:9:13: stiffness: expected three finite numbers, got [1, nan, 3]"},
+    {own + "stiffness = [1, 2, -3]\n",
+     "scene.toml:9:13: stiffness: expected KE,KF,KC of at least 0 N/m, one of them above "
+     "0, got [1, 2, -3]"},
+    {own + "stiffness = [0, 0, 0]\n",
+     "scene.toml:9:13: stiffness: expected KE,KF,KC of at least 0 N/m, one of them above "
+     "0, got [0, 0, 0]"},
+    {own + "stiffness = [1, 2, 3]\nkappa = nan\n",
+     "scene.toml:10:9: kappa: expected a finite number, got nan"},
+    {own + "stiffness = [1, 2, 3]\nreference = \"mss-custom@4\"\n",
+     "scene.toml:10:13: reference: expected mss-custom on the case's own mesh"},
     {of_test("uniaxial", "deformation = 0"),
      "scene.toml:7:15: deformation: expected a strain above -1 other than 0"},
     {of_test("uniaxial", "deformation = -1"),
@@ -168,6 +193,11 @@ const std::vector<Bad> bad_scenes{
      "scene.toml:7:15: deformation: expected a deformation of at most 100"},
     {of_test("uniaxial", "traction = [0, 0, 1]"),
      "scene.toml:7:12: traction: expected no traction but in traction"},
+    {good + "dt = 1979-05-27\n",
+     "scene.toml:9:6: dt: expected a positive finite number, got 1979-05-27"},
+    {of_test("affine", "gradient = [[0.1, 0, 0], [0, 0.1, 0], [0, 0]]"),
+     "scene.toml:7:12: gradient: expected nine finite numbers, row by row, got [[0.1, 0, "
+     "0], [0, 0.1, 0], [0, 0]]"},
     {of_test("traction", ""),
      "scene.toml:1:1: key 'traction': expected a force per area [Pa], got none"},
     {of_test("traction", "traction = [0, 0, 0]"),
@@ -319,6 +349,31 @@ BOOST_AUTO_TEST_CASE(settings_json_holds_what_a_method_reads) {
   BOOST_TEST(json({"method=fem-cauchy-born", "lattice=mss-baudet"}) ==
              json({"method=fem-cauchy-born", "lattice=mss-baudet", "diagonal-ratio=2",
                    "stiffness-form=E"}));
+}
+
+BOOST_AUTO_TEST_CASE(springs_of_one_s_own_are_known_by_their_constants_alone) {
+  const auto json = [](const std::vector<std::string>& changes) {
+    std::vector<std::string> all{"method=mss-custom", "stiffness=1,2,3"};
+    all.insert(all.end(), changes.begin(), changes.end());
+    return settings_json(case_of("compression", all));
+  };
+  BOOST_TEST(json({})["stiffness"] == nlohmann::json({1., 2., 3.}));
+  BOOST_TEST(json({})["kappa"] == 0.);
+  BOOST_TEST(json({"kappa=-5"})["kappa"] == -5.);
+  BOOST_TEST(json({}) != json({"stiffness=1,3,2"}));
+  BOOST_TEST(json({}) == json({"diagonal-ratio=2", "stiffness-form=E"}));
+  // Beside it, the others' keys are what they are without.
+  const auto beside = requests(
+      run_of("compression", {"method=mss-cf,mss-custom", "stiffness=1,2,3", "kappa=4"}));
+  BOOST_TEST(settings_json(beside.front().settings) ==
+             settings_json(case_of("compression", {"method=mss-cf"})));
+  BOOST_TEST(settings_json(beside.back().settings) == json({"kappa=4"}));
+  const auto reference =
+      requests(run_of("compression",
+                      {"method=mss-cf", "reference=mss-custom", "stiffness=1,2,3"}))
+          .front()
+          .reference.value();
+  BOOST_TEST(settings_json(reference) == json({}));
 }
 
 BOOST_AUTO_TEST_CASE(settings_json_holds_what_a_test_reads) {

@@ -80,6 +80,14 @@ BOOST_AUTO_TEST_CASE(a_reference_keeps_its_lattice) {
   BOOST_TEST(settings_json(plan.reference[0])["lattice"] == "mss-fd");
 }
 
+BOOST_AUTO_TEST_CASE(springs_without_a_known_continuum_are_not_split) {
+  BOOST_CHECK_EXCEPTION(plan_of("compression", {"method=mss-custom", "stiffness=1,2,3"}),
+                        InputError, [](const InputError& error) {
+                          return std::string(error.what()).find("mss-custom") !=
+                                 std::string::npos;
+                        });
+}
+
 BOOST_AUTO_TEST_CASE(odd_counts_are_halved_upwards_and_a_single_cell_is_not) {
   const auto coarsest_check = [](const char* cells) {
     return plan_of("compression", {"method=mss-cf", std::string("cells=") + cells})

@@ -259,6 +259,27 @@ BOOST_AUTO_TEST_CASE(limit_point_is_reported_with_the_load_reached) {
   BOOST_TEST(contains(found.reason, "loses positive definiteness at"));
   BOOST_TEST_REQUIRE(found.definite_up_to.has_value());
   BOOST_TEST(*found.definite_up_to <= found.load_fraction);
+
+  // q2's, whose rate rises by less than half: the part that turns back is a small one.
+  const Settings triquadratic{.law = Law::cauchy_born, .element = Element::q2};
+  const Equilibrium small = Problem(3, triquadratic, 0, 0.25).found();
+  BOOST_TEST((small.status == SolveStatus::no_equilibrium), small.reason);
+}
+
+// A plate that jumps: Newton's method fails on a path that is indefinite but steady.
+BOOST_AUTO_TEST_CASE(a_failure_on_a_steady_indefinite_path_is_not_a_limit_point) {
+  const Settings lattice{.law = Law::cauchy_born, .element = Element::q1_sri};
+  for (const double jump : {1.1, 1.2, 1.3}) {
+    const Equilibrium found = Problem(4, lattice, 0.25, -0.55).found([&](double s) {
+      return s > 0.85 ? jump : s;
+    });
+    BOOST_TEST((found.status == SolveStatus::not_converged), found.reason);
+    BOOST_TEST(found.load_fraction < 0.86);
+    BOOST_TEST(contains(found.reason, "gave up"));
+    BOOST_TEST(contains(found.reason, "did not converge"));
+    BOOST_TEST_REQUIRE(found.definite_up_to.has_value());
+    BOOST_TEST(*found.definite_up_to < 0.75);
+  }
 }
 
 // The path ends where an element turns inside out: no sign of a limit point.

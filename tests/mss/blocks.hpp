@@ -22,6 +22,13 @@ inline NetworkSettings in_shear_modulus_form(Method method) {
           .diagonal_ratio = 1};
 }
 
+/// Springs of these lattice values [N/m], and kappa [Pa].
+inline NetworkSettings custom(const LatticeStiffness& stiffness, double volume_modulus) {
+  NetworkSettings settings = in_shear_modulus_form(Method::custom);
+  settings.constants = {stiffness, volume_modulus};
+  return settings;
+}
+
 struct NamedMethod {
   const char* name;
   Method method;

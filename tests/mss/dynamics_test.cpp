@@ -121,3 +121,22 @@ BOOST_AUTO_TEST_CASE(step_above_the_limit_is_refused_unless_forced) {
   BOOST_TEST(*automatic.dt * automatic.steps == settings.duration,
              boost::test_tools::tolerance(1e-14));  // a whole number of steps
 }
+
+// A cube whose boundary is held, about its one free node: no eigenvalue of its tangent is
+// positive, and a step of the whole duration would be none.
+BOOST_AUTO_TEST_CASE(open_step_is_refused_where_nothing_swings) {
+  const Mesh mesh = cube(2, 0.005);
+  Scene scene{.material = tissue, .plates = {}, .gravity = Vector3::Zero()};
+  scene.boundary_gradient = 0.1 * Eigen::Matrix3d::Identity();
+  const Network network = build_network(mesh, tissue, custom({22, 6, 6}, -1e6));
+  DynamicsSettings settings{
+      .duration = 0.1, .time_step = {}, .force_time_step = false, .damping_ratio = 0};
+  const Solution open = run_dynamics(mesh, scene, network, settings);
+  BOOST_TEST((open.status == SolveStatus::refused));
+  BOOST_TEST(open.reason.find("no swing") != std::string::npos);
+  BOOST_TEST(!open.dt.has_value());
+  BOOST_TEST(!open.dt_limit.has_value());
+  settings.time_step = 0.001;
+  BOOST_TEST(
+      (run_dynamics(mesh, scene, network, settings).status != SolveStatus::refused));
+}

@@ -43,11 +43,14 @@ struct Case {
   Solution solution;
 };
 
-Case solved(const Scene& scene, Method method, unsigned seed = 1) {
+Case solved(const Scene& scene, const NetworkSettings& settings, unsigned seed = 1) {
   const Mesh mesh = cube(4, edge);
-  const Network network =
-      build_network(mesh, scene.material, in_shear_modulus_form(method));
+  const Network network = build_network(mesh, scene.material, settings);
   return {mesh, scene, network, find_equilibrium(mesh, scene, network, seed)};
+}
+
+Case solved(const Scene& scene, Method method, unsigned seed = 1) {
+  return solved(scene, in_shear_modulus_form(method), seed);
 }
 
 std::vector<Vector3> difference(std::vector<Vector3> a, const std::vector<Vector3>& b) {
@@ -192,6 +195,28 @@ BOOST_AUTO_TEST_CASE(stable_equilibrium_does_not_depend_on_the_seed) {
   const Case a = solved(scene, Method::cf, 1), b = solved(scene, Method::cf, 2);
   BOOST_TEST(norm(difference(a.solution.displacements, b.solution.displacements)) <
              position_tolerance * 0.2 * 4 * edge);
+}
+
+// Springs and correction alike: forces double where positions stay. In powers of two
+// every operation keeps its digits.
+BOOST_AUTO_TEST_CASE(doubled_constants_double_the_force_and_move_nothing) {
+  const auto scaled = [](double factor) {
+    return solved(compression(0.25, 0.1), custom({.edge = factor * 20,
+                                                  .face_diagonal = factor * 8,
+                                                  .inner_diagonal = factor * 7},
+                                                 factor * 5e3));
+  };
+  const Case one = scaled(1), two = scaled(2);
+  BOOST_TEST((one.solution.status == SolveStatus::ok), one.solution.reason);
+  const double way = 0.1 * 4 * edge;
+  for (std::size_t n = 0; n < one.mesh.nodes().size(); ++n) {
+    const Vector3 &u = one.solution.displacements[n], &r = one.solution.reactions[n];
+    BOOST_TEST((two.solution.displacements[n] - u).norm() < 1e-12 * way);
+    BOOST_TEST((two.solution.reactions[n] - 2 * r).norm() <
+               1e-12 * norm(two.solution.reactions));
+  }
+  BOOST_TEST(two.solution.strain_energy == 2 * one.solution.strain_energy,
+             boost::test_tools::tolerance(1e-12));
 }
 
 // The plate's force is the slope of the energy it puts in. Central difference with a

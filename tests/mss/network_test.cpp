@@ -125,6 +125,40 @@ BOOST_AUTO_TEST_CASE(young_modulus_form_is_another_material_at_nu_0,
   BOOST_TEST(C[0][1][0][1] == mu);
 }
 
+// By hand: C_1111 = (k_e + 2 k_f + 4/3 k_c)/h + kappa, C_1122 = (k_f + 4/3 k_c)/h +
+// kappa, C_1212 = (k_f + 4/3 k_c)/h with h = 5 mm, whatever the material. Round-off.
+BOOST_AUTO_TEST_CASE(custom_lattice_has_the_tensor_of_its_own_constants,
+                     *boost::unit_test::tolerance(1e-13)) {
+  const Tensor4 C = homogenised_tensor(
+      quarter, custom({.edge = 5, .face_diagonal = 2, .inner_diagonal = 3}, -300));
+  BOOST_TEST(C[0][0][0][0] == 13 / 0.005 - 300);
+  BOOST_TEST(C[0][0][1][1] == 6 / 0.005 - 300);
+  BOOST_TEST(C[0][1][0][1] == 6 / 0.005);
+}
+
+// Whatever material stands beside. Cells' volumes, hence mss-cf's h, differ by round-off.
+BOOST_AUTO_TEST_CASE(custom_with_the_constants_of_cf_is_cf) {
+  const Mesh mesh = notched_block(0.005);
+  for (const double nu : {0., 0.25, 0.4}) {
+    const Material material{.young_modulus = 1e4, .poisson_ratio = nu, .density = 1000};
+    const Network cf = build_network(mesh, material, in_shear_modulus_form(Method::cf));
+    const Network own =
+        build_network(mesh, {.young_modulus = 7, .poisson_ratio = -0.9, .density = 1000},
+                      custom(shear_modulus_form(lame_constants(material).mu, 0.005, 1),
+                             volume_correction_modulus(material)));
+    BOOST_TEST(own.volume_modulus == cf.volume_modulus);
+    BOOST_TEST(own.masses == cf.masses, boost::test_tools::per_element());
+    BOOST_TEST_REQUIRE(own.springs.size() == cf.springs.size());
+    for (std::size_t s = 0; s < cf.springs.size(); ++s) {
+      BOOST_TEST(own.springs[s].a == cf.springs[s].a);
+      BOOST_TEST(own.springs[s].b == cf.springs[s].b);
+      BOOST_TEST(own.springs[s].stiffness == cf.springs[s].stiffness,
+                 boost::test_tools::tolerance(1e-14));
+      BOOST_TEST(own.springs[s].rest_length == cf.springs[s].rest_length);
+    }
+  }
+}
+
 // Golec 2018, section 5.3: k_e n/4 at an edge of n cells, half of k_f on the boundary.
 // The merged springs add up to four terms: round-off.
 BOOST_AUTO_TEST_CASE(springs_get_the_share_of_the_cells_they_belong_to,
@@ -219,6 +253,14 @@ BOOST_AUTO_TEST_CASE(cells_that_are_no_cubes_are_refused) {
         Eigen::AngleAxisd(1, Vector3(1, 2, 2) / 3).toRotationMatrix();
     BOOST_TEST(!reason_to_refuse(deformed_cube(turned), quarter, method));
   }
+}
+
+BOOST_AUTO_TEST_CASE(custom_covers_any_material_on_cubes_alone) {
+  const Material auxetic{.young_modulus = 1e4, .poisson_ratio = -0.9, .density = 1000};
+  BOOST_TEST(!reason_to_refuse(cube(1, 0.005), auxetic, Method::custom));
+  const Eigen::Matrix3d stretched = Vector3(1, 1, 1.1).asDiagonal();
+  BOOST_TEST(
+      reason_to_refuse(deformed_cube(stretched), auxetic, Method::custom).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(baudet_is_refused_where_its_edges_are_not_stiff) {

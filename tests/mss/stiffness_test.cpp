@@ -64,6 +64,34 @@ BOOST_AUTO_TEST_CASE(baudet_is_the_lattice_without_face_diagonals_at_a_quarter,
   check(baudet_stiffness(1e4, 0.25, 0.005), shear_modulus_form(0.4 * 1e4, 0.005, 0));
 }
 
+// By hand: with h = 1 C_11 and C_12 are 4 and 2, E = 4 - 8/6; with kappa = 4 they are 8
+// and 6, E = 8 - 72/14. Of the unstable lattices, the first has C_11 = 19, C_12 = -11,
+// E = 19 - 242/8 < 0, the second -80 and -90, whose E would be positive.
+BOOST_AUTO_TEST_CASE(axial_modulus_has_the_values_computed_by_hand,
+                     *boost::unit_test::tolerance(1e-14)) {
+  const LatticeStiffness k{.edge = 4. / 3, .face_diagonal = 2. / 3, .inner_diagonal = 1};
+  BOOST_TEST(axial_modulus({k, 0}, 1) == 8. / 3);
+  BOOST_TEST(axial_modulus({k, 4}, 1) == 20. / 7);
+  BOOST_TEST(axial_modulus({k, 8}, 0.5) == 2 * 20. / 7);
+  BOOST_TEST(axial_modulus({{.edge = 3, .face_diagonal = 0, .inner_diagonal = 0}, 0},
+                           0.1) == 30);
+  BOOST_TEST(axial_modulus({{0, 3, 0}, -41}, 0.1) == 0);
+  BOOST_TEST(axial_modulus({{0, 1, 0}, -100}, 0.1) == 0);
+}
+
+// kappa of nu = .499 is 333 times mu, and E a difference of such numbers.
+BOOST_AUTO_TEST_CASE(axial_modulus_of_the_thesis_s_lattice_is_young_s_modulus,
+                     *boost::unit_test::tolerance(1e-11)) {
+  for (const double nu : {-0.5, 0., 0.25, 0.4, 0.499})
+    for (const double A : {0., 1., 3.}) {
+      const Material material{.young_modulus = 1e4, .poisson_ratio = nu, .density = 1};
+      const LatticeConstants lattice{
+          shear_modulus_form(lame_constants(material).mu, 0.005, A),
+          volume_correction_modulus(material)};
+      BOOST_TEST(axial_modulus(lattice, 0.005) == 1e4, "nu = " << nu << ", A = " << A);
+    }
+}
+
 // By hand from E (4 nu - 1)/(2 (1 + nu)(1 - 2 nu)); and the identity lambda - mu, whose
 // terms cancel by up to a factor of 10 here.
 BOOST_AUTO_TEST_CASE(volume_correction_supplies_lambda_minus_mu,

@@ -67,6 +67,23 @@ BOOST_AUTO_TEST_CASE(held_component_does_not_swing, *boost::unit_test::tolerance
   BOOST_TEST(largest_stable_step(corner, 0, is_free) == 2. / 2);
 }
 
+// A free node between eight cells whose volumes push more than their springs hold: the
+// tangent there is negative, dashpots or not.
+BOOST_AUTO_TEST_CASE(what_does_not_swing_has_no_limit) {
+  const Mesh mesh = cube(2, 0.005);
+  std::vector<bool> is_free(3 * mesh.nodes().size(), false);
+  is_free[3 * 13] = is_free[3 * 13 + 1] = is_free[3 * 13 + 2] = true;
+  const auto limit = [&](double volume_modulus, double damping_ratio) {
+    return largest_stable_step(
+        build_network(mesh, tissue(0.25), custom({22, 6, 6}, volume_modulus)),
+        damping_ratio, is_free);
+  };
+  for (const double damping_ratio : {0., 0.1}) {
+    BOOST_TEST(std::isinf(limit(-1e6, damping_ratio)));
+    BOOST_TEST(std::isfinite(limit(-1e3, damping_ratio)));
+  }
+}
+
 // Figures of an independent prototype on a free block, printed to three digits; its
 // number of cells is not recorded, and from 4^3 on moves them by .3 %.
 BOOST_AUTO_TEST_CASE(free_block_has_the_limits_computed_independently,

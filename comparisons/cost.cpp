@@ -1,0 +1,46 @@
+#include "comparisons/cost.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace springcheck {
+namespace {
+
+// Seconds of one core on 10^3 cells at 5 to 20 %, means over nu from 0 to .499 of the
+// five tests: springs .25 to 1.6 (wrinkling ones most), Hooke .1, other laws .3 to .7.
+constexpr double springs = 0.5, hooke = 0.1, other_laws = 0.6;
+constexpr double dynamics_per_second = 0.3;  // of simulated time
+constexpr double nodes_there = 1331;
+constexpr double growth = 1.3;  // with the nodes, between 10^3 and 30^3 cells
+
+double seconds(const CaseSettings& settings) {
+  const bool is_fem = is_finite_element(settings.method);
+  const bool halved =
+      is_fem && settings.element.element == fem_reference::Element::q2;  // q2's own nodes
+  double nodes = 1;
+  for (const int cells : settings.block.cells) nodes *= (halved ? 2. : 1.) * cells + 1;
+  const double larger = nodes / nodes_there;
+  if (!is_fem && settings.solver != mss::Solver::static_equilibrium)
+    return dynamics_per_second * settings.dynamics.duration * larger;
+  const bool is_linear = settings.method.name == "fem-hooke";
+  const double there = !is_fem ? springs : is_linear ? hooke : other_laws;
+  return there * std::pow(larger, growth);
+}
+
+}  // namespace
+
+double estimated_seconds(const std::vector<Request>& requests) {
+  double total = 0;
+  std::set<std::string> seen;
+  const auto add = [&](const CaseSettings& settings) {
+    if (seen.insert(settings_json(settings).dump()).second) total += seconds(settings);
+  };
+  for (const Request& request : requests) {
+    add(request.settings);
+    for (const CaseSettings& reference : reference_cases(request)) add(reference);
+  }
+  return total;
+}
+
+}  // namespace springcheck

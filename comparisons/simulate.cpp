@@ -1,0 +1,100 @@
+#include "comparisons/simulate.hpp"
+
+#include <omp.h>
+
+#include <chrono>
+#include <stdexcept>
+
+#include "comparisons/wrinkles.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Solution solve(const CaseSettings& settings, const Mesh& mesh) {
+  const Scene scene = mechanical_scene(settings);
+  if (is_finite_element(settings.method))
+    return fem_reference::solve(mesh, scene, reference_settings(settings));
+  return mss::solve(mesh, scene,
+                    {.network = {.method = std::get<mss::Method>(settings.method.model),
+                                 .stiffness_form = settings.stiffness_form,
+                                 .diagonal_ratio = settings.diagonal_ratio,
+                                 .constants = settings.constants},
+                     .solver = settings.solver,
+                     .dynamics = settings.dynamics,
+                     .seed = settings.seed});
+}
+
+/// A breakdown is a result: one case must not end a study of thousands.
+Solution solve_or_break_down(const CaseSettings& settings, const Mesh& mesh) {
+  try {
+    return solve(settings, mesh);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    Solution none{};
+    none.status = SolveStatus::not_converged;
+    none.reason = std::string("the solver broke down: ") + error.what();
+    return none;
+  }
+}
+
+bool has_equilibrium(const Solution& solution) {
+  return solution.status == SolveStatus::ok || solution.status == SolveStatus::indefinite;
+}
+
+}  // namespace
+
+CaseResult simulate(const CaseSettings& settings, const Mesh& mesh) {
+  omp_set_num_threads(1);  // this thread's: CHOLMOD's small loops only wait otherwise
+  const auto start = std::chrono::steady_clock::now();
+  CaseResult result{.request = {.settings = settings, .reference = std::nullopt},
+                    .key = {},
+                    .status = Status::ok,
+                    .flags = {},
+                    .reason = {},
+                    .measures = {},
+                    .solution = solve_or_break_down(settings, mesh),
+                    .wall_s = 0,
+                    .solve_wall_s = seconds_since(start)};
+  const Solution& solution = result.solution;
+  result.reason = solution.reason;
+  result.measures.definite_up_to_deformation =
+      definite_up_to_deformation(settings, solution);
+  bool inverted = false, wrinkled = false;
+  SolveStatus solved = solution.status;
+  if (has_equilibrium(solution)) {
+    Measures& measures = result.measures;
+    measures = measure(settings, mesh, solution);
+    if (const auto wrinkling =
+            measure_wrinkling(mesh, mechanical_scene(settings), imposed_strain(settings),
+                              solution.displacements)) {
+      measures.wrinkle_alternation = wrinkling->alternation;
+      measures.wrinkle_amplitude = wrinkling->amplitude;
+      wrinkled = is_wrinkled(*wrinkling);
+    }
+    inverted = *measures.corner_jacobian_ratio_min < 0;
+    if (const auto name = not_finite(measures)) {
+      measures = {};
+      solved = SolveStatus::not_converged;
+      result.reason = *name + " overflows";
+    }
+  }
+  const Verdict verdict = judge(solved, inverted, wrinkled);
+  result.status = verdict.status;
+  result.flags = verdict.flags;
+  for (const Status flag : verdict.flags) {
+    if (flag == Status::indefinite) continue;  // the solver gave its reason
+    result.reason += result.reason.empty() ? "" : "; ";
+    result.reason += flag == Status::inverted ? "a cell is turned inside out at a corner"
+                                              : "a free face zigzags from cell to cell";
+  }
+  result.wall_s = seconds_since(start);
+  return result;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,160 @@
+"""Reads springcheck's result files.
+
+    import springcheck_results as results
+    file = results.read("sweep.h5")
+    file.cases.query("method == 'mss-cf'").plot("nu", "volume_error")
+
+Nothing is written; a file that a sweep is writing may be read at any time.
+"""
+
+import hashlib
+import io
+import os
+import struct
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pandas as pd
+
+LAYOUT = 2
+_PAGE = 4096
+_MAGIC = b"springcheck journal 1\n".ljust(32, b"\0")
+_COMPONENTS = {3: ["x", "y", "z"], 9: ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"]}
+
+
+@dataclass
+class Results:
+    """A result file as it was when it was read.
+
+    cases: one row per case, indexed by its key; columns are settings and measures under
+        the names they have in JSON and scene files, in SI units. Vectors are one column
+        per component ("force.z"). What was not computed is NaN, or None for texts.
+    provenance: one row for each time the file was written; `cases.provenance` refers to it.
+    """
+
+    path: Path
+    cases: pd.DataFrame
+    provenance: pd.DataFrame
+
+    def fields(self, key):
+        """Arrays of a case by name: displacement and reaction (nodes x 3) [m, N],
+        cell_volume_ratio; "partial_" before each when the case ended without an
+        equilibrium. Empty where the file holds none. KeyError for an unknown case."""
+        if key not in self.cases.index:
+            raise KeyError(f"no case {key!r}")
+
+        def arrays(file):
+            group = file["fields"].get(key, {})
+            return {name: group[name][()] for name in group}
+
+        return _at_rest(self.path, arrays)
+
+    def mesh(self, key):
+        """Nodes (n x 3) [m], hexahedra (cells x 8) and regions' faces of a case's mesh."""
+        name = self.cases.loc[key, "mesh"]
+
+        def arrays(file):
+            group = file["meshes"][name]
+            return {
+                "nodes": group["nodes"][()],
+                "hexahedra": group["hexahedra"][()],
+                "regions": {region: faces[()] for region, faces in group["regions"].items()},
+            }
+
+        return _at_rest(self.path, arrays)
+
+
+def read(path):
+    """Reads a result file. ValueError, naming the file, where it is none of layout 2;
+    FileNotFoundError where there is none."""
+    path = Path(path)
+
+    def tables(file):
+        layout = file.attrs.get("layout")
+        if layout is None:
+            raise ValueError(f"{path}: expected a springcheck result file, got other HDF5")
+        if layout != LAYOUT:
+            raise ValueError(f"{path}: layout: expected {LAYOUT}, got {layout}")
+        return _table(file["cases"]), _table(file["provenance"])
+
+    cases, provenance = _at_rest(path, tables)
+    return Results(path, cases.set_index("key"), provenance)
+
+
+def _table(group):
+    columns = {}
+    for name, column in group.items():
+        values = column[()]
+        if values.dtype.kind == "S":
+            texts = np.char.decode(values, "utf-8").astype(object)
+            columns[name] = np.where(texts == "", None, texts)
+        elif values.ndim == 1:
+            columns[name] = values
+        else:
+            for i, component in enumerate(_COMPONENTS[values.shape[1]]):
+                columns[f"{name}.{component}"] = values[:, i]
+    return pd.DataFrame(columns)
+
+
+def _at_rest(path, look):
+    """look(file) of the file as it is between two changes. A writer changes it within
+    milliseconds, between the making of a whole journal and its removal; a journal that
+    stays is of a writer that was killed, and is applied to a copy in memory."""
+    journal = Path(f"{path}-journal")
+    for _ in range(100):
+        before, pages = _state(path), _read_journal(journal)
+        failure = found = None
+        if pages is None:
+            try:
+                with h5py.File(path, "r") as file:
+                    found = look(file)
+            except (OSError, KeyError, RuntimeError) as error:
+                failure = error
+            if _state(path) == before and _read_journal(journal) is None:
+                if failure is None:
+                    return found
+                raise ValueError(
+                    f"{path}: expected a springcheck result file, got {failure}"
+                ) from failure
+        time.sleep(0.02)
+    if pages is None:
+        raise ValueError(f"{path}: changes faster than it can be read")
+    with h5py.File(io.BytesIO(_applied(path.read_bytes(), *pages)), "r") as file:
+        return look(file)
+
+
+def _state(path):
+    status = os.stat(path)
+    return status.st_mtime_ns, status.st_size
+
+
+def _read_journal(path):
+    """(new size of the file, {page number: bytes}), None unless the journal is whole;
+    comparisons/store/journal.hpp describes it."""
+    try:
+        content = path.read_bytes()
+    except FileNotFoundError:
+        return None
+    body, digest = content[:-64], content[-64:]
+    if not body.startswith(_MAGIC) or hashlib.sha256(body).hexdigest().encode() != digest:
+        return None
+    size, count = struct.unpack_from("<QQ", body, len(_MAGIC))
+    pages = {}
+    at = len(_MAGIC) + 16
+    for _ in range(count):
+        (number,) = struct.unpack_from("<Q", body, at)
+        pages[number] = body[at + 8 : at + 8 + _PAGE]
+        at += 8 + _PAGE
+    return size, pages
+
+
+def _applied(content, size, pages):
+    changed = bytearray(content)
+    for number, page in pages.items():
+        end = (number + 1) * _PAGE
+        changed.extend(b"\0" * (end - len(changed)))
+        changed[number * _PAGE : end] = page
+    return bytes(changed[:size])
