@@ -413,7 +413,7 @@ BOOST_AUTO_TEST_CASE(a_full_disk_leaves_the_old_file_alone) {
     const std::string before = text_of(folder / file);
     const Run run = springcheck(arguments, "trap '' XFSZ; ulimit -f 8; ");
     BOOST_TEST(run.status == 1, run.err);
-    const char* expected = is_run ? "has no room" : "could not be written whole";
+    const char* expected = is_run ? "cannot be written" : "could not be written whole";
     BOOST_TEST(run.err.find(expected) != std::string::npos, run.err);
     BOOST_TEST((text_of(folder / file) == before));
     for (const auto& entry : fs::directory_iterator(folder))
@@ -555,4 +555,46 @@ BOOST_AUTO_TEST_CASE(a_result_file_feeds_a_table_without_computing) {
   const std::string before = text_of(folder / "one.h5");
   expect_bad_input("run compression --nu 2 --out one.h5", "--nu");
   BOOST_TEST(text_of(folder / "one.h5") == before);
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_resumes_what_a_file_holds) {
+  std::ofstream(folder / "small.toml")
+      << "scene = ['compression', 'shearing']\nmethod = 'fem-hooke'\nelement = ['q1', "
+         "'q1-sri']\n"
+         "cells = [3, 3, 3]\nnu = {from = 0.1, to = 0.4, count = 4}\n";
+  const Run dry = springcheck("sweep small.toml --out sweep.h5 --dry-run");
+  BOOST_TEST(dry.status == 0);
+  BOOST_TEST(dry.out.starts_with("small: 16 cases, 16 of them to compute\nabout "),
+             dry.out);
+  BOOST_TEST(!fs::exists(folder / "sweep.h5"));
+  BOOST_TEST(springcheck("sweep small.toml --out sweep.h5 --shard 1/2").out ==
+             "small: 8 cases, 8 of them to compute\ncomputed: 8 ok\n");
+  BOOST_TEST(springcheck("sweep small.toml --out sweep.h5").out ==
+             "small: 16 cases, 8 of them to compute\ncomputed: 8 ok\n");
+  BOOST_TEST(springcheck("sweep small.toml --out sweep.h5").out ==
+             "small: 16 cases, 0 of them to compute\n");
+  BOOST_TEST(springcheck("merge all.h5 sweep.h5 sweep.h5").out ==
+             "sweep.h5: 16 cases added, 0 already there\n"
+             "sweep.h5: 0 cases added, 16 already there\n");
+  BOOST_TEST(!fs::exists(folder / "sweep.h5.lock"));
+}
+
+BOOST_AUTO_TEST_CASE(bad_sweeps_and_files_are_refused) {
+  std::ofstream(folder / "one.toml") << "scene = 'compression'\n";
+  std::ofstream(folder / "huge.toml")
+      << "scene = 'compression'\nmethod = 'mss-cf'\n"
+         "nu = {from = 0, to = 0.4, count = 2000}\n"
+         "deformation = {from = 0.01, to = 0.4, count = 1000}\n";
+  std::ofstream(folder / "text.h5") << "no HDF5";
+  expect_bad_input("sweep one.toml --out text.h5", "text.h5");
+  expect_bad_input("sweep huge.toml --out a.h5",
+                   "expected at most 1000000 without --yes, got 2000000");
+  expect_bad_input("sweep two.toml --out a.h5", "a readable sweep file");
+  expect_bad_input("sweep nn --out a.h5", "one of deformation, diagonal-ratio");
+  expect_bad_input("sweep one.toml", "--out");
+  expect_bad_input("sweep one.toml --out a.h5 --shard 3/2", "I/N with 1 <= I <= N");
+  expect_bad_input("sweep one.toml --out nowhere/a.h5", "nowhere/a.h5");
+  expect_bad_input("merge a.h5 text.h5", "text.h5");
+  expect_bad_input("merge a.h5 nowhere.h5", "no such file");
+  BOOST_TEST(!fs::exists(folder / "a.h5"));
 }
