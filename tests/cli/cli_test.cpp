@@ -359,7 +359,7 @@ BOOST_AUTO_TEST_CASE(errors_are_one_line) {
 
 BOOST_AUTO_TEST_CASE(help_version_and_lists_work) {
   BOOST_TEST(springcheck("--help").status == 0);
-  for (const char* command : {"run", "table", "reproduce", "list", "mesh"}) {
+  for (const char* command : {"run", "table", "reproduce", "list", "mesh", "gate"}) {
     BOOST_TEST(springcheck(std::string(command) + " --version").status == 0, command);
     const Run help = springcheck(std::string(command) + " --help");
     BOOST_TEST(help.status == 0, command);
@@ -493,6 +493,58 @@ BOOST_AUTO_TEST_CASE(a_table_s_cases_can_be_written_and_taken_again) {
   const Run again = springcheck("table orientation --from orientation.h5 --out two.h5");
   BOOST_TEST(again.out == first.out);
   BOOST_TEST(fs::file_size(folder / "two.h5") > 0U);
+}
+
+BOOST_AUTO_TEST_CASE(gates_end_with_the_status_that_ci_reads) {
+  const auto write = [](const std::string& name, const std::string& text) {
+    std::ofstream(folder / name) << text;
+  };
+  const std::string head =
+      "# kept\n[[gate]]\nname = 'force'\nreason = 'an example'\n"
+      "where = { scene = 'compression', method = 'mss-cf' }\nmeasure = 'plate_force'\n";
+  BOOST_TEST(
+      springcheck("run compression --method mss-cf --out gated.h5 " + small).status == 0);
+  write("pass.toml", head + "at_least = 1\nat_most = 2 # N\n");
+  const Run pass = springcheck("gate pass.toml gated.h5 --junit junit.xml");
+  BOOST_TEST(pass.status == 0, pass.err);
+  BOOST_TEST(pass.out.find("1 pass, 0 fall short") != std::string::npos, pass.out);
+  BOOST_TEST(text_of(folder / "junit.xml").find("failures=\"0\"") != std::string::npos);
+
+  // No force is both of one sign and below every bound.
+  write("impossible.toml", head + "at_least = 0\nat_most = 1e-300\n");
+  const Run falls_short = springcheck("gate impossible.toml gated.h5 --junit junit.xml");
+  BOOST_TEST(falls_short.status == 1, falls_short.out);
+  BOOST_TEST(falls_short.out.find("impossible.toml:2:1") != std::string::npos);
+  BOOST_TEST(text_of(folder / "junit.xml").find("<failure") != std::string::npos);
+
+  // A missing case outweighs one that falls short; both are reported.
+  write("missing.toml",
+        head +
+            "at_most = 1e-300\n[[gate]]\nname = 'other'\nreason = 'an example'\n"
+            "where = { scene = 'shearing' }\nexpect = 'ok'\n");
+  const Run missing = springcheck("gate missing.toml gated.h5 --json");
+  BOOST_TEST(missing.status == 2);
+  const Json json = Json::parse(missing.out);
+  BOOST_TEST(json["verdicts"][0]["verdict"] == "falls short");
+  BOOST_TEST(json["verdicts"][1]["verdict"] == "no case");
+
+  write("bad.toml", head + "at_mots = 2\n");
+  expect_bad_input("gate bad.toml gated.h5", "bad.toml:7:1: expected one of name, where");
+  expect_bad_input("gate pass.toml none.h5", "none.h5: expected a result file");
+  expect_bad_input("gate speed gated.h5", "gate: expected one of accuracy, thesis");
+  expect_bad_input("gate accuracy gated.h5 --bless", "part of the program");
+  expect_bad_input("gate pass.toml gated.h5 --junit none/junit.xml", "none/junit.xml");
+  BOOST_TEST(springcheck("gate thesis gated.h5").status == 2);  // none of its cases
+
+  const std::string stored = head + "equals = 3.0  # N\nrelative = 1e-9\n";
+  write("stored.toml", stored);
+  BOOST_TEST(springcheck("gate stored.toml gated.h5").status == 1);
+  BOOST_TEST(text_of(folder / "stored.toml") == stored);
+  const Run blessed = springcheck("gate stored.toml gated.h5 --bless");
+  BOOST_TEST(blessed.status == 0, blessed.err);
+  BOOST_TEST(blessed.out.find("blessed force: 3.0 -> 1.29") != std::string::npos);
+  BOOST_TEST(text_of(folder / "stored.toml").find("  # N\n") != std::string::npos);
+  BOOST_TEST(springcheck("gate stored.toml gated.h5").status == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_result_file_feeds_a_table_without_computing) {
