@@ -217,3 +217,20 @@ BOOST_AUTO_TEST_CASE(files_that_are_not_ours_are_never_written) {
   BOOST_CHECK_THROW(ResultFile(own.path / "a.h5"), InputError);
   BOOST_TEST(!fs::exists(own.path / "a.h5"));  // until there are results
 }
+
+// "auto" is the lack of a time step, not a text among numbers.
+BOOST_AUTO_TEST_CASE(time_steps_given_and_chosen_share_a_column) {
+  const OwnFolder own;
+  const fs::path file = own.path / "dt.h5";
+  MeshStore meshes;
+  for (const char* dt : {"dt=auto", "dt=0.001"})
+    write_results(
+        file,
+        study(requests(run_of("shearing", {"cells=2,2,2", "method=mss-cf", "duration=.01",
+                                           "solver=semi-implicit", dt})),
+              meshes),
+        meshes);
+  const std::vector<double> steps = read_cases(file).numbers.at("dt").values;
+  BOOST_TEST(std::isnan(steps.at(0)));
+  BOOST_TEST(steps.at(1) == 0.001);
+}
