@@ -14,11 +14,12 @@ namespace {
 
 /// A row like a case's: fifty numbers and ten texts.
 Row row_of(std::size_t index) {
-  Row row{{"key", std::to_string(index)}};
+  Row row;
+  row["key"] = std::to_string(index);
   for (int i = 0; i < 50; ++i)
     row["number " + std::to_string(i)] =
         std::vector<double>(1, static_cast<double>(index));
-  for (int i = 0; i < 10; ++i) row["text " + std::to_string(i)] = "text";
+  for (int i = 0; i < 10; ++i) row["text " + std::to_string(i)] = std::string("text");
   return row;
 }
 
