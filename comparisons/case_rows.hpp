@@ -28,6 +28,7 @@ struct StoredCase {
   std::optional<int> linear_iterations;
   std::optional<double> dt, dt_limit;
   double wall_s, solve_wall_s;
+  std::string commit{};  // of the program that computed it
 };
 
 /// The inverse of row_of. `file` is for messages. Throws InputError with the case's key

@@ -1,16 +1,15 @@
 #include "comparisons/commands.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "comparisons/build_info.hpp"
+#include "comparisons/known_results.hpp"
 #include "comparisons/memory.hpp"
 #include "comparisons/progress.hpp"
 #include "comparisons/reproduce.hpp"
-#include "comparisons/result_file.hpp"
 #include "comparisons/result_json.hpp"
 #include "comparisons/scene_file.hpp"
 #include "comparisons/shipped.hpp"
@@ -105,24 +104,6 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
   return plans;
 }
 
-/// Cases of result files by key, with the file that holds their fields.
-using StoredCases = std::map<std::string, std::pair<std::filesystem::path, StoredCase>>;
-
-/// All cases of the files; warns of those that another commit wrote.
-StoredCases stored_cases(const std::vector<std::filesystem::path>& files) {
-  StoredCases all;
-  for (const std::filesystem::path& file : files) {
-    StoredResults results = read_results(file);
-    for (const std::string& commit : results.commits)
-      if (commit != build_info::commit)
-        spdlog::warn("{} was written by commit {}, this program is {}", file.string(),
-                     commit, build_info::commit);
-    for (auto& [key, stored] : results.cases)
-      all.try_emplace(key, file, std::move(stored));
-  }
-  return all;
-}
-
 }  // namespace
 
 ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
@@ -178,6 +159,7 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
                          const std::string& reference, TableFormat format, int parallel) {
   const auto& [from, out] = files;
   const StoredCases stored = stored_cases(from);
+  warn_of_other_commits(stored);
   if (out) check_results_writable(*out);
   std::optional<ReferenceMethod> chosen;
   if (!reference.empty())
@@ -186,16 +168,8 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
     throw InputError(chosen->place, "", "a method without constants of its own",
                      "'mss-custom'");
   MeshStore meshes;
-  const auto known = [&](const Request& request,
-                         const std::string& key) -> std::optional<CaseResult> {
-    const auto found = stored.find(key);
-    if (found == stored.end()) return std::nullopt;
-    const auto& [file, stored_case] = found->second;
-    CaseResult result = with_stored(request, key, stored_case);
-    read_fields(file, meshes.mesh(request.settings.block), result);
-    return result;
-  };
-  const ComputedTables computed = compute_tables({name}, chosen, meshes, parallel, known);
+  const ComputedTables computed =
+      compute_tables({name}, chosen, meshes, parallel, known_from(stored, meshes));
   if (out) write_results(*out, computed.results, meshes);
   for (const Table& table : computed.tables)
     fmt::print("{}", format_table(table, format));

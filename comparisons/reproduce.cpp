@@ -9,9 +9,9 @@
 #include <system_error>
 
 #include "comparisons/build_info.hpp"
+#include "comparisons/known_results.hpp"
 #include "comparisons/memory.hpp"
 #include "comparisons/progress.hpp"
-#include "comparisons/result_file.hpp"
 #include "comparisons/table_format.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
@@ -106,6 +106,38 @@ std::string summary(const ComputedTables& computed, double seconds) {
   return text;
 }
 
+/// Known results, but none without its fields where they are needed.
+KnownResult with_fields_if(bool needed, const KnownResult& known) {
+  if (!needed || !known) return known;
+  return [known](const Request& request, const std::string& key) {
+    auto result = known(request, key);
+    if (result && result->measures.volume_error && result->solution.displacements.empty())
+      result.reset();
+    return result;
+  };
+}
+
+std::vector<CaseResult> results_of(
+    const std::vector<Request>& requests, MeshStore& meshes, int parallel,
+    const KnownResult& known, const std::function<void(const CaseResult&)>& computed) {
+  Progress progress("simulations");
+  std::vector<CaseResult> results(requests.size());
+  std::set<std::string> known_keys;
+  const KnownResult noted = [&](const Request& request, const std::string& key) {
+    auto result = known ? known(request, key) : std::nullopt;
+    if (result) known_keys.insert(key);
+    return result;
+  };
+  run_study(
+      requests, meshes, parallel,
+      [&](std::size_t done, std::size_t of) { progress.show(done, of); }, noted,
+      [&](std::size_t request, CaseResult&& result) {
+        if (computed && !known_keys.contains(result.key)) computed(result);
+        results[request] = std::move(result);
+      });
+  return results;
+}
+
 void append(std::vector<Request>& all, const std::vector<Request>& further) {
   all.insert(all.end(), further.begin(), further.end());
 }
@@ -114,7 +146,8 @@ void append(std::vector<Request>& all, const std::vector<Request>& further) {
 
 ComputedTables compute_tables(const std::vector<std::string>& names,
                               const std::optional<ReferenceMethod>& reference,
-                              MeshStore& meshes, int parallel, const KnownResult& known) {
+                              MeshStore& meshes, int parallel, const KnownResult& known,
+                              const std::function<void(const CaseResult&)>& computed) {
   std::vector<TablePlan> plans;
   std::vector<SheetPlan> sheets;
   std::vector<Request> all, of_sheets;
@@ -131,25 +164,23 @@ ComputedTables compute_tables(const std::vector<std::string>& names,
     }
   append(all, of_sheets);
   check_memory("table", all);
-  Progress progress("simulations");
-  ComputedTables computed{
+  ComputedTables answer{
       .tables = {},
       .sheets = {},
-      .results = run_study(
-          all, meshes, parallel,
-          [&](std::size_t done, std::size_t of) { progress.show(done, of); }, known)};
-  auto next = computed.results.begin();
+      .results = results_of(all, meshes, parallel, with_fields_if(!sheets.empty(), known),
+                            computed)};
+  auto next = answer.results.begin();
   for (TablePlan& plan : plans) {
     const auto count = static_cast<std::ptrdiff_t>(table_requests(plan).size());
-    computed.tables.push_back(fill_table(std::move(plan), {next, next + count}));
+    answer.tables.push_back(fill_table(std::move(plan), {next, next + count}));
     next += count;
   }
   for (const SheetPlan& plan : sheets) {
     const std::size_t count = plan.requests.size();
-    computed.sheets.push_back(plan.make({next, count}, meshes));
+    answer.sheets.push_back(plan.make({next, count}, meshes));
     next += static_cast<std::ptrdiff_t>(count);
   }
-  return computed;
+  return answer;
 }
 
 void reproduce(const std::filesystem::path& directory, Extent extent, int parallel) {
@@ -160,16 +191,23 @@ void reproduce(const std::filesystem::path& directory, Extent extent, int parall
     throw InputError(directory.string(), "", "a folder that can be created",
                      failed.message());
   const std::filesystem::path result_file = directory / "results.h5";
-  check_writable(result_file);
+  check_results_writable(result_file);
   check_writable(directory / "tables" / "5.1.md");
 
   std::vector<std::string> names = table_names();
   for (const std::string& name : sheet_names())
     if (name != "split" || extent == Extent::all) names.push_back(name);
   MeshStore meshes;
+  ResultFile file(result_file);
+  const StoredCases stored = std::filesystem::exists(result_file)
+                                 ? of_this_commit(stored_cases({result_file}))
+                                 : StoredCases{};
   const auto [tables, sheets, results] =
-      compute_tables(names, std::nullopt, meshes, parallel);
-  write_results(result_file, results, meshes);
+      compute_tables(names, std::nullopt, meshes, parallel, known_from(stored, meshes),
+                     [&](const CaseResult& result) {
+                       file.put({&result, 1}, true, meshes);
+                     });
+  write_xdmf_beside(result_file);
   const auto write_table = [&](const std::string& name, auto&& text_as) {
     const std::filesystem::path stem = directory / "tables" / name;
     write_text(stem.string() + ".md", text_as(TableFormat::markdown));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,14 @@ struct ComputedTables {
 };
 
 /// Computes the named tables and sheets with everything they need, each simulation once,
-/// `parallel` of them at a time; see run_study for `known`. Throws InputError for a sheet
-/// with a reference: sheets have theirs.
-ComputedTables compute_tables(const std::vector<std::string>& names,
-                              const std::optional<ReferenceMethod>& reference,
-                              MeshStore& meshes, int parallel,
-                              const KnownResult& known = {});
+/// `parallel` of them at a time; see run_study for `known`, of which sheets take only
+/// cases with their fields. `computed` is called with each result that was not known, one
+/// at a time. Throws InputError for a sheet with a reference: sheets have theirs.
+ComputedTables compute_tables(
+    const std::vector<std::string>& names,
+    const std::optional<ReferenceMethod>& reference, MeshStore& meshes, int parallel,
+    const KnownResult& known = {},
+    const std::function<void(const CaseResult&)>& computed = {});
 
 /// Whether the split table, which takes minutes, is among the tables.
 enum class Extent { without_split, all };
@@ -32,6 +35,8 @@ enum class Extent { without_split, all };
 ///     tables/NAME.md .csv .json
 ///     results.h5 .xdmf    every case with its fields, settings and provenance
 ///
+/// Cases go into results.h5 as they come; those that are there already are taken, if this
+/// very program computed them, so that an interrupted run goes on where it was.
 /// Throws InputError before computing when the directory cannot be written.
 void reproduce(const std::filesystem::path& directory, Extent extent, int parallel);
 

@@ -113,7 +113,7 @@ auto reading(const std::filesystem::path& file, Read&& read) {
     return read(root);
   } catch (const InputError&) {
     throw;
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     throw InputError(file.string(), "", "a readable springcheck result file",
                      error.what());
   }
@@ -285,19 +285,20 @@ Columns read_cases(const std::filesystem::path& file) {
       file, [](hid_t root) { return read_columns(hdf5::open_group(root, "cases")); });
 }
 
-StoredResults read_results(const std::filesystem::path& file) {
-  const Columns cases = read_cases(file);
-  StoredResults stored;
-  const auto keys = cases.texts.find("key");
-  for (std::size_t row = 0; row < cases.rows; ++row)
-    stored.cases.emplace(keys->second[row], stored_case(cases, row, file.string()));
-  reading(file, [&](hid_t root) {
-    for (const std::string& commit :
-         read_texts(hdf5::open_group(root, "provenance"), "commit"))
-      stored.commits.insert(commit);
-    return 0;
+std::map<std::string, StoredCase> read_results(const std::filesystem::path& file) {
+  return reading(file, [&](hid_t root) {
+    const Columns cases = read_columns(hdf5::open_group(root, "cases"));
+    const auto commits = read_texts(hdf5::open_group(root, "provenance"), "commit");
+    std::map<std::string, StoredCase> all;
+    for (std::size_t row = 0; row < cases.rows; ++row) {
+      StoredCase stored = stored_case(cases, row, file.string());
+      const auto session =
+          static_cast<std::size_t>(cases.numbers.at("provenance").values.at(row));
+      stored.commit = commits.at(session);
+      all.emplace(cases.texts.at("key").at(row), std::move(stored));
+    }
+    return all;
   });
-  return stored;
 }
 
 void read_fields(const std::filesystem::path& file, const Mesh& mesh,

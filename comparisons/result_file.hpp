@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 
@@ -72,13 +71,8 @@ void check_results_writable(const std::filesystem::path& file);
 /// not ours, damaged, or of another layout.
 Columns read_cases(const std::filesystem::path& file);
 
-/// The cases by key, without fields, and the commits of the programs that computed them.
-/// Throws like read_cases and stored_case.
-struct StoredResults {
-  std::map<std::string, StoredCase> cases;
-  std::set<std::string> commits;
-};
-StoredResults read_results(const std::filesystem::path& file);
+/// The cases by key, without fields. Throws like read_cases and stored_case.
+std::map<std::string, StoredCase> read_results(const std::filesystem::path& file);
 
 /// Gives the result, whose key is in the file, the fields that are stored for it. Throws
 /// InputError when they are not those of the mesh.

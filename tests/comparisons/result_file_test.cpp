@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
   BOOST_TEST(!written[0].solution.linear_iterations.has_value());
   BOOST_TEST(written[2].solution.linear_iterations.value() > 0);
   write_results(file, written, meshes);
-  const auto stored = read_results(file).cases;
+  const auto stored = read_results(file);
   BOOST_TEST_REQUIRE(stored.size() == 4U);
   for (const CaseResult& result : written) {
     CaseResult read = with_stored(result.request, result.key, stored.at(result.key));
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(results_are_added_and_replaced_by_key) {
   second.insert(second.end(), other.begin(), other.end());
   second.push_back(other.front());  // twice at once
   write_results(file, second, meshes);
-  const auto stored = read_results(file).cases;
+  const auto stored = read_results(file);
   BOOST_TEST(stored.size() == 4U);
   BOOST_TEST(*stored.at(first[0].key).measures.plate_force == 7.);
   BOOST_TEST(*stored.at(first[1].key).measures.plate_force ==

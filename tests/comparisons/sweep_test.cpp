@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(conflicts_of_a_merge_are_reported) {
   BOOST_TEST(absorbed.conflicts[0].find(results[0].key + ": plate_force differs") !=
              std::string::npos);
   BOOST_TEST(
-      *read_results(own.path / "ours.h5").cases.at(results[0].key).measures.plate_force ==
+      *read_results(own.path / "ours.h5").at(results[0].key).measures.plate_force ==
       force);
 }
 

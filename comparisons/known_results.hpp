@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "comparisons/result_file.hpp"
+
+namespace springcheck {
+
+/// Cases of result files by key, with the file that holds their fields.
+using StoredCases = std::map<std::string, std::pair<std::filesystem::path, StoredCase>>;
+
+/// All cases of the files. Throws like read_results.
+StoredCases stored_cases(const std::vector<std::filesystem::path>& files);
+
+/// Warns of cases that a program of another commit computed.
+void warn_of_other_commits(const StoredCases& stored);
+
+/// Leaves those that this very program computed: none if its sources were changed since
+/// the commit.
+StoredCases of_this_commit(StoredCases stored);
+
+/// Supplies stored cases with the fields there are; `stored` and `meshes` must outlive
+/// it.
+KnownResult known_from(const StoredCases& stored, MeshStore& meshes);
+
+}  // namespace springcheck
