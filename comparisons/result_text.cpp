@@ -33,7 +33,9 @@ std::string results_text(const std::vector<CaseResult>& results) {
          shown(stress(0), "{:.6g}"), shown(stress(1), "{:.6g}"),
          shown(stress(2), "{:.6g}"), shown(m.affine_deviation_relative, "{:.3g}", 100),
          shown(m.deviation_l2_relative, "{:.3f}", 100),
-         fmt::format("{:.2f}", result.solve_wall_s)});
+         is_measured(result.request.settings.method)
+             ? "-"
+             : fmt::format("{:.2f}", result.solve_wall_s)});
   }
   std::string text = in_columns(without_empty_columns(std::move(rows), "-"));
   for (const CaseResult& result : results)

@@ -4,7 +4,8 @@
 
 namespace springcheck {
 
-/// Measures and verdict of a solution that was found, wherever; no key, reference and times.
+/// Measures and verdict of a solution that was found, wherever; no key, reference and
+/// times.
 CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found);
 
 /// Runs one case, without its reference: solution, measures, verdict and times; no key.
