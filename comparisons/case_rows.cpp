@@ -124,7 +124,8 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
   Row row;
   const Solution& solution = result.solution;
   const nlohmann::json settings = settings_json(result.request.settings);
-  for (const auto& [name, value] : settings.items()) row[name] = cell(value);
+  for (const auto& [name, value] : settings.items())
+    if (name != "dt" || value.is_number()) row[name] = cell(value);  // auto: none
   if (result.request.reference) {
     row["reference"] = reference_label(result.request);
     row["reference_settings"] = settings_json(*result.request.reference).dump();

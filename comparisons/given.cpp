@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "meshing/input_error.hpp"
 
@@ -29,7 +28,9 @@ Given::Scalar scalar(std::string_view text) {
   return std::string(text);
 }
 
-std::optional<double> number(const Given::Scalar& value) {
+}  // namespace
+
+std::optional<double> number_in(const Given::Scalar& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value))
     return static_cast<double>(*integer);
   if (const auto* real = std::get_if<double>(&value)) return *real;
@@ -50,8 +51,6 @@ std::string described(const Given::Scalar& value) {
   } describe;
   return std::visit(describe, value);
 }
-
-}  // namespace
 
 Given Given::from_text(std::string place, std::string_view text) {
   std::vector<Scalar> values;
@@ -79,13 +78,13 @@ const Given::Scalar& Given::single(const std::string& expected) const {
 }
 
 double Given::finite_number() const {
-  const auto value = number(single("a finite number"));
+  const auto value = number_in(single("a finite number"));
   if (!value || !std::isfinite(*value)) refuse("a finite number");
   return *value;
 }
 
 double Given::positive_number() const {
-  const auto value = number(single("a positive finite number"));
+  const auto value = number_in(single("a positive finite number"));
   if (!value || !std::isfinite(*value) || !(*value > 0))
     refuse("a positive finite number");
   return *value;
@@ -138,11 +137,15 @@ std::array<double, N> Given::finite_numbers(const std::string& expected) const {
   std::array<double, N> numbers{};
   if (values_.size() != N) refuse(expected);
   for (std::size_t i = 0; i < N; ++i) {
-    const auto value = number(values_[i]);
+    const auto value = number_in(values_[i]);
     if (!value || !std::isfinite(*value)) refuse(expected);
     numbers[i] = *value;
   }
   return numbers;
+}
+
+std::array<double, 2> Given::two_numbers() const {
+  return finite_numbers<2>("two finite numbers");
 }
 
 std::array<double, 3> Given::three_numbers() const {
@@ -167,7 +170,7 @@ std::array<std::int64_t, 3> Given::three_integers() const {
 double Given::with_unit(const char* unit, double factor,
                         const std::string& expected) const {
   const Scalar& value = single(expected);
-  std::optional<double> found = number(value);
+  std::optional<double> found = number_in(value);
   if (const auto* text = std::get_if<std::string>(&value);
       text != nullptr && text->ends_with(unit)) {
     const std::string_view digits(*text);

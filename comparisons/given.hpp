@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -39,6 +40,7 @@ class Given {
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::vector<std::string> texts() const;  // at least one
   [[nodiscard]] std::string joined() const;              // a list's with commas
+  [[nodiscard]] std::array<double, 2> two_numbers() const;
   [[nodiscard]] std::array<double, 3> three_numbers() const;
   [[nodiscard]] std::array<double, 9> nine_numbers() const;
   [[nodiscard]] std::array<std::int64_t, 3> three_integers() const;
@@ -63,5 +65,11 @@ class Given {
   std::vector<Scalar> values_;
   bool is_list_ = false;
 };
+
+/// As the user would write it, text in quotes.
+std::string described(const Given::Scalar& value);
+
+/// The value of a number.
+std::optional<double> number_in(const Given::Scalar& value);
 
 }  // namespace springcheck

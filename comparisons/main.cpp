@@ -12,6 +12,7 @@
 
 #include "comparisons/build_info.hpp"
 #include "comparisons/commands.hpp"
+#include "comparisons/gate_command.hpp"
 #include "comparisons/measured/measure_command.hpp"
 #include "comparisons/reproduce.hpp"
 #include "comparisons/sweep_command.hpp"
@@ -99,10 +100,11 @@ int command_line(int argc, char** argv) {
   app.add_flag("--verbose", verbose, "log every Newton iteration to stderr");
 
   std::vector<std::filesystem::path> from;
-  std::string scene, out, name, displacements, forces, reference, format = "md", what;
+  std::string scene, out, name, reference, format = "md", what, results, junit;
+  std::string displacements, forces;
   std::string shard = "1/1";
   SweepOptions sweep_options{.jobs = cores};
-  bool json = false, split = false, all = false;
+  bool json = false, split = false, all = false, bless = false;
   int threads = cores;
   int status = ExitStatus::done;
   const auto output = [&] { return json ? Output::json : Output::text; };
@@ -203,6 +205,15 @@ int command_line(int argc, char** argv) {
       ->required()
       ->check(check_not_empty);
 
+  CLI::App* gate = app.add_subcommand("gate", "Judge results by bands, as a CI does");
+  gate->add_option("gates", name, "a gate file (.toml), or accuracy or thesis")
+      ->required();
+  gate->add_option("results", results, "HDF5 file of results")->required();
+  gate->add_option("--junit", junit, "JUnit XML file to write")->check(check_not_empty);
+  gate->add_flag("--json", json, "print one JSON document");
+  gate->add_flag("--bless", bless,
+                 "replace stored values that are outside their bands in the gate file");
+
   app.set_version_flag("--version", version);
   for (CLI::App* command : app.get_subcommands({}))
     command->set_version_flag("--version", version);
@@ -240,6 +251,9 @@ int command_line(int argc, char** argv) {
     status = merge_command(out, from);
   else if (*list)
     status = list_command(what, output());
+  else if (*gate)
+    status = gate_command(name, results, path_or_none(junit), output(),
+                          bless ? Bless::yes : Bless::no);
   else if (*mesh)
     status = mesh_command(scene, mesh_options.given(), out);
   else {

@@ -17,6 +17,9 @@ const std::vector<ShippedFile>& shipped_scenes();
 /// comparisons/sweeps/*.toml
 const std::vector<ShippedFile>& shipped_sweeps();
 
+/// comparisons/gates/*.toml
+const std::vector<ShippedFile>& shipped_gates();
+
 /// comparisons/thesis/printed.csv
 std::string_view shipped_figures();
 

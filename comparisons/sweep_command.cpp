@@ -9,7 +9,7 @@
 #include "comparisons/cost.hpp"
 #include "comparisons/memory.hpp"
 #include "comparisons/progress.hpp"
-#include "comparisons/result_file.hpp"
+#include "comparisons/result_writer.hpp"
 #include "comparisons/sweep_file.hpp"
 #include "meshing/input_error.hpp"
 
@@ -107,13 +107,15 @@ ExitStatus sweep_command(const std::string& name_or_path,
   std::map<Status, int> count;
   {
     Progress progress("simulations");
+    ResultWriter writer(results, sweep.with_fields, meshes);
     run_study(
         missing, meshes, options.jobs,
         [&](std::size_t done, std::size_t of) { progress.show(done, of); }, {},
         [&](std::size_t, CaseResult&& result) {
-          results.put({&result, 1}, sweep.with_fields, meshes);
           ++count[result.status];
+          writer.put(std::move(result));
         });
+    writer.finish();
   }
   if (!count.empty()) fmt::print("computed: {}\n", counts(count));
   if (sweep.with_fields && !missing.empty()) write_xdmf_beside(file);

@@ -95,6 +95,7 @@ std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
 
 bool is_wrinkled(const Wrinkling& wrinkling) {
   constexpr double high = 0.02, high_bulge = 0.28;  // the latter times the strain
+  if (wrinkling.differences < 2.5) return false;
   const bool short_line = wrinkling.differences < 3.5;
   return wrinkling.alternation > 0.5 &&
          wrinkling.amplitude >

@@ -36,7 +36,7 @@ std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
 /// finite elements pressed by 20 to 60 % reach .27 strain; mss-nfd pulled by up to 20 %
 /// begins at .30 strain, pressed at 2.6 strain. A weak zigzag goes unseen there at larger
 /// strains (mss-nfd pulled by 30 %: .22 strain). Shorter lines cannot alternate above
-/// 1/2.
+/// 1/2, but for rounding: they are never called wrinkled.
 bool is_wrinkled(const Wrinkling& wrinkling);
 
 /// Largest strain a test imposes on its faces [-]: the deformation itself; in torsion

@@ -318,6 +318,13 @@ BOOST_AUTO_TEST_CASE(a_zigzag_is_wrinkled_and_a_bulge_is_not) {
   BOOST_TEST(!is_wrinkled(wrinkling(faint)));
 }
 
+// Two second differences of opposite sign alternate by 1/2, and by rounding above it.
+BOOST_AUTO_TEST_CASE(three_cells_are_never_wrinkled) {
+  const Wrinkling s_shape{
+      .alternation = 0.5000000001, .amplitude = 0.06, .differences = 2, .strain = 0.05};
+  BOOST_TEST(!is_wrinkled(s_shape));
+}
+
 // On a line of four cells a bulge whose ends stand out has second differences 3, -4, 3:
 // they alternate by 24/34, more than a zigzag's. Only one as high as a zigzag is taken
 // for one. The heights are rms(d2)/(4 h strain), h = strain = .1.

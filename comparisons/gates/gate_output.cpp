@@ -1,0 +1,137 @@
+#include "comparisons/gates/gate_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+
+#include "comparisons/build_info.hpp"
+#include "comparisons/text_table.hpp"
+
+namespace springcheck::gates {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json json_of(const Gate& gate, const Outcome& outcome) {
+  return {{"name", gate.name},
+          {"verdict", name_of(outcome.verdict)},
+          {"measure", gate.measure.empty() ? "status" : gate.measure},
+          {"got", number_or_null(outcome.got)},
+          {"values", outcome.values},
+          {"band",
+           {{"low", number_or_null(outcome.band.low)},
+            {"high", number_or_null(outcome.band.high)},
+            {"text", outcome.band_text}}},
+          {"margin", number_or_null(outcome.margin)},
+          {"explanation", outcome.explanation},
+          {"reason", gate.reason},
+          {"where", text_of(gate.where)},
+          {"keys", outcome.keys},
+          {"place", gate.place}};
+}
+
+/// XML 1.0 has no place for control characters, however they are written.
+std::string xml_text(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') c = '?';
+  return text;
+}
+
+std::string why(const Gate& gate, const Outcome& outcome) {
+  return fmt::format("{}: got {}, band {}: {}",
+                     gate.measure.empty() ? "status" : gate.measure, outcome.got_text,
+                     outcome.band_text, outcome.explanation);
+}
+
+}  // namespace
+
+std::size_t count(const Report& report, Judgement verdict) {
+  return static_cast<std::size_t>(
+      std::ranges::count(report.outcomes, verdict, &Outcome::verdict));
+}
+
+std::string report_text(const Report& report) {
+  std::string text, below;
+  for (const Blessed& value : report.blessed) {
+    const Gate& gate = report.gates[value.gate];
+    text +=
+        fmt::format("blessed {}: {} -> {} ({})\n", gate.name, described(value.old_value),
+                    described(value.new_value), gate.place);
+  }
+  if (!text.empty()) text += "\n";
+  TextLines lines{{"gate", "got", "band", "margin", "verdict"}};
+  for (std::size_t i = 0; i < report.gates.size(); ++i) {
+    const Gate& gate = report.gates[i];
+    const Outcome& outcome = report.outcomes[i];
+    lines.push_back({gate.name, outcome.got_text, outcome.band_text,
+                     outcome.margin ? rounded("{:.2f}", *outcome.margin) : "-",
+                     std::string(name_of(outcome.verdict))});
+    if (outcome.verdict != Judgement::pass)
+      below += fmt::format("{}: {}: {}\n", gate.place, gate.name, outcome.explanation);
+    if (outcome.verdict == Judgement::falls_short)
+      below += fmt::format("  reason of the band: {}\n", gate.reason);
+  }
+  text += in_columns(lines);
+  if (!below.empty()) text += "\n" + below;
+  return text + fmt::format(
+                    "\n{} gates of {}: {} pass, {} fall short, {} without a case\n"
+                    "margin: {}\n",
+                    report.gates.size(), report.gates_file,
+                    count(report, Judgement::pass), count(report, Judgement::falls_short),
+                    count(report, Judgement::no_case), margin_definition);
+}
+
+nlohmann::ordered_json report_json(const Report& report) {
+  Json verdicts = Json::array(), blessed = Json::array();
+  for (std::size_t i = 0; i < report.gates.size(); ++i)
+    verdicts.push_back(json_of(report.gates[i], report.outcomes[i]));
+  for (const Blessed& value : report.blessed)
+    blessed.push_back({{"name", report.gates[value.gate].name},
+                       {"old", value.old_value},
+                       {"new", value.new_value}});
+  return {{"springcheck", build_info::version},
+          {"gates", report.gates_file},
+          {"results", report.results_file},
+          {"pass", count(report, Judgement::pass)},
+          {"fall_short", count(report, Judgement::falls_short)},
+          {"no_case", count(report, Judgement::no_case)},
+          {"margin", margin_definition},
+          {"blessed", blessed},
+          {"verdicts", verdicts}};
+}
+
+void write_junit(std::ostream& out, const Report& report) {
+  using boost::property_tree::ptree;
+  ptree suite;
+  suite.put("<xmlattr>.name", xml_text(report.gates_name));
+  suite.put("<xmlattr>.tests", report.gates.size());
+  suite.put("<xmlattr>.failures", count(report, Judgement::falls_short));
+  suite.put("<xmlattr>.errors", count(report, Judgement::no_case));
+  for (std::size_t i = 0; i < report.gates.size(); ++i) {
+    const Gate& gate = report.gates[i];
+    const Outcome& outcome = report.outcomes[i];
+    ptree& test = suite.add("testcase", "");
+    test.put("<xmlattr>.classname", xml_text("springcheck." + report.gates_name));
+    test.put("<xmlattr>.name", xml_text(gate.name));
+    if (outcome.verdict == Judgement::pass) continue;
+    const bool is_short = outcome.verdict == Judgement::falls_short;
+    ptree& failure = test.add(is_short ? "failure" : "error", "");
+    failure.put("<xmlattr>.type", name_of(outcome.verdict));
+    failure.put("<xmlattr>.message", xml_text(why(gate, outcome)));
+    failure.put_value(
+        xml_text(fmt::format("{}\nwhere {}\nreason of the band: {}", gate.place,
+                             text_of(gate.where), gate.reason)));
+  }
+  ptree document;
+  document.add_child("testsuites.testsuite", suite);
+  boost::property_tree::write_xml(
+      out, document, boost::property_tree::xml_writer_make_settings<std::string>(' ', 2));
+}
+
+}  // namespace springcheck::gates

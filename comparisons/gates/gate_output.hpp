@@ -1,0 +1,36 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "comparisons/gates/bless.hpp"
+#include "comparisons/gates/gate.hpp"
+#include "comparisons/gates/outcome.hpp"
+
+namespace springcheck::gates {
+
+/// Gates, what came of each, and whose they are.
+struct Report {
+  std::string gates_name;  // "accuracy"
+  std::string gates_file;  // as messages name it
+  std::string results_file;
+  std::vector<Gate> gates;
+  std::vector<Outcome> outcomes;
+  std::vector<Blessed> blessed{};  // what --bless replaced before they were judged
+};
+
+std::size_t count(const Report& report, Judgement verdict);
+
+/// A table of all gates; below it, why some do not pass.
+std::string report_text(const Report& report);
+
+/// One document; the README has its fields.
+nlohmann::ordered_json report_json(const Report& report);
+
+/// JUnit XML, as continuous integration reads it: a gate that falls short is a failure,
+/// one without a case an error.
+void write_junit(std::ostream& out, const Report& report);
+
+}  // namespace springcheck::gates

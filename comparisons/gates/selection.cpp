@@ -1,0 +1,187 @@
+#include "comparisons/gates/selection.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/run_settings.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck::gates {
+namespace {
+
+using Scalar = Given::Scalar;
+
+/// Columns of settings, whether or not a case of the file has them.
+std::vector<std::string> settings() {
+  std::vector<std::string> names{"scene", "test", "gravity", "mesh", "key", "status"};
+  for (const SettingKey& key : option_keys()) names.emplace_back(key.name);
+  return names;
+}
+
+void check_known(const Columns& cases, const Condition& condition) {
+  const auto known = settings();
+  if (cases.texts.contains(condition.column) ||
+      cases.numbers.contains(condition.column) ||
+      std::ranges::count(known, condition.column) > 0)
+    return;
+  throw InputError(condition.place, "",
+                   fmt::format("a setting: one of {}", fmt::join(known, ", ")),
+                   "an unknown one");
+}
+
+/// A number as a column of numbers holds it.
+double number_of(const Condition& condition, const Scalar& value) {
+  if (const auto number = number_in(value)) return *number;
+  const Given given(condition.place, value);
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr || condition.column != "deformation")
+    given.refuse("a number, as cases have it");
+  return text->ends_with("deg") ? given.angle() : given.strain();
+}
+
+/// A text as a column of texts holds it.
+std::string text_in(const Scalar& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text != nullptr ? *text : described(value);
+}
+
+bool is_absent(const Columns& cases, const std::string& column, std::size_t row) {
+  if (const auto texts = cases.texts.find(column); texts != cases.texts.end())
+    return texts->second[row].empty();
+  const auto numbers = cases.numbers.find(column);
+  return numbers == cases.numbers.end() ||
+         std::isnan(numbers->second.values[row * numbers->second.width]);
+}
+
+bool number_matches(const Condition& condition, const NumberColumn& column,
+                    std::size_t row) {
+  const auto is_value = [&](const std::vector<Scalar>& value) {
+    if (value.size() != column.width)
+      throw InputError(
+          condition.place, "",
+          column.width == 1
+              ? "a number or a list of them"
+              : fmt::format("{} numbers, or a list of such lists", column.width),
+          text_of(condition));
+    for (std::size_t i = 0; i < column.width; ++i)
+      if (!same_number(column.values[row * column.width + i],
+                       number_of(condition, value[i])))
+        return false;
+    return true;
+  };
+  return std::ranges::any_of(values_of(condition, column.width), is_value);
+}
+
+bool matches(const Columns& cases, const Condition& condition, std::size_t row) {
+  if (is_absent(cases, condition.column, row)) return condition.absent == Absent::passes;
+  if (const auto numbers = cases.numbers.find(condition.column);
+      numbers != cases.numbers.end())
+    return number_matches(condition, numbers->second, row);
+  const std::string& cell = cases.texts.at(condition.column)[row];
+  return std::ranges::any_of(values_of(condition, 1), [&](const auto& value) {
+    return value.size() == 1 && text_in(value[0]) == cell;
+  });
+}
+
+}  // namespace
+
+Selection narrowed(const Selection& selection, const Selection& narrower) {
+  Selection all = narrower;
+  for (const Condition& condition : selection)
+    if (!std::ranges::count(narrower, condition.column, &Condition::column))
+      all.push_back(condition);
+  return all;
+}
+
+std::vector<std::vector<Scalar>> values_of(const Condition& condition,
+                                           std::size_t width) {
+  if (!condition.is_flat_list || width > 1) return condition.values;
+  std::vector<std::vector<Scalar>> values;
+  for (const Scalar& value : condition.values.front()) values.push_back({value});
+  return values;
+}
+
+std::string text_of(const Condition& condition) {
+  std::string text;
+  for (const auto& value : condition.values) {
+    std::string numbers;
+    for (const Scalar& number : value)
+      numbers += (numbers.empty() ? "" : ", ") + described(number);
+    const bool is_list = value.size() != 1 || condition.is_flat_list;
+    text += fmt::format(fmt::runtime(is_list ? "{}[{}]" : "{}{}"),
+                        text.empty() ? "" : " or ", numbers);
+  }
+  return condition.column + " = " + text;
+}
+
+std::string text_of(const Selection& selection) {
+  std::string text;
+  for (const Condition& condition : selection)
+    text += (text.empty() ? "" : ", ") + text_of(condition);
+  return text;
+}
+
+std::vector<std::size_t> matching(const Columns& cases, const Selection& selection) {
+  for (const Condition& condition : selection) check_known(cases, condition);
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < cases.rows; ++row)
+    if (std::ranges::all_of(selection, [&](const Condition& condition) {
+          return matches(cases, condition, row);
+        }))
+      rows.push_back(row);
+  return rows;
+}
+
+bool same_number(double a, double b) {
+  return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
+}
+
+std::string cell_text(const Columns& cases, const std::string& column, std::size_t row) {
+  if (const auto texts = cases.texts.find(column); texts != cases.texts.end())
+    return texts->second[row];
+  const auto numbers = cases.numbers.find(column);
+  if (numbers == cases.numbers.end()) return "";
+  const std::size_t width = numbers->second.width;
+  std::string text;
+  for (std::size_t i = row * width; i < (row + 1) * width; ++i)
+    if (!std::isnan(numbers->second.values[i]))
+      text +=
+          fmt::format("{}{:.12g}", text.empty() ? "" : ",", numbers->second.values[i]);
+  return text;
+}
+
+std::set<std::string> differences(const Columns& cases,
+                                  const std::vector<std::size_t>& rows) {
+  std::set<std::string> columns;
+  for (const std::string& column : settings())
+    for (const std::size_t row : rows)
+      if (cell_text(cases, column, row) != cell_text(cases, column, rows[0]))
+        columns.insert(column);
+  for (const char* result : {"mesh", "status"}) columns.erase(result);
+  if (columns.size() > 1) columns.erase("key");  // which follows from the others
+  return columns;
+}
+
+std::string why_not_one(const Columns& cases, const Selection& selection,
+                        const std::vector<std::size_t>& rows) {
+  if (rows.size() > 1)
+    return fmt::format("{} cases match {}; they differ in {}", rows.size(),
+                       text_of(selection), fmt::join(differences(cases, rows), ", "));
+  std::string text = "no case matches " + text_of(selection);
+  for (std::size_t i = 0; i < selection.size(); ++i) {
+    Selection others = selection;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    std::set<std::string> values;
+    for (const std::size_t row : matching(cases, others))
+      values.insert(cell_text(cases, selection[i].column, row));
+    if (!values.empty())
+      return text + fmt::format("; the others have {} = {}", selection[i].column,
+                                fmt::join(values, " or "));
+  }
+  return text;
+}
+
+}  // namespace springcheck::gates
