@@ -86,6 +86,10 @@ std::optional<std::string> forces_without_support(
       unsupported.distance, unsupported.node + 1);
 }
 
+[[noreturn]] void refuse_overflow(const std::string& what) {
+  throw InputError("--displacements", "", "numbers that can be measured", what);
+}
+
 }  // namespace
 
 Method measured_method(const std::string& label, const MeasuredFields& fields) {
@@ -127,16 +131,17 @@ CaseResult measured_case(const RunSettings& run, const std::string& label,
                            .load_fraction = 0,
                            .steps = 0,
                            .force_evaluations = 0});
-  if (own.status == Status::not_converged)
-    throw InputError("--displacements", "", "a deformation that can be measured",
-                     own.reason);
+  if (own.status == Status::not_converged) refuse_overflow(own.reason);
   // Known to the study, which runs the reference only.
   const auto known = [&](const Request& request,
                          const std::string&) -> std::optional<CaseResult> {
     if (request.reference || !is_measured(request.settings.method)) return std::nullopt;
     return own;
   };
-  return run_study(all, meshes, 1, finished, known).front();
+  CaseResult result = run_study(all, meshes, 1, finished, known).front();
+  if (const auto name = not_finite(result.measures))
+    refuse_overflow(*name + " overflows");
+  return result;
 }
 
 }  // namespace springcheck

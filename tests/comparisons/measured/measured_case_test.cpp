@@ -163,6 +163,25 @@ BOOST_AUTO_TEST_CASE(what_contradicts_the_scene_is_said_and_not_refused) {
              "the farthest");
 }
 
+// Cells' volumes overflow above 1e102 m, squares of distances above 1e154 m.
+BOOST_AUTO_TEST_CASE(numbers_that_overflow_are_refused) {
+  const RunSettings run = run_of("uniaxial", {"cells=2,2,2", "method=mss-cf"});
+  MeshStore meshes;
+  const std::size_t nodes = meshes.mesh(run.common.block).nodes().size();
+  const auto refusal = [&](const Vector3& shift, double stretch) {
+    MeasuredFields fields{.displacements = std::vector<Vector3>(nodes, shift),
+                          .forces = {}};
+    fields.displacements.back() *= stretch;
+    return message_of("", [&] { measured(run, fields, meshes); });
+  };
+  BOOST_TEST(refusal(Vector3(0.1, 0, 0), 1) == "accepted");
+  for (const double stretch : {1., -1e10})
+    for (const Vector3& shift : {Vector3(0, 1e200, 0), Vector3(1e300, 1e300, 1e300)})
+      BOOST_TEST(refusal(shift, stretch)
+                     .starts_with("--displacements: expected numbers that can be "
+                                  "measured, got "));
+}
+
 BOOST_AUTO_TEST_CASE(the_key_follows_the_numbers) {
   const RunSettings run = run_of("uniaxial", {"cells=2,2,2", "method=mss-cf"});
   MeshStore meshes;
