@@ -61,6 +61,13 @@ void add_spring_settings(nlohmann::json& json, const CaseSettings& settings) {
     json["dt"] = "auto";
 }
 
+/// What stands for a solver's settings where there was none of ours.
+void add_measured_settings(nlohmann::json& json, const Measured& measured) {
+  json["source"] = "measured";
+  json["displacements"] = measured.displacements;
+  if (!measured.forces.empty()) json["forces"] = measured.forces;
+}
+
 }  // namespace
 
 const std::vector<Test>& all_tests() {
@@ -212,6 +219,8 @@ nlohmann::json settings_json(const CaseSettings& settings) {
   if (settings.test == Test::affine) json["gradient"] = row_by_row(settings.gradient);
   if (is_finite_element(settings.method))
     add_reference_settings(json, settings);
+  else if (const auto* measured = std::get_if<Measured>(&settings.method.model))
+    add_measured_settings(json, *measured);
   else
     add_spring_settings(json, settings);
   return json;

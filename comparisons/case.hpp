@@ -86,10 +86,11 @@ Scene mechanical_scene(const CaseSettings& settings);
 fem_reference::Settings reference_settings(const CaseSettings& settings);
 
 /// The scene's name and the settings its method reads, and no others, as JSON: a setting
-/// that cannot change the result does not change it.
+/// that cannot change the result does not change it. What was measured has instead
+/// "source": "measured" and the SHA-256 of its numbers, "displacements" and "forces".
 nlohmann::json settings_json(const CaseSettings& settings);
 
-/// "fem-stvk:q1-sri" for finite elements, "mss-cf" for springs.
+/// "fem-stvk:q1-sri" for finite elements, "mss-cf" for springs and likewise for others.
 std::string label(const CaseSettings& settings);
 
 }  // namespace springcheck

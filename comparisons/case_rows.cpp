@@ -89,6 +89,15 @@ void take(const Reader& reader, const char* name, Measures::Matrix& value) {
     value = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(first);
 }
 
+std::optional<Effort> effort_of(const Reader& reader) {
+  if (reader.text("source") == "measured") return std::nullopt;
+  return Effort{.load_fraction = reader.number("load_fraction"),
+                .steps = static_cast<int>(reader.number("steps")),
+                .force_evaluations = static_cast<int>(reader.number("force_evaluations")),
+                .wall_s = reader.number("wall_s"),
+                .solve_wall_s = reader.number("solve_wall_s")};
+}
+
 void check_measures(const StoredCase& stored, const Reader& reader) {
   if (const auto name = not_finite(stored.measures))
     reader.refuse(*name, "finite numbers", "others");
@@ -131,34 +140,31 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
   const auto number = [&](const char* name, double value) {
     row[name] = std::vector{value};
   };
-  number("load_fraction", solution.load_fraction);
-  number("steps", solution.steps);
-  number("force_evaluations", solution.force_evaluations);
+  if (!is_measured(result.request.settings.method)) {
+    number("load_fraction", solution.load_fraction);
+    number("steps", solution.steps);
+    number("force_evaluations", solution.force_evaluations);
+    number("wall_s", result.wall_s);
+    number("solve_wall_s", result.solve_wall_s);
+  }
   if (solution.linear_iterations)
     number("linear_iterations", *solution.linear_iterations);
   put(row, "dt_used", solution.dt);
   put(row, "dt_limit", solution.dt_limit);
-  number("wall_s", result.wall_s);
-  number("solve_wall_s", result.solve_wall_s);
   number("provenance", static_cast<double>(provenance));
   return row;
 }
 
 StoredCase stored_case(const Columns& cases, std::size_t row, const std::string& file) {
   const Reader reader(cases, row, file);
-  StoredCase stored{
-      .status = status_named(reader.text("status"), file),
-      .flags = {},
-      .reason = reader.text("reason"),
-      .measures = {},
-      .load_fraction = reader.number("load_fraction"),
-      .steps = static_cast<int>(reader.number("steps")),
-      .force_evaluations = static_cast<int>(reader.number("force_evaluations")),
-      .linear_iterations = {},
-      .dt = {},
-      .dt_limit = {},
-      .wall_s = reader.number("wall_s"),
-      .solve_wall_s = reader.number("solve_wall_s")};
+  StoredCase stored{.status = status_named(reader.text("status"), file),
+                    .flags = {},
+                    .reason = reader.text("reason"),
+                    .measures = {},
+                    .effort = effort_of(reader),
+                    .linear_iterations = {},
+                    .dt = {},
+                    .dt_limit = {}};
   std::string flags = reader.text("flags");
   while (!flags.empty()) {
     const std::size_t comma = std::min(flags.find(','), flags.size());
@@ -177,6 +183,7 @@ StoredCase stored_case(const Columns& cases, std::size_t row, const std::string&
 
 CaseResult with_stored(const Request& request, const std::string& key,
                        const StoredCase& stored) {
+  const Effort effort = stored.effort.value_or(Effort{});
   return {.request = request,
           .key = key,
           .status = stored.status,
@@ -189,14 +196,14 @@ CaseResult with_stored(const Request& request, const std::string& key,
                        .reactions = {},
                        .lever_arms = LeverArms::deformed,
                        .strain_energy = 0,
-                       .load_fraction = stored.load_fraction,
-                       .steps = stored.steps,
-                       .force_evaluations = stored.force_evaluations,
+                       .load_fraction = effort.load_fraction,
+                       .steps = effort.steps,
+                       .force_evaluations = effort.force_evaluations,
                        .linear_iterations = stored.linear_iterations,
                        .dt = stored.dt,
                        .dt_limit = stored.dt_limit},
-          .wall_s = stored.wall_s,
-          .solve_wall_s = stored.solve_wall_s};
+          .wall_s = effort.wall_s,
+          .solve_wall_s = effort.solve_wall_s};
 }
 
 }  // namespace springcheck

@@ -10,12 +10,20 @@
 namespace springcheck {
 
 /// A case as a row of a result file: key, settings under the names of their keys,
-/// reference, mesh, status, flags (with commas), reason, every measure, times; and the
-/// row of the file's provenance it belongs to. What a case has not is left out.
+/// reference, mesh, status, flags (with commas), reason, every measure, the solver's
+/// effort; and the row of the file's provenance it belongs to. What a case has not is
+/// left out.
 Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance);
 
 /// Throws InputError, naming the file, where there is no such status.
 Status status_named(const std::string& name, const std::string& file);
+
+/// How far a solver of ours came, and at what cost.
+struct Effort {
+  double load_fraction;
+  int steps, force_evaluations;
+  double wall_s, solve_wall_s;
+};
 
 /// What a result file knows about a case, without fields.
 struct StoredCase {
@@ -23,11 +31,9 @@ struct StoredCase {
   std::vector<Status> flags;
   std::string reason;
   Measures measures;
-  double load_fraction;
-  int steps, force_evaluations;
+  std::optional<Effort> effort;  // none where another program's result was measured
   std::optional<int> linear_iterations;
   std::optional<double> dt, dt_limit;
-  double wall_s, solve_wall_s;
   std::string commit{};  // of the program that computed it
 };
 

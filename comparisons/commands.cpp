@@ -11,10 +11,10 @@
 #include "comparisons/progress.hpp"
 #include "comparisons/reproduce.hpp"
 #include "comparisons/result_json.hpp"
+#include "comparisons/result_text.hpp"
 #include "comparisons/scene_file.hpp"
 #include "comparisons/shipped.hpp"
 #include "comparisons/split_output.hpp"
-#include "comparisons/text_table.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/mesh_files.hpp"
 #include "meshing/output_file.hpp"
@@ -23,59 +23,6 @@ namespace springcheck {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-RunSettings settings_of(const std::string& scene,
-                        const std::vector<GivenSetting>& options) {
-  SceneFile file = read_scene(scene);
-  file.settings.insert(file.settings.end(), options.begin(), options.end());
-  return make_run_settings(file.name, file.file, file.settings);
-}
-
-std::string shown(const std::optional<double>& value, const char* format,
-                  double factor = 1) {
-  return value ? fmt::format(fmt::runtime(format), factor * *value) : "-";
-}
-
-/// The results as an aligned table, reasons and reference below it.
-std::string text_of(const std::vector<CaseResult>& results) {
-  std::vector<std::vector<std::string>> rows{
-      {"method", "status", "volume error %", "plate force N", "resultant N", "torque N m",
-       "tip m", "face z m", "stress xx Pa", "yy Pa", "zz Pa", "affine deviation %",
-       "deviation L2 %", "solve s"}};
-  for (const CaseResult& result : results) {
-    const Measures& m = result.measures;
-    const auto stress = [&](Eigen::Index i) {
-      return m.mean_stress ? Measures::Value((*m.mean_stress)(i, i)) : std::nullopt;
-    };
-    rows.push_back(
-        {label(result.request.settings), std::string(name_of(result.status)),
-         shown(m.volume_error, "{:.4f}", 100), shown(m.plate_force, "{:.6g}"),
-         shown(m.plate_force_norm, "{:.6g}"), shown(m.plate_torque, "{:.6g}"),
-         shown(m.tip_deflection, "{:.6g}"),
-         m.face_displacement ? fmt::format("{:.6g}", m.face_displacement->z()) : "-",
-         shown(stress(0), "{:.6g}"), shown(stress(1), "{:.6g}"),
-         shown(stress(2), "{:.6g}"), shown(m.affine_deviation_relative, "{:.3g}", 100),
-         shown(m.deviation_l2_relative, "{:.3f}", 100),
-         fmt::format("{:.2f}", result.solve_wall_s)});
-  }
-  std::string text = in_columns(without_empty_columns(std::move(rows), "-"));
-  for (const CaseResult& result : results)
-    if (!result.reason.empty())
-      text += fmt::format("{}: {}\n", label(result.request.settings), result.reason);
-  for (const CaseResult& result : results)
-    if (result.request.reference) {
-      const std::string reference = reference_label(result.request);
-      const Measures& m = result.measures;
-      text += fmt::format(
-          "Deviations are from {}{}{}{}.\n", reference,
-          reference.find('@') == std::string::npos ? " on the same mesh" : "",
-          m.reference_bar ? fmt::format(", mean error bar {:.2g} m", *m.reference_bar)
-                          : "",
-          m.reference_order ? fmt::format(", order {:.2f}", *m.reference_order) : "");
-      break;
-    }
-  return text;
-}
 
 /// The splits of the spring methods' errors against the law of the named reference, or
 /// against Hencky's; finite elements have none. Throws InputError where nothing can be
@@ -109,7 +56,7 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
 ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
                        const std::optional<std::filesystem::path>& result_file,
                        Output output, ErrorSplit error_split, int parallel) {
-  const RunSettings run = settings_of(scene, options);
+  const RunSettings run = read_run(scene, options);
   std::vector<Request> all = requests(run);
   const std::size_t asked = all.size();
   std::vector<std::optional<SplitPlan>> plans(asked);
@@ -145,7 +92,7 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
   if (output == Output::json) {
     fmt::print("{}\n", run_json(run.common.scene, results, splits, meshes).dump(2));
   } else {
-    fmt::print("{}", text_of(results));
+    fmt::print("{}", results_text(results));
     for (const auto& split : splits)
       if (split) fmt::print("\n{}", split_text(*split));
   }
@@ -221,7 +168,7 @@ ExitStatus list_command(const std::string& what, Output output) {
 ExitStatus mesh_command(const std::string& scene,
                         const std::vector<GivenSetting>& options,
                         const std::filesystem::path& file) {
-  const RunSettings run = settings_of(scene, options);
+  const RunSettings run = read_run(scene, options);
   check_mesh_memory(run.cells_place, run.common.block);
   check_writable(file);
   const Mesh mesh = generate_block(run.common.block);

@@ -6,12 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
 #include "comparisons/build_info.hpp"
 #include "comparisons/commands.hpp"
 #include "comparisons/gate_command.hpp"
+#include "comparisons/measured/measure_command.hpp"
 #include "comparisons/reproduce.hpp"
 #include "comparisons/sweep_command.hpp"
 #include "meshing/input_error.hpp"
@@ -22,12 +24,13 @@ namespace {
 
 using namespace springcheck;
 
-/// The settings among a subcommand's options that were given, as text.
+/// The settings among a subcommand's options, but for some, that were given, as text.
 class SettingOptions {
  public:
-  explicit SettingOptions(CLI::App* command) {
+  explicit SettingOptions(CLI::App* command, const std::set<std::string>& without = {}) {
     for (const SettingKey& key : option_keys()) {
       const std::string name(key.name);
+      if (without.contains(name)) continue;
       if (name == "force-dt")
         options_[name] =
             command->add_flag("--" + name)->description(std::string(key.help));
@@ -98,6 +101,7 @@ int command_line(int argc, char** argv) {
 
   std::vector<std::filesystem::path> from;
   std::string scene, out, name, reference, format = "md", what, results, junit;
+  std::string displacements, forces;
   std::string shard = "1/1";
   SweepOptions sweep_options{.jobs = cores};
   bool json = false, split = false, all = false, bless = false;
@@ -144,6 +148,26 @@ int command_line(int argc, char** argv) {
       ->check(check_not_empty);
   everything->add_flag("--all", all, "the split table too, which takes minutes");
   add_threads(everything);
+
+  CLI::App* measure = app.add_subcommand(
+      "measure", "Measure what another program computed on a scene's mesh");
+  measure->add_option("scene", scene, "name of a shipped scene, or a .toml file")
+      ->required();
+  const SettingOptions measure_options(measure, {"method", "element"});
+  measure
+      ->add_option("--displacements", displacements,
+                   ".vtu or .csv file of the nodes' displacements [m]")
+      ->required()
+      ->check(check_not_empty);
+  measure
+      ->add_option("--forces", forces,
+                   ".csv file of the forces that the plates apply to the nodes [N]")
+      ->check(check_not_empty);
+  measure->add_option("--label", name, "name that stands for the method")->required();
+  measure->add_option("--out", out, "HDF5 file for measures and fields")
+      ->check(check_not_empty);
+  measure->add_flag("--json", json, "print one JSON document");
+  add_threads(measure);
 
   CLI::App* sweep =
       app.add_subcommand("sweep", "Run the cases of a sweep that a result file lacks");
@@ -212,6 +236,10 @@ int command_line(int argc, char** argv) {
   if (*run)
     status = run_command(scene, run_options.given(), path_or_none(out), output(),
                          split ? ErrorSplit::wanted : ErrorSplit::not_wanted, threads);
+  else if (*measure)
+    status = measure_command(scene, measure_options.given(),
+                             {displacements, path_or_none(forces), name},
+                             path_or_none(out), output());
   else if (*table)
     status = table_command(name, {from, path_or_none(out)}, reference,
                            table_format(format), threads);

@@ -44,7 +44,7 @@ void measure_volumes(Measures& measures, const Mesh& mesh, const Solution& solut
 void measure_plate(Measures& measures, const CaseSettings& settings, const Scene& scene,
                    const Mesh& mesh, const Solution& solution,
                    std::span<const Vector3> positions) {
-  if (scene.plates.size() < 2) return;
+  if (scene.plates.size() < 2 || solution.reactions.empty()) return;
   const Plate& plate = scene.plates.back();
   const std::vector<NodeIndex>& nodes = mesh.region(plate.region).nodes;
   const bool moved_arms = solution.lever_arms == LeverArms::deformed;
@@ -68,21 +68,24 @@ void measure_plate(Measures& measures, const CaseSettings& settings, const Scene
 void measure_traction(Measures& measures, const Scene& scene, const Mesh& mesh,
                       const Solution& solution) {
   if (scene.tractions.empty()) return;
+  measures.face_displacement = loaded_face_displacement(mesh, scene, solution);
+  if (solution.reactions.empty()) return;
   Vector3 force = Vector3::Zero();
   for (const Vector3& f : traction_forces(mesh, scene)) force += f;
   measures.force = force;
   measures.plate_force = force.norm();
   measures.plate_force_norm = force.norm();
-  measures.face_displacement = loaded_face_displacement(mesh, scene, solution);
 }
 
 void measure_affine(Measures& measures, const Scene& scene, const Mesh& mesh,
                     const Solution& solution) {
   if (!scene.boundary_gradient) return;
-  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
-  for (const NodeIndex n : mesh.boundary().nodes)
-    stress += solution.reactions[n] * mesh.nodes()[n].transpose() / mesh.volume();
-  measures.mean_stress = stress;
+  if (!solution.reactions.empty()) {
+    Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
+    for (const NodeIndex n : mesh.boundary().nodes)
+      stress += solution.reactions[n] * mesh.nodes()[n].transpose() / mesh.volume();
+    measures.mean_stress = stress;
+  }
   const auto deviation = over_free_nodes(mesh, scene, [&](std::size_t n) {
     return (solution.displacements[n] - *scene.boundary_gradient * mesh.nodes()[n])
         .norm();
@@ -128,7 +131,7 @@ Measures measure(const CaseSettings& settings, const Mesh& mesh,
   measure_affine(measures, scene, mesh, solution);
   measure_beam(measures, settings, mesh, solution.displacements);
   measures.definite_up_to_deformation = definite_up_to_deformation(settings, solution);
-  measures.strain_energy = solution.strain_energy;
+  if (!is_measured(settings.method)) measures.strain_energy = solution.strain_energy;
   return measures;
 }
 

@@ -27,7 +27,7 @@ struct Measures {
   Value wrinkle_amplitude{};
 
   // What the moved plate, or the traction in its stead, applies to the body; empty
-  // without either.
+  // without either, and where no forces were given to a measured result.
   Vector force{};   // [N]
   Vector torque{};  // [N m] about the plate's axis directions, through its centre; empty
                     // in traction, which has none about the loaded face's
@@ -81,7 +81,7 @@ struct Measures {
   Value centre_line_timoshenko{};
   Value centre_line_elastica{};
 
-  Value strain_energy{};  // [J]
+  Value strain_energy{};  // [J]; empty of a measured result
 };
 
 /// Calls visit(name, value) for every measure, in the order they are reported; names as

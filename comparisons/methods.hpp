@@ -10,10 +10,18 @@
 
 namespace springcheck {
 
-/// A method by its name on the command line: springs, or a law for finite elements.
+/// In a model's place: nodal displacements that another program computed, and forces
+/// where it told them, by the SHA-256 of their numbers.
+struct Measured {
+  std::string displacements;
+  std::string forces;  // empty without
+};
+
+/// A method by its name on the command line: springs, or a law for finite elements; or by
+/// the user's name for what is measured.
 struct Method {
-  std::string_view name;
-  std::variant<mss::Method, fem_reference::Law> model;
+  std::string name;
+  std::variant<mss::Method, fem_reference::Law, Measured> model;
   std::string_view description;
 };
 
@@ -40,6 +48,10 @@ const LatticeName* find_lattice(std::string_view name);
 
 inline bool is_finite_element(const Method& method) {
   return std::holds_alternative<fem_reference::Law>(method.model);
+}
+
+inline bool is_measured(const Method& method) {
+  return std::holds_alternative<Measured>(method.model);
 }
 
 /// Whether its springs have the constants that the user gives.

@@ -58,7 +58,8 @@ void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
   const auto group = hdf5::create_group(fields, result.key);
   const std::string partial = result.measures.volume_error ? "" : "partial_";
   hdf5::write_table(group, partial + "displacement", flat(solution.displacements), 3);
-  hdf5::write_table(group, partial + "reaction", flat(solution.reactions), 3);
+  if (!solution.reactions.empty())
+    hdf5::write_table(group, partial + "reaction", flat(solution.reactions), 3);
   std::vector<double> ratios = deformed_volumes(mesh, solution);
   for (std::size_t c = 0; c < ratios.size(); ++c) ratios[c] /= mesh.cell_volumes()[c];
   hdf5::write_table(group, partial + "cell_volume_ratio", ratios, 1);

@@ -18,7 +18,8 @@ namespace springcheck {
 ///     /provenance      columns, a row for each time the file was written
 ///     /meshes/SHA256   nodes, hexahedra, regions/NAME
 ///     /fields/KEY      displacement, reaction, cell_volume_ratio, or partial_ of all
-///                      three when the case ended without an equilibrium
+///                      three when the case ended without an equilibrium; no reaction
+///                      where another program's result came without forces
 ///
 /// Results are added whole or not at all, whatever ends the program (store/journal.hpp).
 class ResultFile {

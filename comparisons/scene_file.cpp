@@ -42,4 +42,10 @@ SceneFile read_scene(const std::string& name_or_path) {
   return {.name = scene.name, .file = scene.file, .settings = parse(scene)};
 }
 
+RunSettings read_run(const std::string& scene, const std::vector<GivenSetting>& options) {
+  SceneFile file = read_scene(scene);
+  file.settings.insert(file.settings.end(), options.begin(), options.end());
+  return make_run_settings(file.name, file.file, file.settings);
+}
+
 }  // namespace springcheck

@@ -20,4 +20,7 @@ struct SceneFile {
 /// InputError with file, line and column.
 SceneFile read_scene(const std::string& name_or_path);
 
+/// The run of that scene with options, which replace its settings. Throws InputError.
+RunSettings read_run(const std::string& scene, const std::vector<GivenSetting>& options);
+
 }  // namespace springcheck

@@ -6,23 +6,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
-#include <tuple>
 
+#include "comparisons/utf8.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {
-
-bool is_utf8(const std::string& text) {
-  try {
-    std::ignore = nlohmann::json(text).dump();
-    return true;
-  } catch (const nlohmann::json::type_error&) {
-    return false;
-  }
-}
 
 std::string text_of_file(const std::string& file, const std::string& kind) {
   if (std::filesystem::is_directory(file))

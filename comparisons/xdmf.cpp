@@ -59,8 +59,8 @@ void write_grids(std::ostream& out, const std::string& data, hid_t root) {
                       cells = hdf5::row_count_of_table(mesh, "hexahedra");
     const std::string in_mesh = fmt::format("{}:/meshes/{}", data, sha256);
     const std::string in_case = fmt::format("{}:/fields/{}", data, key);
-    const std::string partial =
-        hdf5::has_link(hdf5::open_group(fields, key), "displacement") ? "" : "partial_";
+    const auto arrays = hdf5::open_group(fields, key);
+    const std::string partial = hdf5::has_link(arrays, "displacement") ? "" : "partial_";
     fmt::print(out,
                "<Grid Name=\"{}\">\n"
                "<Topology TopologyType=\"Hexahedron\" NumberOfElements=\"{}\">"
@@ -71,11 +71,12 @@ void write_grids(std::ostream& out, const std::string& data, hid_t root) {
                "{}/nodes</DataItem></Geometry>\n",
                escaped(grid_name(cases, row)), cells, cells, in_mesh, nodes, in_mesh);
     for (const char* field : {"displacement", "reaction"})
-      fmt::print(out,
-                 "<Attribute Name=\"{0}{1}\" AttributeType=\"Vector\" Center=\"Node\">"
-                 "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" "
-                 "Dimensions=\"{2} 3\">{3}/{0}{1}</DataItem></Attribute>\n",
-                 partial, field, nodes, in_case);
+      if (hdf5::has_link(arrays, partial + field))
+        fmt::print(out,
+                   "<Attribute Name=\"{0}{1}\" AttributeType=\"Vector\" Center=\"Node\">"
+                   "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" "
+                   "Dimensions=\"{2} 3\">{3}/{0}{1}</DataItem></Attribute>\n",
+                   partial, field, nodes, in_case);
     fmt::print(out,
                "<Attribute Name=\"{0}cell_volume_ratio\" AttributeType=\"Scalar\" "
                "Center=\"Cell\"><DataItem Format=\"HDF\" NumberType=\"Float\" "

@@ -1,0 +1,59 @@
+#include "comparisons/result_text.hpp"
+
+#include <fmt/format.h>
+
+#include "comparisons/text_table.hpp"
+
+namespace springcheck {
+namespace {
+
+std::string shown(const std::optional<double>& value, const char* format,
+                  double factor = 1) {
+  return value ? fmt::format(fmt::runtime(format), factor * *value) : "-";
+}
+
+}  // namespace
+
+std::string results_text(const std::vector<CaseResult>& results) {
+  std::vector<std::vector<std::string>> rows{
+      {"method", "status", "volume error %", "plate force N", "resultant N", "torque N m",
+       "tip m", "face z m", "stress xx Pa", "yy Pa", "zz Pa", "affine deviation %",
+       "deviation L2 %", "solve s"}};
+  for (const CaseResult& result : results) {
+    const Measures& m = result.measures;
+    const auto stress = [&](Eigen::Index i) {
+      return m.mean_stress ? Measures::Value((*m.mean_stress)(i, i)) : std::nullopt;
+    };
+    rows.push_back(
+        {label(result.request.settings), std::string(name_of(result.status)),
+         shown(m.volume_error, "{:.4f}", 100), shown(m.plate_force, "{:.6g}"),
+         shown(m.plate_force_norm, "{:.6g}"), shown(m.plate_torque, "{:.6g}"),
+         shown(m.tip_deflection, "{:.6g}"),
+         m.face_displacement ? fmt::format("{:.6g}", m.face_displacement->z()) : "-",
+         shown(stress(0), "{:.6g}"), shown(stress(1), "{:.6g}"),
+         shown(stress(2), "{:.6g}"), shown(m.affine_deviation_relative, "{:.3g}", 100),
+         shown(m.deviation_l2_relative, "{:.3f}", 100),
+         is_measured(result.request.settings.method)
+             ? "-"
+             : fmt::format("{:.2f}", result.solve_wall_s)});
+  }
+  std::string text = in_columns(without_empty_columns(std::move(rows), "-"));
+  for (const CaseResult& result : results)
+    if (!result.reason.empty())
+      text += fmt::format("{}: {}\n", label(result.request.settings), result.reason);
+  for (const CaseResult& result : results)
+    if (result.request.reference) {
+      const std::string reference = reference_label(result.request);
+      const Measures& m = result.measures;
+      text += fmt::format(
+          "Deviations are from {}{}{}{}.\n", reference,
+          reference.find('@') == std::string::npos ? " on the same mesh" : "",
+          m.reference_bar ? fmt::format(", mean error bar {:.2g} m", *m.reference_bar)
+                          : "",
+          m.reference_order ? fmt::format(", order {:.2f}", *m.reference_order) : "");
+      break;
+    }
+  return text;
+}
+
+}  // namespace springcheck
