@@ -47,7 +47,13 @@ ExitStatus gate_command(const std::string& name_or_path,
   const TomlFile toml = toml_file(name_or_path, "gate", shipped_gates());
   const std::vector<Gate> parsed = parse_gates(toml.text, toml.file);
   if (bless == Bless::yes) check_writable(toml.file);
-  if (junit) check_writable(*junit);
+  if (junit) {
+    check_writable(*junit);
+    for (const std::filesystem::path& input : {results, std::filesystem::path(toml.file)})
+      if (std::error_code none; std::filesystem::equivalent(*junit, input, none))
+        throw InputError("--junit", "", "another file than " + input.string(),
+                         "'" + junit->string() + "'");
+  }
   const Columns cases = read_cases(results);
 
   Report report{.gates_name = toml.name,

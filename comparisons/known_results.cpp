@@ -18,13 +18,18 @@ StoredCases stored_cases(const std::vector<std::filesystem::path>& files) {
 }
 
 void warn_of_other_commits(const StoredCases& stored) {
-  std::set<std::pair<std::string, std::string>> others;  // file, commit
+  std::map<std::filesystem::path, std::set<std::string>> commits;
   for (const auto& [key, place] : stored)
-    if (const auto& [file, one] = place; one.commit != build_info::commit)
-      others.emplace(file.string(), one.commit);
-  for (const auto& [file, commit] : others)
-    spdlog::warn("{} holds cases of commit {}, this program is {}", file, commit,
-                 build_info::commit);
+    commits[place.first].insert(place.second.commit);
+  for (const auto& [file, all] : commits) warn_of_other_commits(file, all);
+}
+
+void warn_of_other_commits(const std::filesystem::path& file,
+                           const std::set<std::string>& commits) {
+  for (const std::string& commit : commits)
+    if (commit != build_info::commit)
+      spdlog::warn("{} holds cases of commit {}, this program is {}", file.string(),
+                   commit, build_info::commit);
 }
 
 StoredCases of_this_commit(StoredCases stored) {

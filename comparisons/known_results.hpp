@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,9 @@ using StoredCases = std::map<std::string, std::pair<std::filesystem::path, Store
 /// All cases of the files. Throws like read_results.
 StoredCases stored_cases(const std::vector<std::filesystem::path>& files);
 
-/// Warns of cases that a program of another commit computed.
+/// Warns of commits other than this program's, by which cases of the file were computed.
+void warn_of_other_commits(const std::filesystem::path& file,
+                           const std::set<std::string>& commits);
 void warn_of_other_commits(const StoredCases& stored);
 
 /// Leaves those that this very program computed: none if its sources were changed since

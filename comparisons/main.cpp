@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <map>
 #include <set>
@@ -182,6 +183,8 @@ int command_line(int argc, char** argv) {
   sweep->add_flag("--dry-run", sweep_options.dry_run, "count and estimate only");
   sweep->add_flag("--only-failed", sweep_options.only_failed,
                   "run again what the file holds with a status other than ok");
+  sweep->add_flag("--recompute", sweep_options.recompute,
+                  "run again all that the file holds");
   sweep->add_option("--shard", shard, "I/N: every N-th case from the I-th on");
   sweep->add_flag("--yes", sweep_options.yes,
                   "more than a million combinations are meant");
@@ -267,6 +270,7 @@ int command_line(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like others
   try {
     return command_line(argc, argv);
   } catch (const springcheck::InputError& error) {

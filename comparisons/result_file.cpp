@@ -6,6 +6,8 @@
 #include <array>
 #include <chrono>
 #include <fstream>
+#include <set>
+#include <string_view>
 #include <system_error>
 #include <thread>
 
@@ -98,10 +100,7 @@ void settle(const std::filesystem::path& file) {
 
 /// read(root) of a result file; whatever is wrong with the file is an InputError.
 template <class Read>
-auto reading(const std::filesystem::path& file, Read&& read) {
-  if (!std::filesystem::exists(file))
-    throw InputError(file.string(), "", "a result file", "no such file");
-  settle(file);
+auto read_once(const std::filesystem::path& file, Read&& read) {
   try {
     const auto root = hdf5::open_file(file);
     const auto found = hdf5::read_numbers(root, "layout");
@@ -120,21 +119,98 @@ auto reading(const std::filesystem::path& file, Read&& read) {
   }
 }
 
+/// When a file was changed, and its size.
+auto state_of(const std::filesystem::path& file) {
+  return std::pair(std::filesystem::last_write_time(file),
+                   std::filesystem::file_size(file));
+}
+
+/// read_once of a file that nobody changes meanwhile: what was seen in between is not
+/// believed. `read` may be called again.
+template <class Read>
+auto reading(const std::filesystem::path& name, Read&& read) {
+  constexpr int attempts = 100;
+  const std::filesystem::path file = link_target(name);
+  if (!std::filesystem::exists(file))
+    throw InputError(name.string(), "", "a result file", "no such file");
+  for (int attempt = 1;; ++attempt) {
+    settle(file);
+    const auto before = state_of(file);
+    const auto is_same = [&] {
+      return state_of(file) == before && !std::filesystem::exists(journal_of(file));
+    };
+    try {
+      auto found = read_once(file, read);
+      if (is_same() || attempt == attempts) return found;
+    } catch (const InputError&) {
+      if (is_same() || attempt == attempts) throw;
+    }
+  }
+}
+
+/// The columns of cases, with what all files of ours have.
+Columns cases_in(hid_t root) {
+  Columns cases = read_columns(hdf5::open_group(root, "cases"));
+  if (cases.rows == 0) return cases;
+  for (const char* name : {"key", "status", "mesh"})
+    if (!cases.texts.contains(name))
+      throw std::runtime_error(fmt::format("the cases have no column '{}'", name));
+  const std::size_t sessions = row_count(hdf5::open_group(root, "provenance"));
+  const auto provenance = cases.numbers.find("provenance");
+  if (provenance == cases.numbers.end() || provenance->second.width != 1)
+    throw std::runtime_error("the cases have no column 'provenance'");
+  for (const double row : provenance->second.values)
+    if (!(row >= 0 && row < static_cast<double>(sessions)))
+      throw std::runtime_error(
+          fmt::format("column 'provenance' refers to row {} of {}", row, sessions));
+  std::set<std::string_view> keys;
+  for (const std::string& key : cases.texts.at("key"))
+    if (!keys.insert(key).second)
+      throw std::runtime_error("case " + key + " is there twice");
+  return cases;
+}
+
+StoredKeys keys_in(hid_t root, const std::filesystem::path& file) {
+  StoredKeys stored;
+  const auto cases = hdf5::open_group(root, "cases");
+  const auto keys = read_texts(cases, "key"), statuses = read_texts(cases, "status");
+  if (keys.size() != row_count(cases) || statuses.size() != keys.size())
+    throw std::runtime_error("columns 'key' and 'status' do not belong together");
+  for (std::size_t row = 0; row < keys.size(); ++row)
+    stored.statuses[keys[row]] = status_named(statuses[row], file.string());
+  if (stored.statuses.size() != keys.size())
+    throw std::runtime_error("a case is there twice");
+  for (std::string& key : hdf5::links(hdf5::open_group(root, "fields")))
+    stored.with_fields.insert(std::move(key));
+  for (std::string& commit : read_texts(hdf5::open_group(root, "provenance"), "commit"))
+    stored.commits.insert(std::move(commit));
+  return stored;
+}
+
+/// The path, unless that of the .xdmf beside a result file.
+std::filesystem::path checked(const std::filesystem::path& file) {
+  if (file.extension() == ".xdmf")
+    throw InputError(file.string(), "extension", "that of an HDF5 file, such as .h5",
+                     ".xdmf, which is written beside it");
+  check_writable(file);
+  return link_target(file);
+}
+
 }  // namespace
 
 ResultFile::ResultFile(const std::filesystem::path& file)
-    : file_((check_writable(file), link_target(file))), lock_(file_) {
+    : file_(checked(file)), lock_(file_) {
   if (!std::filesystem::exists(file_)) return;
   recover(file_);
-  reading(file_, [&](hid_t root) {
-    const auto cases = hdf5::open_group(root, "cases");
-    const auto keys = read_texts(cases, "key"), statuses = read_texts(cases, "status");
-    for (std::size_t row = 0; row < keys.size(); ++row) {
-      rows_[keys[row]] = row;
-      statuses_[keys[row]] = status_named(statuses.at(row), file_.string());
-    }
-    return 0;
+  stored_ = read_once(file_, [&](hid_t root) { return keys_in(root, file_); });
+  const auto keys = read_once(file_, [](hid_t root) {
+    return read_texts(hdf5::open_group(root, "cases"), "key");
   });
+  for (std::size_t row = 0; row < keys.size(); ++row) rows_[keys[row]] = row;
+}
+
+StoredKeys stored_keys(const std::filesystem::path& file) {
+  return reading(file, [&](hid_t root) { return keys_in(root, file); });
 }
 
 void ResultFile::create() {
@@ -194,15 +270,24 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
   });
   provenance_ = provenance_row;
   rows_.merge(new_rows);
-  for (const CaseResult& result : results) statuses_[result.key] = result.status;
+  for (const CaseResult& result : results) {
+    stored_.statuses[result.key] = result.status;
+    if (with_fields && !result.solution.displacements.empty())
+      stored_.with_fields.insert(result.key);
+    else
+      stored_.with_fields.erase(result.key);
+  }
 }
 
 ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
   constexpr std::size_t at_once = 500;  // bounds what a commit keeps in memory
+  if (std::error_code none; std::filesystem::equivalent(from, file_, none))
+    return {.added = 0, .already_there = rows_.size(), .conflicts = {}};
   const Columns theirs = read_cases(from);
   const Columns ours = std::filesystem::exists(file_) ? read_cases(file_) : Columns{};
   Absorbed absorbed;
   std::vector<std::size_t> lacking;
+  std::vector<std::string> without_fields;  // here, of cases that both have
   for (std::size_t i = 0; i < theirs.rows; ++i) {
     const std::string& key = theirs.texts.at("key")[i];
     const auto known = rows_.find(key);
@@ -215,11 +300,23 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
             differing_figure(row_at(ours, known->second), row_at(theirs, i)))
       absorbed.conflicts.push_back(
           fmt::format("case {}: {} differs in {}", key, *column, from.string()));
+    else if (!stored_.with_fields.contains(key))
+      without_fields.push_back(key);
   }
-  reading(from, [&](hid_t source) {
+  read_once(from, [&](hid_t source) {
     const auto their_meshes = hdf5::open_group(source, "meshes"),
                their_fields = hdf5::open_group(source, "fields");
     const Columns sessions = read_columns(hdf5::open_group(source, "provenance"));
+    std::erase_if(without_fields, [&](const std::string& key) {
+      return !hdf5::has_link(their_fields, key);
+    });
+    if (!without_fields.empty())
+      change([&](hid_t root) {
+        const auto fields = hdf5::open_group(root, "fields");
+        for (const std::string& key : without_fields)
+          hdf5::copy_link(their_fields, fields, key);
+      });
+    stored_.with_fields.insert(without_fields.begin(), without_fields.end());
     std::map<double, double> session_of;  // theirs to ours
     for (std::size_t first = 0; first < lacking.size(); first += at_once) {
       const std::span<const std::size_t> part =
@@ -241,8 +338,10 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
                         {{row_at(sessions, static_cast<std::size_t>(session))}});
           session = place->second;
           if (!hdf5::has_link(meshes, mesh)) hdf5::copy_link(their_meshes, meshes, mesh);
-          if (hdf5::has_link(their_fields, key))
+          if (hdf5::has_link(their_fields, key)) {
             hdf5::copy_link(their_fields, fields, key);
+            stored_.with_fields.insert(key);
+          }
           added.push_back(std::move(row));
         }
         append_rows(hdf5::open_group(root, "cases"), added);
@@ -250,7 +349,7 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
       for (const Row& row : added) {
         const auto& key = std::get<std::string>(row.at("key"));
         rows_.emplace(key, rows_.size());
-        statuses_.emplace(
+        stored_.statuses.emplace(
             key, status_named(std::get<std::string>(row.at("status")), from.string()));
       }
       absorbed.added += added.size();
@@ -273,22 +372,22 @@ void write_results(const std::filesystem::path& file, std::span<const CaseResult
   write_xdmf_beside(file);
 }
 
-void check_results_writable(const std::filesystem::path& file) {
-  if (file.extension() == ".xdmf")
-    throw InputError(file.string(), "extension", "that of an HDF5 file, such as .h5",
-                     ".xdmf, which is written beside it");
-  const ResultFile opened(file);
+void check_xdmf_writable(const std::filesystem::path& file) {
   check_writable(xdmf_beside(file));
 }
 
+void check_results_writable(const std::filesystem::path& file) {
+  const ResultFile opened(file);
+  check_xdmf_writable(file);
+}
+
 Columns read_cases(const std::filesystem::path& file) {
-  return reading(
-      file, [](hid_t root) { return read_columns(hdf5::open_group(root, "cases")); });
+  return reading(file, [](hid_t root) { return cases_in(root); });
 }
 
 std::map<std::string, StoredCase> read_results(const std::filesystem::path& file) {
   return reading(file, [&](hid_t root) {
-    const Columns cases = read_columns(hdf5::open_group(root, "cases"));
+    const Columns cases = cases_in(root);
     const auto commits = read_texts(hdf5::open_group(root, "provenance"), "commit");
     std::map<std::string, StoredCase> all;
     for (std::size_t row = 0; row < cases.rows; ++row) {

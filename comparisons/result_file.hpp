@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 
@@ -10,6 +11,16 @@
 #include "comparisons/store/lock_file.hpp"
 
 namespace springcheck {
+
+/// The cases of a result file by their keys, and who computed them.
+struct StoredKeys {
+  std::map<std::string, Status> statuses;
+  std::set<std::string> with_fields;  // keys
+  std::set<std::string> commits;      // of programs
+};
+
+/// Throws like read_cases.
+StoredKeys stored_keys(const std::filesystem::path& file);
 
 /// HDF5 layout 2, documented in the README's reference part:
 ///
@@ -29,17 +40,16 @@ class ResultFile {
   /// layout, cannot be written, or another process is writing it.
   explicit ResultFile(const std::filesystem::path& file);
 
-  /// Status of each case in the file, by its key.
-  [[nodiscard]] const std::map<std::string, Status>& statuses() const {
-    return statuses_;
-  }
+  /// What is in the file.
+  [[nodiscard]] const StoredKeys& stored() const { return stored_; }
 
   /// Adds the results; those of keys in the file replace what it has. Fields are stored
   /// where results have them and `with_fields` says so.
   void put(std::span<const CaseResult> results, bool with_fields, MeshStore& meshes);
 
   /// Adds what another result file has and this one lacks: cases with their provenance,
-  /// meshes, fields. Cases that both have stay as they are here.
+  /// meshes, fields. Cases that both have stay as they are here, but get fields they
+  /// lack.
   struct Absorbed {
     std::size_t added = 0, already_there = 0;
     std::vector<std::string> conflicts;  // cases of other figures, in words
@@ -53,10 +63,13 @@ class ResultFile {
 
   std::filesystem::path file_;
   LockFile lock_;
-  std::map<std::string, Status> statuses_;
+  StoredKeys stored_;
   std::map<std::string, std::size_t> rows_;
   std::optional<std::size_t> provenance_;  // row of this session, once written
 };
+
+/// Throws InputError unless write_xdmf_beside can write.
+void check_xdmf_writable(const std::filesystem::path& file);
 
 /// Writes FILE.xdmf for ParaView beside the result file: all cases that have fields.
 void write_xdmf_beside(const std::filesystem::path& file);

@@ -3,7 +3,9 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
 #include <condition_variable>
+#include <exception>
 
 #include "comparisons/converged.hpp"
 #include "comparisons/memory.hpp"
@@ -79,14 +81,20 @@ class Study {
       tbb::parallel_for(
           tbb::blocked_range<std::size_t>(0, to_run_.size(), 1),
           [&](const tbb::blocked_range<std::size_t>& range) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-              simulate_one(to_run_[i], budget);
-              const std::lock_guard lock(finishing_);
-              finished(++done, to_run_.size());
-            }
+            // An exception that leaves here would cancel the loops inside other
+            // simulations, which would go on with what these had not computed.
+            for (std::size_t i = range.begin(); i < range.end() && !failed_; ++i) try {
+                simulate_one(to_run_[i], budget);
+                const std::lock_guard lock(finishing_);
+                finished(++done, to_run_.size());
+              } catch (...) {
+                const std::lock_guard lock(finishing_);
+                if (!failed_.exchange(true)) failure_ = std::current_exception();
+              }
           },
           tbb::simple_partitioner());
     });
+    if (failure_) std::rethrow_exception(failure_);
   }
 
  private:
@@ -192,6 +200,8 @@ class Study {
   std::map<std::string, std::size_t> places_;
   std::vector<std::size_t> to_run_, ready_;
   std::mutex planning_, finishing_;
+  std::atomic<bool> failed_ = false;
+  std::exception_ptr failure_;  // the first
 };
 
 }  // namespace

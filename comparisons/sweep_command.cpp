@@ -7,6 +7,7 @@
 #include <set>
 
 #include "comparisons/cost.hpp"
+#include "comparisons/known_results.hpp"
 #include "comparisons/memory.hpp"
 #include "comparisons/progress.hpp"
 #include "comparisons/result_writer.hpp"
@@ -40,14 +41,16 @@ Wanted wanted_of(const Sweep& sweep, const SweepOptions& options, MeshStore& mes
 }
 
 /// What is to be computed.
-std::vector<Request> missing_of(const Wanted& wanted,
-                                const std::map<std::string, Status>& stored,
-                                bool only_failed) {
+std::vector<Request> missing_of(const Wanted& wanted, const StoredKeys& stored,
+                                const Sweep& sweep, const SweepOptions& options) {
   std::vector<Request> missing;
   for (std::size_t i = 0; i < wanted.keys.size(); ++i) {
-    const auto known = stored.find(wanted.keys[i]);
-    const bool failed = known != stored.end() && known->second != Status::ok;
-    if (only_failed ? failed : known == stored.end())
+    const std::string& key = wanted.keys[i];
+    const auto known = stored.statuses.find(key);
+    const bool is_there = known != stored.statuses.end() &&
+                          (!sweep.with_fields || stored.with_fields.contains(key));
+    const bool failed = known != stored.statuses.end() && known->second != Status::ok;
+    if (options.only_failed ? failed : options.recompute || !is_there)
       missing.push_back(wanted.requests[i]);
   }
   return missing;
@@ -57,6 +60,16 @@ std::string duration(double seconds) {
   if (seconds < 120) return fmt::format("{:.0f} s", seconds);
   if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
   return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+/// What the sweep would do.
+void print_estimate(const std::vector<Request>& missing, const SweepOptions& options) {
+  double memory = 0;
+  for (const Request& request : missing)
+    memory = std::max(memory, estimated_memory(request.settings));
+  fmt::print("about {} on {} at once, {:.1f} GB for the largest\n",
+             duration(estimated_seconds(missing) / options.jobs), options.jobs,
+             memory / 1e9);
 }
 
 std::string counts(const std::map<Status, int>& count) {
@@ -87,23 +100,25 @@ void set_shard(SweepOptions& options, const std::string& text) {
 ExitStatus sweep_command(const std::string& name_or_path,
                          const std::filesystem::path& file, const SweepOptions& options) {
   const Sweep sweep = read_sweep(name_or_path, options.yes ? SIZE_MAX : unasked);
+  check_memory(name_or_path, sweep.requests);
   MeshStore meshes;
   const Wanted wanted = wanted_of(sweep, options, meshes);
-  ResultFile results(file);
-  const std::vector<Request> missing =
-      missing_of(wanted, results.statuses(), options.only_failed);
-  check_memory(name_or_path, missing);
-  fmt::print("{}: {} cases, {} of them to compute\n", sweep.name, wanted.keys.size(),
-             missing.size());
-  if (options.dry_run) {
-    double memory = 0;
-    for (const Request& request : missing)
-      memory = std::max(memory, estimated_memory(request.settings));
-    fmt::print("about {} on {} at once, {:.1f} GB for the largest\n",
-               duration(estimated_seconds(missing) / options.jobs), options.jobs,
-               memory / 1e9);
+  if (options.dry_run) {  // beside a writer, too
+    const bool exists = std::filesystem::exists(file);
+    const std::vector<Request> missing =
+        missing_of(wanted, exists ? stored_keys(file) : StoredKeys{}, sweep, options);
+    fmt::print("{}: {} cases, {} of them to compute\n", sweep.name, wanted.keys.size(),
+               missing.size());
+    print_estimate(missing, options);
     return ExitStatus::done;
   }
+  ResultFile results(file);
+  if (sweep.with_fields) check_xdmf_writable(file);
+  warn_of_other_commits(file, results.stored().commits);
+  const std::vector<Request> missing =
+      missing_of(wanted, results.stored(), sweep, options);
+  fmt::print("{}: {} cases, {} of them to compute\n", sweep.name, wanted.keys.size(),
+             missing.size());
   std::map<Status, int> count;
   {
     Progress progress("simulations");

@@ -11,6 +11,7 @@ struct SweepOptions {
   int jobs;                   // simulations at once, at most
   bool dry_run = false;       // count and estimate only
   bool only_failed = false;   // those the file holds with a status other than ok
+  bool recompute = false;     // also what the file holds
   bool yes = false;           // more than a million combinations are meant
   int shard = 1, shards = 1;  // every shards-th case, from the shard-th on
 };

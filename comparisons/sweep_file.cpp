@@ -39,7 +39,7 @@ bool is_sweepable(std::string_view key) {
 
 /// {from, to, count}
 std::vector<Given> range(const toml::table& table, const std::string& where) {
-  const std::string expected = "{from = A, to = B, count = N}, N at least 2";
+  const std::string expected = "{from = A, to = B, count = N}, numbers, N at least 2";
   const auto refuse = [&](const std::string& got) {
     throw InputError(where, "", expected, got);
   };
@@ -53,7 +53,9 @@ std::vector<Given> range(const toml::table& table, const std::string& where) {
   const auto last = static_cast<double>(*count - 1);
   for (std::int64_t i = 0; i < *count; ++i) {
     const double part = static_cast<double>(i) / last;
-    values.emplace_back(where, Given::Scalar((1 - part) * *from + part * *to));
+    // 0.15, not 0.15000000000000002: the number that a list would hold.
+    const double value = (1 - part) * *from + part * *to;
+    values.emplace_back(where, Given::Scalar(std::stod(fmt::format("{:.12g}", value))));
   }
   return values;
 }

@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(results_are_added_and_replaced_by_key) {
   read_fields(file, meshes.mesh(first[0].request.settings.block), read);
   BOOST_TEST((read.solution.displacements[0] == Vector3(1, 2, 3)));
   BOOST_TEST(read_cases(file).rows == 4U);
-  BOOST_TEST(ResultFile(file).statuses().size() == 4U);
+  BOOST_TEST(ResultFile(file).stored().statuses.size() == 4U);
 
   // Without fields none are left that belong to older figures.
   ResultFile(file).put({first.data(), 1}, false, meshes);

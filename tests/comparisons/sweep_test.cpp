@@ -87,6 +87,15 @@ cells = [[2, 2, 2], [4, 4, 4]]
   BOOST_TEST((sweep.requests[3].settings.block.cells == std::array{4, 4, 4}));
 }
 
+BOOST_AUTO_TEST_CASE(ranges_hold_the_numbers_that_lists_would) {
+  const Sweep sweep = sweep_of(
+      "scene = 'compression'\nmethod = 'mss-cf'\nnu = {from = 0, to = 0.45, count = "
+      "10}\n");
+  const std::vector<double> list{0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45};
+  for (std::size_t i = 0; i < list.size(); ++i)
+    BOOST_TEST(sweep.requests.at(i).settings.material.poisson_ratio == list[i]);
+}
+
 BOOST_AUTO_TEST_CASE(a_scene_s_own_methods_are_taken_where_none_is_given) {
   BOOST_TEST(cases_of(sweep_of("scene = 'compression'\n")).size() ==
              run_of("compression", {}).methods.size());
@@ -110,9 +119,10 @@ const std::vector<Bad> bad_sweeps{
     {"scene = 'compression'\nnu = [0.1, 0.5]\n",
      "sweep.toml:2:12: nu: expected a number in (-1, 0.5), got 0.5"},
     {"scene = 'compression'\nnu = {from = 0, to = 1}\n",
-     "sweep.toml:2:6: nu: expected {from = A, to = B, count = N}, N at least 2"},
+     "sweep.toml:2:6: nu: expected {from = A, to = B, count = N}, numbers, N at least 2"},
     {"scene = 'compression'\nnu = {from = 0, to = 1, count = 2, by = 3}\n",
-     "sweep.toml:2:6: nu: expected {from = A, to = B, count = N}, N at least 2, got "
+     "sweep.toml:2:6: nu: expected {from = A, to = B, count = N}, numbers, N at least 2, "
+     "got "
      "unknown key 'by'"},
     {"scene = 'compression'\ncases = 3\n",
      "sweep.toml:2:9: cases: expected tables, [[cases]], got others"},
@@ -220,11 +230,12 @@ BOOST_AUTO_TEST_CASE(only_failed_runs_what_is_there_and_not_ok) {
   failed.key = case_key(request, meshes.mesh(request.settings.block));
   failed.status = Status::not_converged;
   ResultFile(file).put({&failed, 1}, false, meshes);
-  BOOST_TEST(ResultFile(file).statuses().size() == 3U);
+  BOOST_TEST(ResultFile(file).stored().statuses.size() == 3U);
   sweep_command(sweep, file, {.jobs = 1});  // failed or not, it is there
-  BOOST_TEST((ResultFile(file).statuses().at(failed.key) == Status::not_converged));
+  BOOST_TEST(
+      (ResultFile(file).stored().statuses.at(failed.key) == Status::not_converged));
   sweep_command(sweep, file, {.jobs = 1, .only_failed = true});
-  BOOST_TEST((ResultFile(file).statuses().at(failed.key) == Status::ok));
+  BOOST_TEST((ResultFile(file).stored().statuses.at(failed.key) == Status::ok));
   BOOST_TEST(read_cases(file).rows == 3U);
 }
 
