@@ -70,18 +70,21 @@ class Results:
 def read(path):
     """Reads a result file. ValueError, naming the file, where it is none of layout 2;
     FileNotFoundError where there is none."""
-    path = Path(path)
+    path = Path(os.path.realpath(path))
 
     def tables(file):
         layout = file.attrs.get("layout")
         if layout is None:
-            raise ValueError(f"{path}: expected a springcheck result file, got other HDF5")
+            raise ValueError("HDF5 of others")
         if layout != LAYOUT:
-            raise ValueError(f"{path}: layout: expected {LAYOUT}, got {layout}")
-        return _table(file["cases"]), _table(file["provenance"])
+            raise ValueError(f"layout {layout} instead of {LAYOUT}")
+        cases = _table(file["cases"])
+        if cases.empty:
+            cases = pd.DataFrame({"key": []})
+        return cases.set_index("key"), _table(file["provenance"])
 
     cases, provenance = _at_rest(path, tables)
-    return Results(path, cases.set_index("key"), provenance)
+    return Results(path, cases, provenance)
 
 
 def _table(group):
@@ -102,28 +105,35 @@ def _table(group):
 def _at_rest(path, look):
     """look(file) of the file as it is between two changes. A writer changes it within
     milliseconds, between the making of a whole journal and its removal; a journal that
-    stays is of a writer that was killed, and is applied to a copy in memory."""
+    stays is of a writer that was killed, and is applied to a copy in memory. Whatever is
+    wrong with the content is a ValueError that names the file."""
     journal = Path(f"{path}-journal")
     for _ in range(100):
         before, pages = _state(path), _read_journal(journal)
-        failure = found = None
         if pages is None:
+            failure = found = None
             try:
                 with h5py.File(path, "r") as file:
                     found = look(file)
-            except (OSError, KeyError, RuntimeError) as error:
+            except Exception as error:  # pylint: disable=broad-except
                 failure = error
             if _state(path) == before and _read_journal(journal) is None:
                 if failure is None:
                     return found
-                raise ValueError(
-                    f"{path}: expected a springcheck result file, got {failure}"
-                ) from failure
+                raise _unreadable(path, failure) from failure
         time.sleep(0.02)
     if pages is None:
-        raise ValueError(f"{path}: changes faster than it can be read")
-    with h5py.File(io.BytesIO(_applied(path.read_bytes(), *pages)), "r") as file:
-        return look(file)
+        raise _unreadable(path, "one that changes faster than it can be read")
+    try:
+        content = _applied(path.read_bytes(), *pages)
+        with h5py.File(io.BytesIO(content), "r") as file:
+            return look(file)
+    except Exception as error:
+        raise _unreadable(path, error) from error
+
+
+def _unreadable(path, got):
+    return ValueError(f"{path}: expected a readable springcheck result file, got {got}")
 
 
 def _state(path):
@@ -146,15 +156,20 @@ def _read_journal(path):
     at = len(_MAGIC) + 16
     for _ in range(count):
         (number,) = struct.unpack_from("<Q", body, at)
-        pages[number] = body[at + 8 : at + 8 + _PAGE]
-        at += 8 + _PAGE
+        old_hash = body[at + 8 : at + 72]
+        pages[number] = old_hash, body[at + 72 : at + 72 + _PAGE]
+        at += 72 + _PAGE
     return size, pages
 
 
 def _applied(content, size, pages):
+    """The bytes that the journal leads to. ValueError where it is of other content."""
     changed = bytearray(content)
-    for number, page in pages.items():
-        end = (number + 1) * _PAGE
+    for number, (old_hash, page) in pages.items():
+        start, end = number * _PAGE, (number + 1) * _PAGE
+        present = bytes(changed[start:end]).ljust(_PAGE, b"\0")
+        if present != page and hashlib.sha256(present).hexdigest().encode() != old_hash:
+            raise ValueError("the journal beside it is of other content")
         changed.extend(b"\0" * (end - len(changed)))
-        changed[number * _PAGE : end] = page
+        changed[start:end] = page
     return bytes(changed[:size])

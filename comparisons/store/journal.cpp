@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <cstring>
@@ -14,6 +15,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "meshing/input_error.hpp"
 #include "meshing/sha256.hpp"
 
 namespace springcheck {
@@ -86,34 +88,84 @@ std::uint64_t take(std::string_view& bytes) {
   return number;
 }
 
-std::string journal_text(const PageWrites& writes) {
+std::string_view bytes_of(const Page& page) {
+  return {page.data(), page.size()};
+}
+
+/// A file's pages as they are, zeros beyond its end.
+class PageReader {
+ public:
+  explicit PageReader(const std::filesystem::path& file) : in_(file, std::ios::binary) {}
+  std::string hash(std::uint64_t number) {
+    Page page{};
+    in_.clear();
+    in_.seekg(static_cast<std::streamoff>(number * page_size));
+    in_.read(page.data(), page_size);
+    return sha256(bytes_of(page));
+  }
+
+ private:
+  std::ifstream in_;
+};
+
+std::string journal_text(const std::filesystem::path& file, const PageWrites& writes) {
+  PageReader old(file);
   std::string bytes = magic();
   append(bytes, writes.file_size);
   append(bytes, writes.pages.size());
   for (const auto& [number, page] : writes.pages) {
     append(bytes, number);
-    bytes.append(page.begin(), page.end());
+    bytes += old.hash(number);
+    bytes += bytes_of(page);
   }
   return bytes + sha256(bytes);
 }
 
+/// A journal's content.
+struct Journal {
+  PageWrites writes;
+  std::map<std::uint64_t, std::string> old_hashes;
+};
+
 /// None unless the journal is whole.
-std::optional<PageWrites> read_journal(std::string_view bytes) {
+std::optional<Journal> read_journal(std::string_view bytes) {
   if (bytes.size() < magic_size + 16 + hash_size || !bytes.starts_with(magic()))
     return std::nullopt;
   const std::string_view content = bytes.substr(0, bytes.size() - hash_size);
   if (bytes.substr(content.size()) != sha256(content)) return std::nullopt;
   bytes = content.substr(magic_size);
-  PageWrites writes;
-  writes.file_size = take(bytes);
+  Journal journal;
+  journal.writes.file_size = take(bytes);
   const std::uint64_t count = take(bytes);
-  if (bytes.size() != count * (8 + page_size)) return std::nullopt;
+  if (bytes.size() != count * (8 + hash_size + page_size)) return std::nullopt;
   while (!bytes.empty()) {
-    Page& page = writes.pages[take(bytes)];
-    std::memcpy(page.data(), bytes.data(), page_size);
+    const std::uint64_t number = take(bytes);
+    journal.old_hashes[number] = bytes.substr(0, hash_size);
+    bytes.remove_prefix(hash_size);
+    std::memcpy(journal.writes.pages[number].data(), bytes.data(), page_size);
     bytes.remove_prefix(page_size);
   }
-  return writes;
+  return journal;
+}
+
+/// Whether each page of the file is as it was before, or as it is to be.
+bool belongs_to(const Journal& journal, const std::filesystem::path& file) {
+  PageReader present(file);
+  return std::ranges::all_of(journal.writes.pages, [&](const auto& entry) {
+    const auto& [number, page] = entry;
+    const std::string hash = present.hash(number);
+    return hash == journal.old_hashes.at(number) || hash == sha256(bytes_of(page));
+  });
+}
+
+/// The folder's list of files goes to disk, too.
+void sync_folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder =
+      file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  const int number = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (number < 0) fail(folder, "cannot be opened");
+  fsync(number);  // where a file system cannot, nothing is to be done
+  close(number);
 }
 
 void apply(const std::filesystem::path& file, const PageWrites& writes) {
@@ -135,8 +187,9 @@ void write_pages(const std::filesystem::path& file, const PageWrites& writes) {
   try {
     Descriptor(file, O_WRONLY).reserve(writes.file_size);
     const Descriptor out(journal, O_WRONLY | O_CREAT | O_TRUNC);
-    out.write_at(0, journal_text(writes));
+    out.write_at(0, journal_text(file, writes));
     out.sync();
+    sync_folder_of(journal);
   } catch (...) {
     std::error_code ignored;  // the first failure is the one to report
     std::filesystem::remove(journal, ignored);
@@ -151,7 +204,12 @@ void recover(const std::filesystem::path& file) {
   if (!std::filesystem::exists(journal)) return;
   std::ostringstream bytes;
   bytes << std::ifstream(journal, std::ios::binary).rdbuf();
-  if (const auto writes = read_journal(bytes.view())) apply(file, *writes);
+  if (const auto whole = read_journal(bytes.view())) {
+    if (!belongs_to(*whole, file))
+      throw InputError(journal.string(), "", "the journal of " + file.string(),
+                       "one of other content (was the file replaced? move it away)");
+    apply(file, whole->writes);
+  }
   std::filesystem::remove(journal);
 }
 

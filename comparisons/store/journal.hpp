@@ -28,12 +28,14 @@ std::filesystem::path journal_of(const std::filesystem::path& file);
 /// then, or the journal is whole and kept.
 ///
 /// Journal, numbers little-endian of 64 bits: "springcheck journal 1\n", zeros up to 32
-/// bytes; size of the file; number of pages; for each page its number and its 4096 bytes;
-/// SHA-256 of all that as 64 hexadecimal digits.
+/// bytes; size of the file; number of pages; for each page its number, the SHA-256 of its
+/// old bytes (zeros beyond the old end) as 64 hexadecimal digits, and its 4096 new bytes;
+/// SHA-256 of all that likewise.
 void write_pages(const std::filesystem::path& file, const PageWrites& writes);
 
 /// What is left by a program that was killed: a whole journal is written to the file, and
-/// any is removed. Throws as write_pages.
+/// any is removed. Throws as write_pages, and InputError when the journal is of other
+/// content: when some page is neither as it was nor as it is to be. Both files stay then.
 void recover(const std::filesystem::path& file);
 
 }  // namespace springcheck

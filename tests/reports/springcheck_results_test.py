@@ -60,7 +60,7 @@ class Reading(unittest.TestCase):
     def test_other_files_are_refused_by_name(self):
         text = self.folder / "notes.h5"
         text.write_text("notes")
-        with self.assertRaisesRegex(ValueError, "notes.h5: expected a springcheck result file"):
+        with self.assertRaisesRegex(ValueError, "notes.h5: expected a readable springcheck result"):
             results.read(text)
         with self.assertRaises(FileNotFoundError):
             results.read(self.folder / "none.h5")
@@ -68,13 +68,17 @@ class Reading(unittest.TestCase):
     def test_a_whole_journal_counts_and_a_cut_one_does_not(self):
         """As a writer that was killed while it changed the file leaves it."""
         whole = self.file.read_bytes()
-        page = struct.pack("<Q", 0) + whole[:4096]
+        old = b"\0" * 4096
+        page = struct.pack("<Q", 0) + sha256(old).hexdigest().encode() + whole[:4096]
         body = b"springcheck journal 1\n".ljust(32, b"\0")
         body += struct.pack("<QQ", len(whole), 1) + page
         journal = body + sha256(body).hexdigest().encode()
-        self.file.write_bytes(b"\0" * 4096 + whole[4096:])
+        self.file.write_bytes(old + whole[4096:])
         Path(f"{self.file}-journal").write_bytes(journal)
         self.assertEqual(len(results.read(self.file).cases), 2)
+        self.file.write_bytes(b"x" * 4096 + whole[4096:])
+        with self.assertRaisesRegex(ValueError, "of other content"):
+            results.read(self.file)
         Path(f"{self.file}-journal").write_bytes(journal[:-1])
         with self.assertRaises(ValueError):
             results.read(self.file)

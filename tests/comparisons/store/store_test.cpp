@@ -151,9 +151,9 @@ BOOST_AUTO_TEST_CASE(a_whole_journal_is_applied_and_a_cut_one_is_not) {
   number(3 * page_size - 10);
   number(2);
   number(0);
-  journal += std::string(page_size, 'a');
+  journal += sha256(std::string(page_size, 'z')) + std::string(page_size, 'a');
   number(2);
-  journal += std::string(page_size, 'c');
+  journal += sha256(std::string(page_size, '\0')) + std::string(page_size, 'c');
   journal += sha256(journal);
   for (const std::size_t cut : {journal.size() - 1, journal.size() / 2, 40UL, 0UL}) {
     std::ofstream(journal_of(file), std::ios::binary) << journal.substr(0, cut);
@@ -170,6 +170,32 @@ BOOST_AUTO_TEST_CASE(a_whole_journal_is_applied_and_a_cut_one_is_not) {
   recover(file);
   BOOST_TEST(bytes_of(file) == std::string(page_size, 'a') + std::string(page_size, 'z') +
                                    std::string(page_size - 10, 'c'));
+  BOOST_TEST(!fs::exists(journal_of(file)));
+}
+
+// A journal that another file has left under this name, say before a backup came back.
+BOOST_AUTO_TEST_CASE(a_journal_of_other_content_is_refused_and_kept) {
+  const OwnFolder own;
+  const fs::path file = own.path / "a";
+  std::ofstream(file) << std::string(2 * page_size, 'z');
+  std::string journal = "springcheck journal 1\n" + std::string(10, '\0');
+  const auto number = [&](std::uint64_t n) {
+    for (int i = 0; i < 8; ++i) journal += static_cast<char>((n >> (8 * i)) & 0xffU);
+  };
+  number(2 * page_size);
+  number(1);
+  number(1);
+  journal += sha256(std::string(page_size, 'y')) + std::string(page_size, 'b');
+  journal += sha256(journal);
+  std::ofstream(journal_of(file), std::ios::binary) << journal;
+  BOOST_CHECK_EXCEPTION(recover(file), InputError, [](const InputError& e) {
+    return std::string(e.what()).find("one of other content") != std::string::npos;
+  });
+  BOOST_TEST(bytes_of(file) == std::string(2 * page_size, 'z'));
+  BOOST_TEST(bytes_of(journal_of(file)) == journal);
+  // Half applied already: the page is as it is to be.
+  std::ofstream(file) << std::string(page_size, 'z') << std::string(page_size, 'b');
+  recover(file);
   BOOST_TEST(!fs::exists(journal_of(file)));
 }
 
