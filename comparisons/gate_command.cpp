@@ -7,7 +7,7 @@
 #include "comparisons/gates/gate_check.hpp"
 #include "comparisons/gates/gate_file.hpp"
 #include "comparisons/gates/gate_output.hpp"
-#include "comparisons/result_file.hpp"
+#include "comparisons/known_results.hpp"
 #include "comparisons/toml_values.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
@@ -55,6 +55,7 @@ ExitStatus gate_command(const std::string& name_or_path,
                          "'" + junit->string() + "'");
   }
   const Columns cases = read_cases(results);
+  warn_of_other_commits(results, stored_keys(results).commits);
 
   Report report{.gates_name = toml.name,
                 .gates_file = toml.file,

@@ -1,5 +1,6 @@
 #include "meshing/output_file.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -29,6 +30,8 @@ void check_writable(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(place)) refuse("a directory");
   if (std::filesystem::exists(place) && !std::filesystem::is_regular_file(place))
     refuse("something that is not a regular file");
+  if (std::filesystem::exists(place) && access(place.c_str(), W_OK) != 0)
+    refuse("a file without permission to write");
   const std::filesystem::path folder =
       place.has_parent_path() ? place.parent_path() : std::filesystem::path(".");
   std::string probe = (folder / ".springcheck-XXXXXX").string();
@@ -38,13 +41,40 @@ void check_writable(const std::filesystem::path& file) {
   std::filesystem::remove(probe);
 }
 
+namespace {
+
+/// Those of the file it is to replace, or what new files have.
+void set_permissions(const std::filesystem::path& unfinished,
+                     const std::filesystem::path& place) {
+  if (std::filesystem::exists(place)) {
+    std::filesystem::permissions(unfinished,
+                                 std::filesystem::status(place).permissions());
+    return;
+  }
+  const mode_t hidden = umask(0);
+  umask(hidden);
+  chmod(unfinished.c_str(), 0666 & ~hidden);
+}
+
+}  // namespace
+
 void write_whole(
     const std::filesystem::path& file,
     const std::function<void(const std::filesystem::path& unfinished)>& write) {
   const std::filesystem::path place = link_target(file);
-  std::filesystem::path unfinished = place;
-  unfinished.replace_extension(".part" + place.extension().string());
+  const std::string extension = place.extension().string();
+  // A name that nobody has, with the extension by which formats are told.
+  std::string name = place.string();
+  name.resize(name.size() - extension.size());
+  name += ".XXXXXX" + extension;
+  const int descriptor = mkstemps(name.data(), static_cast<int>(extension.size()));
+  if (descriptor < 0)
+    throw std::runtime_error(file.string() + ": " +
+                             std::generic_category().message(errno));
+  close(descriptor);
+  const std::filesystem::path unfinished = name;
   try {
+    set_permissions(unfinished, place);
     write(unfinished);
     std::filesystem::rename(unfinished, place);
   } catch (...) {

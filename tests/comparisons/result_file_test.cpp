@@ -234,3 +234,18 @@ BOOST_AUTO_TEST_CASE(time_steps_given_and_chosen_share_a_column) {
   BOOST_TEST(std::isnan(steps.at(0)));
   BOOST_TEST(steps.at(1) == 0.001);
 }
+
+// A sweep that stores fields computes what the file holds without them.
+BOOST_AUTO_TEST_CASE(merging_adds_fields_that_are_lacking) {
+  const OwnFolder own;
+  MeshStore meshes;
+  const auto results = study(requests(run_of("compression", small)), meshes);
+  ResultFile bare(own.path / "bare.h5");
+  bare.put(results, false, meshes);
+  BOOST_TEST(bare.stored().with_fields.empty());
+  write_results(own.path / "full.h5", results, meshes);
+  const auto absorbed = bare.absorb(own.path / "full.h5");
+  BOOST_TEST(absorbed.conflicts.empty());
+  BOOST_TEST(bare.stored().with_fields.size() == results.size());
+  BOOST_TEST(stored_keys(own.path / "bare.h5").with_fields.size() == results.size());
+}

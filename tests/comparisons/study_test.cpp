@@ -126,3 +126,27 @@ BOOST_AUTO_TEST_CASE(too_many_cells_are_refused_before_allocating) {
       });
   BOOST_CHECK_NO_THROW(check_memory("--cells", requests(run_of("compression", small))));
 }
+
+// A result that cannot be taken ends the study; simulations that run beside it are not
+// left with half of their loops.
+BOOST_AUTO_TEST_CASE(what_deliver_throws_ends_the_study) {
+  MeshStore meshes;
+  std::vector<Request> all;
+  for (const char* nu : {"nu=.1", "nu=.2", "nu=.3", "nu=.4"})
+    for (const Request& request :
+         requests(run_of("compression", {"cells=4,4,4", "method=fem-stvk", nu})))
+      all.push_back(request);
+  for (int round = 0; round < 5; ++round) {
+    std::vector<CaseResult> taken;
+    const auto deliver = [&](std::size_t, CaseResult&& result) {
+      if (!taken.empty()) throw std::runtime_error("no room");
+      taken.push_back(std::move(result));
+    };
+    BOOST_CHECK_EXCEPTION(
+        run_study(
+            all, meshes, 2, [](std::size_t, std::size_t) {}, {}, deliver),
+        std::runtime_error,
+        [](const std::runtime_error& e) { return std::string(e.what()) == "no room"; });
+    BOOST_TEST((taken.at(0).status == Status::ok));
+  }
+}

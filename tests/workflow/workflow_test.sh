@@ -6,7 +6,8 @@ set -euo pipefail
 springcheck=$1 snakefile=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+mkdir "$folder/a folder"
+cd "$folder/a folder"
 cat > sweep.toml <<'EOF'
 scene = "compression"
 method = "fem-stvk"
@@ -14,26 +15,27 @@ reference = "fem-stvk"
 cells = [8, 8, 8]
 nu = {from = 0.1, to = 0.4, count = 24}
 EOF
+shards="my all.h5.shards/sweep-2"
 run() {
   snakemake --snakefile "$snakefile" --cores 2 --rerun-incomplete --keep-going --nolock --quiet all \
-    --config sweep=sweep.toml out=all.h5 shards=2 springcheck="$springcheck" "$@"
+    --config sweep=sweep.toml out="my all.h5" shards=2 springcheck="$springcheck" "$@"
 }
 fail() { echo "$1" >&2; exit 1; }
 
 run > first.log 2>&1 &
 first=$!
 for _ in $(seq 1 600); do  # until the first shard has a case
-  [ -s all.h5.shards/1.h5 ] && break
+  [ -s "$shards/1.h5" ] && break
   sleep 0.1
 done
-pkill -9 -f -- "--out all.h5.shards/1.h5" || fail "no job to kill"
+pkill -9 -f -- "--out $shards/1.h5" || fail "no job to kill"
 if wait "$first"; then fail "the killed job went unnoticed"; fi
-[ -s all.h5.shards/1.h5 ] || fail "the killed job's result file is lost"
-[ ! -e all.h5 ] || fail "merged before all shards were done"
-"$springcheck" sweep sweep.toml --out all.h5.shards/1.h5 --shard 1/2 --dry-run > kept.log
+[ -s "$shards/1.h5" ] || fail "the killed job's result file is lost"
+[ ! -e "my all.h5" ] || fail "merged before all shards were done"
+"$springcheck" sweep sweep.toml --out "$shards/1.h5" --shard 1/2 --dry-run > kept.log
 grep -q "12 cases, " kept.log || fail "$(cat kept.log)"
 ! grep -q "12 of them" kept.log || fail "nothing of the killed job was kept"
 
 run > second.log 2>&1 || fail "$(cat second.log)"
-"$springcheck" sweep sweep.toml --out all.h5 --dry-run | grep -q "24 cases, 0 of them to compute" ||
+"$springcheck" sweep sweep.toml --out "my all.h5" --dry-run | grep -q "24 cases, 0 of them to compute" ||
   fail "cases are missing"
