@@ -4,15 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <fstream>
-#include <set>
-#include <string_view>
 #include <system_error>
-#include <thread>
 
+#include "comparisons/open_result_file.hpp"
 #include "comparisons/provenance.hpp"
-#include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/overlay_file.hpp"
 #include "comparisons/xdmf.hpp"
 #include "meshing/input_error.hpp"
@@ -21,20 +17,10 @@
 namespace springcheck {
 namespace {
 
-constexpr long long layout = 2;
-
 std::vector<double> flat(const std::vector<Vector3>& vectors) {
   std::vector<double> values;
   for (const Vector3& v : vectors) values.insert(values.end(), v.begin(), v.end());
   return values;
-}
-
-/// The inverse of flat.
-std::vector<Vector3> vectors(const std::vector<double>& values) {
-  std::vector<Vector3> all;
-  for (std::size_t i = 0; i + 2 < values.size(); i += 3)
-    all.emplace_back(values[i], values[i + 1], values[i + 2]);
-  return all;
 }
 
 template <std::size_t N>
@@ -83,110 +69,6 @@ std::optional<std::string> differing_figure(Row a, Row b) {
   return std::nullopt;
 }
 
-/// Waits for a living writer to finish its journal; a dead one's is finished here.
-void settle(const std::filesystem::path& file) {
-  using namespace std::chrono_literals;
-  for (auto waited = 0ms; std::filesystem::exists(journal_of(file)); waited += 10ms) {
-    try {
-      const LockFile lock(file);
-      recover(file);
-      return;
-    } catch (const InputError&) {
-      if (waited > 10s) throw;  // its writer hangs, or the folder cannot be written
-    }
-    std::this_thread::sleep_for(10ms);
-  }
-}
-
-/// read(root) of a result file; whatever is wrong with the file is an InputError.
-template <class Read>
-auto read_once(const std::filesystem::path& file, Read&& read) {
-  try {
-    const auto root = hdf5::open_file(file);
-    const auto found = hdf5::read_numbers(root, "layout");
-    if (!found)
-      throw InputError(file.string(), "", "a springcheck result file",
-                       "an HDF5 file without a layout number");
-    if (found->size() != 1 || found->front() != static_cast<double>(layout))
-      throw InputError(file.string(), "layout", std::to_string(layout),
-                       fmt::format("{:g}", fmt::join(*found, ", ")));
-    return read(root);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw InputError(file.string(), "", "a readable springcheck result file",
-                     error.what());
-  }
-}
-
-/// When a file was changed, and its size.
-auto state_of(const std::filesystem::path& file) {
-  return std::pair(std::filesystem::last_write_time(file),
-                   std::filesystem::file_size(file));
-}
-
-/// read_once of a file that nobody changes meanwhile: what was seen in between is not
-/// believed. `read` may be called again.
-template <class Read>
-auto reading(const std::filesystem::path& name, Read&& read) {
-  constexpr int attempts = 100;
-  const std::filesystem::path file = link_target(name);
-  if (!std::filesystem::exists(file))
-    throw InputError(name.string(), "", "a result file", "no such file");
-  for (int attempt = 1;; ++attempt) {
-    settle(file);
-    const auto before = state_of(file);
-    const auto is_same = [&] {
-      return state_of(file) == before && !std::filesystem::exists(journal_of(file));
-    };
-    try {
-      auto found = read_once(file, read);
-      if (is_same() || attempt == attempts) return found;
-    } catch (const InputError&) {
-      if (is_same() || attempt == attempts) throw;
-    }
-  }
-}
-
-/// The columns of cases, with what all files of ours have.
-Columns cases_in(hid_t root) {
-  Columns cases = read_columns(hdf5::open_group(root, "cases"));
-  if (cases.rows == 0) return cases;
-  for (const char* name : {"key", "status", "mesh"})
-    if (!cases.texts.contains(name))
-      throw std::runtime_error(fmt::format("the cases have no column '{}'", name));
-  const std::size_t sessions = row_count(hdf5::open_group(root, "provenance"));
-  const auto provenance = cases.numbers.find("provenance");
-  if (provenance == cases.numbers.end() || provenance->second.width != 1)
-    throw std::runtime_error("the cases have no column 'provenance'");
-  for (const double row : provenance->second.values)
-    if (!(row >= 0 && row < static_cast<double>(sessions)))
-      throw std::runtime_error(
-          fmt::format("column 'provenance' refers to row {} of {}", row, sessions));
-  std::set<std::string_view> keys;
-  for (const std::string& key : cases.texts.at("key"))
-    if (!keys.insert(key).second)
-      throw std::runtime_error("case " + key + " is there twice");
-  return cases;
-}
-
-StoredKeys keys_in(hid_t root, const std::filesystem::path& file) {
-  StoredKeys stored;
-  const auto cases = hdf5::open_group(root, "cases");
-  const auto keys = read_texts(cases, "key"), statuses = read_texts(cases, "status");
-  if (keys.size() != row_count(cases) || statuses.size() != keys.size())
-    throw std::runtime_error("columns 'key' and 'status' do not belong together");
-  for (std::size_t row = 0; row < keys.size(); ++row)
-    stored.statuses[keys[row]] = status_named(statuses[row], file.string());
-  if (stored.statuses.size() != keys.size())
-    throw std::runtime_error("a case is there twice");
-  for (std::string& key : hdf5::links(hdf5::open_group(root, "fields")))
-    stored.with_fields.insert(std::move(key));
-  for (std::string& commit : read_texts(hdf5::open_group(root, "provenance"), "commit"))
-    stored.commits.insert(std::move(commit));
-  return stored;
-}
-
 /// The path, unless that of the .xdmf beside a result file.
 std::filesystem::path checked(const std::filesystem::path& file) {
   if (file.extension() == ".xdmf")
@@ -209,17 +91,13 @@ ResultFile::ResultFile(const std::filesystem::path& file)
   for (std::size_t row = 0; row < keys.size(); ++row) rows_[keys[row]] = row;
 }
 
-StoredKeys stored_keys(const std::filesystem::path& file) {
-  return reading(file, [&](hid_t root) { return keys_in(root, file); });
-}
-
 void ResultFile::create() {
   write_whole(file_, [](const std::filesystem::path& unfinished) {
     std::ofstream(unfinished).flush();
     OverlayFile overlay(unfinished);
     {
       const hdf5::Handle root(overlay.create(), H5Fclose, unfinished.string());
-      hdf5::write_attribute(root, "layout", layout);
+      hdf5::write_attribute(root, "layout", result_layout);
       for (const char* group : {"cases", "provenance", "meshes", "fields"})
         hdf5::create_group(root, group);
     }
@@ -379,55 +257,6 @@ void check_xdmf_writable(const std::filesystem::path& file) {
 void check_results_writable(const std::filesystem::path& file) {
   const ResultFile opened(file);
   check_xdmf_writable(file);
-}
-
-Columns read_cases(const std::filesystem::path& file) {
-  return reading(file, [](hid_t root) { return cases_in(root); });
-}
-
-std::map<std::string, StoredCase> read_results(const std::filesystem::path& file) {
-  return reading(file, [&](hid_t root) {
-    const Columns cases = cases_in(root);
-    const auto commits = read_texts(hdf5::open_group(root, "provenance"), "commit");
-    std::map<std::string, StoredCase> all;
-    for (std::size_t row = 0; row < cases.rows; ++row) {
-      StoredCase stored = stored_case(cases, row, file.string());
-      const auto session =
-          static_cast<std::size_t>(cases.numbers.at("provenance").values.at(row));
-      stored.commit = commits.at(session);
-      all.emplace(cases.texts.at("key").at(row), std::move(stored));
-    }
-    return all;
-  });
-}
-
-void read_fields(const std::filesystem::path& file, const Mesh& mesh,
-                 CaseResult& result) {
-  reading(file, [&](hid_t root) {
-    const auto fields = hdf5::open_group(root, "fields");
-    if (!hdf5::has_link(fields, result.key)) return 0;
-    const auto group = hdf5::open_group(fields, result.key);
-    const std::string partial = result.measures.volume_error ? "" : "partial_";
-    const auto table = [&](const char* name, std::size_t count) {
-      auto values = hdf5::read_table(group, partial + name);
-      if (values && values->size() != count)
-        throw InputError(
-            file.string(), fmt::format("{}{} of case {}", partial, name, result.key),
-            fmt::format("{} numbers", count), fmt::to_string(values->size()));
-      return values;
-    };
-    const std::size_t nodes = mesh.nodes().size(), cells = mesh.hexahedra().size();
-    if (const auto displacements = table("displacement", 3 * nodes))
-      result.solution.displacements = vectors(*displacements);
-    if (const auto reactions = table("reaction", 3 * nodes))
-      result.solution.reactions = vectors(*reactions);
-    if (const auto ratios = table("cell_volume_ratio", cells)) {
-      result.solution.cell_volumes = *ratios;
-      for (std::size_t c = 0; c < cells; ++c)
-        result.solution.cell_volumes[c] *= mesh.cell_volumes()[c];
-    }
-    return 0;
-  });
 }
 
 }  // namespace springcheck

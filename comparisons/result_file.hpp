@@ -19,8 +19,9 @@ struct StoredKeys {
   std::set<std::string> commits;      // of programs
 };
 
-/// Throws like read_cases.
+/// Of a file, or of one that is open (`file` is for messages). Throw like read_cases.
 StoredKeys stored_keys(const std::filesystem::path& file);
+StoredKeys keys_in(hid_t root, const std::filesystem::path& file);
 
 /// HDF5 layout 2, documented in the README's reference part:
 ///
