@@ -85,10 +85,6 @@ ResultFile::ResultFile(const std::filesystem::path& file)
   if (!std::filesystem::exists(file_)) return;
   recover(file_);
   stored_ = read_once(file_, [&](hid_t root) { return keys_in(root, file_); });
-  const auto keys = read_once(file_, [](hid_t root) {
-    return read_texts(hdf5::open_group(root, "cases"), "key");
-  });
-  for (std::size_t row = 0; row < keys.size(); ++row) rows_[keys[row]] = row;
 }
 
 void ResultFile::create() {
@@ -135,9 +131,10 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
       const Mesh& mesh = meshes.mesh(result.request.settings.block);
       if (!hdf5::has_link(mesh_group, mesh.sha256())) write_mesh_group(mesh_group, mesh);
       const Row row = row_of(result, mesh, provenance_row);
-      if (const auto known = rows_.find(result.key); known != rows_.end())
+      if (const auto known = stored_.rows.find(result.key); known != stored_.rows.end())
         replace_row(cases, known->second, row);
-      else if (new_rows.try_emplace(result.key, rows_.size() + added.size()).second)
+      else if (new_rows.try_emplace(result.key, stored_.rows.size() + added.size())
+                   .second)
         added.push_back(row);
       else
         continue;  // twice among the results
@@ -147,7 +144,7 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
     append_rows(cases, added);
   });
   provenance_ = provenance_row;
-  rows_.merge(new_rows);
+  stored_.rows.merge(new_rows);
   for (const CaseResult& result : results) {
     stored_.statuses[result.key] = result.status;
     if (with_fields && !result.solution.displacements.empty())
@@ -160,7 +157,7 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
 ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
   constexpr std::size_t at_once = 500;  // bounds what a commit keeps in memory
   if (std::error_code none; std::filesystem::equivalent(from, file_, none))
-    return {.added = 0, .already_there = rows_.size(), .conflicts = {}};
+    return {.added = 0, .already_there = stored_.rows.size(), .conflicts = {}};
   const Columns theirs = read_cases(from);
   const Columns ours = std::filesystem::exists(file_) ? read_cases(file_) : Columns{};
   Absorbed absorbed;
@@ -168,8 +165,8 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
   std::vector<std::string> without_fields;  // here, of cases that both have
   for (std::size_t i = 0; i < theirs.rows; ++i) {
     const std::string& key = theirs.texts.at("key")[i];
-    const auto known = rows_.find(key);
-    if (known == rows_.end()) {
+    const auto known = stored_.rows.find(key);
+    if (known == stored_.rows.end()) {
       lacking.push_back(i);
       continue;
     }
@@ -226,7 +223,7 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
       });
       for (const Row& row : added) {
         const auto& key = std::get<std::string>(row.at("key"));
-        rows_.emplace(key, rows_.size());
+        stored_.rows.emplace(key, stored_.rows.size());
         stored_.statuses.emplace(
             key, status_named(std::get<std::string>(row.at("status")), from.string()));
       }

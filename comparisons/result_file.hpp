@@ -15,8 +15,9 @@ namespace springcheck {
 /// The cases of a result file by their keys, and who computed them.
 struct StoredKeys {
   std::map<std::string, Status> statuses;
-  std::set<std::string> with_fields;  // keys
-  std::set<std::string> commits;      // of programs
+  std::map<std::string, std::size_t> rows;  // of the table of cases
+  std::set<std::string> with_fields;        // keys
+  std::set<std::string> commits;            // of programs
 };
 
 /// Of a file, or of one that is open (`file` is for messages). Throw like read_cases.
@@ -65,7 +66,6 @@ class ResultFile {
   std::filesystem::path file_;
   LockFile lock_;
   StoredKeys stored_;
-  std::map<std::string, std::size_t> rows_;
   std::optional<std::size_t> provenance_;  // row of this session, once written
 };
 

@@ -49,8 +49,10 @@ StoredKeys keys_in(hid_t root, const std::filesystem::path& file) {
   const auto keys = read_texts(cases, "key"), statuses = read_texts(cases, "status");
   if (keys.size() != row_count(cases) || statuses.size() != keys.size())
     throw std::runtime_error("columns 'key' and 'status' do not belong together");
-  for (std::size_t row = 0; row < keys.size(); ++row)
+  for (std::size_t row = 0; row < keys.size(); ++row) {
     stored.statuses[keys[row]] = status_named(statuses[row], file.string());
+    stored.rows[keys[row]] = row;
+  }
   if (stored.statuses.size() != keys.size())
     throw std::runtime_error("a case is there twice");
   for (std::string& key : hdf5::links(hdf5::open_group(root, "fields")))

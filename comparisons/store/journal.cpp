@@ -184,6 +184,7 @@ std::filesystem::path journal_of(const std::filesystem::path& file) {
 
 void write_pages(const std::filesystem::path& file, const PageWrites& writes) {
   const std::filesystem::path journal = journal_of(file);
+  const std::uint64_t old_size = std::filesystem::file_size(file);
   try {
     Descriptor(file, O_WRONLY).reserve(writes.file_size);
     const Descriptor out(journal, O_WRONLY | O_CREAT | O_TRUNC);
@@ -193,6 +194,7 @@ void write_pages(const std::filesystem::path& file, const PageWrites& writes) {
   } catch (...) {
     std::error_code ignored;  // the first failure is the one to report
     std::filesystem::remove(journal, ignored);
+    std::filesystem::resize_file(file, old_size, ignored);  // what was reserved
     throw;
   }
   apply(file, writes);

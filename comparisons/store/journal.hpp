@@ -21,8 +21,9 @@ std::filesystem::path journal_of(const std::filesystem::path& file);
 
 /// Changes `file`, which must exist, wholly or not at all, also when the program is
 /// killed or the power fails: the pages go to the journal, then to the file, then the
-/// journal is removed. Killed before the journal is whole, the file has not changed;
-/// later, recover() does the rest. The caller keeps other writers away.
+/// journal is removed. Killed before the journal is whole, the file has not changed but
+/// for zeros behind its end, the room reserved; later, recover() does the rest. The
+/// caller keeps other writers away.
 ///
 /// Throws std::runtime_error when the disk is full or fails; the file has not changed
 /// then, or the journal is whole and kept.
