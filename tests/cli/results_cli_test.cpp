@@ -1,0 +1,130 @@
+#define BOOST_TEST_MODULE results_cli
+#include "program.hpp"
+
+namespace {
+
+const std::string small = "--cells 4,4,4 ";
+
+}  // namespace
+
+// Result files between commands: gates, tables, sweeps, merges.
+
+BOOST_AUTO_TEST_CASE(gates_end_with_the_status_that_ci_reads) {
+  const auto write = [](const std::string& name, const std::string& text) {
+    std::ofstream(folder / name) << text;
+  };
+  const std::string head =
+      "# kept\n[[gate]]\nname = 'force'\nreason = 'an example'\n"
+      "where = { scene = 'compression', method = 'mss-cf' }\nmeasure = 'plate_force'\n";
+  BOOST_TEST(
+      springcheck("run compression --method mss-cf --out gated.h5 " + small).status == 0);
+  write("pass.toml", head + "at_least = 1\nat_most = 2 # N\n");
+  const Run pass = springcheck("gate pass.toml gated.h5 --junit junit.xml");
+  BOOST_TEST(pass.status == 0, pass.err);
+  BOOST_TEST(pass.out.find("1 pass, 0 fall short") != std::string::npos, pass.out);
+  BOOST_TEST(text_of(folder / "junit.xml").find("failures=\"0\"") != std::string::npos);
+
+  // No force is both of one sign and below every bound.
+  write("impossible.toml", head + "at_least = 0\nat_most = 1e-300\n");
+  const Run falls_short = springcheck("gate impossible.toml gated.h5 --junit junit.xml");
+  BOOST_TEST(falls_short.status == 1, falls_short.out);
+  BOOST_TEST(falls_short.out.find("impossible.toml:2:1") != std::string::npos);
+  BOOST_TEST(text_of(folder / "junit.xml").find("<failure") != std::string::npos);
+
+  // A missing case outweighs one that falls short; both are reported.
+  write("missing.toml",
+        head +
+            "at_most = 1e-300\n[[gate]]\nname = 'other'\nreason = 'an example'\n"
+            "where = { scene = 'shearing' }\nexpect = 'ok'\n");
+  const Run missing = springcheck("gate missing.toml gated.h5 --json");
+  BOOST_TEST(missing.status == 2);
+  const Json json = Json::parse(missing.out);
+  BOOST_TEST(json["verdicts"][0]["verdict"] == "falls short");
+  BOOST_TEST(json["verdicts"][1]["verdict"] == "no case");
+
+  write("bad.toml", head + "at_mots = 2\n");
+  expect_bad_input("gate bad.toml gated.h5", "bad.toml:7:1: expected one of name, where");
+  expect_bad_input("gate pass.toml none.h5", "none.h5: expected a result file");
+  expect_bad_input("gate speed gated.h5", "gate: expected one of accuracy, thesis");
+  expect_bad_input("gate accuracy gated.h5 --bless", "part of the program");
+  expect_bad_input("gate pass.toml gated.h5 --junit none/junit.xml", "none/junit.xml");
+  BOOST_TEST(springcheck("gate thesis gated.h5").status == 2);  // none of its cases
+
+  const std::string stored = head + "equals = 3.0  # N\nrelative = 1e-9\n";
+  write("stored.toml", stored);
+  BOOST_TEST(springcheck("gate stored.toml gated.h5").status == 1);
+  BOOST_TEST(text_of(folder / "stored.toml") == stored);
+  const Run blessed = springcheck("gate stored.toml gated.h5 --bless");
+  BOOST_TEST(blessed.status == 0, blessed.err);
+  BOOST_TEST(blessed.out.find("blessed force: 3.0 -> 1.29") != std::string::npos);
+  BOOST_TEST(text_of(folder / "stored.toml").find("  # N\n") != std::string::npos);
+  BOOST_TEST(springcheck("gate stored.toml gated.h5").status == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_result_file_feeds_a_table_without_computing) {
+  BOOST_TEST(springcheck("run compression --out one.h5 " + small).status == 0);
+  BOOST_TEST(fs::exists(folder / "one.h5"));
+  BOOST_TEST(fs::exists(folder / "one.xdmf"));
+  // A result file that cannot be replaced stays as it was.
+  const std::string before = text_of(folder / "one.h5");
+  expect_bad_input("run compression --nu 2 --out one.h5", "--nu");
+  BOOST_TEST(text_of(folder / "one.h5") == before);
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_resumes_what_a_file_holds) {
+  std::ofstream(folder / "small.toml")
+      << "scene = ['compression', 'shearing']\nmethod = 'fem-hooke'\nelement = ['q1', "
+         "'q1-sri']\n"
+         "cells = [3, 3, 3]\nnu = {from = 0.1, to = 0.4, count = 4}\n";
+  const Run dry = springcheck("sweep small.toml --out sweep.h5 --dry-run");
+  BOOST_TEST(dry.status == 0);
+  BOOST_TEST(dry.out.starts_with("small: 16 cases, 16 of them to compute\nabout "),
+             dry.out);
+  BOOST_TEST(!fs::exists(folder / "sweep.h5"));
+  BOOST_TEST(springcheck("sweep small.toml --out sweep.h5 --shard 1/2").out ==
+             "small: 8 cases, 8 of them to compute\ncomputed: 8 ok\n");
+  BOOST_TEST(springcheck("sweep small.toml --out sweep.h5").out ==
+             "small: 16 cases, 8 of them to compute\ncomputed: 8 ok\n");
+  BOOST_TEST(springcheck("sweep small.toml --out sweep.h5").out ==
+             "small: 16 cases, 0 of them to compute\n");
+  BOOST_TEST(springcheck("merge all.h5 sweep.h5 sweep.h5").out ==
+             "sweep.h5: 16 cases added, 0 already there\n"
+             "sweep.h5: 0 cases added, 16 already there\n");
+  BOOST_TEST(!fs::exists(folder / "sweep.h5.lock"));
+}
+
+BOOST_AUTO_TEST_CASE(bad_sweeps_and_files_are_refused) {
+  std::ofstream(folder / "one.toml") << "scene = 'compression'\n";
+  std::ofstream(folder / "huge.toml")
+      << "scene = 'compression'\nmethod = 'mss-cf'\n"
+         "nu = {from = 0, to = 0.4, count = 2000}\n"
+         "deformation = {from = 0.01, to = 0.4, count = 1000}\n";
+  std::ofstream(folder / "text.h5") << "no HDF5";
+  expect_bad_input("sweep one.toml --out text.h5", "text.h5");
+  expect_bad_input("sweep huge.toml --out a.h5",
+                   "expected at most 1000000 without --yes, got 2000000");
+  expect_bad_input("sweep two.toml --out a.h5", "a readable sweep file");
+  expect_bad_input("sweep nn --out a.h5", "one of accuracy, deformation, diagonal-ratio");
+  expect_bad_input("sweep one.toml", "--out");
+  expect_bad_input("sweep one.toml --out a.h5 --shard 3/2", "I/N with 1 <= I <= N");
+  expect_bad_input("sweep one.toml --out nowhere/a.h5", "nowhere/a.h5");
+  expect_bad_input("merge a.h5 text.h5", "text.h5");
+  expect_bad_input("sweep one.toml --out a.xdmf", "beside it");
+  expect_bad_input("merge a.h5 nowhere.h5", "no such file");
+  BOOST_TEST(!fs::exists(folder / "a.h5"));
+}
+
+// No input is written over, and permissions stay.
+BOOST_AUTO_TEST_CASE(gates_do_not_write_over_their_inputs) {
+  BOOST_TEST(
+      springcheck("run compression --method mss-cf --cells 2,2,2 --out in.h5").status ==
+      0);
+  std::ofstream(folder / "in.toml")
+      << "[[gate]]\nname = 'a'\nwhere = { method = 'mss-cf' }\n"
+         "measure = 'plate_force'\nequals = 1\nabsolute = 1e-9\nreason = 'none'\n";
+  expect_bad_input("gate in.toml in.h5 --junit in.h5", "another file than in.h5");
+  expect_bad_input("gate in.toml in.h5 --junit in.toml", "another file than in.toml");
+  fs::permissions(folder / "in.toml", fs::perms(0600));
+  BOOST_TEST(springcheck("gate in.toml in.h5 --bless").status == 0);
+  BOOST_TEST((fs::status(folder / "in.toml").permissions() == fs::perms(0600)));
+}
