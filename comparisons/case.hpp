@@ -39,7 +39,7 @@ std::string_view name_of(fem_reference::LinearSolver solver);
 struct CaseSettings {
   std::string scene;
   Test test;
-  BlockSize block;
+  Block block;
   Material material;
   Vector3 gravity;           // [m/s^2]; zero but in bending
   Vector3 traction;          // [Pa]; zero but in traction

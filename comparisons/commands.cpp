@@ -174,7 +174,7 @@ ExitStatus mesh_command(const std::string& scene,
   const Mesh mesh = generate_block(run.common.block);
   write_mesh(mesh, file);
   fmt::print("{}: {} nodes, {} hexahedra, {:.6g} m^3, SHA-256 {}\n", file.string(),
-             mesh.nodes().size(), mesh.hexahedra().size(), mesh.volume(), mesh.sha256());
+             mesh.nodes().size(), mesh.cells().size(), mesh.volume(), mesh.sha256());
   return ExitStatus::done;
 }
 

@@ -25,7 +25,7 @@ std::vector<Vector3> displacements_at(const CaseResult& run, const Cells& cells)
 
 std::vector<double> cell_volumes_on(const CaseResult& run, const Cells& cells,
                                     MeshStore& meshes) {
-  const BlockSize& block = run.request.settings.block;
+  const Block& block = run.request.settings.block;
   return summed_over_coarse_cells(deformed_volumes(meshes.mesh(block), run.solution),
                                   block.cells, cells);
 }

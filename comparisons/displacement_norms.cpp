@@ -9,12 +9,13 @@
 namespace springcheck {
 namespace {
 
-/// Volume each node stands for: an eighth of each of its cells.
+/// Volume each node stands for: of each of its cells an equal share with its others.
 std::vector<double> nodal_volumes(const Mesh& mesh) {
   std::vector<double> volumes(mesh.nodes().size(), 0);
-  for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c)
-    for (const NodeIndex node : mesh.hexahedra()[c])
-      volumes[node] += mesh.cell_volumes()[c] / 8;
+  for (std::size_t c = 0; c < mesh.cells().size(); ++c)
+    for (const NodeIndex node : mesh.cells()[c])
+      volumes[node] +=
+          mesh.cell_volumes()[c] / static_cast<double>(mesh.cells()[c].size());
   return volumes;
 }
 

@@ -61,7 +61,7 @@ bool is_refinement(const Cells& fine, const Cells& coarse) {
   return fine[0] % coarse[0] == 0 && fine[1] % coarse[1] == 0 && fine[2] % coarse[2] == 0;
 }
 
-double cell_size(const BlockSize& block) {
+double cell_size(const Block& block) {
   const auto [lx, ly, lz] = block.size;
   const auto [nx, ny, nz] = block.cells;
   return std::cbrt(lx / nx * (ly / ny) * (lz / nz));

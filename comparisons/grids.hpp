@@ -24,7 +24,7 @@ Cells coarsened(const Cells& cells);
 bool is_refinement(const Cells& fine, const Cells& coarse);
 
 /// Cube root of a cell's mean volume [m].
-double cell_size(const BlockSize& block);
+double cell_size(const Block& block);
 
 /// Values at the coarse grid's nodes, of a field given at the nodes of a refinement.
 std::vector<Vector3> at_coarse_nodes(std::span<const Vector3> field, const Cells& fine,

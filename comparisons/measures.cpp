@@ -8,7 +8,7 @@
 
 #include "comparisons/beam_measures.hpp"
 #include "comparisons/displacement_norms.hpp"
-#include "meshing/hexahedron.hpp"
+#include "meshing/cell_geometry.hpp"
 #include "meshing/traction.hpp"
 
 namespace springcheck {
@@ -28,7 +28,7 @@ void measure_volumes(Measures& measures, const Mesh& mesh, const Solution& solut
   measures.volume_error = std::abs(*measures.volume_change);
   double smallest = INFINITY, largest = -INFINITY, smallest_jacobian = INFINITY;
   for (std::size_t c = 0; c < volumes.size(); ++c) {
-    const Hexahedron& cell = mesh.hexahedra()[c];
+    const CellNodes& cell = mesh.cells()[c];
     const double ratio = volumes[c] / mesh.cell_volumes()[c];
     smallest = std::min(smallest, ratio);
     largest = std::max(largest, ratio);
@@ -111,7 +111,7 @@ std::optional<std::string> not_finite(const Measures& measures) {
 
 std::vector<double> deformed_volumes(const Mesh& mesh, const Solution& solution) {
   if (!solution.cell_volumes.empty()) return solution.cell_volumes;
-  return cell_volumes(mesh.hexahedra(), deformed(mesh, solution.displacements));
+  return cell_volumes(mesh.cells(), deformed(mesh, solution.displacements));
 }
 
 Measures::Value definite_up_to_deformation(const CaseSettings& settings,

@@ -14,7 +14,7 @@ namespace springcheck {
 namespace {
 
 /// Peak memory of the program with one mesh [bytes].
-double estimated_mesh_memory(const BlockSize& block) {
+double estimated_mesh_memory(const Block& block) {
   const auto [nx, ny, nz] = block.cells;
   constexpr double program = 165e6, per_cell = 3e3;
   return program + per_cell * nx * ny * nz;
@@ -95,7 +95,7 @@ double available_memory() {
   return INFINITY;  // not Linux: nothing to compare with
 }
 
-void check_mesh_memory(const std::string& place, const BlockSize& block) {
+void check_mesh_memory(const std::string& place, const Block& block) {
   refuse_if_too_large(place, "mesh", estimated_mesh_memory(block));
 }
 

@@ -23,10 +23,10 @@ std::vector<double> flat(const std::vector<Vector3>& vectors) {
   return values;
 }
 
-template <std::size_t N>
-std::vector<std::uint32_t> flat(const std::vector<std::array<NodeIndex, N>>& cells) {
+template <class List>
+std::vector<std::uint32_t> flat(const std::vector<List>& cells) {
   std::vector<std::uint32_t> values;
-  for (const auto& cell : cells) values.insert(values.end(), cell.begin(), cell.end());
+  for (const List& cell : cells) values.insert(values.end(), cell.begin(), cell.end());
   return values;
 }
 
@@ -34,7 +34,7 @@ void write_mesh_group(hid_t meshes, const Mesh& mesh) {
   const auto group = hdf5::create_group(meshes, mesh.sha256());
   hdf5::write_attribute(group, "source", mesh.source());
   hdf5::write_table(group, "nodes", flat(mesh.nodes()), 3);
-  hdf5::write_table(group, "hexahedra", flat(mesh.hexahedra()), 8);
+  hdf5::write_table(group, "hexahedra", flat(mesh.cells()), 8);
   const auto regions = hdf5::create_group(group, "regions");
   for (const auto& [name, region] : mesh.regions())
     hdf5::write_table(regions, name, flat(region.faces), 4);

@@ -101,7 +101,7 @@ void read_fields(const std::filesystem::path& file, const Mesh& mesh,
             fmt::format("{} numbers", count), fmt::to_string(values->size()));
       return values;
     };
-    const std::size_t nodes = mesh.nodes().size(), cells = mesh.hexahedra().size();
+    const std::size_t nodes = mesh.nodes().size(), cells = mesh.cells().size();
     if (const auto displacements = table("displacement", 3 * nodes))
       result.solution.displacements = vectors(*displacements);
     if (const auto reactions = table("reaction", 3 * nodes))

@@ -206,7 +206,7 @@ class Study {
 
 }  // namespace
 
-const Mesh& MeshStore::mesh(const BlockSize& block) {
+const Mesh& MeshStore::mesh(const Block& block) {
   const std::lock_guard lock(one_at_a_time_);
   auto& mesh = meshes_[{block.size, block.cells}];
   if (!mesh) mesh = std::make_unique<const Mesh>(generate_block(block));

@@ -15,7 +15,7 @@ namespace springcheck {
 /// Meshes of blocks, each generated once. From any thread.
 class MeshStore {
  public:
-  const Mesh& mesh(const BlockSize& block);
+  const Mesh& mesh(const Block& block);
 
  private:
   std::mutex one_at_a_time_;

@@ -12,9 +12,9 @@ using NextNode = std::map<NodeIndex, NodeIndex>;
 
 NextNode grid_lines(const Mesh& mesh, const Region& region, Eigen::Index axis) {
   NextNode next;
-  for (const Quadrilateral& face : region.faces)
-    for (std::size_t i = 0; i < 4; ++i) {
-      const NodeIndex a = face[i], b = face[(i + 1) % 4];
+  for (const FaceNodes& face : region.faces)
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const NodeIndex a = face[i], b = face[(i + 1) % face.size()];
       const Vector3 edge = mesh.nodes()[b] - mesh.nodes()[a];
       Eigen::Index longest = 0;
       edge.cwiseAbs().maxCoeff(&longest);
@@ -27,7 +27,7 @@ NextNode grid_lines(const Mesh& mesh, const Region& region, Eigen::Index axis) {
   return next;
 }
 
-Vector3 rest_normal(const Mesh& mesh, const Quadrilateral& face) {
+Vector3 rest_normal(const Mesh& mesh, const FaceNodes& face) {
   const auto& x = mesh.nodes();
   return (x[face[2]] - x[face[0]]).cross(x[face[3]] - x[face[1]]).normalized();
 }

@@ -21,7 +21,7 @@ void build(dealii::Triangulation<3>& triangulation, const Mesh& mesh) {
   std::vector<dealii::Point<3>> vertices;
   for (const Vector3& x : mesh.nodes()) vertices.emplace_back(x.x(), x.y(), x.z());
   std::vector<dealii::CellData<3>> cells;
-  for (const Hexahedron& nodes : mesh.hexahedra()) {
+  for (const CellNodes& nodes : mesh.cells()) {
     constexpr std::array<std::size_t, 8> from_gmsh{0, 1, 3, 2, 4, 5, 7, 6};
     dealii::CellData<3> cell;
     for (std::size_t corner = 0; corner < from_gmsh.size(); ++corner)
@@ -31,7 +31,7 @@ void build(dealii::Triangulation<3>& triangulation, const Mesh& mesh) {
   triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
   // Every result is read by node number: this must hold, and is cheap to check.
   if (triangulation.get_vertices() != vertices ||
-      triangulation.n_active_cells() != mesh.hexahedra().size())
+      triangulation.n_active_cells() != mesh.cells().size())
     throw std::logic_error("deal.II renumbered the nodes of " + mesh.source());
 }
 
@@ -144,13 +144,11 @@ void integrate_cells(Discretisation& body, const dealii::FE_Q<3>& element,
 void integrate_regions(Discretisation& body, const Mesh& mesh,
                        const dealii::FE_Q<3>& element,
                        const dealii::Triangulation<3>& triangulation) {
-  std::map<std::array<NodeIndex, 4>, std::vector<std::map<NodeIndex, double>*>> wanted;
+  std::map<FaceNodes, std::vector<std::map<NodeIndex, double>*>> wanted;
   std::map<std::string, std::map<NodeIndex, double>> shares;
   for (const auto& [name, region] : mesh.regions())
-    for (Quadrilateral face : region.faces) {
-      std::ranges::sort(face);
-      wanted[face].push_back(&shares[name]);
-    }
+    for (const FaceNodes& face : region.faces)
+      wanted[ascending(face)].push_back(&shares[name]);
   dealii::FEFaceValues<3> values(element, dealii::QGauss<2>(element.degree + 1),
                                  dealii::update_values | dealii::update_JxW_values);
   auto place = body.cells.begin();
@@ -159,10 +157,10 @@ void integrate_regions(Discretisation& body, const Mesh& mesh,
     if (!shape->at_boundary()) continue;
     for (const unsigned int f : shape->face_indices()) {
       if (!shape->face(f)->at_boundary()) continue;
-      std::array<NodeIndex, 4> corners;
-      for (unsigned int v = 0; v < 4; ++v) corners[v] = shape->face(f)->vertex_index(v);
-      std::ranges::sort(corners);
-      const auto found = wanted.find(corners);
+      FaceNodes corners;
+      for (const unsigned int v : shape->face(f)->vertex_indices())
+        corners.push_back(shape->face(f)->vertex_index(v));
+      const auto found = wanted.find(ascending(corners));
       if (found == wanted.end()) continue;
       values.reinit(shape, f);
       for (const unsigned int a : values.dof_indices()) {
@@ -187,7 +185,7 @@ Discretisation discretise(const Mesh& mesh, Element element) {
   Discretisation body{.vertices = mesh.nodes().size(),
                       .nodes = mesh.nodes(),
                       .parents = {},
-                      .cells = std::vector<Cell>(mesh.hexahedra().size()),
+                      .cells = std::vector<Cell>(mesh.cells().size()),
                       .shape_values = {},
                       .regions = {}};
   number_nodes(body, shapes, triangulation);

@@ -16,7 +16,7 @@ void hold(HeldEntities& entities, const Region& region, const Held& held) {
     Held& entity = entities[std::move(vertices)];
     for (std::size_t i = 0; i < 3; ++i) entity[i] = entity[i] || held[i];
   };
-  for (const Quadrilateral& face : region.faces) {
+  for (const FaceNodes& face : region.faces) {
     for (std::size_t i = 0; i < face.size(); ++i)
       hold_one({face[i], face[(i + 1) % face.size()]});
     hold_one({face.begin(), face.end()});

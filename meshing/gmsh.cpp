@@ -44,7 +44,7 @@ struct Side {
   const char* name;
   std::array<int, 4> corners;  // local numbers of the box, outward
 };
-// The box's corners in the order of Hexahedron.
+// The box's corners in the order of CellNodes.
 constexpr std::array<Side, 6> sides{{{"bottom", {0, 3, 2, 1}},
                                      {"top", {4, 5, 6, 7}},
                                      {"y_min", {0, 1, 5, 4}},
@@ -52,12 +52,12 @@ constexpr std::array<Side, 6> sides{{{"bottom", {0, 3, 2, 1}},
                                      {"x_min", {0, 4, 7, 3}},
                                      {"x_max", {1, 2, 6, 5}}}};
 
-std::string describe(const BlockSize& block) {
+std::string describe(const Block& block) {
   return fmt::format("block {} m in {} cells", fmt::join(block.size, " x "),
                      fmt::join(block.cells, " x "));
 }
 
-void check(const BlockSize& block) {
+void check(const Block& block) {
   double nodes = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!(block.size[axis] > 0) || !std::isfinite(block.size[axis]))
@@ -74,7 +74,7 @@ void check(const BlockSize& block) {
 }
 
 /// The box as gmsh geometry: transfinite, recombined, with named physical groups.
-void add_geometry(const BlockSize& block) {
+void add_geometry(const Block& block) {
   namespace geo = ::gmsh::model::geo;
   const auto [width, depth, height] = block.size;
   const std::array<std::array<double, 2>, 4> outline{
@@ -124,7 +124,7 @@ void add_geometry(const BlockSize& block) {
 }
 
 /// Grid node each gmsh tag stands for, x fastest.
-std::unordered_map<GmshTag, NodeIndex> grid_numbers(const BlockSize& block) {
+std::unordered_map<GmshTag, NodeIndex> grid_numbers(const Block& block) {
   std::vector<std::size_t> tags;
   std::vector<double> coordinates, parametric;
   ::gmsh::model::mesh::getNodes(tags, coordinates, parametric);
@@ -144,18 +144,19 @@ std::unordered_map<GmshTag, NodeIndex> grid_numbers(const BlockSize& block) {
   return numbers;
 }
 
-template <std::size_t N>
-std::vector<std::array<NodeIndex, N>> elements(
-    int type, int entity, const std::unordered_map<GmshTag, NodeIndex>& numbers) {
+/// Cells or faces of one type and entity (-1: all).
+template <class List>
+std::vector<List> elements(int type, int entity,
+                           const std::unordered_map<GmshTag, NodeIndex>& numbers) {
   std::vector<std::size_t> tags, nodes;
   ::gmsh::model::mesh::getElementsByType(type, tags, nodes, entity);
-  std::vector<std::array<NodeIndex, N>> found(tags.size());
+  std::vector<List> found(tags.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    found[i / N][i % N] = numbers.at(GmshTag{nodes[i]});
+    found[i / (nodes.size() / tags.size())].push_back(numbers.at(GmshTag{nodes[i]}));
   return found;
 }
 
-std::vector<Vector3> grid_nodes(const BlockSize& block) {
+std::vector<Vector3> grid_nodes(const Block& block) {
   std::vector<Vector3> nodes;
   const auto at = [&](std::size_t axis, int i) {
     // The last plane exactly at the size: the quotient may miss it by a rounding.
@@ -171,7 +172,7 @@ std::vector<Vector3> grid_nodes(const BlockSize& block) {
 
 /// Turns the cell so that it starts at its lowest corner and runs along x first:
 /// gmsh's transfinite cells may start at any corner of theirs.
-Hexahedron upright(const Hexahedron& cell, const std::vector<Vector3>& nodes) {
+CellNodes upright(const CellNodes& cell, const std::vector<Vector3>& nodes) {
   Vector3 low = nodes[cell[0]], high = low;
   for (const NodeIndex node : cell) {
     low = low.cwiseMin(nodes[node]);
@@ -179,7 +180,7 @@ Hexahedron upright(const Hexahedron& cell, const std::vector<Vector3>& nodes) {
   }
   const Vector3 middle = (low + high) / 2;
   constexpr std::array<std::size_t, 8> vtk_corner{0, 1, 3, 2, 4, 5, 7, 6};
-  Hexahedron turned{};
+  CellNodes turned = cell;
   for (const NodeIndex node : cell) {
     const Vector3& x = nodes[node];
     const std::size_t octant = static_cast<std::size_t>(x.x() > middle.x()) +
@@ -200,18 +201,18 @@ bool ends_with(const std::filesystem::path& file, std::string_view ending) {
 
 }  // namespace
 
-Mesh generate_block(const BlockSize& block) try {
+Mesh generate_block(const Block& block) try {
   check(block);
   std::vector<Vector3> nodes = grid_nodes(block);
-  std::vector<Hexahedron> cells;
-  std::map<std::string, std::vector<Quadrilateral>> regions;
+  std::vector<CellNodes> cells;
+  std::map<std::string, std::vector<FaceNodes>> regions;
   {
     const GmshSession session("block");
     add_geometry(block);
     ::gmsh::model::mesh::generate(3);
     const auto numbers = grid_numbers(block);
-    cells = elements<8>(gmsh_hexahedron, -1, numbers);
-    for (Hexahedron& cell : cells) cell = upright(cell, nodes);
+    cells = elements<CellNodes>(gmsh_hexahedron, -1, numbers);
+    for (CellNodes& cell : cells) cell = upright(cell, nodes);
     std::ranges::sort(cells);
     ::gmsh::vectorpair groups;
     ::gmsh::model::getPhysicalGroups(groups, 2);
@@ -221,7 +222,7 @@ Mesh generate_block(const BlockSize& block) try {
       std::vector<int> surfaces;
       ::gmsh::model::getEntitiesForPhysicalGroup(dimension, group, surfaces);
       for (const int surface : surfaces) {
-        auto faces = elements<4>(gmsh_quadrilateral, surface, numbers);
+        auto faces = elements<FaceNodes>(gmsh_quadrilateral, surface, numbers);
         std::ranges::sort(faces);
         regions[name].insert(regions[name].end(), faces.begin(), faces.end());
       }
@@ -266,7 +267,7 @@ void write_msh(const Mesh& mesh, const std::filesystem::path& file) try {
     }
     ::gmsh::model::mesh::addElementsByType(entity, type, element_tags, element_nodes);
   };
-  add_elements(volume, gmsh_hexahedron, mesh.hexahedra());
+  add_elements(volume, gmsh_hexahedron, mesh.cells());
   ::gmsh::model::setPhysicalName(3, ::gmsh::model::addPhysicalGroup(3, {volume}), "body");
   for (const auto& [name, region] : mesh.regions()) {
     const int surface = ::gmsh::model::addDiscreteEntity(2);

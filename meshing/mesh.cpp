@@ -8,7 +8,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "meshing/hexahedron.hpp"
+#include "meshing/cell_geometry.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/sha256.hpp"
 
@@ -16,31 +16,33 @@ namespace springcheck {
 namespace {
 
 struct FaceHash {
-  std::size_t operator()(const Quadrilateral& face) const {
+  std::size_t operator()(const FaceNodes& face) const {
     std::size_t hash = 0;
     for (const NodeIndex node : face) hash = hash * 0x9E3779B97F4A7C15U + node;
     return hash ^ (hash >> 29U);
   }
 };
 
-/// Number of cells at each face, by the face's ascending nodes.
-using FaceUses = std::unordered_map<Quadrilateral, int, FaceHash>;
+struct FaceUse {
+  FaceNodes first;  // as the first of its cells lists it
+  int cells;
+};
 
-Quadrilateral ascending(Quadrilateral face) {
-  std::ranges::sort(face);
-  return face;
-}
+/// By the faces' ascending nodes.
+using FaceUses = std::unordered_map<FaceNodes, FaceUse, FaceHash>;
 
-std::string cell_name(std::size_t number, const HexahedronCorners& x) {
-  Vector3 centroid = Vector3::Zero();
-  for (const Vector3& corner : x) centroid += corner / 8;
-  return fmt::format("hexahedron {} near ({:.6g}, {:.6g}, {:.6g}) m", number,
-                     centroid.x(), centroid.y(), centroid.z());
+std::string cell_name(std::size_t number, const CellNodes& cell,
+                      const std::vector<Vector3>& nodes) {
+  Vector3 centre = Vector3::Zero();
+  for (const NodeIndex node : cell)
+    centre += nodes[node] / static_cast<double>(cell.size());
+  return fmt::format("{} {} near ({:.6g}, {:.6g}, {:.6g}) m", name_of(type_of(cell)),
+                     number, centre.x(), centre.y(), centre.z());
 }
 
 void check_nodes(const std::string& source, const std::vector<Vector3>& nodes,
-                 const std::vector<Hexahedron>& cells) {
-  if (cells.empty()) throw InputError(source, "cells", "at least 1 hexahedron", "0");
+                 const std::vector<CellNodes>& cells) {
+  if (cells.empty()) throw InputError(source, "cells", "at least 1", "0");
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (!nodes[i].allFinite())
       throw InputError(source, fmt::format("node {}", i), "finite coordinates",
@@ -49,7 +51,7 @@ void check_nodes(const std::string& source, const std::vector<Vector3>& nodes,
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (const NodeIndex node : cells[c]) {
       if (node >= nodes.size())
-        throw InputError(source, fmt::format("hexahedron {}", c),
+        throw InputError(source, fmt::format("{} {}", name_of(type_of(cells[c])), c),
                          fmt::format("node numbers below {}", nodes.size()),
                          std::to_string(node));
       used[node] = 1;
@@ -61,42 +63,55 @@ void check_nodes(const std::string& source, const std::vector<Vector3>& nodes,
 }
 
 void check_cells(const std::string& source, const std::vector<Vector3>& nodes,
-                 const std::vector<Hexahedron>& cells) {
+                 const std::vector<CellNodes>& cells) {
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    const HexahedronCorners x = corners(cells[c], nodes);
-    const double jacobian = smallest_corner_jacobian(x);
+    const double jacobian = smallest_corner_jacobian(corners(cells[c], nodes));
     if (!(jacobian > 0))
-      throw InputError(source, cell_name(c, x), "positive Jacobians at its corners",
+      throw InputError(source, cell_name(c, cells[c], nodes), "positive Jacobians at its corners",
                        fmt::format("{:.3g} m^3", jacobian));
   }
 }
 
-std::array<Quadrilateral, 6> faces_of(const Hexahedron& cell) {
-  std::array<Quadrilateral, 6> faces;
-  std::ranges::transform(hexahedron_faces, faces.begin(), [&](const auto& local) {
-    Quadrilateral face;
-    std::ranges::transform(local, face.begin(),
-                           [&](int i) { return cell[static_cast<std::size_t>(i)]; });
-    return face;
-  });
-  return faces;
+/// Calls visit(face) for each face of the cell.
+template <class Visit>
+void for_each_face(const CellNodes& cell, Visit&& visit) {
+  for (const LocalFace& face : faces(type_of(cell))) visit(face_nodes(cell, face));
+}
+
+/// Whether two cells see their common face from its two sides: they list its nodes in
+/// opposite order.
+bool are_opposite(const FaceNodes& a, const FaceNodes& b) {
+  const std::size_t count = a.size();
+  const auto first =
+      static_cast<std::size_t>(std::ranges::find(b, a[0]) - b.begin());
+  for (std::size_t i = 1; i < count; ++i)
+    if (b[(first + count - i) % count] != a[i]) return false;
+  return true;
 }
 
 FaceUses check_faces(const std::string& source, const std::vector<Vector3>& nodes,
-                     const std::vector<Hexahedron>& cells) {
+                     const std::vector<CellNodes>& cells) {
   FaceUses uses;
   uses.reserve(4 * cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
-    for (const Quadrilateral& face : faces_of(cells[c]))
-      if (++uses[ascending(face)] > 2)
-        throw InputError(source, cell_name(c, corners(cells[c], nodes)),
-                         "at most two cells at each of its faces", "three");
+    for_each_face(cells[c], [&](const FaceNodes& face) {
+      const auto [use, is_new] = uses.try_emplace(ascending(face), FaceUse{face, 1});
+      if (is_new) return;
+      const auto refuse = [&](const char* expected, const char* got) {
+        throw InputError(source, cell_name(c, cells[c], nodes), expected, got);
+      };
+      if (++use->second.cells > 2)
+        refuse("at most two cells at each of its faces", "three");
+      if (!are_opposite(use->second.first, face))
+        refuse("its neighbour on the other side of each of its faces",
+               "one on the same side: the cells overlap, or there are two of one");
+    });
   return uses;
 }
 
-std::vector<NodeIndex> nodes_of(const std::vector<Quadrilateral>& faces) {
+std::vector<NodeIndex> nodes_of(const std::vector<FaceNodes>& faces) {
   std::vector<NodeIndex> nodes;
-  for (const Quadrilateral& face : faces)
+  for (const FaceNodes& face : faces)
     nodes.insert(nodes.end(), face.begin(), face.end());
   std::ranges::sort(nodes);
   const auto repeated = std::ranges::unique(nodes);
@@ -104,23 +119,24 @@ std::vector<NodeIndex> nodes_of(const std::vector<Quadrilateral>& faces) {
   return nodes;
 }
 
-Region boundary_of(const std::vector<Hexahedron>& cells, const FaceUses& uses) {
+Region boundary_of(const std::vector<CellNodes>& cells, const FaceUses& uses) {
   Region boundary;
-  for (const Hexahedron& cell : cells)
-    for (const Quadrilateral& face : faces_of(cell))
-      if (uses.at(ascending(face)) == 1) boundary.faces.push_back(face);
+  for (const CellNodes& cell : cells)
+    for_each_face(cell, [&](const FaceNodes& face) {
+      if (uses.at(ascending(face)).cells == 1) boundary.faces.push_back(face);
+    });
   boundary.nodes = nodes_of(boundary.faces);
   return boundary;
 }
 
 Region checked_region(const std::string& source, const std::string& name,
-                      std::vector<Quadrilateral> faces, const FaceUses& uses) {
+                      std::vector<FaceNodes> faces, const FaceUses& uses) {
   if (faces.empty())
     throw InputError(source, fmt::format("region '{}'", name), "at least 1 face", "0");
   Region region{.faces = std::move(faces), .nodes = {}};
-  for (const Quadrilateral& face : region.faces) {
+  for (const FaceNodes& face : region.faces) {
     const auto found = uses.find(ascending(face));
-    if (found == uses.end() || found->second != 1)
+    if (found == uses.end() || found->second.cells != 1)
       throw InputError(source,
                        fmt::format("region '{}': face {}", name, fmt::join(face, "-")),
                        "a face of exactly one cell",
@@ -130,39 +146,53 @@ Region checked_region(const std::string& source, const std::string& name,
   return region;
 }
 
-template <class T>
-void append_bytes(std::string& bytes, const std::vector<T>& values) {
-  const std::uint64_t count = values.size();
-  bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
-  bytes.append(reinterpret_cast<const char*>(values.data()), count * sizeof(T));
+void append_bytes(std::string& bytes, const void* data, std::size_t count) {
+  bytes.append(static_cast<const char*>(data), count);
+}
+
+void append_count(std::string& bytes, std::uint64_t count) {
+  append_bytes(bytes, &count, sizeof count);
+}
+
+/// Cells or faces, each with its number of nodes.
+template <class List>
+void append_lists(std::string& bytes, const std::vector<List>& lists) {
+  append_count(bytes, lists.size());
+  for (const List& list : lists) {
+    append_count(bytes, list.size());
+    append_bytes(bytes, list.begin(), list.size() * sizeof(NodeIndex));
+  }
 }
 
 }  // namespace
 
-Mesh::Mesh(std::string source, std::vector<Vector3> nodes,
-           std::vector<Hexahedron> hexahedra,
-           std::map<std::string, std::vector<Quadrilateral>> regions)
-    : source_(std::move(source)),
-      nodes_(std::move(nodes)),
-      hexahedra_(std::move(hexahedra)) {
-  check_nodes(source_, nodes_, hexahedra_);
-  check_cells(source_, nodes_, hexahedra_);
-  const FaceUses uses = check_faces(source_, nodes_, hexahedra_);
+Mesh::Mesh(std::string source, std::vector<Vector3> nodes, std::vector<CellNodes> cells,
+           std::map<std::string, std::vector<FaceNodes>> regions)
+    : source_(std::move(source)), nodes_(std::move(nodes)), cells_(std::move(cells)) {
+  std::ranges::stable_sort(cells_, {}, &CellNodes::size);
+  check_nodes(source_, nodes_, cells_);
+  check_cells(source_, nodes_, cells_);
+  const FaceUses uses = check_faces(source_, nodes_, cells_);
   for (auto& [name, faces] : regions)
     regions_[name] = checked_region(source_, name, std::move(faces), uses);
-  boundary_ = boundary_of(hexahedra_, uses);
+  boundary_ = boundary_of(cells_, uses);
 
-  cell_volumes_ = springcheck::cell_volumes(hexahedra_, nodes_);
+  cell_volumes_ = springcheck::cell_volumes(cells_, nodes_);
   volume_ = std::accumulate(cell_volumes_.begin(), cell_volumes_.end(), 0.0);
 
   std::string bytes;
-  append_bytes(bytes, nodes_);
-  append_bytes(bytes, hexahedra_);
+  append_count(bytes, nodes_.size());
+  append_bytes(bytes, nodes_.data(), nodes_.size() * sizeof(Vector3));
+  append_lists(bytes, cells_);
   for (const auto& [name, region] : regions_) {
     bytes += name;
-    append_bytes(bytes, region.faces);
+    append_lists(bytes, region.faces);
   }
   sha256_ = springcheck::sha256(bytes);
+}
+
+std::size_t Mesh::count(CellType type) const {
+  return static_cast<std::size_t>(std::ranges::count(cells_, type, type_of));
 }
 
 const Region& Mesh::region(const std::string& name) const {

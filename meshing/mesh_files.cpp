@@ -8,7 +8,7 @@
 #include <map>
 
 #include "meshing/gmsh.hpp"
-#include "meshing/hexahedron.hpp"
+#include "meshing/cell_geometry.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
 
@@ -16,11 +16,6 @@ namespace springcheck {
 namespace {
 
 // {} prints the shortest decimal that reads back as the same double.
-
-Quadrilateral ascending(Quadrilateral face) {
-  std::ranges::sort(face);
-  return face;
-}
 
 void write_vtu(const Mesh& mesh, std::ostream& out) {
   constexpr int vtk_hexahedron = 12;
@@ -30,22 +25,22 @@ void write_vtu(const Mesh& mesh, std::ostream& out) {
              "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
              "<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
              "format=\"ascii\">\n",
-             mesh.nodes().size(), mesh.hexahedra().size());
+             mesh.nodes().size(), mesh.cells().size());
   for (const Vector3& x : mesh.nodes())
     fmt::print(out, "{} {} {}\n", x.x(), x.y(), x.z());
   fmt::print(out,
              "</DataArray>\n</Points>\n<Cells>\n"
              "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n");
-  for (const Hexahedron& cell : mesh.hexahedra())
+  for (const CellNodes& cell : mesh.cells())
     fmt::print(out, "{}\n", fmt::join(cell, " "));
   fmt::print(out,
              "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" "
              "format=\"ascii\">\n");
-  for (std::size_t c = 1; c <= mesh.hexahedra().size(); ++c)
+  for (std::size_t c = 1; c <= mesh.cells().size(); ++c)
     fmt::print(out, "{}\n", 8 * c);
   fmt::print(
       out, "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n");
-  for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c)
+  for (std::size_t c = 0; c < mesh.cells().size(); ++c)
     fmt::print(out, "{}\n", vtk_hexahedron);
   fmt::print(out, "</DataArray>\n</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
 }
@@ -67,21 +62,18 @@ struct InpFace {
 };
 
 /// The cells at the faces of the regions, by the faces' ascending nodes.
-std::map<Quadrilateral, InpFace> faces_of_cells(const Mesh& mesh) {
-  constexpr std::array<int, 6> labels{1, 2, 3, 5, 6, 4};  // of hexahedron_faces
-  std::map<Quadrilateral, InpFace> faces;
+std::map<FaceNodes, InpFace> faces_of_cells(const Mesh& mesh) {
+  constexpr std::array<int, 6> labels{1, 2, 3, 5, 6, 4};  // of our faces
+  std::map<FaceNodes, InpFace> found;
   for (const auto& [name, region] : mesh.regions())
-    for (const Quadrilateral& face : region.faces) faces[ascending(face)] = {0, 0};
-  for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c)
-    for (std::size_t f = 0; f < hexahedron_faces.size(); ++f) {
-      Quadrilateral face;
-      std::ranges::transform(hexahedron_faces[f], face.begin(), [&](int i) {
-        return mesh.hexahedra()[c][static_cast<std::size_t>(i)];
-      });
-      if (const auto found = faces.find(ascending(face)); found != faces.end())
-        found->second = {c + 1, labels[f]};
+    for (const FaceNodes& face : region.faces) found[ascending(face)] = {0, 0};
+  for (std::size_t c = 0; c < mesh.cells().size(); ++c)
+    for (std::size_t f = 0; f < 6; ++f) {
+      const FaceNodes face = face_nodes(mesh.cells()[c], faces(CellType::hexahedron)[f]);
+      if (const auto place = found.find(ascending(face)); place != found.end())
+        place->second = {c + 1, labels[f]};
     }
-  return faces;
+  return found;
 }
 
 void write_inp(const Mesh& mesh, std::ostream& out) {
@@ -98,17 +90,17 @@ void write_inp(const Mesh& mesh, std::ostream& out) {
                inp_number(x.z()));
   }
   fmt::print(out, "*ELEMENT, TYPE=C3D8, ELSET=Eall\n");
-  for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c) {
+  for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
     fmt::print(out, "{}", c + 1);
-    for (const NodeIndex node : mesh.hexahedra()[c]) fmt::print(out, ", {}", node + 1);
+    for (const NodeIndex node : mesh.cells()[c]) fmt::print(out, ", {}", node + 1);
     fmt::print(out, "\n");
   }
-  const std::map<Quadrilateral, InpFace> faces = faces_of_cells(mesh);
+  const std::map<FaceNodes, InpFace> faces = faces_of_cells(mesh);
   for (const auto& [name, region] : mesh.regions()) {
     fmt::print(out, "*NSET, NSET={}\n", name);
     for (const NodeIndex node : region.nodes) fmt::print(out, "{},\n", node + 1);
     fmt::print(out, "*SURFACE, NAME={}, TYPE=ELEMENT\n", name);
-    for (const Quadrilateral& face : region.faces) {
+    for (const FaceNodes& face : region.faces) {
       const auto [cell, label] = faces.at(ascending(face));
       fmt::print(out, "{}, S{}\n", cell, label);
     }

@@ -14,7 +14,13 @@ constexpr std::array<std::array<double, 2>, 4> corner_signs{
 std::vector<double> nodal_areas(const Mesh& mesh, const Region& region) {
   std::vector<double> areas(mesh.nodes().size(), 0);
   const double gauss = 1 / std::sqrt(3.);
-  for (const Quadrilateral& face : region.faces)
+  for (const FaceNodes& face : region.faces) {
+    if (face.size() == 3) {
+      const Vector3 &a = mesh.nodes()[face[0]], &b = mesh.nodes()[face[1]],
+                    &c = mesh.nodes()[face[2]];
+      for (const NodeIndex node : face) areas[node] += (b - a).cross(c - a).norm() / 6;
+      continue;
+    }
     for (const auto& [xi_sign, eta_sign] : corner_signs) {
       const double xi = gauss * xi_sign, eta = gauss * eta_sign;
       std::array<double, 4> shape{};
@@ -29,6 +35,7 @@ std::vector<double> nodal_areas(const Mesh& mesh, const Region& region) {
       const double area = along_xi.cross(along_eta).norm();  // the point's weight is 1
       for (std::size_t a = 0; a < 4; ++a) areas[face[a]] += shape[a] * area;
     }
+  }
   return areas;
 }
 

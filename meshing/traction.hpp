@@ -6,9 +6,10 @@ namespace springcheck {
 
 /// Undeformed area that each node of the mesh stands for in the region [m^2], 0 off it:
 ///
-///     A_a = int N_a dA,   N_a the bilinear shape function of each face at node a
+///     A_a = int N_a dA,   N_a the linear or bilinear shape function of each face
 ///
-/// by 2 x 2 Gauss points: exact for plane faces, on warped ones dA is no polynomial.
+/// on quadrilaterals by 2 x 2 Gauss points: exact for plane ones, on warped ones dA is no
+/// polynomial.
 std::vector<double> nodal_areas(const Mesh& mesh, const Region& region);
 
 /// Consistent nodal forces of the scene's tractions at the full load [N], one per node:

@@ -17,18 +17,18 @@ Eigen::Matrix3d cross_product_matrix(const Vector3& a) {
 
 }  // namespace
 
-Eigen::Matrix3d mean_edges(const HexahedronCorners& x) {
+Eigen::Matrix3d mean_edges(const CornerPositions& x) {
   Eigen::Matrix3d edges = Eigen::Matrix3d::Zero();
   for (Eigen::Index i = 0; i < 8; ++i)
-    edges += x[static_cast<std::size_t>(i)] * corner_signs.col(i).transpose() / 4;
+    edges += x.col(i) * corner_signs.col(i).transpose() / 4;
   return edges;
 }
 
-double mean_edge_volume(const HexahedronCorners& x) {
+double mean_edge_volume(const CornerPositions& x) {
   return mean_edges(x).determinant();
 }
 
-Eigen::Matrix<double, 3, 8> mean_edge_volume_gradient(const HexahedronCorners& x) {
+Eigen::Matrix<double, 3, 8> mean_edge_volume_gradient(const CornerPositions& x) {
   const Eigen::Matrix3d edges = mean_edges(x);
   const Vector3 X = edges.col(0), Y = edges.col(1), Z = edges.col(2);
   Eigen::Matrix3d areas;
@@ -36,7 +36,7 @@ Eigen::Matrix<double, 3, 8> mean_edge_volume_gradient(const HexahedronCorners& x
   return areas * corner_signs / 4;
 }
 
-Eigen::Matrix<double, 24, 24> mean_edge_volume_hessian(const HexahedronCorners& x) {
+Eigen::Matrix<double, 24, 24> mean_edge_volume_hessian(const CornerPositions& x) {
   const Eigen::Matrix3d edges = mean_edges(x);
   const Eigen::Matrix3d by_x = cross_product_matrix(edges.col(0)),
                         by_y = cross_product_matrix(edges.col(1)),

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "meshing/hexahedron.hpp"
+#include "meshing/cell_geometry.hpp"
 
 namespace springcheck::mss {
 
@@ -37,12 +37,12 @@ inline constexpr std::array<LocalSpring, 4> cell_inner_diagonals{
     {{0, 6}, {1, 7}, {2, 4}, {3, 5}}};
 
 /// Mean edge vectors X, Y, Z of a hexahedron, four edges each (Golec 2018, Eq. 5.18;
-/// its corner order differs from ours, see Hexahedron). As columns [m].
-Eigen::Matrix3d mean_edges(const HexahedronCorners& x);
+/// its corner order differs from ours, see CellNodes). As columns [m].
+Eigen::Matrix3d mean_edges(const CornerPositions& x);
 
 /// Volume approximated by V = X . (Y x Z) of the mean edges [m^3] (Golec 2018,
 /// Eq. 5.19). It is what the volume correction acts on; exact for parallelepipeds.
-double mean_edge_volume(const HexahedronCorners& x);
+double mean_edge_volume(const CornerPositions& x);
 
 /// Gradient of mean_edge_volume, one column per corner [m^2]:
 ///
@@ -50,9 +50,9 @@ double mean_edge_volume(const HexahedronCorners& x);
 ///
 /// with the signs s of the corner in the cell. Source: derivative of Eq. 5.19; the
 /// printed Eq. 5.20 has the Y x Z sign of four corners wrong (5.21 then fails).
-Eigen::Matrix<double, 3, 8> mean_edge_volume_gradient(const HexahedronCorners& x);
+Eigen::Matrix<double, 3, 8> mean_edge_volume_gradient(const CornerPositions& x);
 
 /// Second derivative of mean_edge_volume [m], 3x3 blocks in corner order.
-Eigen::Matrix<double, 24, 24> mean_edge_volume_hessian(const HexahedronCorners& x);
+Eigen::Matrix<double, 24, 24> mean_edge_volume_hessian(const CornerPositions& x);
 
 }  // namespace springcheck::mss

@@ -37,7 +37,7 @@ void nodal_forces(const Network& network, std::span<const Vector3> positions,
   }
   if (network.volume_modulus == 0) return;
   for (const Cell& cell : network.cells) {
-    const HexahedronCorners x = corners(cell.nodes, positions);
+    const CornerPositions x = corners(cell.nodes, positions);
     const double pressure = network.volume_modulus *
                             (mean_edge_volume(x) - cell.rest_volume) / cell.rest_volume;
     const auto gradient = mean_edge_volume_gradient(x);

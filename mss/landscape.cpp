@@ -22,7 +22,7 @@ Landscape::Landscape(const Mesh& mesh, const Scene& scene, const Network& networ
       prescribed_(prescribed_components(mesh, scene)),
       load_(load_forces(mesh, scene, network)),
       assembly_(network, free_components(mesh, prescribed_)),
-      cell_edge_(std::cbrt(mesh.volume() / static_cast<double>(mesh.hexahedra().size()))),
+      cell_edge_(std::cbrt(mesh.volume() / static_cast<double>(mesh.cells().size()))),
       stiffness_(assembly_.assemble(cell_tangents(network, network.rest_positions))
                      .diagonal()
                      .norm()),
@@ -115,7 +115,7 @@ Positions Landscape::predicted(const Positions& x, double to) {
   }
   std::vector<Vector3> push(x.size(), Vector3::Zero());
   for (std::size_t c = 0; c < network_.cells.size(); ++c) {
-    const Hexahedron& nodes = network_.cells[c].nodes;
+    const CellNodes& nodes = network_.cells[c].nodes;
     Eigen::Matrix<double, 24, 1> cell_increment;
     for (std::size_t i = 0; i < 8; ++i)
       cell_increment.segment<3>(static_cast<Eigen::Index>(3 * i)) = increment[nodes[i]];

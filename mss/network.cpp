@@ -36,6 +36,12 @@ double volume_modulus(const Material& material, const NetworkSettings& settings)
   return 0;
 }
 
+double rest_length(const CornerPositions& x, const LocalSpring& spring) {
+  return (x.col(static_cast<Eigen::Index>(spring[1])) -
+          x.col(static_cast<Eigen::Index>(spring[0])))
+      .norm();
+}
+
 /// Puts springs between the same two nodes together, in ascending order of nodes.
 std::vector<Spring> merged(std::vector<Spring> springs) {
   std::ranges::stable_sort(
@@ -58,11 +64,15 @@ std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Material& ma
         "mss-baudet covers nu in (-0.25, 0.5): its edge stiffness is not positive at "
         "nu = {:g}",
         material.poisson_ratio);
-  for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c) {
-    const HexahedronCorners x = corners(mesh.hexahedra()[c], mesh.nodes());
+  for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
+    const CellType type = type_of(mesh.cells()[c]);
+    if (type != CellType::hexahedron)
+      return fmt::format("its springs need cubic cells, and cell {} is a {}", c,
+                         name_of(type));
+    const CornerPositions x = corners(mesh.cells()[c], mesh.nodes());
     const double h = std::cbrt(mesh.cell_volumes()[c]);
     const auto deviates = [&](const LocalSpring& spring, double length) {
-      return std::abs((x[spring[1]] - x[spring[0]]).norm() - length) > 1e-6 * h;
+      return std::abs(rest_length(x, spring) - length) > 1e-6 * h;
     };
     if (std::ranges::any_of(cell_edges, [&](auto& s) { return deviates(s, h); }) ||
         std::ranges::any_of(cell_inner_diagonals,
@@ -80,9 +90,9 @@ Network build_network(const Mesh& mesh, const Material& material,
                   .volume_modulus = volume_modulus(material, settings),
                   .masses = std::vector<double>(mesh.nodes().size(), 0)};
   std::vector<Spring> springs;
-  for (std::size_t c = 0; c < mesh.hexahedra().size(); ++c) {
-    const Hexahedron& nodes = mesh.hexahedra()[c];
-    const HexahedronCorners x = corners(nodes, mesh.nodes());
+  for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
+    const CellNodes& nodes = mesh.cells()[c];
+    const CornerPositions x = corners(nodes, mesh.nodes());
     const double volume = mesh.cell_volumes()[c];
     const LatticeStiffness k = lattice_stiffness(material, std::cbrt(volume), settings);
     const LatticeStiffness share{.edge = k.edge / 4,
@@ -95,12 +105,12 @@ Network build_network(const Mesh& mesh, const Material& material,
 
     const auto add = [&](const auto& pairs, double stiffness) {
       if (stiffness == 0) return;
-      for (const auto& [i, j] : pairs) {
-        const auto [a, b] = std::minmax(nodes[i], nodes[j]);
+      for (const LocalSpring& pair : pairs) {
+        const auto [a, b] = std::minmax(nodes[pair[0]], nodes[pair[1]]);
         springs.push_back({.a = a,
                            .b = b,
                            .stiffness = stiffness,
-                           .rest_length = (x[j] - x[i]).norm()});
+                           .rest_length = rest_length(x, pair)});
       }
     };
     add(cell_edges, share.edge);

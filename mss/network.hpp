@@ -38,7 +38,7 @@ struct Spring {
 
 /// A cell's own share of the lattice: a quarter of an edge, half a face diagonal.
 struct Cell {
-  Hexahedron nodes;
+  CellNodes nodes;
   LatticeStiffness share;  // [N/m]
   double rest_volume;      // [m^3]
 };

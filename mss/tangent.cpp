@@ -13,8 +13,9 @@ namespace springcheck::mss {
 namespace {
 
 void add_spring(CellMatrix& tangent, const LocalSpring& spring, double stiffness,
-                double rest_length, const HexahedronCorners& x) {
-  const Vector3 d = x[spring[1]] - x[spring[0]];
+                double rest_length, const CornerPositions& x) {
+  const Vector3 d = x.col(static_cast<Eigen::Index>(spring[1])) -
+                    x.col(static_cast<Eigen::Index>(spring[0]));
   const double length = d.norm();
   if (length == 0) return;
   const Vector3 n = d / length;
@@ -34,13 +35,15 @@ void add_spring(CellMatrix& tangent, const LocalSpring& spring, double stiffness
 CellMatrix cell_tangent(const Cell& cell, double volume_modulus,
                         std::span<const Vector3> rest_positions,
                         std::span<const Vector3> positions) {
-  const HexahedronCorners X = corners(cell.nodes, rest_positions),
+  const CornerPositions X = corners(cell.nodes, rest_positions),
                           x = corners(cell.nodes, positions);
   CellMatrix tangent = CellMatrix::Zero();
   const auto add = [&](const auto& pairs, double stiffness) {
     if (stiffness == 0) return;
     for (const LocalSpring& spring : pairs)
-      add_spring(tangent, spring, stiffness, (X[spring[1]] - X[spring[0]]).norm(), x);
+      add_spring(tangent, spring, stiffness, (X.col(static_cast<Eigen::Index>(spring[1])) -
+                  X.col(static_cast<Eigen::Index>(spring[0])))
+                     .norm(), x);
   };
   add(cell_edges, cell.share.edge);
   add(cell_face_diagonals, cell.share.face_diagonal);

@@ -25,7 +25,7 @@ constexpr std::array<std::pair<std::size_t, std::size_t>, 12> hexahedron_edges{{
 
 double smallest_edge(const Mesh& mesh) {
   double smallest = INFINITY;
-  for (const Hexahedron& cell : mesh.hexahedra())
+  for (const CellNodes& cell : mesh.cells())
     for (const auto& [a, b] : hexahedron_edges)
       smallest =
           std::min(smallest, (mesh.nodes()[cell[b]] - mesh.nodes()[cell[a]]).norm());

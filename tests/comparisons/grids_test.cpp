@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(fine_cells_are_summed_into_the_coarse_cell_around_them) {
   const auto volumes = [](const Cells& cells) {
     const Mesh block = generate_block({size, cells});
     std::vector<double> values;
-    for (const Hexahedron& cell : block.hexahedra()) {
+    for (const CellNodes& cell : block.cells()) {
       const Vector3 a = block.nodes()[cell[0]], b = block.nodes()[cell[6]];
       const auto cubed = [](double x) { return x * x * x; };
       values.push_back((cubed(b.x()) - cubed(a.x())) * (cubed(b.y()) - cubed(a.y())) *

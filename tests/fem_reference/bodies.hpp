@@ -39,9 +39,9 @@ inline Mesh cube(int cells) {
 inline Mesh mapped(const Mesh& mesh, const std::function<Vector3(const Vector3&)>& map) {
   std::vector<Vector3> nodes;
   for (const Vector3& x : mesh.nodes()) nodes.push_back(map(x));
-  std::map<std::string, std::vector<Quadrilateral>> regions;
+  std::map<std::string, std::vector<FaceNodes>> regions;
   for (const auto& [name, region] : mesh.regions()) regions[name] = region.faces;
-  return {"mapped " + mesh.source(), nodes, mesh.hexahedra(), regions};
+  return {"mapped " + mesh.source(), nodes, mesh.cells(), regions};
 }
 
 /// The mesh with its nodes numbered at random.
@@ -56,11 +56,11 @@ inline Mesh renumbered(const Mesh& mesh) {
     for (NodeIndex& node : corners) node = number[node];
     return corners;
   };
-  std::vector<Hexahedron> cells;
-  for (const Hexahedron& cell : mesh.hexahedra()) cells.push_back(renumber(cell));
-  std::map<std::string, std::vector<Quadrilateral>> regions;
+  std::vector<CellNodes> cells;
+  for (const CellNodes& cell : mesh.cells()) cells.push_back(renumber(cell));
+  std::map<std::string, std::vector<FaceNodes>> regions;
   for (const auto& [name, region] : mesh.regions())
-    for (const Quadrilateral& face : region.faces)
+    for (const FaceNodes& face : region.faces)
       regions[name].push_back(renumber(face));
   return {"renumbered " + mesh.source(), nodes, cells, regions};
 }

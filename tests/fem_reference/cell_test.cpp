@@ -6,7 +6,7 @@
 
 #include "bodies.hpp"
 #include "laws.hpp"
-#include "meshing/hexahedron.hpp"
+#include "meshing/cell_geometry.hpp"
 
 // One cell: its energy's derivatives, and what each place of the dilatation makes of it.
 
@@ -216,10 +216,10 @@ BOOST_AUTO_TEST_CASE(hencky_cell_knows_its_exact_volume,
   const Mesh mesh = distorted_cell();
   const OneCell cell(mesh, Element::q1_sri);
   const Eigen::VectorXd u = random_nodal(cell.body, 0.1 * edge);
-  HexahedronCorners moved = corners(mesh.hexahedra().front(), mesh.nodes());
+  CornerPositions moved = corners(mesh.cells().front(), mesh.nodes());
   for (std::size_t a = 0; a < 8; ++a)
-    moved[a] += u.segment<3>(3 * mesh.hexahedra().front()[a]);
-  const double V = trilinear_volume(moved), V0 = mesh.volume();
+    moved.col(static_cast<Eigen::Index>(a)) += u.segment<3>(3 * mesh.cells().front()[a]);
+  const double V = cell_volume(moved), V0 = mesh.volume();
   const auto state = [&](double bulk_modulus) {
     const Hencky law{.shear_modulus = 1, .bulk_modulus = bulk_modulus};
     return cell_state({.constitution = law, .dilatation = DilatationTaken::cell_mean},
@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(cauchy_born_cell_sees_the_volume_of_its_mean_edges,
   const OneCell cell(mesh, Element::q1_sri);
   const Eigen::VectorXd u = random_nodal(cell.body, 0.1 * edge);
   const auto x = [&](std::size_t corner) -> Vector3 {
-    const NodeIndex node = mesh.hexahedra().front()[corner];
+    const NodeIndex node = mesh.cells().front()[corner];
     return mesh.nodes()[node] + u.segment<3>(3 * node);
   };
   const Vector3 X = (x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7)) / 4,

@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(vertices_keep_the_numbers_of_the_mesh) {
     for (std::size_t c = 0; c < body.cells.size(); ++c)
       BOOST_TEST(
           (std::set(body.cells[c].nodes.begin(), body.cells[c].nodes.begin() + 8) ==
-           std::set(mesh.hexahedra()[c].begin(), mesh.hexahedra()[c].end())));
+           std::set(mesh.cells()[c].begin(), mesh.cells()[c].end())));
   }
 }
 
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(traction_is_the_stress_times_the_undeformed_area) {
                   edge * edge * stress)
                      .norm() < 1e-12 * edge * edge);
   double area = 0;
-  for (const Quadrilateral& face : curved.region("x_max").faces) {
+  for (const FaceNodes& face : curved.region("x_max").faces) {
     constexpr int points = 20;  // midpoint rule, error of the order 1/points^2
     for (int i = 0; i < points; ++i)
       for (int j = 0; j < points; ++j) {

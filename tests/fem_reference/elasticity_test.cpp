@@ -6,7 +6,7 @@
 
 #include "bodies.hpp"
 #include "laws.hpp"
-#include "meshing/hexahedron.hpp"
+#include "meshing/cell_geometry.hpp"
 
 // The discrete body: sums over its cells, and its linearisation.
 
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(cell_volumes_are_exact_in_any_trilinear_field,
   std::vector<Vector3> moved = mesh.nodes();
   for (std::size_t n = 0; n < moved.size(); ++n)
     moved[n] += u.segment<3>(static_cast<Eigen::Index>(3 * n));
-  const std::vector<double> expected = cell_volumes(mesh.hexahedra(), moved);
+  const std::vector<double> expected = cell_volumes(mesh.cells(), moved);
   const std::vector<double> volumes = elasticity.cell_volumes(u);
   for (std::size_t c = 0; c < volumes.size(); ++c) BOOST_TEST(volumes[c] == expected[c]);
 }

@@ -6,7 +6,7 @@
 
 #include "bodies.hpp"
 #include "fem_reference/solve.hpp"
-#include "meshing/hexahedron.hpp"
+#include "meshing/cell_geometry.hpp"
 
 // What the stored figures measure: a body glued between two plates.
 namespace springcheck::fem_reference {
@@ -26,13 +26,13 @@ inline double deformed_volume(const Mesh& mesh, const Solution& solution) {
     positions[node] += solution.displacements[node];
   double volume = 0;
   for (const double v : solution.cell_volumes.empty()
-                            ? cell_volumes(mesh.hexahedra(), positions)
+                            ? cell_volumes(mesh.cells(), positions)
                             : solution.cell_volumes)
     volume += v;
   return volume;
 }
 
-inline Measured measured(const BlockSize& block, double nu, const Settings& settings,
+inline Measured measured(const Block& block, double nu, const Settings& settings,
                          const Vector3& strain, double angle) {
   const double height = block.size[2];
   const Vector3 centre(block.size[0] / 2, block.size[1] / 2, height);
@@ -61,7 +61,7 @@ inline Measured measured(const BlockSize& block, double nu, const Settings& sett
   return sum;
 }
 
-inline BlockSize cube_of(int cells) {
+inline Block cube_of(int cells) {
   return {.size = {edge, edge, edge}, .cells = {cells, cells, cells}};
 }
 

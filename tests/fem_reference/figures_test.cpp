@@ -23,7 +23,7 @@ constexpr Settings st_venant_sri{.law = Law::st_venant_kirchhoff,
 constexpr Settings hencky_mean{.law = Law::hencky, .element = Element::q1_sri};
 constexpr Settings mss_cf{.law = Law::cauchy_born, .element = Element::q1};
 
-const BlockSize thin_beam{.size = {0.004, 0.004, 0.024}, .cells = {4, 4, 24}};
+const Block thin_beam{.size = {0.004, 0.004, 0.024}, .cells = {4, 4, 24}};
 
 Measured compressed(double strain, double nu, const Settings& settings) {
   return measured(cube_of(10), nu, settings, {0, 0, -strain}, 0);

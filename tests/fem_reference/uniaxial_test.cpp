@@ -7,7 +7,7 @@
 #include "fem_reference/homogeneous_laws.hpp"
 #include "fem_reference/solve.hpp"
 #include "meshing/gmsh.hpp"
-#include "meshing/hexahedron.hpp"
+#include "meshing/cell_geometry.hpp"
 
 // A block between sliding plates, its sides free, is in a homogeneous state: the elements
 // have to give the closed solution of each law.
@@ -132,7 +132,7 @@ Measured measured(const Solution& solution) {
   }
   double volume = 0;
   for (const double v : solution.cell_volumes.empty()
-                            ? cell_volumes(block().hexahedra(), positions)
+                            ? cell_volumes(block().cells(), positions)
                             : solution.cell_volumes)
     volume += v;
   return {.stress = force / (size[0] * size[1]),

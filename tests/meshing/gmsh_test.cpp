@@ -7,7 +7,7 @@
 #include <fstream>
 #include <limits>
 
-#include "meshing/hexahedron.hpp"
+#include "meshing/cell_geometry.hpp"
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;
@@ -15,14 +15,14 @@ using namespace springcheck;
 namespace {
 
 // Sides and cells all different, so that mixed-up axes show.
-const BlockSize block{.size = {0.3, 0.2, 0.7}, .cells = {3, 2, 4}};
+const Block block{.size = {0.3, 0.2, 0.7}, .cells = {3, 2, 4}};
 
 /// Number of the grid node (i, j, k), x fastest.
 NodeIndex grid_node(int i, int j, int k) {
   return static_cast<NodeIndex>(i + 4 * (j + 3 * k));
 }
 
-void check_refusal(const BlockSize& bad, const std::string& message) {
+void check_refusal(const Block& bad, const std::string& message) {
   BOOST_CHECK_EXCEPTION(generate_block(bad), InputError, [&](const InputError& error) {
     BOOST_TEST(error.what() == message);
     return true;
@@ -34,7 +34,7 @@ void check_refusal(const BlockSize& bad, const std::string& message) {
 BOOST_AUTO_TEST_CASE(block_has_the_nodes_cells_and_volume_asked_for) {
   const Mesh mesh = generate_block(block);
   BOOST_TEST(mesh.nodes().size() == 4U * 3 * 5);
-  BOOST_TEST(mesh.hexahedra().size() == 3U * 2 * 4);
+  BOOST_TEST(mesh.cells().size() == 3U * 2 * 4);
   BOOST_TEST(mesh.source() == "block 0.3 x 0.2 x 0.7 m in 3 x 2 x 4 cells");
   // Sums of 24 cells: round-off.
   BOOST_TEST(mesh.volume() == 0.3 * 0.2 * 0.7, boost::test_tools::tolerance(1e-14));
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(cells_are_upright_and_in_lexicographic_order) {
   for (int k = 0; k < 4; ++k)
     for (int j = 0; j < 2; ++j)
       for (int i = 0; i < 3; ++i) {
-        const Hexahedron expected{grid_node(i, j, k),
+        const CellNodes expected{grid_node(i, j, k),
                                   grid_node(i + 1, j, k),
                                   grid_node(i + 1, j + 1, k),
                                   grid_node(i, j + 1, k),
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(cells_are_upright_and_in_lexicographic_order) {
                                   grid_node(i + 1, j, k + 1),
                                   grid_node(i + 1, j + 1, k + 1),
                                   grid_node(i, j + 1, k + 1)};
-        BOOST_TEST(mesh.hexahedra()[cell++] == expected,
+        BOOST_TEST(mesh.cells()[cell++] == expected,
                    boost::test_tools::per_element());
       }
 }
@@ -91,9 +91,9 @@ BOOST_AUTO_TEST_CASE(regions_are_the_six_sides_facing_outward,
       BOOST_TEST(region.faces.size() == side.faces);
       for (const NodeIndex node : region.nodes)
         BOOST_TEST(mesh.nodes()[node][side.axis] == side.place);
-      for (const auto& [a, b, c, d] : region.faces) {
+      for (const FaceNodes& face : region.faces) {
         const auto& x = mesh.nodes();
-        const Vector3 area = (x[c] - x[a]).cross(x[d] - x[b]) / 2;
+        const Vector3 area = (x[face[2]] - x[face[0]]).cross(x[face[3]] - x[face[1]]) / 2;
         const Vector3 expected = side.area / static_cast<double>(side.faces);
         for (Eigen::Index i = 0; i < 3; ++i) BOOST_TEST(area[i] == expected[i]);
       }
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(regions_are_the_six_sides_facing_outward,
 
 BOOST_AUTO_TEST_CASE(same_block_twice_is_the_same_mesh) {
   BOOST_TEST(generate_block(block).sha256() == generate_block(block).sha256());
-  BlockSize other = block;
+  Block other = block;
   other.cells[2] = 5;
   BOOST_TEST(generate_block(block).sha256() != generate_block(other).sha256());
 }
@@ -161,11 +161,11 @@ BOOST_AUTO_TEST_CASE(msh_file_says_4_1_and_reads_back_through_gmsh,
   }
   std::vector<std::size_t> tags, nodes;
   gmsh::model::mesh::getElementsByType(5, tags, nodes);
-  BOOST_TEST(tags.size() == mesh.hexahedra().size());
+  BOOST_TEST(tags.size() == mesh.cells().size());
   for (std::size_t c = 0; c < tags.size(); ++c) {
     BOOST_TEST(tags[c] == c + 1);
     for (std::size_t i = 0; i < 8; ++i)
-      BOOST_TEST(nodes[8 * c + i] == mesh.hexahedra()[c][i] + 1);
+      BOOST_TEST(nodes[8 * c + i] == mesh.cells()[c][i] + 1);
   }
   std::map<std::string, std::size_t> faces;
   gmsh::vectorpair groups;

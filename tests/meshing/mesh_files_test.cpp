@@ -158,14 +158,14 @@ BOOST_AUTO_TEST_CASE(inp_file_has_no_number_of_more_than_20_characters) {
 // S4 2-6-7-3, S5 3-7-8-4, S6 4-8-5-1. The cell with the face need not be the first one.
 BOOST_AUTO_TEST_CASE(inp_surfaces_name_the_faces_as_calculix_does) {
   const Directory directory;
-  const std::vector<Quadrilateral> as_calculix{{0, 3, 2, 1}, {8, 9, 10, 11},
+  const std::vector<FaceNodes> as_calculix{{0, 3, 2, 1}, {8, 9, 10, 11},
                                                {0, 1, 5, 4}, {1, 2, 6, 5},
                                                {2, 3, 7, 6}, {3, 0, 4, 7}};
-  std::map<std::string, std::vector<Quadrilateral>> regions;
+  std::map<std::string, std::vector<FaceNodes>> regions;
   for (std::size_t f = 0; f < 6; ++f)
     regions["face" + std::to_string(f + 1)] = {as_calculix[f]};
   const Mesh mesh = mesh_with_long_decimals();
-  write_mesh(Mesh("faces", mesh.nodes(), mesh.hexahedra(), regions),
+  write_mesh(Mesh("faces", mesh.nodes(), mesh.cells(), regions),
              directory / "mesh.inp");
   const std::string text = text_of(directory / "mesh.inp");
   for (int f = 1; f <= 6; ++f) {

@@ -13,8 +13,8 @@ namespace {
 /// Two unit cubes, one on top of the other: all a Mesh is made from.
 struct Parts {
   std::vector<Vector3> nodes;
-  std::vector<Hexahedron> cells{{0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 6, 7, 8, 9, 10, 11}};
-  std::map<std::string, std::vector<Quadrilateral>> regions{
+  std::vector<CellNodes> cells{{0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 6, 7, 8, 9, 10, 11}};
+  std::map<std::string, std::vector<FaceNodes>> regions{
       {"bottom", {{0, 3, 2, 1}}}, {"side", {{0, 1, 5, 4}, {4, 5, 9, 8}}}};
 };
 
@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(sound_mesh_keeps_what_it_was_given) {
   const Mesh mesh = built(parts);
   BOOST_TEST(mesh.source() == "tower");
   BOOST_TEST((mesh.nodes() == parts.nodes));
-  BOOST_TEST((mesh.hexahedra() == parts.cells));
+  BOOST_TEST((mesh.cells() == parts.cells));
   BOOST_TEST(mesh.cell_volumes() == std::vector<double>({1, 1}),
              boost::test_tools::per_element());
   BOOST_TEST(mesh.volume() == 2);
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(region_lists_each_of_its_nodes_once_in_ascending_order) {
 BOOST_AUTO_TEST_CASE(mesh_without_cells_is_refused) {
   Parts parts = tower();
   parts.cells.clear();
-  check_refusal(parts, "tower: cells: expected at least 1 hexahedron, got 0");
+  check_refusal(parts, "tower: cells: expected at least 1, got 0");
 }
 
 BOOST_AUTO_TEST_CASE(node_number_out_of_range_is_refused) {

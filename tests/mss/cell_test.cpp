@@ -10,28 +10,30 @@ using namespace springcheck::mss;
 
 namespace {
 
-HexahedronCorners unit_cube() {
-  return {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(1, 1, 0), Vector3(0, 1, 0),
-          Vector3(0, 0, 1), Vector3(1, 0, 1), Vector3(1, 1, 1), Vector3(0, 1, 1)};
+CornerPositions unit_cube() {
+  CornerPositions x(3, 8);
+  x << 0, 1, 1, 0, 0, 1, 1, 0,  //
+      0, 0, 1, 1, 0, 0, 1, 1,   //
+      0, 0, 0, 0, 1, 1, 1, 1;
+  return x;
 }
 
-HexahedronCorners distorted_cube(unsigned seed) {
+CornerPositions distorted_cube(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> moved(-0.3, 0.3);
-  HexahedronCorners x = unit_cube();
-  for (Vector3& corner : x)
-    corner += Vector3(moved(random), moved(random), moved(random));
+  CornerPositions x = unit_cube();
+  for (double& coordinate : x.reshaped()) coordinate += moved(random);
   return x;
 }
 
 /// Derivative of f(corners) with respect to one coordinate, by a central difference.
 template <class Function>
-auto slope(const Function& f, HexahedronCorners x, std::size_t corner,
+auto slope(const Function& f, CornerPositions x, Eigen::Index corner,
            Eigen::Index coordinate) {
   constexpr double step = 0.25;  // any step will do, see the tests
-  x[corner][coordinate] += step;
+  x(coordinate, corner) += step;
   const auto ahead = f(x);
-  x[corner][coordinate] -= 2 * step;
+  x(coordinate, corner) -= 2 * step;
   return ((ahead - f(x)) / (2 * step));
 }
 
@@ -41,11 +43,12 @@ constexpr std::array<Eigen::Index, 3> coordinates{0, 1, 2};
 
 // Lengths in the unit cube tell edges, face and inner diagonals apart.
 BOOST_AUTO_TEST_CASE(cell_has_twelve_edges_twelve_face_and_four_inner_diagonals) {
-  const HexahedronCorners x = unit_cube();
+  const CornerPositions x = unit_cube();
   std::set<std::set<std::size_t>> pairs;
   const auto check = [&](const auto& springs, double squared_length) {
     for (const auto& [i, j] : springs) {
-      BOOST_TEST((x[j] - x[i]).squaredNorm() == squared_length);
+      BOOST_TEST((x.col(static_cast<Eigen::Index>(j)) - x.col(static_cast<Eigen::Index>(i)))
+                     .squaredNorm() == squared_length);
       pairs.insert({i, j});
     }
   };
@@ -60,8 +63,8 @@ BOOST_AUTO_TEST_CASE(mean_edges_and_volume_are_exact_for_parallelepipeds,
                      *boost::unit_test::tolerance(1e-14)) {
   const Eigen::Matrix3d F =
       (Eigen::Matrix3d() << 2, 0.5, -0.3, 0.1, 1.5, 0.4, -0.2, 0.7, 0.9).finished();
-  HexahedronCorners x = unit_cube();
-  for (Vector3& corner : x) corner = F * corner + Vector3(3, -2, 5);
+  CornerPositions x = unit_cube();
+  x = (F * x).colwise() + Vector3(3, -2, 5);
   BOOST_TEST((mean_edges(x) - F).norm() < 1e-14);
   BOOST_TEST(mean_edge_volume(x) == F.determinant());
 }
@@ -70,10 +73,10 @@ BOOST_AUTO_TEST_CASE(mean_edges_and_volume_are_exact_for_parallelepipeds,
 // section (here 5 * 2 * 2), where the exact one is 5 (9 + 3 + 1)/3.
 BOOST_AUTO_TEST_CASE(mean_edge_volume_of_a_frustum_is_height_times_middle_section,
                      *boost::unit_test::tolerance(1e-15)) {
-  HexahedronCorners x = unit_cube();
-  for (std::size_t i = 0; i < 8; ++i) {
-    x[i].head<2>() *= i < 4 ? 3 : 1;
-    x[i].z() *= 5;
+  CornerPositions x = unit_cube();
+  for (Eigen::Index i = 0; i < 8; ++i) {
+    x.col(i).head<2>() *= i < 4 ? 3 : 1;
+    x.col(i).z() *= 5;
   }
   BOOST_TEST(mean_edge_volume(x) == 20);
 }
@@ -82,11 +85,11 @@ BOOST_AUTO_TEST_CASE(mean_edge_volume_of_a_frustum_is_height_times_middle_sectio
 // truncation error and the tolerance is round-off.
 BOOST_AUTO_TEST_CASE(gradient_is_the_slope_of_the_volume) {
   for (unsigned seed = 0; seed < 5; ++seed) {
-    const HexahedronCorners x = distorted_cube(seed);
+    const CornerPositions x = distorted_cube(seed);
     const auto gradient = mean_edge_volume_gradient(x);
-    for (std::size_t i = 0; i < 8; ++i)
+    for (Eigen::Index i = 0; i < 8; ++i)
       for (const Eigen::Index r : coordinates)
-        BOOST_TEST(std::abs(gradient(r, static_cast<Eigen::Index>(i)) -
+        BOOST_TEST(std::abs(gradient(r, i) -
                             slope(mean_edge_volume, x, i, r)) < 1e-14);
   }
 }
@@ -104,23 +107,23 @@ BOOST_AUTO_TEST_CASE(opposite_corners_have_opposite_gradients) {
 // are the unit vectors: every corner is pushed outward.
 BOOST_AUTO_TEST_CASE(gradient_of_a_cube_points_outward_at_every_corner) {
   const auto gradient = mean_edge_volume_gradient(unit_cube());
-  for (std::size_t i = 0; i < 8; ++i) {
-    const Vector3 outward = (unit_cube()[i] - Vector3::Constant(0.5)) / 2;
-    BOOST_TEST((gradient.col(static_cast<Eigen::Index>(i)) == outward));
+  for (Eigen::Index i = 0; i < 8; ++i) {
+    const Vector3 outward = (unit_cube().col(i) - Vector3::Constant(0.5)) / 2;
+    BOOST_TEST((gradient.col(i) == outward));
   }
 }
 
 // The gradient, too, is linear in every single coordinate: round-off.
 BOOST_AUTO_TEST_CASE(hessian_is_the_slope_of_the_gradient) {
   for (unsigned seed = 0; seed < 5; ++seed) {
-    const HexahedronCorners x = distorted_cube(seed);
+    const CornerPositions x = distorted_cube(seed);
     const auto hessian = mean_edge_volume_hessian(x);
-    for (std::size_t i = 0; i < 8; ++i)
+    for (Eigen::Index i = 0; i < 8; ++i)
       for (const Eigen::Index r : coordinates) {
         const Eigen::Matrix<double, 3, 8> column =
-            slope([](const HexahedronCorners& y) { return mean_edge_volume_gradient(y); },
+            slope([](const CornerPositions& y) { return mean_edge_volume_gradient(y); },
                   x, i, r);
-        BOOST_TEST((hessian.col(3 * static_cast<Eigen::Index>(i) + r) - column.reshaped())
+        BOOST_TEST((hessian.col(3 * i + r) - column.reshaped())
                        .norm() < 1e-14);
       }
     BOOST_TEST((hessian - hessian.transpose()).norm() == 0);

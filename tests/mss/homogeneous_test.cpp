@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "blocks.hpp"
-#include "meshing/hexahedron.hpp"
+#include "meshing/cell_geometry.hpp"
 #include "meshing/traction.hpp"
 #include "mss/equilibrium.hpp"
 
@@ -114,7 +114,7 @@ Vector3 force_on(const Case& c, const std::string& region) {
 
 double volume(const Case& c) {
   const auto volumes =
-      cell_volumes(c.mesh.hexahedra(), sum(c.mesh.nodes(), c.solution.displacements));
+      cell_volumes(c.mesh.cells(), sum(c.mesh.nodes(), c.solution.displacements));
   return std::accumulate(volumes.begin(), volumes.end(), 0.);
 }
 

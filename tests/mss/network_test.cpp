@@ -50,12 +50,12 @@ Tensor4 homogenised_tensor(const Material& material, const NetworkSettings& sett
 /// Four cubes in a row of two by two, less the last: edges of one, two and three cells.
 Mesh notched_block(double h) {
   const Mesh whole = generate_block({.size = {2 * h, 2 * h, h}, .cells = {2, 2, 1}});
-  std::vector<Hexahedron> cells(whole.hexahedra().begin(), whole.hexahedra().end() - 1);
+  std::vector<CellNodes> cells(whole.cells().begin(), whole.cells().end() - 1);
   std::vector<Vector3> nodes = whole.nodes();
   // The last cell's own corner: the last node of either layer of nine.
   nodes.erase(nodes.begin() + 17);
   nodes.erase(nodes.begin() + 8);
-  for (Hexahedron& cell : cells)
+  for (CellNodes& cell : cells)
     for (NodeIndex& node : cell)
       if (node > 8) --node;
   return {"notched block", nodes, cells, {}};
@@ -73,7 +73,7 @@ Mesh deformed_cube(const Eigen::Matrix3d& F) {
   const Mesh mesh = cube(1, 1);
   std::vector<Vector3> nodes = mesh.nodes();
   for (Vector3& x : nodes) x = F * x;
-  return {"deformed cube", nodes, mesh.hexahedra(), {}};
+  return {"deformed cube", nodes, mesh.cells(), {}};
 }
 
 constexpr Material quarter{.young_modulus = 1e4, .poisson_ratio = 0.25, .density = 1000};

@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "blocks.hpp"
-#include "meshing/hexahedron.hpp"
+#include "meshing/cell_geometry.hpp"
 #include "mss/solve.hpp"
 
 // The thesis's deformation tests on their own meshes, solved for equilibrium. The stored
@@ -22,8 +22,8 @@ namespace data = boost::unit_test::data;
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-const BlockSize cube_of_5_cm{.size = {0.05, 0.05, 0.05}, .cells = {10, 10, 10}};
-const BlockSize small_beam{.size = {0.004, 0.004, 0.024}, .cells = {4, 4, 24}};
+const Block cube_of_5_cm{.size = {0.05, 0.05, 0.05}, .cells = {10, 10, 10}};
+const Block small_beam{.size = {0.004, 0.004, 0.024}, .cells = {4, 4, 24}};
 
 struct Measured {
   double volume_error;  // |V0 - V|/V0 in %, exact trilinear volumes
@@ -32,7 +32,7 @@ struct Measured {
 };
 
 /// E = 10 kPa between glued plates: the lower one still, the upper one moved.
-Measured measured(const BlockSize& block, StiffnessForm form, double nu,
+Measured measured(const Block& block, StiffnessForm form, double nu,
                   const RigidMotion& upper) {
   const Mesh mesh = generate_block(block);
   const Scene scene{
@@ -49,7 +49,7 @@ Measured measured(const BlockSize& block, StiffnessForm form, double nu,
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
 
   const std::vector<Vector3> x = sum(mesh.nodes(), solution.displacements);
-  const std::vector<double> volumes = cell_volumes(mesh.hexahedra(), x);
+  const std::vector<double> volumes = cell_volumes(mesh.cells(), x);
   const double volume = std::reduce(volumes.begin(), volumes.end());
   Measured result{.volume_error = 100 * std::abs(mesh.volume() - volume) / mesh.volume(),
                   .force = Vector3::Zero(),
@@ -72,7 +72,7 @@ RigidMotion twist(double angle) {
 
 struct Stretch {
   const char* test;
-  const BlockSize& block;
+  const Block& block;
   StiffnessForm form;
   double nu;
   double strain;  // of the height, positive in tension

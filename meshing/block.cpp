@@ -1,0 +1,40 @@
+#include "meshing/block.hpp"
+
+namespace springcheck {
+namespace {
+
+constexpr std::array<CellPatternName, 11> patterns{
+    {{"hexahedron", CellPattern::hexahedron, "regular grid"},
+     {"tetrahedron", CellPattern::tetrahedron, "six tetrahedra in each hexahedron"},
+     {"prism", CellPattern::prism, "two prisms in each hexahedron"},
+     {"pyramid", CellPattern::pyramid, "six pyramids in each hexahedron"},
+     {"mixed", CellPattern::mixed, "all four types side by side on the grid"},
+     {"tetrahedron-5", CellPattern::tetrahedron_5, "five tetrahedra in each hexahedron"},
+     {"tetrahedron-12", CellPattern::tetrahedron_12,
+      "twelve tetrahedra around the centre of each hexahedron"},
+     {"free-tetrahedron", CellPattern::free_tetrahedron, "gmsh's Delaunay tetrahedra"},
+     {"free-prism", CellPattern::free_prism, "gmsh's triangles, extruded along z"},
+     {"free-hexahedron", CellPattern::free_hexahedron,
+      "gmsh's tetrahedra, each cut into four hexahedra"},
+     {"transition", CellPattern::transition,
+      "hexahedra below, gmsh's tetrahedra above, pyramids between"}}};
+
+}  // namespace
+
+std::span<const CellPatternName> cell_patterns() {
+  return patterns;
+}
+
+bool keeps_grid(CellPattern pattern) {
+  switch (pattern) {
+    case CellPattern::free_tetrahedron:
+    case CellPattern::free_prism:
+    case CellPattern::free_hexahedron:
+    case CellPattern::transition:
+      return false;
+    default:
+      return true;
+  }
+}
+
+}  // namespace springcheck

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "meshing/mesh.hpp"
+
+namespace springcheck {
+
+/// Positions of a cell's nodes as columns, four to eight of them.
+using CornerPositions = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 8>;
+
+CornerPositions corners(const CellNodes& cell, std::span<const Vector3> positions);
+
+/// Exact volume of a cell with straight edges and bilinear quadrilateral faces [m^3],
+/// negative when turned inside out. By the divergence theorem, per outward face (a, b, c)
+/// or (a, b, c, d):
+///
+///     V += a.(b x c) / 6
+///     V += [a.(b x c) + a.(c x d) + a.(b x d) + b.(c x d)] / 12
+///
+/// Source: integration of x.n/3 over the triangle and over the bilinear patch; exact for
+/// any node positions.
+double cell_volume(const CornerPositions& x);
+
+/// Its gradient by the corners' positions, one column per corner [m^2]. Per face, at
+/// (a, b, c) and cyclic
+///
+///     dV/da += (b x c) / 6
+///     dV/da += (b x c + c x d + b x d) / 12
+///
+/// and sum x_a (x) dV/dx_a = V I.
+CornerPositions cell_volume_gradient(const CornerPositions& x);
+
+/// Smallest of the corner Jacobians: det of the three edge vectors that leave a corner
+/// [m^3]; h^3 for a cube of edge h. A pyramid's apex has four edges and no Jacobian.
+/// Negative: the map folds over at a corner.
+double smallest_corner_jacobian(const CornerPositions& x);
+
+/// Exact volume of each cell with its nodes at `positions`.
+std::vector<double> cell_volumes(std::span<const CellNodes> cells,
+                                 std::span<const Vector3> positions);
+
+}  // namespace springcheck
