@@ -14,7 +14,7 @@ constexpr double on_plane = 1e-9;  // of the block's height: coordinates are exa
 /// even.
 std::vector<NodeIndex> centre_line(const CaseSettings& settings, const Mesh& mesh) {
   std::vector<NodeIndex> line;
-  const auto [width, depth, height] = settings.block.size;
+  const auto [width, depth, height] = settings.body.block.size;
   for (NodeIndex n = 0; n < mesh.nodes().size(); ++n)
     if (std::abs(mesh.nodes()[n].x() - width / 2) < on_plane * height &&
         std::abs(mesh.nodes()[n].y() - depth / 2) < on_plane * height)
@@ -23,20 +23,53 @@ std::vector<NodeIndex> centre_line(const CaseSettings& settings, const Mesh& mes
   return line;
 }
 
+/// The displacement at a point of a plane, horizontal region, linear on the triangles that
+/// its faces' nodes span with the faces' centres; none where no face has the point.
+std::optional<Vector3> on_face(const Mesh& mesh, const Region& region,
+                               std::span<const Vector3> displacements,
+                               const Vector3& point) {
+  constexpr double rounding = 1e-9;  // of a triangle's area
+  for (const FaceNodes& face : region.faces) {
+    Vector3 centre = Vector3::Zero(), at_centre = Vector3::Zero();
+    for (const NodeIndex n : face) {
+      centre += mesh.nodes()[n] / static_cast<double>(face.size());
+      at_centre += displacements[n] / static_cast<double>(face.size());
+    }
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const NodeIndex a = face[i], b = face[(i + 1) % face.size()];
+      const auto area = [](const Vector3& p, const Vector3& q, const Vector3& r) {
+        return (q - p).cross(r - p).z();
+      };
+      const Vector3 &x_a = mesh.nodes()[a], &x_b = mesh.nodes()[b];
+      const double whole = area(x_a, x_b, centre);
+      const Vector3 weights = Vector3(area(point, x_b, centre), area(x_a, point, centre),
+                                      area(x_a, x_b, point)) /
+                              whole;
+      if (weights.minCoeff() >= -rounding)
+        return weights[0] * displacements[a] + weights[1] * displacements[b] +
+               weights[2] * at_centre;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<double> tip_deflection(const CaseSettings& settings, const Mesh& mesh,
                                      std::span<const Vector3> displacements) {
-  const std::vector<NodeIndex> line = centre_line(settings, mesh);
-  if (line.empty()) return std::nullopt;
-  return displacements[line.back()].dot(settings.gravity.normalized());
+  if (settings.body.shape != BodyShape::block) return std::nullopt;
+  const auto [width, depth, height] = settings.body.block.size;
+  const auto tip = on_face(mesh, mesh.region(settings.body.moved), displacements,
+                           Vector3(width / 2, depth / 2, height));
+  return tip ? std::optional(tip->dot(settings.gravity.normalized())) : std::nullopt;
 }
 
 void measure_beam(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
                   std::span<const Vector3> displacements) {
   if (settings.test != Test::bending || settings.gravity.isZero(0)) return;
+  if (settings.body.shape != BodyShape::block) return;
   measures.tip_deflection = tip_deflection(settings, mesh, displacements);
-  const auto [size_x, size_y, length] = settings.block.size;
+  const auto [size_x, size_y, length] = settings.body.block.size;
   const Vector3 down = settings.gravity.normalized();
   // The theories know a load across one side of the section only.
   const bool along_x = std::abs(down.x()) > 1 - 1e-12;

@@ -6,8 +6,6 @@ namespace springcheck {
 
 namespace {
 
-constexpr Held only_z{false, false, true};
-
 bool reads_lattice(const Method& method) {
   const auto* law = std::get_if<fem_reference::Law>(&method.model);
   return law != nullptr && *law == fem_reference::Law::cauchy_born;
@@ -18,6 +16,23 @@ nlohmann::json row_by_row(const Eigen::Matrix3d& matrix) {
   for (const double number : matrix.reshaped<Eigen::RowMajor>())
     numbers.push_back(number);
   return numbers;
+}
+
+/// What a mesh is made of; the file of a user's mesh is not, whose content the case's key
+/// holds.
+void add_body_settings(nlohmann::json& json, const Body& body) {
+  json["body"] = name_of(body.shape);
+  if (body.shape == BodyShape::file) {
+    json["fixed"] = body.fixed;
+    json["moved"] = body.moved;
+    return;
+  }
+  const Block& block = body.block;
+  json["size"] = block.size;
+  json["cells"] = block.cells;
+  json["cell-type"] = name_of(block.pattern);
+  if (block.distortion > 0) json["distortion"] = block.distortion;
+  if (reads_seed(block)) json["seed"] = block.seed;
 }
 
 /// Settings of the finite elements alone.
@@ -135,54 +150,6 @@ std::string_view name_of(fem_reference::LinearSolver solver) {
   return {};
 }
 
-Scene mechanical_scene(const CaseSettings& settings) {
-  const auto [width, depth, height] = settings.block.size;
-  const bool slides =
-      settings.test == Test::uniaxial ||
-      (settings.test == Test::traction && settings.plates == PlateContact::sliding);
-  Plate lower{.region = "bottom",
-              .motion = {.translation = Vector3::Zero(),
-                         .axis = Vector3::UnitZ(),
-                         .centre = Vector3(width / 2, depth / 2, height),
-                         .angle = 0},
-              .held = slides ? only_z : all_components};
-  Plate upper = lower;
-  upper.region = "top";
-  RigidMotion& motion = upper.motion;
-  Scene scene{.material = settings.material, .plates = {}, .gravity = settings.gravity};
-  if (slides)
-    scene.pins = {{.point = Vector3::Zero(), .held = {true, true, false}},
-                  {.point = Vector3(width, 0, 0), .held = {false, true, false}}};
-
-  switch (settings.test) {
-    case Test::compression:
-      motion.translation.z() = -settings.deformation.value() * height;
-      break;
-    case Test::tension:
-    case Test::uniaxial:
-      motion.translation.z() = settings.deformation.value() * height;
-      break;
-    case Test::shearing:
-      motion.translation.x() = settings.deformation.value() * height;
-      break;
-    case Test::torsion:
-      motion.angle = settings.deformation.value();
-      break;
-    case Test::bending:
-      scene.plates = {lower};
-      return scene;
-    case Test::traction:
-      scene.plates = {lower};
-      scene.tractions = {{.region = "top", .stress = settings.traction}};
-      return scene;
-    case Test::affine:
-      scene.boundary_gradient = settings.gradient;
-      return scene;
-  }
-  scene.plates = {lower, upper};
-  return scene;
-}
-
 fem_reference::Settings reference_settings(const CaseSettings& settings) {
   using fem_reference::SpringConstants;
   return {.law = std::get<fem_reference::Law>(settings.method.model),
@@ -201,13 +168,12 @@ nlohmann::json settings_json(const CaseSettings& settings) {
   nlohmann::json json{
       {"scene", settings.scene},
       {"test", name_of(settings.test)},
-      {"size", settings.block.size},
-      {"cells", settings.block.cells},
       {"young", settings.material.young_modulus},
       {"nu", settings.material.poisson_ratio},
       {"density", settings.material.density},
       {"method", settings.method.name},
   };
+  add_body_settings(json, settings.body);
   if (settings.deformation) json["deformation"] = *settings.deformation;
   if (settings.test == Test::bending)
     json["gravity"] = {settings.gravity.x(), settings.gravity.y(), settings.gravity.z()};

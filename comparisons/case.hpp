@@ -4,14 +4,13 @@
 #include <optional>
 #include <string>
 
+#include "comparisons/body.hpp"
 #include "comparisons/methods.hpp"
-#include "meshing/gmsh.hpp"
 #include "mss/solve.hpp"
 
 namespace springcheck {
 
-/// The deformation tests. The body is a block with its axis along z; mechanical_scene
-/// says what holds and loads it.
+/// The deformation tests; mechanical_scene says what holds and loads the body.
 enum class Test {
   compression,
   tension,
@@ -39,7 +38,7 @@ std::string_view name_of(fem_reference::LinearSolver solver);
 struct CaseSettings {
   std::string scene;
   Test test;
-  Block block;
+  Body body;
   Material material;
   Vector3 gravity;           // [m/s^2]; zero but in bending
   Vector3 traction;          // [Pa]; zero but in traction
@@ -62,25 +61,6 @@ struct CaseSettings {
   mss::DynamicsSettings dynamics;  // of the semi-implicit solver
   unsigned seed;                   // of the static solver
 };
-
-/// The case as both solvers receive it.
-///
-///     compression, tension   glued plates; the upper one moves along -z, +z by
-///                            deformation * height
-///     shearing               glued plates; the upper one moves along +x by as much
-///     torsion                glued plates; the upper one turns about +z, through its
-///                            centre
-///     bending                one glued plate; gravity acts
-///     uniaxial               sliding plates; the upper one moves along z by deformation
-///                            * height, up if positive
-///     traction               one plate, glued or sliding; a uniform dead traction acts
-///     on
-///                            the upper face
-///     affine                 no plate; the whole boundary follows u = H X
-///
-/// Sliding plates hold z only. Pins take away the rigid motions they leave: the corner at
-/// the origin keeps x and y, the one at (size_x, 0, 0) y.
-Scene mechanical_scene(const CaseSettings& settings);
 
 /// The finite elements' part of the settings.
 fem_reference::Settings reference_settings(const CaseSettings& settings);

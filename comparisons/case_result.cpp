@@ -56,9 +56,9 @@ std::string reference_label(const Request& request) {
   if (!request.reference) return {};
   const std::string name = label(*request.reference);
   if (request.reference_grid == ReferenceGrid::converged) return name + "@converged";
-  const Cells& cells = request.reference->block.cells;
-  if (cells == request.settings.block.cells) return name;
-  return fmt::format("{}@{}", name, fmt::join(cells, ","));
+  const Body& body = request.reference->body;
+  if (body == request.settings.body) return name;
+  return fmt::format("{}@{}", name, fmt::join(body.block.cells, ","));
 }
 
 std::string case_key(const Request& request, const Mesh& mesh) {

@@ -51,6 +51,16 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
   return plans;
 }
 
+/// "8 prisms, 20 hexahedra".
+std::string cell_counts(const Mesh& mesh) {
+  constexpr std::array plurals{"tetrahedra", "pyramids", "prisms", "hexahedra"};
+  std::string text;
+  for (std::size_t i = 0; i < plurals.size(); ++i)
+    if (const std::size_t count = mesh.count(all_cell_types[i]); count > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, plurals[i]);
+  return text;
+}
+
 }  // namespace
 
 ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
@@ -140,6 +150,8 @@ ExitStatus list_command(const std::string& what, Output output) {
     lists["sweeps"][std::filesystem::path(sweep.name).stem().string()] =
         sweep.text.substr(2, end - 2);
   }
+  for (const CellPatternName& pattern : cell_patterns())
+    lists["cell-types"][std::string(pattern.name)] = pattern.description;
   for (const ElementName& element : elements())
     lists["elements"][std::string(element.name)] = element.description;
   lists["materials"] = {
@@ -149,7 +161,7 @@ ExitStatus list_command(const std::string& what, Output output) {
       {"cauchy-born", "continuum of a spring lattice (fem-cauchy-born)"}};
   if (!what.empty()) {
     if (!lists.contains(what))
-      throw InputError("list", "", "one of methods, scenes, sweeps, elements, materials",
+      throw InputError("list", "", "one of methods, scenes, sweeps, cell-types, elements, materials",
                        "'" + what + "'");
     lists = Json{{what, lists[what]}};
   }
@@ -169,12 +181,12 @@ ExitStatus mesh_command(const std::string& scene,
                         const std::vector<GivenSetting>& options,
                         const std::filesystem::path& file) {
   const RunSettings run = read_run(scene, options);
-  check_mesh_memory(run.cells_place, run.common.block);
+  check_mesh_memory(run.cells_place, run.common.body);
   check_writable(file);
-  const Mesh mesh = generate_block(run.common.block);
+  const Mesh mesh = build_mesh(run.common.body);
   write_mesh(mesh, file);
-  fmt::print("{}: {} nodes, {} hexahedra, {:.6g} m^3, SHA-256 {}\n", file.string(),
-             mesh.nodes().size(), mesh.cells().size(), mesh.volume(), mesh.sha256());
+  fmt::print("{}: {} nodes, {}, {:.6g} m^3, SHA-256 {}\n", file.string(),
+             mesh.nodes().size(), cell_counts(mesh), mesh.volume(), mesh.sha256());
   return ExitStatus::done;
 }
 

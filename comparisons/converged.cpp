@@ -18,16 +18,20 @@ Eigen::MatrixXd matrix_of(const std::vector<double>& values) {
                                               static_cast<Eigen::Index>(values.size()));
 }
 
-std::vector<Vector3> displacements_at(const CaseResult& run, const Cells& cells) {
-  return at_coarse_nodes(run.solution.displacements, run.request.settings.block.cells,
-                         cells);
-}
-
-std::vector<double> cell_volumes_on(const CaseResult& run, const Cells& cells,
+/// Deformed volumes of the cells of a body's mesh: the run's own, sums of those inside
+/// each coarser cell, or those of the mesh in the run's displacements.
+std::vector<double> cell_volumes_on(const Body& body, const CaseResult& run,
                                     MeshStore& meshes) {
-  const Block& block = run.request.settings.block;
-  return summed_over_coarse_cells(deformed_volumes(meshes.mesh(block), run.solution),
-                                  block.cells, cells);
+  const Body& own = run.request.settings.body;
+  const Mesh& own_mesh = meshes.mesh(own);
+  if (own == body) return deformed_volumes(own_mesh, run.solution);
+  if (body.block == Block{.size = body.block.size, .cells = body.block.cells} &&
+      is_refinement(own.block.cells, body.block.cells))
+    return summed_over_coarse_cells(deformed_volumes(own_mesh, run.solution),
+                                    own.block.cells, body.block.cells);
+  Solution here{};
+  here.displacements = displacements_on(body, run, meshes);
+  return deformed_volumes(meshes.mesh(body), here);
 }
 
 GridSizes sizes_of(std::span<const CaseResult* const> runs) {
@@ -49,24 +53,32 @@ std::vector<Vector3> face_displacements(std::span<const CaseResult* const> runs)
 
 ThreeCases convergence_grids(const CaseSettings& settings) {
   ThreeCases grids{settings, settings, settings};
-  grids[1].block.cells = refined(settings.block.cells, 2);
-  grids[2].block.cells = refined(settings.block.cells, 4);
+  grids[1].body.block.cells = refined(settings.body.block.cells, 2);
+  grids[2].body.block.cells = refined(settings.body.block.cells, 4);
   return grids;
 }
 
 GridSizes grid_sizes(const ThreeCases& cases) {
-  return {cell_size(cases[0].block), cell_size(cases[1].block),
-          cell_size(cases[2].block)};
+  return {cell_size(cases[0].body.block), cell_size(cases[1].body.block),
+          cell_size(cases[2].body.block)};
 }
 
-ConvergedField converged_field(std::span<const CaseResult* const> runs,
-                               const Cells& cells, MeshStore& meshes) {
+std::vector<Vector3> displacements_on(const Body& body, const CaseResult& run,
+                                      MeshStore& meshes) {
+  const Body& own = run.request.settings.body;
+  if (own == body) return run.solution.displacements;
+  assert(is_grid_of_hexahedra(own) && own.block.distortion == 0);
+  return interpolated(run.solution.displacements, own.block, meshes.mesh(body).nodes());
+}
+
+ConvergedField converged_field(std::span<const CaseResult* const> runs, const Body& body,
+                               MeshStore& meshes) {
   assert(runs.size() == 3);
   const GridSizes sizes = sizes_of(runs);
   OnThreeGrids displacements, volumes;
   for (std::size_t i = 0; i < 3; ++i) {
-    displacements[i] = matrix_of(displacements_at(*runs[i], cells));
-    volumes[i] = matrix_of(cell_volumes_on(*runs[i], cells, meshes));
+    displacements[i] = matrix_of(displacements_on(body, *runs[i], meshes));
+    volumes[i] = matrix_of(cell_volumes_on(body, *runs[i], meshes));
   }
   const double largest = displacements[2].colwise().norm().maxCoeff();
   const Extrapolated field = extrapolate(sizes, displacements, solver_noise * largest);
@@ -83,17 +95,17 @@ ConvergedField converged_field(std::span<const CaseResult* const> runs,
   return converged;
 }
 
-ConvergedField finest_field(std::span<const CaseResult* const> runs, const Cells& cells,
+ConvergedField finest_field(std::span<const CaseResult* const> runs, const Body& body,
                             MeshStore& meshes) {
   assert(runs.size() >= 2);
   const CaseResult& finest = *runs.back();
-  ConvergedField field{.displacements = displacements_at(finest, cells),
-                       .cell_volumes = cell_volumes_on(finest, cells, meshes),
+  ConvergedField field{.displacements = displacements_on(body, finest, meshes),
+                       .cell_volumes = cell_volumes_on(body, finest, meshes),
                        .order = std::nullopt,
                        .bar = 0};
   const Eigen::MatrixXd u = matrix_of(field.displacements);
   const Eigen::MatrixXd change =
-      u - matrix_of(displacements_at(*runs[runs.size() - 2], cells));
+      u - matrix_of(displacements_on(body, *runs[runs.size() - 2], meshes));
   field.bar = std::max(safety_without_order * change.colwise().norm().mean(),
                        solver_noise * u.colwise().norm().maxCoeff());
   return field;
@@ -105,16 +117,16 @@ std::optional<ReferenceField> reference_field(const Request& request,
   const bool all_measured = std::ranges::all_of(
       runs, [](const CaseResult* run) { return run->measures.volume_error.has_value(); });
   if (runs.empty() || !all_measured) return std::nullopt;
-  const Cells& cells = request.settings.block.cells;
+  const Body& body = request.settings.body;
   ReferenceField field{.solution = runs.back()->solution, .order = {}, .bar = {}};
   field.solution.reactions.clear();
   field.solution.loaded_face_displacements = face_displacements(runs);
   if (runs.size() == 1) {
-    field.solution.displacements = displacements_at(*runs[0], cells);
-    field.solution.cell_volumes = cell_volumes_on(*runs[0], cells, meshes);
+    field.solution.displacements = displacements_on(body, *runs[0], meshes);
+    field.solution.cell_volumes = cell_volumes_on(body, *runs[0], meshes);
     return field;
   }
-  ConvergedField converged = converged_field(runs, cells, meshes);
+  ConvergedField converged = converged_field(runs, body, meshes);
   field.solution.displacements = std::move(converged.displacements);
   field.solution.cell_volumes = std::move(converged.cell_volumes);
   field.order = converged.order;

@@ -32,14 +32,19 @@ struct ConvergedField {
   double bar;                        // mean over the nodes of the distance it bounds [m]
 };
 
-/// Extrapolates three runs, which must have their fields, at the nodes of a mesh of
-/// `cells` that all three refine.
-ConvergedField converged_field(std::span<const CaseResult* const> runs,
-                               const Cells& cells, MeshStore& meshes);
+/// A run's displacements at the nodes of a body's mesh: its own ones, or interpolated
+/// where it ran on another grid of hexahedra.
+std::vector<Vector3> displacements_on(const Body& body, const CaseResult& run,
+                                      MeshStore& meshes);
+
+/// Extrapolates three runs, which must have their fields, at the nodes of a body's mesh:
+/// the runs' own one, or any mesh of the block that they cut into regular grids.
+ConvergedField converged_field(std::span<const CaseResult* const> runs, const Body& body,
+                               MeshStore& meshes);
 
 /// The field of the finest of the runs, from coarse to fine, with three times its mean
 /// distance from the next as bar (extrapolation.hpp: no order observed).
-ConvergedField finest_field(std::span<const CaseResult* const> runs, const Cells& cells,
+ConvergedField finest_field(std::span<const CaseResult* const> runs, const Body& body,
                             MeshStore& meshes);
 
 /// What deviations are measured against.

@@ -19,7 +19,8 @@ double seconds(const CaseSettings& settings) {
   const bool halved =
       is_fem && settings.element.element == fem_reference::Element::q2;  // q2's own nodes
   double nodes = 1;
-  for (const int cells : settings.block.cells) nodes *= (halved ? 2. : 1.) * cells + 1;
+  for (const double cells : equivalent_grid(settings.body))
+    nodes *= (halved ? 2. : 1.) * cells + 1;
   const double larger = nodes / nodes_there;
   if (!is_fem && settings.solver != mss::Solver::static_equilibrium)
     return dynamics_per_second * settings.dynamics.duration * larger;

@@ -25,8 +25,9 @@ std::optional<double> imposed_length(const CaseSettings& settings, const Scene& 
 
 void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
                        const Solution& solution, const Solution& reference) {
-  const Scene scene = mechanical_scene(settings);
-  const double height = settings.block.size[2];
+  const Scene scene = mechanical_scene(settings, mesh);
+  const double height = settings.body.block.size[2];
+  const bool has_layers = settings.body.shape == BodyShape::block;
   const auto distance = [&](std::size_t n) {
     return (solution.displacements[n] - reference.displacements[n]).norm();
   };
@@ -35,7 +36,8 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
   for (std::size_t n = 0; n < mesh.nodes().size(); ++n) {
     sum += distance(n);
     largest = std::max(largest, distance(n));
-    if (std::abs(mesh.nodes()[n].z() - height / 2) < on_plane * height) {
+    if (has_layers &&
+        std::abs(mesh.nodes()[n].z() - height / 2) < on_plane * height) {
       layer_sum += distance(n);
       ++layer_nodes;
     }

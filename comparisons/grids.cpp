@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -38,6 +39,20 @@ std::array<int, 3> multiples(const Cells& fine, const Cells& coarse) {
   return {fine[0] / coarse[0], fine[1] / coarse[1], fine[2] / coarse[2]};
 }
 
+/// A place along an axis of a grid: a cell, and the fraction of it that lies before.
+struct Place {
+  int cell;
+  double beyond;  // in [0, 1]
+};
+
+Place place_on(double size, int cells, double x) {
+  constexpr double rounding = 1e-9;
+  double at = std::clamp(x / size * cells, 0., static_cast<double>(cells));
+  if (std::abs(at - std::round(at)) < rounding) at = std::round(at);
+  const int cell = std::min(static_cast<int>(at), cells - 1);
+  return {.cell = cell, .beyond = at - cell};
+}
+
 }  // namespace
 
 Cells refined(const Cells& cells, int factor) {
@@ -67,14 +82,28 @@ double cell_size(const Block& block) {
   return std::cbrt(lx / nx * (ly / ny) * (lz / nz));
 }
 
-std::vector<Vector3> at_coarse_nodes(std::span<const Vector3> field, const Cells& fine,
-                                     const Cells& coarse) {
-  const auto [sx, sy, sz] = multiples(fine, coarse);
-  const auto fine_nodes = nodes_of(fine);
+std::vector<Vector3> interpolated(std::span<const Vector3> field, const Block& grid,
+                                  std::span<const Vector3> points) {
+  const auto nodes = nodes_of(grid.cells);
   std::vector<Vector3> values;
-  for_each_point(nodes_of(coarse), [&](int x, int y, int z, std::size_t) {
-    values.push_back(field[number_of(fine_nodes, sx * x, sy * y, sz * z)]);
-  });
+  values.reserve(points.size());
+  for (const Vector3& point : points) {
+    std::array<Place, 3> places;
+    for (std::size_t i = 0; i < 3; ++i)
+      places[i] = place_on(grid.size[i], grid.cells[i], point[static_cast<int>(i)]);
+    Vector3 value = Vector3::Zero();
+    for_each_point({2, 2, 2}, [&](int x, int y, int z, std::size_t) {
+      const std::array<int, 3> side{x, y, z};
+      double weight = 1;
+      std::array<int, 3> node{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        weight *= side[i] == 0 ? 1 - places[i].beyond : places[i].beyond;
+        node[i] = places[i].cell + side[i];
+      }
+      if (weight != 0) value += weight * field[number_of(nodes, node[0], node[1], node[2])];
+    });
+    values.push_back(value);
+  }
   return values;
 }
 

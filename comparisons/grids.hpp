@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "meshing/gmsh.hpp"
+#include "meshing/block.hpp"
 
 namespace springcheck {
 
@@ -26,9 +26,10 @@ bool is_refinement(const Cells& fine, const Cells& coarse);
 /// Cube root of a cell's mean volume [m].
 double cell_size(const Block& block);
 
-/// Values at the coarse grid's nodes, of a field given at the nodes of a refinement.
-std::vector<Vector3> at_coarse_nodes(std::span<const Vector3> field, const Cells& fine,
-                                     const Cells& coarse);
+/// A field at points in the block [m], trilinear in each cell of the regular grid at whose
+/// nodes it is given. At a point within 1e-9 cells of a node it is the node's value.
+std::vector<Vector3> interpolated(std::span<const Vector3> field, const Block& grid,
+                                  std::span<const Vector3> points);
 
 /// For each coarse cell, the sum of `values` over the fine cells in it.
 std::vector<double> summed_over_coarse_cells(std::span<const double> values,

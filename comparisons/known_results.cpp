@@ -48,7 +48,7 @@ KnownResult known_from(const StoredCases& stored, MeshStore& meshes) {
         if (found == stored.end()) return std::nullopt;
         const auto& [file, stored_case] = found->second;
         CaseResult result = with_stored(request, key, stored_case);
-        read_fields(file, meshes.mesh(request.settings.block), result);
+        read_fields(file, meshes.mesh(request.settings.body), result);
         return result;
       };
 }

@@ -123,7 +123,7 @@ Measures::Value definite_up_to_deformation(const CaseSettings& settings,
 Measures measure(const CaseSettings& settings, const Mesh& mesh,
                  const Solution& solution) {
   Measures measures;
-  const Scene scene = mechanical_scene(settings);
+  const Scene scene = mechanical_scene(settings, mesh);
   const std::vector<Vector3> positions = deformed(mesh, solution.displacements);
   measure_volumes(measures, mesh, solution, positions);
   measure_plate(measures, settings, scene, mesh, solution, positions);

@@ -22,7 +22,8 @@ struct Measures {
   Value corner_jacobian_ratio_min{};  // smallest corner Jacobian of a cell over its rest
                                       // value; the cell is inverted below 0
 
-  // What the detector saw on the worst free face, see wrinkles.hpp; empty without one:
+  // What the detector saw on the worst free face, see wrinkles.hpp; empty without one and
+  // on cells other than a grid of hexahedra, whose lines it reads:
   Value wrinkle_alternation{};
   Value wrinkle_amplitude{};
 
@@ -71,7 +72,8 @@ struct Measures {
   Value reference_order{};
   Value reference_bar{};
 
-  // Bending: the tip is the node at the centre of the end face (even cell counts).
+  // Bending of blocks: the tip is the centre of the end face, a node with even cell
+  // counts; with others the displacement is interpolated there.
   Value tip_deflection{};       // [m] along gravity
   Value tip_euler_bernoulli{};  // [m] theories, see beam_theory.hpp
   Value tip_timoshenko{};

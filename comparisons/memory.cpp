@@ -14,10 +14,9 @@ namespace springcheck {
 namespace {
 
 /// Peak memory of the program with one mesh [bytes].
-double estimated_mesh_memory(const Block& block) {
-  const auto [nx, ny, nz] = block.cells;
+double estimated_mesh_memory(const Body& body) {
   constexpr double program = 165e6, per_cell = 3e3;
-  return program + per_cell * nx * ny * nz;
+  return program + per_cell * estimated_cells(body);
 }
 
 /// Nodes of the elements along x, y, z: q2 has one more between any two of the mesh.
@@ -25,8 +24,8 @@ std::array<double, 3> element_nodes(const CaseSettings& settings) {
   const bool halved = is_finite_element(settings.method) &&
                       settings.element.element == fem_reference::Element::q2;
   std::array<double, 3> nodes{};
-  std::ranges::transform(settings.block.cells, nodes.begin(),
-                         [&](int cells) { return (halved ? 2. : 1.) * cells + 1; });
+  std::ranges::transform(equivalent_grid(settings.body), nodes.begin(),
+                         [&](double cells) { return (halved ? 2. : 1.) * cells + 1; });
   return nodes;
 }
 
@@ -60,7 +59,7 @@ double estimated_memory(const CaseSettings& settings) {
   std::array<double, 3> nodes = element_nodes(settings);
   std::ranges::sort(nodes);
   const double cells = (nodes[0] - 1) * (nodes[1] - 1) * (nodes[2] - 1);
-  const double bytes = estimated_mesh_memory(settings.block);
+  const double bytes = estimated_mesh_memory(settings.body);
   switch (linear_systems(settings)) {
     case LinearSystems::none:
       break;
@@ -95,8 +94,8 @@ double available_memory() {
   return INFINITY;  // not Linux: nothing to compare with
 }
 
-void check_mesh_memory(const std::string& place, const Block& block) {
-  refuse_if_too_large(place, "mesh", estimated_mesh_memory(block));
+void check_mesh_memory(const std::string& place, const Body& body) {
+  refuse_if_too_large(place, "mesh", estimated_mesh_memory(body));
 }
 
 void check_memory(const std::string& place, const std::vector<Request>& requests) {
@@ -106,7 +105,7 @@ void check_memory(const std::string& place, const std::vector<Request>& requests
     for (const CaseSettings& reference : reference_cases(request))
       refuse_if_too_large(place,
                           fmt::format("{} on {} cells", label(reference),
-                                      fmt::join(reference.block.cells, " x ")),
+                                      fmt::join(reference.body.block.cells, " x ")),
                           estimated_memory(reference));
   }
 }

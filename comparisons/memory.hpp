@@ -14,7 +14,7 @@ double estimated_memory(const CaseSettings& settings);
 /// Throws InputError when the mesh alone would not fit into the memory that is available
 /// (what Linux calls so).
 /// `place` says where the cell counts were given.
-void check_mesh_memory(const std::string& place, const Block& block);
+void check_mesh_memory(const std::string& place, const Body& body);
 
 /// Throws InputError when one of the requests, references included, would not fit into
 /// the available memory. Allocates nothing itself.

@@ -41,7 +41,7 @@ std::optional<double> stiffness_of(const CaseResult& continuum) {
   const CaseSettings& settings = continuum.request.settings;
   const auto& force = continuum.measures.plate_force;
   if (!force) return std::nullopt;
-  const auto [width, depth, height] = settings.block.size;
+  const auto [width, depth, height] = settings.body.block.size;
   return *force / (width * depth) /
          (settings.material.young_modulus * std::abs(*settings.deformation));
 }

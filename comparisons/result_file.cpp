@@ -10,6 +10,7 @@
 #include "comparisons/open_result_file.hpp"
 #include "comparisons/provenance.hpp"
 #include "comparisons/store/overlay_file.hpp"
+#include "comparisons/stored_mesh.hpp"
 #include "comparisons/xdmf.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
@@ -21,23 +22,6 @@ std::vector<double> flat(const std::vector<Vector3>& vectors) {
   std::vector<double> values;
   for (const Vector3& v : vectors) values.insert(values.end(), v.begin(), v.end());
   return values;
-}
-
-template <class List>
-std::vector<std::uint32_t> flat(const std::vector<List>& cells) {
-  std::vector<std::uint32_t> values;
-  for (const List& cell : cells) values.insert(values.end(), cell.begin(), cell.end());
-  return values;
-}
-
-void write_mesh_group(hid_t meshes, const Mesh& mesh) {
-  const auto group = hdf5::create_group(meshes, mesh.sha256());
-  hdf5::write_attribute(group, "source", mesh.source());
-  hdf5::write_table(group, "nodes", flat(mesh.nodes()), 3);
-  hdf5::write_table(group, "hexahedra", flat(mesh.cells()), 8);
-  const auto regions = hdf5::create_group(group, "regions");
-  for (const auto& [name, region] : mesh.regions())
-    hdf5::write_table(regions, name, flat(region.faces), 4);
 }
 
 void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
@@ -128,8 +112,8 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
                mesh_group = hdf5::open_group(root, "meshes");
     std::vector<Row> added;
     for (const CaseResult& result : results) {
-      const Mesh& mesh = meshes.mesh(result.request.settings.block);
-      if (!hdf5::has_link(mesh_group, mesh.sha256())) write_mesh_group(mesh_group, mesh);
+      const Mesh& mesh = meshes.mesh(result.request.settings.body);
+      if (!hdf5::has_link(mesh_group, mesh.sha256())) write_stored_mesh(mesh_group, mesh);
       const Row row = row_of(result, mesh, provenance_row);
       if (const auto known = stored_.rows.find(result.key); known != stored_.rows.end())
         replace_row(cases, known->second, row);

@@ -21,6 +21,14 @@ Json json(const Measures::Matrix& value) {
   return rows;
 }
 
+Json types_json(const Mesh& mesh) {
+  Json types = Json::object();
+  for (const CellType type : all_cell_types)
+    if (const std::size_t count = mesh.count(type); count > 0)
+      types[std::string(name_of(type))] = count;
+  return types;
+}
+
 Json case_json(const CaseResult& result, const Mesh& mesh) {
   const CaseSettings& settings = result.request.settings;
   const bool fem = is_finite_element(settings.method);
@@ -45,7 +53,7 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
            {"mesh",
             {{"cells", mesh.cells().size()},
              {"nodes", mesh.nodes().size()},
-             {"types", {{"hexahedron", mesh.cells().size()}}},
+             {"types", types_json(mesh)},
              {"sha256", mesh.sha256()}}},
            {"status", name_of(result.status)},
            {"flags", flags},
@@ -76,7 +84,7 @@ Json run_json(const std::string& scene, const std::vector<CaseResult>& results,
               const std::vector<std::optional<Split>>& splits, MeshStore& meshes) {
   Json cases = Json::array();
   for (std::size_t i = 0; i < results.size(); ++i) {
-    Json out = case_json(results[i], meshes.mesh(results[i].request.settings.block));
+    Json out = case_json(results[i], meshes.mesh(results[i].request.settings.body));
     out["split"] = splits[i] ? split_json(*splits[i]) : Json();
     cases.push_back(std::move(out));
   }

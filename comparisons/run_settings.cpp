@@ -11,28 +11,12 @@
 #include <sstream>
 
 #include "comparisons/grids.hpp"
+#include "comparisons/body_settings.hpp"
 #include "comparisons/setting_values.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {
-
-using Settings = std::map<std::string, Given, std::less<>>;
-
-const Given& required(const Settings& settings, const std::string& key,
-                      const std::string& file, const std::string& expected) {
-  const auto found = settings.find(key);
-  if (found == settings.end())
-    throw InputError(file + ":1:1", "key '" + key + "'", expected, "none");
-  return found->second;
-}
-
-template <class Value, class Read>
-Value value_or(const Settings& settings, std::string_view key, Value otherwise,
-               Read&& read) {
-  const auto found = settings.find(key);
-  return found == settings.end() ? otherwise : Value(std::invoke(read, found->second));
-}
 
 /// Settings that belong to some tests only.
 void check_applicable(const Settings& settings, Test test) {
@@ -90,9 +74,16 @@ std::vector<int> reference_cells_of(const Given& given, const std::string& text)
   return cells;
 }
 
-/// The cells a reference runs on beside a case.
-Cells cells_beside(const ReferenceMethod& reference, const Cells& cells) {
-  if (reference.cells.empty()) return cells;
+/// The grid of hexahedra that a reference runs on beside a case.
+Body grid_beside(const ReferenceMethod& reference, const Body& body) {
+  if (body.shape != BodyShape::block)
+    throw InputError(reference.place, "grid of the reference",
+                     fmt::format("a block, which regular grids can cut; the mesh of a {} "
+                                 "is its reference's too",
+                                 name_of(body.shape)),
+                     "'" + reference.text + "'");
+  const Cells& cells = body.block.cells;
+  if (reference.cells.empty()) return on_hexahedra(body, cells);
   const auto refuse = [&](const std::string& expected) {
     throw InputError(reference.place, "cells of the reference",
                      fmt::format("{} the case's {}", expected, fmt::join(cells, ",")),
@@ -101,11 +92,11 @@ Cells cells_beside(const ReferenceMethod& reference, const Cells& cells) {
   if (reference.cells.size() == 1) {
     const int along_x = reference.cells.front();
     if (along_x % cells[0] != 0) refuse("a whole multiple of the first of");
-    return refined(cells, along_x / cells[0]);
+    return on_hexahedra(body, refined(cells, along_x / cells[0]));
   }
   const Cells finer{reference.cells[0], reference.cells[1], reference.cells[2]};
   if (!is_refinement(finer, cells)) refuse("whole multiples of");
-  return finer;
+  return on_hexahedra(body, finer);
 }
 
 }  // namespace
@@ -136,62 +127,6 @@ ReferenceMethod reference_named(const Given& given) {
   return reference;
 }
 
-const std::vector<SettingKey>& option_keys() {
-  static const std::vector<SettingKey> keys{
-      {"method", "comma-separated list of methods, see 'springcheck list methods'"},
-      {"element", "finite element on hexahedra: q1, q1-sri (default), q2"},
-      {"nu", "Poisson ratio, in (-1, 0.5)"},
-      {"young", "Young's modulus [Pa]"},
-      {"density", "mass density [kg/m^3]"},
-      {"deformation",
-       "strain, or angle of torsion [rad]; '5%' and '45deg' are understood; in uniaxial "
-       "positive pulls and negative presses"},
-      {"traction", "force per undeformed area x,y,z on the upper face in traction [Pa]"},
-      {"plates", "how the lower plate holds in traction: glued (default) or sliding"},
-      {"gradient",
-       "displacement gradient of the boundary in affine, nine numbers by rows"},
-      {"diagonal-ratio",
-       "A = k_f/k_c of mss-fd, mss-cf and their lattices in fem-cauchy-born (default 1)"},
-      {"stiffness-form",
-       "spring constants from mu (default) or, as Eq. 5.12 prints, E; of "
-       "fem-cauchy-born's lattice too"},
-      {"stiffness",
-       "KE,KF,KC of mss-custom: lattice values of its edge, face-diagonal and "
-       "inner-diagonal springs at the scene's cell size [N/m]"},
-      {"kappa", "modulus of mss-custom's volume correction [Pa] (default 0: none)"},
-      {"lattice",
-       "springs whose continuum fem-cauchy-born is: mss-baudet, mss-nfd, mss-fd, mss-cf "
-       "(default), mss-affine"},
-      {"lattice-direction",
-       "direction of fem-cauchy-born's lattice along z: 100 (default), 110, 111"},
-      {"cells", "number of cells along x,y,z"},
-      {"size", "size of the block along x,y,z [m]"},
-      {"solver",
-       "of spring methods: static (default) or semi-implicit (dynamics); finite elements "
-       "are always static"},
-      {"linear-solver",
-       "of finite elements: auto (default: by size), direct or multigrid"},
-      {"dt", "time step [s], or auto (default): 0.9 of the stability limit"},
-      {"force-dt", "run even with a time step above the stability limit"},
-      {"duration", "time over which the load grows in dynamics [s] (default 10)"},
-      {"damping", "dashpots in dynamics, fraction of critical (default 0.05)"},
-      {"seed", "decides between equal directions out of an unstable state (default 1)"},
-      {"reference",
-       "METHOD[:ELEMENT][@CELLS|@converged] that deviations are measured against "
-       "(default on the same mesh: fem-hooke:q1-sri up to a deformation of .02, "
-       "fem-stvk:q1-sri above and in tests without a deformation)"}};
-  return keys;
-}
-
-const std::vector<SettingKey>& scene_only_keys() {
-  static const std::vector<SettingKey> keys{
-      {"test",
-       "compression, tension, shearing, torsion, bending, uniaxial, traction or affine"},
-      {"gravity", "acceleration in bending [m/s^2]"},
-      {"expect", "statuses that end a run of one method with exit status 0"}};
-  return keys;
-}
-
 RunSettings make_run_settings(const std::string& name, const std::string& file,
                               const std::vector<GivenSetting>& given) {
   Settings settings;
@@ -205,8 +140,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   CaseSettings common{
       .scene = name,
       .test = test,
-      .block = {.size = size_of(need("size", "three lengths [m]")),
-                .cells = cells_of(need("cells", "three counts"))},
+      .body = body_of(settings, file, test),
       .material = {.young_modulus =
                        need("young", "Young's modulus [Pa]").positive_number(),
                    .poisson_ratio = poisson_ratio_of(need("nu", "a number in (-1, 0.5)")),
@@ -247,7 +181,8 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
 
   RunSettings run{
       .common = common,
-      .cells_place = need("cells", "three counts").place(),
+      .cells_place = settings.at(common.body.shape == BodyShape::file ? "mesh" : "cells")
+                         .place(),
       .methods = methods_of(need("method", "a list of methods")),
       .reference = std::nullopt,
       .expect = value_or(settings, "expect", std::vector{Status::ok}, expect_of)};
@@ -274,7 +209,8 @@ std::vector<Request> requests(const RunSettings& run) {
     request.settings.method = method;
     request.reference->method = reference.method;
     request.reference->element = reference.element;
-    request.reference->block.cells = cells_beside(reference, run.common.block.cells);
+    if (reference.grid == ReferenceGrid::converged || !reference.cells.empty())
+      request.reference->body = grid_beside(reference, run.common.body);
     request.reference_grid = reference.grid;
     if (reference.grid == ReferenceGrid::one &&
         settings_json(request.settings) == settings_json(*request.reference))

@@ -28,7 +28,7 @@ struct ReferenceMethod {
 /// What `run` computes: a case for each method, of otherwise equal settings.
 struct RunSettings {
   CaseSettings common;      // its method is replaced by each of `methods`
-  std::string cells_place;  // where the cell counts were given, for messages
+  std::string cells_place;  // where the cell counts or the mesh were given, for messages
   std::vector<Method> methods;
   std::optional<ReferenceMethod> reference;  // none: chosen by the deformation
   std::vector<Status> expect;

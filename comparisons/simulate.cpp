@@ -17,7 +17,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 Solution solve(const CaseSettings& settings, const Mesh& mesh) {
-  const Scene scene = mechanical_scene(settings);
+  const Scene scene = mechanical_scene(settings, mesh);
   if (is_finite_element(settings.method))
     return fem_reference::solve(mesh, scene, reference_settings(settings));
   return mss::solve(mesh, scene,
@@ -69,9 +69,12 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
   if (has_equilibrium(solution)) {
     Measures& measures = result.measures;
     measures = measure(settings, mesh, solution);
-    if (const auto wrinkling =
-            measure_wrinkling(mesh, mechanical_scene(settings), imposed_strain(settings),
-                              solution.displacements)) {
+    const auto wrinkling =
+        is_grid_of_hexahedra(settings.body)
+            ? measure_wrinkling(mesh, mechanical_scene(settings, mesh),
+                                imposed_strain(settings), solution.displacements)
+            : std::nullopt;
+    if (wrinkling) {
       measures.wrinkle_alternation = wrinkling->alternation;
       measures.wrinkle_amplitude = wrinkling->amplitude;
       wrinkled = is_wrinkled(*wrinkling);

@@ -19,10 +19,10 @@ using Runs = std::span<const CaseResult>;  // one continuum, one discretisation
 ThreeCases check_grids(const CaseSettings& settings) {
   CaseSettings q2 = settings;
   q2.element = *find_element("q2");
-  if (std::ranges::count(settings.block.cells, 1) > 0) return convergence_grids(q2);
+  if (std::ranges::count(settings.body.block.cells, 1) > 0) return convergence_grids(q2);
   ThreeCases grids{q2, q2, q2};
-  grids[0].block.cells = coarsened(q2.block.cells);
-  grids[2].block.cells = refined(q2.block.cells, 2);
+  grids[0].body.block.cells = coarsened(q2.body.block.cells);
+  grids[2].body.block.cells = refined(q2.body.block.cells, 2);
   return grids;
 }
 
@@ -35,7 +35,7 @@ template <class Of>
 std::vector<GridValue> on_grids(Runs runs, Of&& of) {
   std::vector<GridValue> grids;
   for (const CaseResult& run : runs)
-    grids.push_back({run.request.settings.block.cells, run.key, of(run)});
+    grids.push_back({run.request.settings.body.block.cells, run.key, of(run)});
   return grids;
 }
 
@@ -91,14 +91,15 @@ std::optional<double> sum(const std::optional<double>& a,
 }
 
 /// A converged field, where all the runs it needs gave one.
-std::optional<ConvergedField> field_of(Runs runs, const Cells& cells, MeshStore& meshes) {
+std::optional<ConvergedField> field_of(Runs runs, const Body& body, MeshStore& meshes) {
   std::vector<const CaseResult*> usable;
   for (const CaseResult& run : runs)
-    if (is_refinement(run.request.settings.block.cells, cells)) usable.push_back(&run);
+    if (is_refinement(run.request.settings.body.block.cells, body.block.cells))
+      usable.push_back(&run);
   for (const CaseResult* run : usable)
     if (!run->measures.volume_error) return std::nullopt;
-  return usable.size() == 3 ? converged_field(usable, cells, meshes)
-                            : finest_field(usable, cells, meshes);
+  return usable.size() == 3 ? converged_field(usable, body, meshes)
+                            : finest_field(usable, body, meshes);
 }
 
 std::optional<double> mean_distance(const std::vector<Vector3>& a,
@@ -118,16 +119,16 @@ std::optional<double> mean_distance(const std::optional<ConvergedField>& a,
 /// Distances of a continuum's fields from `origin`.
 ConvergedValue converged_distance(Runs runs, const std::optional<ConvergedField>& field,
                                   const std::optional<ConvergedField>& origin,
-                                  const Cells& cells) {
+                                  const Body& body, MeshStore& meshes) {
   ConvergedValue value{
       .grids = on_grids(runs,
                         [&](const CaseResult& run) -> std::optional<double> {
-                          const Cells& own = run.request.settings.block.cells;
-                          if (!run.measures.volume_error || !is_refinement(own, cells))
+                          const Cells& own = run.request.settings.body.block.cells;
+                          if (!run.measures.volume_error ||
+                              !is_refinement(own, body.block.cells))
                             return std::nullopt;
-                          return mean_distance(
-                              at_coarse_nodes(run.solution.displacements, own, cells),
-                              origin);
+                          return mean_distance(displacements_on(body, run, meshes),
+                                               origin);
                         }),
       .value = mean_distance(field, origin),
       .order = {},
@@ -164,23 +165,23 @@ SplitQuantity split_measure(const SplitMeasure& measure,
 
 SplitQuantity split_field(const CaseResult& springs, const ContinuumRuns& cauchy_born,
                           const ContinuumRuns& reference, MeshStore& meshes) {
-  const Cells& cells = springs.request.settings.block.cells;
-  const auto lattice = field_of(cauchy_born.runs, cells, meshes);
-  const auto lattice_check = field_of(cauchy_born.check, cells, meshes);
-  const auto law = field_of(reference.runs, cells, meshes);
-  const auto law_check = field_of(reference.check, cells, meshes);
+  const Body& body = springs.request.settings.body;
+  const auto lattice = field_of(cauchy_born.runs, body, meshes);
+  const auto lattice_check = field_of(cauchy_born.check, body, meshes);
+  const auto law = field_of(reference.runs, body, meshes);
+  const auto law_check = field_of(reference.check, body, meshes);
   const std::vector<Vector3> own = springs.measures.volume_error
                                        ? springs.solution.displacements
                                        : std::vector<Vector3>{};
   SplitQuantity quantity{
       .name = "mean_deviation",
       .springs = mean_distance(own, law),
-      .cauchy_born = {converged_distance(cauchy_born.runs, lattice, law, cells),
-                      converged_distance(cauchy_born.check, lattice_check, law, cells),
+      .cauchy_born = {converged_distance(cauchy_born.runs, lattice, law, body, meshes),
+                      converged_distance(cauchy_born.check, lattice_check, law, body, meshes),
                       mean_distance(lattice, lattice_check),
                       all_ok(cauchy_born.runs, cauchy_born.check)},
-      .reference = {converged_distance(reference.runs, law, law, cells),
-                    converged_distance(reference.check, law_check, law, cells),
+      .reference = {converged_distance(reference.runs, law, law, body, meshes),
+                    converged_distance(reference.check, law_check, law, body, meshes),
                     mean_distance(law, law_check),
                     all_ok(reference.runs, reference.check)},
       .law = {},
@@ -204,12 +205,16 @@ SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
         "--split", "method",
         "springs whose continuum fem-cauchy-born is, of " + names_of(lattices()),
         "'" + std::string(springs.method.name) + "'");
+  if (springs.body.shape != BodyShape::block)
+    throw InputError("--split", "body", "a block, which regular grids can refine",
+                     std::string(name_of(springs.body.shape)));
   CaseSettings lattice = springs;
+  lattice.body = on_hexahedra(springs.body, springs.body.block.cells);
   lattice.method = *find_method("fem-cauchy-born");
   lattice.element = *find_element("q1-sri");
   lattice.lattice = *own_lattice;
   lattice.lattice_direction = fem_reference::LatticeDirection::d100;
-  CaseSettings reference = springs;
+  CaseSettings reference = lattice;
   reference.method = law;
   reference.element = lattice.element;
   return {.springs = springs,
@@ -278,7 +283,7 @@ Split split_error(const SplitPlan& plan, const CaseResult& springs,
     if (run.status != Status::ok)
       split.reasons.push_back(
           fmt::format("{} on {} cells: {}", label(run.request.settings),
-                      fmt::join(run.request.settings.block.cells, " x "),
+                      fmt::join(run.request.settings.body.block.cells, " x "),
                       run.reason.empty() ? name_of(run.status) : run.reason));
   return split;
 }

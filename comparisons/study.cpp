@@ -102,7 +102,7 @@ class Study {
     const Request& request = requests_[i];
     parts_.emplace_back();
     if (known_) {
-      const Mesh& mesh = meshes_.mesh(request.settings.block);
+      const Mesh& mesh = meshes_.mesh(request.settings.body);
       if (auto result = known_(request, case_key(request, mesh))) {
         deliver_(i, std::move(*result));
         return;
@@ -124,7 +124,7 @@ class Study {
 
   /// A simulation is known by its key without a reference.
   std::size_t place_of(const CaseSettings& settings) {
-    const Mesh& mesh = meshes_.mesh(settings.block);
+    const Mesh& mesh = meshes_.mesh(settings.body);
     const Request alone{.settings = settings, .reference = std::nullopt};
     const std::string key = case_key(alone, mesh);
     const auto [place, is_new] = places_.try_emplace(key, simulations_.size());
@@ -205,13 +205,6 @@ class Study {
 };
 
 }  // namespace
-
-const Mesh& MeshStore::mesh(const Block& block) {
-  const std::lock_guard lock(one_at_a_time_);
-  auto& mesh = meshes_[{block.size, block.cells}];
-  if (!mesh) mesh = std::make_unique<const Mesh>(generate_block(block));
-  return *mesh;
-}
 
 void run_study(const std::vector<Request>& requests, MeshStore& meshes, int parallel,
                const Finished& finished, const KnownResult& known,

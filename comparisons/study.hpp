@@ -12,18 +12,6 @@
 
 namespace springcheck {
 
-/// Meshes of blocks, each generated once. From any thread.
-class MeshStore {
- public:
-  const Mesh& mesh(const Block& block);
-
- private:
-  std::mutex one_at_a_time_;
-  std::map<std::pair<std::array<double, 3>, std::array<int, 3>>,
-           std::unique_ptr<const Mesh>>
-      meshes_;
-};
-
 /// Supplies a result that is known already, by its key.
 using KnownResult = std::function<std::optional<CaseResult>(const Request& request,
                                                             const std::string& key)>;

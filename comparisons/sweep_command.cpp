@@ -29,7 +29,7 @@ Wanted wanted_of(const Sweep& sweep, const SweepOptions& options, MeshStore& mes
   Wanted wanted;
   std::set<std::string> seen;
   for (const Request& request : sweep.requests) {
-    const std::string key = case_key(request, meshes.mesh(request.settings.block));
+    const std::string key = case_key(request, meshes.mesh(request.settings.body));
     if (!seen.insert(key).second) continue;
     const auto place =
         static_cast<int>((seen.size() - 1) % static_cast<std::size_t>(options.shards));

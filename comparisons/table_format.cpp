@@ -107,7 +107,7 @@ std::vector<std::string> cells(const Table& table, const TableRow& row,
        number(quantity, row.reference_value, digits),
        plain(row.reference_bar, "{:.1g}", digits),
        plain(row.reference_order, "{:.2f}", digits), reference_of(row.result),
-       fmt::format("{}", fmt::join(row.result.request.settings.block.cells, "x")),
+       fmt::format("{}", fmt::join(row.result.request.settings.body.block.cells, "x")),
        row.plan.verdict, statuses(row.result)});
   for (std::size_t i = 0; i < table.plan.further.size(); ++i)
     all.push_back(number(table.plan.further[i], row.further[i], digits));
@@ -171,7 +171,7 @@ std::string json_text(const Table& table) {
     out["reference_order"] = json(row.reference_order);
     out["reference"] =
         row.result.request.reference ? Json(reference_label(row.result.request)) : Json();
-    out["cells"] = row.result.request.settings.block.cells;
+    out["cells"] = row.result.request.settings.body.block.cells;
     out["printed_instabilities"] =
         row.plan.verdict.empty() ? Json() : Json(row.plan.verdict);
     out["status"] = name_of(row.result.status);

@@ -221,7 +221,7 @@ TablePlan bending_table(const Reference& reference) {
         .verdict = verdict,
         .notes = {}};
     row.labels = {scene, fmt::format("{:g}", young / 1e6),
-                  fmt::format("{}", fmt::join(row.request.settings.block.cells, " x ")),
+                  fmt::format("{}", fmt::join(row.request.settings.body.block.cells, " x ")),
                   label(row.request.settings)};
     plan.rows.push_back(std::move(row));
   };

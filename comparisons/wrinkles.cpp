@@ -67,7 +67,7 @@ Wrinkling zigzag(const Mesh& mesh, const Region& region, Eigen::Index axis, doub
 /// Young's modulus along the axis [Pa].
 double axial_modulus(const CaseSettings& settings) {
   if (!is_custom(settings.method)) return settings.material.young_modulus;
-  const double cell_edge = settings.block.size[0] / settings.block.cells[0];
+  const double cell_edge = settings.body.block.size[0] / settings.body.block.cells[0];
   return mss::axial_modulus(settings.constants.value(), cell_edge);
 }
 
@@ -103,7 +103,7 @@ bool is_wrinkled(const Wrinkling& wrinkling) {
 }
 
 double imposed_strain(const CaseSettings& settings) {
-  const auto [size_x, size_y, length] = settings.block.size;
+  const auto [size_x, size_y, length] = settings.body.block.size;
   switch (settings.test) {
     case Test::compression:
     case Test::tension:

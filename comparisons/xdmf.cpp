@@ -7,6 +7,7 @@
 
 #include "comparisons/store/columns.hpp"
 #include "comparisons/store/hdf5.hpp"
+#include "comparisons/stored_mesh.hpp"
 #include "meshing/output_file.hpp"
 
 namespace springcheck {
@@ -56,20 +57,13 @@ void write_grids(std::ostream& out, const std::string& data, hid_t root) {
     if (!hdf5::has_link(fields, key)) continue;
     const auto mesh = hdf5::open_group(meshes, sha256);
     const std::size_t nodes = hdf5::row_count_of_table(mesh, "nodes"),
-                      cells = hdf5::row_count_of_table(mesh, "hexahedra");
+                      cells = stored_cell_count(mesh);
     const std::string in_mesh = fmt::format("{}:/meshes/{}", data, sha256);
     const std::string in_case = fmt::format("{}:/fields/{}", data, key);
     const auto arrays = hdf5::open_group(fields, key);
     const std::string partial = hdf5::has_link(arrays, "displacement") ? "" : "partial_";
-    fmt::print(out,
-               "<Grid Name=\"{}\">\n"
-               "<Topology TopologyType=\"Hexahedron\" NumberOfElements=\"{}\">"
-               "<DataItem Format=\"HDF\" NumberType=\"UInt\" Dimensions=\"{} 8\">"
-               "{}/hexahedra</DataItem></Topology>\n"
-               "<Geometry GeometryType=\"XYZ\"><DataItem Format=\"HDF\" "
-               "NumberType=\"Float\" Precision=\"8\" Dimensions=\"{} 3\">"
-               "{}/nodes</DataItem></Geometry>\n",
-               escaped(grid_name(cases, row)), cells, cells, in_mesh, nodes, in_mesh);
+    fmt::print(out, "<Grid Name=\"{}\">\n", escaped(grid_name(cases, row)));
+    write_xdmf_mesh(out, mesh, in_mesh);
     for (const char* field : {"displacement", "reaction"})
       if (hdf5::has_link(arrays, partial + field))
         fmt::print(out,

@@ -47,7 +47,7 @@ ExitStatus measure_command(const std::string& scene,
   check_memory(run.cells_place, requests(run));
   if (result_file) check_results_writable(*result_file);
   MeshStore meshes;
-  const Mesh& mesh = meshes.mesh(run.common.block);
+  const Mesh& mesh = meshes.mesh(run.common.body);
   const MeasuredFields fields = read_fields(files, mesh);
   for (const std::string& words :
        contradictions(mesh, mechanical_scene(run.common), fields))

@@ -119,8 +119,8 @@ CaseResult measured_case(const RunSettings& run, const std::string& label,
   measured.methods = {measured_method(label, fields)};
   const std::vector<Request> all = requests(measured);
   const CaseSettings& settings = all.front().settings;
-  const Mesh& mesh = meshes.mesh(settings.block);
-  const auto found = contradictions(mesh, mechanical_scene(settings), fields);
+  const Mesh& mesh = meshes.mesh(settings.body);
+  const auto found = contradictions(mesh, mechanical_scene(settings, mesh), fields);
   CaseResult own = judged(settings, mesh,
                           {.status = SolveStatus::ok,
                            .reason = fmt::format("{}", fmt::join(found, "; ")),

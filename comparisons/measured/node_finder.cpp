@@ -2,31 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace springcheck {
-namespace {
-
-// Lower face, upper face, uprights.
-constexpr std::array<std::pair<std::size_t, std::size_t>, 12> hexahedron_edges{{{0, 1},
-                                                                                {1, 2},
-                                                                                {2, 3},
-                                                                                {3, 0},
-                                                                                {4, 5},
-                                                                                {5, 6},
-                                                                                {6, 7},
-                                                                                {7, 4},
-                                                                                {0, 4},
-                                                                                {1, 5},
-                                                                                {2, 6},
-                                                                                {3, 7}}};
-
-}  // namespace
-
 double smallest_edge(const Mesh& mesh) {
   double smallest = INFINITY;
   for (const CellNodes& cell : mesh.cells())
-    for (const auto& [a, b] : hexahedron_edges)
+    for (const auto& [a, b] : edges(type_of(cell)))
       smallest =
           std::min(smallest, (mesh.nodes()[cell[b]] - mesh.nodes()[cell[a]]).norm());
   return smallest;

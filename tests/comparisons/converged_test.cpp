@@ -62,8 +62,8 @@ BOOST_AUTO_TEST_CASE(deviations_from_a_finer_grid_are_taken_at_the_shared_nodes)
   BOOST_TEST(*coarse.measures.mean_deviation == sum / 27, tolerance(1e-12));
   BOOST_TEST(*coarse.measures.mean_deviation > 1e-6);  // m: there is something to find
 
-  const Mesh& fine_mesh = meshes.mesh(fine.request.settings.block);
-  const Mesh& mesh = meshes.mesh(coarse.request.settings.block);
+  const Mesh& fine_mesh = meshes.mesh(fine.request.settings.body);
+  const Mesh& mesh = meshes.mesh(coarse.request.settings.body);
   const auto volumes = deformed_volumes(mesh, coarse.solution);
   const auto reference =
       summed_over_coarse_cells(deformed_volumes(fine_mesh, fine.solution), four, two);
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(the_key_and_the_label_name_the_grid_of_the_reference) {
         requests(run_of("compression", {"cells=2,2,2", "method=mss-cf",
                                         std::string("reference=") + reference}))
             .front();
-    keys.push_back(case_key(request, meshes.mesh(request.settings.block)));
+    keys.push_back(case_key(request, meshes.mesh(request.settings.body)));
     labels.push_back(reference_label(request));
   }
   BOOST_TEST(keys[0] == keys[1]);  // its own mesh, however it is said

@@ -41,7 +41,7 @@ Solution moved(const Mesh& mesh, Field&& field) {
 // Homogeneous deformations have closed volumes; the tolerance is round-off.
 BOOST_AUTO_TEST_CASE(volumes_of_a_homogeneous_stretch, *utf::tolerance(1e-12)) {
   const CaseSettings settings = small_block("compression");
-  const Mesh mesh = generate_block(settings.block);
+  const Mesh mesh = build_mesh(settings.body);
   const Measures m = measure(settings, mesh, moved(mesh, [](const Vector3& x) {
                                return Vector3(0.05 * x.x(), 0, -0.1 * x.z());
                              }));
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(volumes_of_a_homogeneous_stretch, *utf::tolerance(1e-12)) {
 BOOST_AUTO_TEST_CASE(torque_is_taken_about_the_plates_moved_centre,
                      *utf::tolerance(1e-12)) {
   CaseSettings settings = small_block("shearing");
-  const Mesh mesh = generate_block(settings.block);
+  const Mesh mesh = build_mesh(settings.body);
   Solution solution =
       moved(mesh, [](const Vector3& x) { return Vector3(0.1 * x.z(), 0, 0); });
   for (std::size_t n = 0; n < mesh.nodes().size(); ++n) {
@@ -86,13 +86,13 @@ BOOST_AUTO_TEST_CASE(plate_force_is_positive_along_the_imposed_motion) {
   for (const auto& [scene, force] :
        {std::pair("compression", -2.), std::pair("tension", 2.)}) {
     const CaseSettings settings = small_block(scene);
-    const Mesh mesh = generate_block(settings.block);
+    const Mesh mesh = build_mesh(settings.body);
     Solution solution = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
     solution.reactions[mesh.region("top").nodes.front()] = Vector3(0, 0, force);
     BOOST_TEST(*measure(settings, mesh, solution).plate_force == 2.);
   }
   const CaseSettings torsion = small_block("torsion", "10deg");
-  const Mesh mesh = generate_block(torsion.block);
+  const Mesh mesh = build_mesh(torsion.body);
   const Measures m = measure(
       torsion, mesh, moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); }));
   BOOST_TEST(!m.plate_force.has_value());  // no direction to take it along
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(plate_force_is_positive_along_the_imposed_motion) {
 BOOST_AUTO_TEST_CASE(plate_force_of_a_uniaxial_strain_is_positive_where_it_is_resisted) {
   for (const auto& [deformation, force] : {std::pair("-.1", -2.), std::pair(".1", 2.)}) {
     const CaseSettings settings = small_block("uniaxial", deformation);
-    const Mesh mesh = generate_block(settings.block);
+    const Mesh mesh = build_mesh(settings.body);
     Solution solution = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
     solution.reactions[mesh.region("top").nodes.front()] = Vector3(0, 0, force);
     BOOST_TEST(*measure(settings, mesh, solution).plate_force == 2.);
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_traction_s_force_and_its_face_s_mean_displacement,
   const CaseSettings settings =
       case_of("traction", {"size=.4,.4,.8", "cells=4,2,8", "plates=glued",
                            "traction=30,-40,120", "method=mss-cf"});
-  const Mesh mesh = generate_block(settings.block);
+  const Mesh mesh = build_mesh(settings.body);
   const Solution solution = moved(mesh, [](const Vector3& x) {
     return Vector3(0.1 * x.x(), -0.05, 0.01 + x.x() * x.y() + (x.z() - 0.8));
   });
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(a_traction_s_force_and_its_face_s_mean_displacement,
 BOOST_AUTO_TEST_CASE(mean_stress_is_the_stress_that_the_boundary_carries,
                      *utf::tolerance(1e-12)) {
   const CaseSettings settings = case_of("affine", {"cells=3,4,2", "method=mss-cf"});
-  const Mesh mesh = generate_block(settings.block);
+  const Mesh mesh = build_mesh(settings.body);
   Eigen::Matrix3d P;
   P << 1, 2, 3, -4, 5, 6, 7, -8, 9;
   Solution solution =
@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(mean_stress_is_the_stress_that_the_boundary_carries,
 BOOST_AUTO_TEST_CASE(loss_of_definiteness_is_reported_as_a_deformation,
                      *utf::tolerance(1e-15)) {
   const auto measured = [](const CaseSettings& settings) {
-    const Mesh mesh = generate_block(settings.block);
+    const Mesh mesh = build_mesh(settings.body);
     Solution solution = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
     const bool never = !measure(settings, mesh, solution).definite_up_to_deformation;
     BOOST_TEST(never);
@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(loss_of_definiteness_is_reported_as_a_deformation,
 // A solution whose field is not trilinear knows its volumes itself. Round-off.
 BOOST_AUTO_TEST_CASE(a_solution_s_own_cell_volumes_count, *utf::tolerance(1e-12)) {
   const CaseSettings settings = small_block("compression");
-  const Mesh mesh = generate_block(settings.block);
+  const Mesh mesh = build_mesh(settings.body);
   const Solution trilinear = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
   Solution solution = trilinear;
   solution.cell_volumes = mesh.cell_volumes();
@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(a_solution_s_own_cell_volumes_count, *utf::tolerance(1e-12)
 // One interior node off by d: every measure in closed form. Round-off.
 BOOST_AUTO_TEST_CASE(deviations_of_one_moved_node, *utf::tolerance(1e-12)) {
   const CaseSettings settings = small_block("compression");
-  const Mesh mesh = generate_block(settings.block);
+  const Mesh mesh = build_mesh(settings.body);
   const auto nodes = static_cast<double>(mesh.nodes().size());
   Solution here = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); }),
            reference = here;
@@ -247,7 +247,7 @@ BOOST_AUTO_TEST_CASE(deviations_in_torsion_are_divided_by_the_largest_chord_of_t
        {std::pair("60deg", r), std::pair("180deg", 2 * r), std::pair("270deg", 2 * r),
         std::pair("360deg", 2 * r)}) {
     const CaseSettings settings = small_block("torsion", angle);
-    const Mesh mesh = generate_block(settings.block);
+    const Mesh mesh = build_mesh(settings.body);
     const Solution reference =
         moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
     Solution here = reference;
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(deviations_in_torsion_are_divided_by_the_largest_chord_of_t
 
 BOOST_AUTO_TEST_CASE(odd_cell_counts_have_no_middle_layer_and_no_tip) {
   const CaseSettings odd = case_of("bending", {"cells=3,4,5", "method=mss-cf"});
-  const Mesh mesh = generate_block(odd.block);
+  const Mesh mesh = build_mesh(odd.body);
   const Solution still = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
   Measures m = measure(odd, mesh, still);
   measure_deviation(m, odd, mesh, still, still);
@@ -273,7 +273,7 @@ BOOST_AUTO_TEST_CASE(odd_cell_counts_have_no_middle_layer_and_no_tip) {
 // A block bent exactly as a theory says lies on that theory's line. Round-off.
 BOOST_AUTO_TEST_CASE(the_centre_line_is_compared_with_each_theory) {
   const CaseSettings settings = case_of("bending", {"method=mss-cf"});
-  const Mesh mesh = generate_block(settings.block);
+  const Mesh mesh = build_mesh(settings.body);
   // w/(24 E I) with w = 1600 N/m, E I = 2e6 * .4^4/12; gravity is along -x.
   const double c = 1600 / (24 * 2e6 * std::pow(0.4, 4) / 12), L = 2.4;
   const Measures m = measure(
@@ -293,8 +293,8 @@ BOOST_AUTO_TEST_CASE(the_centre_line_is_compared_with_each_theory) {
 // everywhere, alternation (lines - 1 pairs)/(lines) and the amplitude a/(h strain).
 BOOST_AUTO_TEST_CASE(a_zigzag_is_wrinkled_and_a_bulge_is_not) {
   const CaseSettings settings = small_block("compression");
-  const Mesh mesh = generate_block(settings.block);
-  const Scene scene = mechanical_scene(settings);
+  const Mesh mesh = build_mesh(settings.body);
+  const Scene scene = mechanical_scene(settings, mesh);
   const double a = 0.001;
   const auto zigzag = moved(mesh, [&](const Vector3& x) {
     return Vector3(std::lround(x.z() / 0.1) % 2 == 0 ? a : -a, 0, 0);
@@ -330,14 +330,14 @@ BOOST_AUTO_TEST_CASE(three_cells_are_never_wrinkled) {
 // for one. The heights are rms(d2)/(4 h strain), h = strain = .1.
 BOOST_AUTO_TEST_CASE(on_four_cells_only_a_high_zigzag_is_wrinkled) {
   const CaseSettings settings = small_block("compression");
-  const Mesh mesh = generate_block(settings.block);
+  const Mesh mesh = build_mesh(settings.body);
   const auto with_height = [&](double height, double strain) {
     constexpr double shape[] = {0, -1, 1, -1, 0};
     const double scale = height * 0.4 * strain / std::sqrt(34. / 3);
     const Solution solution = moved(mesh, [&](const Vector3& x) {
       return Vector3(scale * shape[std::lround(x.y() / 0.1)], 0, 0);
     });
-    return measure_wrinkling(mesh, mechanical_scene(settings), strain,
+    return measure_wrinkling(mesh, mechanical_scene(settings, mesh), strain,
                              solution.displacements)
         .value();
   };
@@ -351,12 +351,12 @@ BOOST_AUTO_TEST_CASE(on_four_cells_only_a_high_zigzag_is_wrinkled) {
 
 BOOST_AUTO_TEST_CASE(plates_are_not_searched_for_wrinkles) {
   const CaseSettings settings = small_block("compression");
-  const Mesh mesh = generate_block(settings.block);
+  const Mesh mesh = build_mesh(settings.body);
   const auto zigzag = moved(mesh, [&](const Vector3& x) {  // normal to the plates only
     return Vector3(0, 0, std::lround(x.x() / 0.1) % 2 == 0 ? 0.01 : -0.01);
   });
   BOOST_TEST(!is_wrinkled(
-      measure_wrinkling(mesh, mechanical_scene(settings), 0.1, zigzag.displacements)
+      measure_wrinkling(mesh, mechanical_scene(settings, mesh), 0.1, zigzag.displacements)
           .value()));
 }
 
@@ -364,12 +364,12 @@ BOOST_AUTO_TEST_CASE(plates_are_not_searched_for_wrinkles) {
 // traction loads is free; an affine boundary leaves no face.
 BOOST_AUTO_TEST_CASE(faces_without_a_normal_support_are_searched_for_wrinkles) {
   const auto seen = [](const CaseSettings& settings, const std::string& face) {
-    const Mesh mesh = generate_block(settings.block);
+    const Mesh mesh = build_mesh(settings.body);
     Solution solution = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
     for (const NodeIndex n : mesh.region(face).nodes)
       solution.displacements[n].z() =
           std::lround(mesh.nodes()[n].x() / 0.1) % 2 == 0 ? 0.01 : -0.01;
-    return measure_wrinkling(mesh, mechanical_scene(settings), 0.1,
+    return measure_wrinkling(mesh, mechanical_scene(settings, mesh), 0.1,
                              solution.displacements);
   };
   const CaseSettings traction =

@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
   BOOST_TEST_REQUIRE(stored.size() == 4U);
   for (const CaseResult& result : written) {
     CaseResult read = with_stored(result.request, result.key, stored.at(result.key));
-    const Mesh& mesh = meshes.mesh(result.request.settings.block);
+    const Mesh& mesh = meshes.mesh(result.request.settings.body);
     read_fields(file, mesh, read);
     BOOST_TEST((read.solution.displacements == result.solution.displacements));
     BOOST_TEST((read.solution.reactions == result.solution.reactions));
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(results_are_added_and_replaced_by_key) {
   BOOST_TEST(*stored.at(first[1].key).measures.plate_force ==
              *first[1].measures.plate_force);
   CaseResult read = with_stored(first[0].request, first[0].key, stored.at(first[0].key));
-  read_fields(file, meshes.mesh(first[0].request.settings.block), read);
+  read_fields(file, meshes.mesh(first[0].request.settings.body), read);
   BOOST_TEST((read.solution.displacements[0] == Vector3(1, 2, 3)));
   BOOST_TEST(read_cases(file).rows == 4U);
   BOOST_TEST(ResultFile(file).stored().statuses.size() == 4U);
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(results_are_added_and_replaced_by_key) {
   // Without fields none are left that belong to older figures.
   ResultFile(file).put({first.data(), 1}, false, meshes);
   CaseResult bare = with_stored(first[0].request, first[0].key, stored.at(first[0].key));
-  read_fields(file, meshes.mesh(first[0].request.settings.block), bare);
+  read_fields(file, meshes.mesh(first[0].request.settings.body), bare);
   BOOST_TEST(bare.solution.displacements.empty());
 }
 

@@ -282,8 +282,8 @@ BOOST_AUTO_TEST_CASE(loads_and_gradients_reach_the_scene) {
 BOOST_AUTO_TEST_CASE(sliding_plates_and_pins_hold_only_rigid_motions) {
   const auto held = [](const std::string& scene) {
     const CaseSettings settings = case_of(scene, {"cells=2,2,2", "method=mss-cf"});
-    return prescribed_components(generate_block(settings.block),
-                                 mechanical_scene(settings))
+    return prescribed_components(build_mesh(settings.body),
+                                 mechanical_scene(settings, mesh))
         .size();
   };
   BOOST_TEST(held("uniaxial") == 2 * 9U + 3);

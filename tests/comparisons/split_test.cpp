@@ -42,7 +42,7 @@ std::vector<CaseResult> invented(const SplitPlan& plan, const std::vector<double
     result.measures.volume_error = std::abs(errors.at(results.size()));
     result.measures.volume_change = errors.at(results.size());
     result.solution.displacements.assign(
-        meshes.mesh(request.settings.block).nodes().size(), Vector3::Zero());
+        meshes.mesh(request.settings.body).nodes().size(), Vector3::Zero());
     results.push_back(result);
   }
   return results;
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(the_continua_run_on_nested_grids_with_the_springs_lattice) 
   const SplitPlan plan =
       plan_of("tension", {"cells=4,4,6", "method=mss-fd", "diagonal-ratio=2"});
   const auto cells = [](const ThreeCases& cases) {
-    return std::array{cases[0].block.cells, cases[1].block.cells, cases[2].block.cells};
+    return std::array{cases[0].body.block.cells, cases[1].body.block.cells, cases[2].body.block.cells};
   };
   const std::array<Cells, 3> q1{{{4, 4, 6}, {8, 8, 12}, {16, 16, 24}}};
   const std::array<Cells, 3> q2{{{2, 2, 3}, {4, 4, 6}, {8, 8, 12}}};

@@ -84,7 +84,7 @@ cells = [[2, 2, 2], [4, 4, 4]]
   BOOST_TEST(cases[0] == "tension mss-cf 0.3 0.05");
   BOOST_TEST(cases[1] == "tension fem-hooke:q1-sri 0.3 0.05");
   BOOST_TEST(cases[2].starts_with("torsion mss-cf 0.1 0.0174"), cases[2]);
-  BOOST_TEST((sweep.requests[3].settings.block.cells == std::array{4, 4, 4}));
+  BOOST_TEST((sweep.requests[3].settings.body.block.cells == std::array{4, 4, 4}));
 }
 
 BOOST_AUTO_TEST_CASE(ranges_hold_the_numbers_that_lists_would) {
@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(only_failed_runs_what_is_there_and_not_ok) {
                               .requests.front();
   CaseResult failed{};
   failed.request = request;
-  failed.key = case_key(request, meshes.mesh(request.settings.block));
+  failed.key = case_key(request, meshes.mesh(request.settings.body));
   failed.status = Status::not_converged;
   ResultFile(file).put({&failed, 1}, false, meshes);
   BOOST_TEST(ResultFile(file).stored().statuses.size() == 3U);

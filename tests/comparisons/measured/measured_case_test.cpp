@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(the_same_field_through_a_csv_file_is_the_same_case) {
   }
   write(own.path / "u.csv", u.str());
   write(own.path / "f.csv", f.str());
-  const Mesh& mesh = meshes.mesh(run.common.block);
+  const Mesh& mesh = meshes.mesh(run.common.body);
   const MeasuredFields read{
       .displacements =
           read_nodal_csv(own.path / "u.csv", mesh, NodalQuantity::displacement),
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(the_same_field_through_a_csv_file_is_the_same_case) {
 BOOST_AUTO_TEST_CASE(a_homogeneous_field_has_the_measures_of_paper) {
   const RunSettings run = run_of("affine", {"gradient=.1,.02,0,0,-.05,.01,0,0,.03"});
   MeshStore meshes;
-  const Mesh& mesh = meshes.mesh(run.common.block);
+  const Mesh& mesh = meshes.mesh(run.common.body);
   const Eigen::Matrix3d& H = run.common.gradient;
   const CaseResult result =
       measured(run, {.displacements = affine_field(mesh, H), .forces = {}}, meshes);
@@ -117,8 +117,8 @@ BOOST_AUTO_TEST_CASE(a_homogeneous_field_has_the_measures_of_paper) {
 BOOST_AUTO_TEST_CASE(detectors_judge_the_field) {
   const RunSettings run = run_of("compression", {"method=mss-cf", "cells=6,6,6"});
   MeshStore meshes;
-  const Mesh& mesh = meshes.mesh(run.common.block);
-  const double h = run.common.block.size[0] / 6;
+  const Mesh& mesh = meshes.mesh(run.common.body);
+  const double h = run.common.body.block.size[0] / 6;
   std::vector<Vector3> u =
       affine_field(mesh, Vector3(0, 0, -*run.common.deformation).asDiagonal());
   const auto status = [&](const std::vector<Vector3>& field) {
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(detectors_judge_the_field) {
 BOOST_AUTO_TEST_CASE(what_contradicts_the_scene_is_said_and_not_refused) {
   const RunSettings run = run_of("compression", {"method=mss-cf", "cells=2,2,2"});
   MeshStore meshes;
-  const Mesh& mesh = meshes.mesh(run.common.block);
+  const Mesh& mesh = meshes.mesh(run.common.body);
   MeasuredFields fields{
       .displacements =
           affine_field(mesh, Vector3(0, 0, -*run.common.deformation).asDiagonal()),
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(what_contradicts_the_scene_is_said_and_not_refused) {
 BOOST_AUTO_TEST_CASE(numbers_that_overflow_are_refused) {
   const RunSettings run = run_of("uniaxial", {"cells=2,2,2", "method=mss-cf"});
   MeshStore meshes;
-  const std::size_t nodes = meshes.mesh(run.common.block).nodes().size();
+  const std::size_t nodes = meshes.mesh(run.common.body).nodes().size();
   const auto refusal = [&](const Vector3& shift, double stretch) {
     MeasuredFields fields{.displacements = std::vector<Vector3>(nodes, shift),
                           .forces = {}};
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_overflow_are_refused) {
 BOOST_AUTO_TEST_CASE(the_key_follows_the_numbers) {
   const RunSettings run = run_of("uniaxial", {"cells=2,2,2", "method=mss-cf"});
   MeshStore meshes;
-  const Mesh& mesh = meshes.mesh(run.common.block);
+  const Mesh& mesh = meshes.mesh(run.common.body);
   MeasuredFields fields{
       .displacements = std::vector<Vector3>(mesh.nodes().size(), Vector3::Zero()),
       .forces = {}};
@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(a_measured_case_is_stored_without_what_only_solvers_know) {
   BOOST_TEST(stored.at(ours.front().key).effort.has_value());
   BOOST_TEST(!stored.at(result.key).effort.has_value());
   CaseResult read = with_stored(result.request, result.key, stored.at(result.key));
-  read_fields(file, meshes.mesh(run.common.block), read);
+  read_fields(file, meshes.mesh(run.common.body), read);
   BOOST_TEST((read.solution.displacements == fields.displacements));
   BOOST_TEST(read.solution.reactions.empty());
   BOOST_TEST((read.measures.mean_deviation == result.measures.mean_deviation));

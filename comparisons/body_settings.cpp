@@ -1,0 +1,98 @@
+#include "comparisons/body_settings.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "comparisons/setting_values.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+CellPattern pattern_of(const Given& given) {
+  const std::string name = given.text();
+  const auto found =
+      std::ranges::find(cell_patterns(), name, &CellPatternName::name);
+  if (found == cell_patterns().end())
+    given.refuse("one of " + names_of(cell_patterns()));
+  return found->pattern;
+}
+
+MeshUnit unit_of(const Given& given) {
+  const std::string name = given.text();
+  const auto found = std::ranges::find(mesh_units(), name, &MeshUnit::name);
+  if (found == mesh_units().end()) given.refuse("one of " + names_of(mesh_units()));
+  return *found;
+}
+
+BodyShape shape_of(const Given& given) {
+  for (const BodyShape shape : {BodyShape::block, BodyShape::kidney})
+    if (given.text() == name_of(shape)) return shape;
+  given.refuse("one of block, kidney; a mesh of your own is given by 'mesh'");
+}
+
+/// The file a setting stands in, or that it is an option.
+std::string source_of(const Given& given) {
+  const std::string& place = given.place();
+  return place.starts_with("--") ? "--" : place.substr(0, place.find(':'));
+}
+
+/// The path; a relative one of a file stands beside that file.
+std::string path_of(const Given& given) {
+  const std::string source = source_of(given);
+  if (source == "--") return given.text();
+  return std::filesystem::path(source).parent_path() / given.text();
+}
+
+void check_mesh_alone(const Settings& settings, const Given& mesh) {
+  for (const char* key : {"size", "cells", "cell-type", "distortion", "body"})
+    if (const auto found = settings.find(std::string_view(key));
+        found != settings.end() && source_of(found->second) == source_of(mesh))
+      throw InputError(found->second.place(), "",
+                       "nothing of the block beside mesh '" + mesh.text() + "'",
+                       "a value");
+}
+
+}  // namespace
+
+const Given& required(const Settings& settings, const std::string& key,
+                      const std::string& file, const std::string& expected) {
+  const auto found = settings.find(key);
+  if (found == settings.end())
+    throw InputError(file + ":1:1", "key '" + key + "'", expected, "none");
+  return found->second;
+}
+
+Body body_of(const Settings& settings, const std::string& file, Test test) {
+  Body body;
+  if (const auto mesh = settings.find(std::string_view("mesh")); mesh != settings.end()) {
+    check_mesh_alone(settings, mesh->second);
+    body.shape = BodyShape::file;
+    body.file = path_of(mesh->second);
+    body.unit = value_or(settings, "mesh-unit", mesh_units().front(), unit_of);
+    body.fixed = value_or(settings, "fixed", body.fixed, &Given::text);
+    body.moved = value_or(settings, "moved", body.moved, &Given::text);
+  } else {
+    for (const char* key : {"mesh-unit", "fixed", "moved"})
+      if (const auto found = settings.find(std::string_view(key));
+          found != settings.end())
+        found->second.refuse("none of it without a mesh");
+    body.shape = value_or(settings, "body", BodyShape::block, shape_of);
+    body.block = {.size = size_of(required(settings, "size", file, "three lengths [m]")),
+                  .cells = cells_of(required(settings, "cells", file, "three counts")),
+                  .pattern = value_or(settings, "cell-type", CellPattern::hexahedron,
+                                      pattern_of),
+                  .distortion = value_or(settings, "distortion", 0., not_negative_of)};
+    if (reads_seed(body.block))
+      body.block.seed = value_or(settings, "seed", body.block.seed, seed_of);
+  }
+  const bool slides =
+      test == Test::uniaxial || value_or(settings, "plates", PlateContact::glued,
+                                         plates_of) == PlateContact::sliding;
+  if (slides && body.shape != BodyShape::block)
+    throw InputError(file, "sliding plates", "a block, at whose corners pins hold",
+                     "a " + std::string(name_of(body.shape)));
+  return body;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,76 @@
+#include "comparisons/run_settings.hpp"
+
+namespace springcheck {
+
+const std::vector<SettingKey>& option_keys() {
+  static const std::vector<SettingKey> keys{
+      {"method", "comma-separated list of methods, see 'springcheck list methods'"},
+      {"element", "finite element on hexahedra: q1, q1-sri (default), q2"},
+      {"nu", "Poisson ratio, in (-1, 0.5)"},
+      {"young", "Young's modulus [Pa]"},
+      {"density", "mass density [kg/m^3]"},
+      {"deformation",
+       "strain, or angle of torsion [rad]; '5%' and '45deg' are understood; in uniaxial "
+       "positive pulls and negative presses"},
+      {"traction", "force per undeformed area x,y,z on the upper face in traction [Pa]"},
+      {"plates", "how the lower plate holds in traction: glued (default) or sliding"},
+      {"gradient",
+       "displacement gradient of the boundary in affine, nine numbers by rows"},
+      {"diagonal-ratio",
+       "A = k_f/k_c of mss-fd, mss-cf and their lattices in fem-cauchy-born (default 1)"},
+      {"stiffness-form",
+       "spring constants from mu (default) or, as Eq. 5.12 prints, E; of "
+       "fem-cauchy-born's lattice too"},
+      {"stiffness",
+       "KE,KF,KC of mss-custom: lattice values of its edge, face-diagonal and "
+       "inner-diagonal springs at the scene's cell size [N/m]"},
+      {"kappa", "modulus of mss-custom's volume correction [Pa] (default 0: none)"},
+      {"lattice",
+       "springs whose continuum fem-cauchy-born is: mss-baudet, mss-nfd, mss-fd, mss-cf "
+       "(default), mss-affine"},
+      {"lattice-direction",
+       "direction of fem-cauchy-born's lattice along z: 100 (default), 110, 111"},
+      {"cells", "number of cells along x,y,z"},
+      {"size", "size of the block along x,y,z [m]"},
+      {"cell-type",
+       "how the block is cut: hexahedron (default), tetrahedron, prism, pyramid, mixed or "
+       "another of 'springcheck list cell-types'"},
+      {"distortion",
+       "how far nodes inside the block are moved along each axis, as a fraction of the "
+       "cell edge (default 0)"},
+      {"mesh", "a .msh file (gmsh 2.2 or 4.1) in place of the block"},
+      {"mesh-unit", "length unit of the .msh file: m (default), cm or mm"},
+      {"fixed", "name of the .msh file's surface on the lower, fixed plate (default "
+       "bottom)"},
+      {"moved", "name of the one on the upper plate, which is moved or loaded (default "
+       "top)"},
+      {"solver",
+       "of spring methods: static (default) or semi-implicit (dynamics); finite elements "
+       "are always static"},
+      {"linear-solver",
+       "of finite elements: auto (default: by size), direct or multigrid"},
+      {"dt", "time step [s], or auto (default): 0.9 of the stability limit"},
+      {"force-dt", "run even with a time step above the stability limit"},
+      {"duration", "time over which the load grows in dynamics [s] (default 10)"},
+      {"damping", "dashpots in dynamics, fraction of critical (default 0.05)"},
+      {"seed",
+       "of distorted and mixed meshes, and of the choice between equal directions out of "
+       "an unstable state (default 1)"},
+      {"reference",
+       "METHOD[:ELEMENT][@CELLS|@converged] that deviations are measured against "
+       "(default on the same mesh: fem-hooke:q1-sri up to a deformation of .02, "
+       "fem-stvk:q1-sri above and in tests without a deformation)"}};
+  return keys;
+}
+
+const std::vector<SettingKey>& scene_only_keys() {
+  static const std::vector<SettingKey> keys{
+      {"test",
+       "compression, tension, shearing, torsion, bending, uniaxial, traction or affine"},
+      {"body", "block (default) or kidney"},
+      {"gravity", "acceleration in bending [m/s^2]"},
+      {"expect", "statuses that end a run of one method with exit status 0"}};
+  return keys;
+}
+
+}  // namespace springcheck
