@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "comparisons/beam_measures.hpp"
+#include "comparisons/mechanical_scene.hpp"
 #include "comparisons/displacement_norms.hpp"
 #include "comparisons/measures.hpp"
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "comparisons/mechanical_scene.hpp"
 #include "comparisons/wrinkles.hpp"
 #include "meshing/input_error.hpp"
 

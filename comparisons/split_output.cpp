@@ -40,7 +40,7 @@ std::string cells_of(const ThreeCases& cases) {
   std::string text;
   for (const CaseSettings& grid : cases)
     text +=
-        fmt::format("{}{}", text.empty() ? "" : ", ", fmt::join(grid.block.cells, " x "));
+        fmt::format("{}{}", text.empty() ? "" : ", ", fmt::join(grid.body.block.cells, " x "));
   return text;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "comparisons/mechanical_scene.hpp"
 #include "comparisons/measured/measured_case.hpp"
 #include "comparisons/measured/nodal_csv.hpp"
 #include "comparisons/measured/vtu_file.hpp"
@@ -50,7 +51,7 @@ ExitStatus measure_command(const std::string& scene,
   const Mesh& mesh = meshes.mesh(run.common.body);
   const MeasuredFields fields = read_fields(files, mesh);
   for (const std::string& words :
-       contradictions(mesh, mechanical_scene(run.common), fields))
+       contradictions(mesh, mechanical_scene(run.common, mesh), fields))
     spdlog::warn("{}", words);
   std::vector<CaseResult> results;
   {

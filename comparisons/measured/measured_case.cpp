@@ -1,3 +1,4 @@
+#include "comparisons/mechanical_scene.hpp"
 #include "comparisons/measured/measured_case.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE grids
 #include <boost/test/unit_test.hpp>
 #include <numeric>
+#include <tuple>
 
 #include "comparisons/grids.hpp"
 #include "meshing/input_error.hpp"
@@ -18,10 +19,26 @@ const Cells coarse{3, 2, 1}, fine{6, 4, 3};
 BOOST_AUTO_TEST_CASE(coarse_nodes_are_found_among_the_fine_ones) {
   const Mesh on_fine = generate_block({size, fine});
   const Mesh on_coarse = generate_block({size, coarse});
-  const auto found = at_coarse_nodes(on_fine.nodes(), fine, coarse);
+  const auto found = interpolated(on_fine.nodes(), {size, fine}, on_coarse.nodes());
   BOOST_TEST_REQUIRE(found.size() == on_coarse.nodes().size());
   for (std::size_t n = 0; n < found.size(); ++n)
     BOOST_TEST((found[n] - on_coarse.nodes()[n]).norm() < 1e-15);
+}
+
+// A field that is itself trilinear in each cell is met everywhere, to rounding: x y z and
+// lower powers are so in all cells at once.
+BOOST_AUTO_TEST_CASE(trilinear_fields_are_interpolated_exactly) {
+  const auto field_at = [](const Vector3& x) {
+    const auto [a, b, c] = std::tuple(x.x() / 0.05, x.y() / 0.03, x.z() / 0.02);
+    return Vector3(a * b * c, 1 + a * b - c, b * c);
+  };
+  std::vector<Vector3> on_fine;
+  for (const Vector3& x : generate_block({size, fine}).nodes())
+    on_fine.push_back(field_at(x));
+  const Mesh mixed = generate_block({size, {5, 5, 5}, CellPattern::mixed, 0.2});
+  const auto found = interpolated(on_fine, {size, fine}, mixed.nodes());
+  for (std::size_t n = 0; n < found.size(); ++n)
+    BOOST_TEST((found[n] - field_at(mixed.nodes()[n])).norm() < 1e-13);
 }
 
 // A squeezed block, so that cells differ: the fine cells' volumes add up to the coarse

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "comparisons/measures.hpp"
+#include "comparisons/mechanical_scene.hpp"
 #include "comparisons/wrinkles.hpp"
 #include "meshing/traction.hpp"
 #include "settings.hpp"

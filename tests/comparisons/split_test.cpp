@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(odd_counts_are_halved_upwards_and_a_single_cell_is_not) {
   const auto coarsest_check = [](const char* cells) {
     return plan_of("compression", {"method=mss-cf", std::string("cells=") + cells})
         .reference_check[0]
-        .block.cells;
+        .body.block.cells;
   };
   BOOST_TEST((coarsest_check("5,5,5") == Cells{3, 3, 3}));
   BOOST_TEST((coarsest_check("1,2,2") == Cells{1, 2, 2}));
