@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "meshing/free_block.hpp"
 #include "meshing/grid_block.hpp"
 #include "meshing/input_error.hpp"
-#include "meshing/uniform_number.hpp"
 
 namespace springcheck {
 namespace {
@@ -68,19 +68,6 @@ void check(const Block& block) {
                      fmt::format("{}", block.distortion));
 }
 
-/// Moves the nodes inside the block as Block::distortion says.
-void distort(const Block& block, std::vector<Vector3>& nodes) {
-  const Eigen::Map<const Vector3> size(block.size.data());
-  const Vector3 cells(block.cells[0], block.cells[1], block.cells[2]);
-  const Vector3 reach = block.distortion * size.cwiseQuotient(cells);
-  std::mt19937_64 random(block.seed);
-  for (Vector3& x : nodes) {
-    if ((x.array() <= 0).any() || (x.array() >= size.array()).any()) continue;
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      x[axis] += reach[axis] * (2 * uniform_number(random) - 1);
-  }
-}
-
 /// The faces of each side of the block, each face from its smallest node number on, in
 /// ascending order.
 std::map<std::string, std::vector<FaceNodes>> sides(const Block& block,
@@ -132,11 +119,7 @@ bool keeps_grid(CellPattern pattern) {
 
 Mesh generate_block(const Block& block) {
   check(block);
-  if (!keeps_grid(block.pattern))
-    throw InputError(describe(block), "pattern", "one that keeps the grid",
-                     name_of(block.pattern));
-  MeshParts parts = grid_block(block);
-  distort(block, parts.nodes);
+  MeshParts parts = keeps_grid(block.pattern) ? grid_block(block) : free_block(block);
   std::map<std::string, std::vector<FaceNodes>> regions = sides(block, parts);
   Mesh mesh(describe(block), std::move(parts.nodes), std::move(parts.cells),
             std::move(regions));

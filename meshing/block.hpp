@@ -28,6 +28,7 @@ namespace springcheck {
 ///     free_prism        free triangles, extruded along z
 ///     free_hexahedron   free tetrahedra at twice the edge, each cut into four hexahedra
 ///     transition        hexahedra below, free tetrahedra above, pyramids between them
+///                       (at least three layers)
 ///
 /// Source of the subdivisions: Golec 2018, section 6.1.
 enum class CellPattern {
@@ -58,7 +59,8 @@ struct Block {
   std::array<int, 3> cells;    // along x, y, z
   CellPattern pattern = CellPattern::hexahedron;
   // Nodes inside the body move along each axis by up to this fraction of the grid's cell
-  // edge there; those on the surface stay, and with them plates, volume and tip:
+  // edge there, centre nodes to the mean of their hexahedron's corners; those on the
+  // surface stay, and with them plates, volume and tip:
   double distortion = 0;
   unsigned seed = 1;  // of the distortion and of the mixed pattern
 

@@ -1,5 +1,6 @@
 #include "meshing/grid_block.hpp"
 
+#include "meshing/distortion.hpp"
 #include "meshing/hexahedron_cuts.hpp"
 #include "meshing/mixed_grid.hpp"
 
@@ -46,10 +47,9 @@ std::vector<GridCell> grid_cells(const std::array<int, 3>& cells) {
   return found;
 }
 
-/// Adds the centre of the hexahedron to the nodes and returns its number.
+/// Adds the mean of the hexahedron's corners to the nodes and returns its number.
 NodeIndex add_centre(const CellNodes& hexahedron, std::vector<Vector3>& nodes) {
-  const Vector3 centre = (nodes[hexahedron[0]] + nodes[hexahedron[6]]) / 2;
-  nodes.push_back(centre);
+  nodes.push_back(mean_of(hexahedron, nodes));
   return static_cast<NodeIndex>(nodes.size() - 1);
 }
 
@@ -96,6 +96,7 @@ std::vector<CellNodes> cut(const GridCell& cell, CellPattern pattern,
 
 MeshParts grid_block(const Block& block) {
   MeshParts parts{.nodes = grid_nodes(block), .cells = {}};
+  distort(block, parts.nodes);
   const std::vector<GridCell> grid = grid_cells(block.cells);
   const bool is_mixed = block.pattern == CellPattern::mixed;
   const std::vector<MixedGridCell> mixed =

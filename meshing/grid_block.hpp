@@ -5,7 +5,7 @@
 
 namespace springcheck {
 
-/// Nodes and cells of the block in one of the patterns that keep the grid, not distorted.
+/// Nodes and cells of the block in one of the patterns that keep the grid.
 MeshParts grid_block(const Block& block);
 
 }  // namespace springcheck

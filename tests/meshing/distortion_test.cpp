@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "meshing/block.hpp"
+#include "meshing/cell_geometry.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/uniform_number.hpp"
 
@@ -36,6 +37,7 @@ BOOST_AUTO_TEST_CASE(uniform_numbers_are_the_engines_upper_53_bits) {
 }
 
 BOOST_AUTO_TEST_CASE(nodes_inside_move_within_reach_and_those_on_the_surface_stay) {
+  const auto grid_nodes = std::size_t{6 * 4 * 5};
   const Vector3 edge(0.3 / 5, 0.2 / 3, 0.7 / 4);
   for (const CellPattern pattern : grid_patterns) {
     const Mesh regular = generate_block(block(pattern, 0));
@@ -44,7 +46,8 @@ BOOST_AUTO_TEST_CASE(nodes_inside_move_within_reach_and_those_on_the_surface_sta
     for (std::size_t n = 0; n < mesh.nodes().size(); ++n) {
       const Vector3 shift = mesh.nodes()[n] - regular.nodes()[n];
       farthest = farthest.cwiseMax(shift.cwiseAbs().cwiseQuotient(edge));
-      BOOST_TEST((shift != Vector3::Zero()) == is_inside(regular.nodes()[n]));
+      if (n < grid_nodes)  // a centre may move by round-off beside the surface alone
+        BOOST_TEST((shift != Vector3::Zero()) == is_inside(regular.nodes()[n]));
     }
     // Two dozen nodes or more: some come close to the limit, none beyond it.
     BOOST_TEST((farthest.array() <= 0.15).all());
@@ -56,6 +59,16 @@ BOOST_AUTO_TEST_CASE(nodes_inside_move_within_reach_and_those_on_the_surface_sta
 BOOST_AUTO_TEST_CASE(volume_stays, *boost::unit_test::tolerance(1e-13)) {
   for (const CellPattern pattern : grid_patterns)
     BOOST_TEST(generate_block(block(pattern, 0.15)).volume() == 0.3 * 0.2 * 0.7);
+}
+
+BOOST_AUTO_TEST_CASE(centre_nodes_move_to_the_mean_of_their_hexahedrons_corners) {
+  const Mesh grid = generate_block(block(CellPattern::hexahedron, 0.15));
+  const Mesh pyramids = generate_block(block(CellPattern::pyramid, 0.15));
+  for (std::size_t c = 0; c < grid.cells().size(); ++c) {
+    const Vector3 mean = corners(grid.cells()[c], grid.nodes()).rowwise().mean();
+    // Eight terms in another order: round-off.
+    BOOST_TEST((pyramids.nodes()[grid.nodes().size() + c] - mean).norm() < 1e-15);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(grid_nodes_move_alike_in_all_patterns) {
