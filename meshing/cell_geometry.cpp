@@ -1,6 +1,7 @@
 #include "meshing/cell_geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace springcheck {
@@ -56,6 +57,34 @@ CornerPositions cell_volume_gradient(const CornerPositions& x) {
     }
   }
   return gradient;
+}
+
+Vector3 cell_centroid(const CornerPositions& x) {
+  Vector3 moment = Vector3::Zero();  // V (c - x_0)
+  for (const LocalFace& face : faces(type_of(x))) {
+    const auto corner = [&](std::size_t i) -> Vector3 {
+      return x.col(face[i]) - x.col(0);
+    };
+    const Vector3 a = corner(0), b = corner(1), c = corner(2);
+    if (face.size() == 3) {
+      const Vector3 area = (b - a).cross(c - a) / 2, sum = a + b + c;
+      const Vector3 mean_square = (sum.cwiseAbs2() + a.cwiseAbs2() + b.cwiseAbs2() +
+                                   c.cwiseAbs2()) / 12;
+      moment += mean_square.cwiseProduct(area) / 2;
+      continue;
+    }
+    const Vector3 d = corner(3);
+    const double gauss = std::sqrt(1. / 3);
+    for (const double s : {-gauss, gauss})
+      for (const double t : {-gauss, gauss}) {
+        const Vector3 place = ((1 - s) * (1 - t) * a + (1 + s) * (1 - t) * b +
+                               (1 + s) * (1 + t) * c + (1 - s) * (1 + t) * d) / 4;
+        const Vector3 by_s = ((1 - t) * (b - a) + (1 + t) * (c - d)) / 4,
+                      by_t = ((1 - s) * (d - a) + (1 + s) * (c - b)) / 4;
+        moment += place.cwiseAbs2().cwiseProduct(by_s.cross(by_t)) / 2;
+      }
+  }
+  return x.col(0) + moment / cell_volume(x);
 }
 
 double smallest_corner_jacobian(const CornerPositions& x) {

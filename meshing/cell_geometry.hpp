@@ -32,6 +32,15 @@ double cell_volume(const CornerPositions& x);
 /// and sum x_a (x) dV/dx_a = V I.
 CornerPositions cell_volume_gradient(const CornerPositions& x);
 
+/// Its centroid c [m], by the divergence theorem:
+///
+///     V c_i = integral of x_i^2/2 n_i over the faces
+///
+/// (no sum), exactly over triangles and by 2 x 2 Gauss points per bilinear quadrilateral,
+/// which are exact for it: x_i^2 n_i dA is of third degree in each parameter. Of use for
+/// V > 0 only.
+Vector3 cell_centroid(const CornerPositions& x);
+
 /// Smallest of the corner Jacobians: det of the three edge vectors that leave a corner
 /// [m^3]; h^3 for a cube of edge h. A pyramid's apex has four edges and no Jacobian.
 /// Negative: the map folds over at a corner.

@@ -19,8 +19,9 @@ constexpr double lost = 100;  // body sizes
 /// Forces on every node: springs, correction, dashpots and the fraction of the load.
 void total_forces(const Network& network, double damping_ratio, double load_fraction,
                   const std::vector<Vector3>& load, const std::vector<Vector3>& x,
-                  const std::vector<Vector3>& v, std::vector<Vector3>& forces) {
-  nodal_forces(network, x, forces);
+                  const std::vector<Vector3>& v, CellStates& states,
+                  std::vector<Vector3>& forces) {
+  nodal_forces(network, x, states, forces);
   if (damping_ratio > 0) add_dashpot_forces(network, damping_ratio, x, v, forces);
   for (std::size_t n = 0; n < x.size(); ++n) forces[n] += load_fraction * load[n];
 }
@@ -72,6 +73,7 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
   const double dt = settings.duration / steps;
 
   std::vector<Vector3> x = mesh.nodes(), v(x.size(), Vector3::Zero()), forces(x.size());
+  CellStates states;
   const double far = lost * body_size(mesh.nodes());
   const auto escaped = [&] {
     return std::ranges::any_of(
@@ -90,7 +92,7 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
                     .dt_limit = if_finite(limit)};
   for (int step = 1; step <= steps; ++step) {
     const double fraction = static_cast<double>(step) / steps;
-    total_forces(network, settings.damping_ratio, fraction, load, x, v, forces);
+    total_forces(network, settings.damping_ratio, fraction, load, x, v, states, forces);
     for (const PrescribedComponent& held : prescribed) {
       const auto& [node, i, plate] = held;
       const double next =
@@ -114,7 +116,7 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
     }
   }
   total_forces(network, settings.damping_ratio, solution.load_fraction, load, x, v,
-               forces);
+               states, forces);
   solution.force_evaluations = solution.steps + 1;
   solution.strain_energy = strain_energy(network, x);
   solution.reactions.assign(x.size(), Vector3::Zero());

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "meshing/traction.hpp"
-#include "mss/cell.hpp"
 
 namespace springcheck::mss {
 
@@ -15,17 +14,14 @@ double strain_energy(const Network& network, std::span<const Vector3> positions)
         (positions[spring.b] - positions[spring.a]).norm() - spring.rest_length;
     energy += spring.stiffness / 2 * elongation * elongation;
   }
-  if (network.volume_modulus == 0) return energy;
-  for (const Cell& cell : network.cells) {
-    const double change =
-        mean_edge_volume(corners(cell.nodes, positions)) - cell.rest_volume;
-    energy += network.volume_modulus / 2 * change * change / cell.rest_volume;
-  }
-  return energy;
+  if (!cells_act(network)) return energy;
+  CellStates states;
+  update_deformations(network, positions, states);
+  return energy + cells_energy(network, states);
 }
 
 void nodal_forces(const Network& network, std::span<const Vector3> positions,
-                  std::span<Vector3> forces) {
+                  CellStates& states, std::span<Vector3> forces) {
   std::ranges::fill(forces, Vector3::Zero());
   for (const Spring& spring : network.springs) {
     const Vector3 d = positions[spring.b] - positions[spring.a];
@@ -35,15 +31,13 @@ void nodal_forces(const Network& network, std::span<const Vector3> positions,
     forces[spring.a] += pull;
     forces[spring.b] -= pull;
   }
-  if (network.volume_modulus == 0) return;
-  for (const Cell& cell : network.cells) {
-    const CornerPositions x = corners(cell.nodes, positions);
-    const double pressure = network.volume_modulus *
-                            (mean_edge_volume(x) - cell.rest_volume) / cell.rest_volume;
-    const auto gradient = mean_edge_volume_gradient(x);
-    for (std::size_t i = 0; i < 8; ++i)
-      forces[cell.nodes[i]] -= pressure * gradient.col(static_cast<Eigen::Index>(i));
-  }
+  if (cells_act(network)) add_cell_forces(network, positions, states, forces);
+}
+
+void nodal_forces(const Network& network, std::span<const Vector3> positions,
+                  std::span<Vector3> forces) {
+  CellStates states;
+  nodal_forces(network, positions, states, forces);
 }
 
 std::vector<Vector3> load_forces(const Mesh& mesh, const Scene& scene,
@@ -63,16 +57,16 @@ double dashpot_constant(const Network& network, const Spring& spring,
 void add_dashpot_forces(const Network& network, double damping_ratio,
                         std::span<const Vector3> positions,
                         std::span<const Vector3> velocities, std::span<Vector3> forces) {
-  for (const Spring& spring : network.springs) {
+  for_each_dashpot(network, [&](const Spring& spring) {
     const Vector3 d = positions[spring.b] - positions[spring.a];
     const double length_squared = d.squaredNorm();
-    if (length_squared == 0) continue;
+    if (length_squared == 0) return;
     const double approach = d.dot(velocities[spring.b] - velocities[spring.a]);
     const Vector3 pull =
         dashpot_constant(network, spring, damping_ratio) * approach / length_squared * d;
     forces[spring.a] += pull;
     forces[spring.b] -= pull;
-  }
+  });
 }
 
 }  // namespace springcheck::mss

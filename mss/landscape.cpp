@@ -5,7 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "mss/cell.hpp"
 #include "mss/forces.hpp"
 
 namespace springcheck::mss {
@@ -23,7 +22,7 @@ Landscape::Landscape(const Mesh& mesh, const Scene& scene, const Network& networ
       load_(load_forces(mesh, scene, network)),
       assembly_(network, free_components(mesh, prescribed_)),
       cell_edge_(std::cbrt(mesh.volume() / static_cast<double>(mesh.cells().size()))),
-      stiffness_(assembly_.assemble(cell_tangents(network, network.rest_positions))
+      stiffness_(assembly_.assemble(tangent_at(network, network.rest_positions))
                      .diagonal()
                      .norm()),
       forces_(mesh.nodes().size()) {
@@ -38,7 +37,7 @@ double Landscape::energy(const Positions& x) const {
 }
 
 const std::vector<Vector3>& Landscape::forces(const Positions& x) {
-  nodal_forces(network_, x, forces_);
+  nodal_forces(network_, x, states_, forces_);
   ++evaluations_;
   for (std::size_t n = 0; n < x.size(); ++n) forces_[n] += load_fraction_ * load_[n];
   return forces_;
@@ -82,18 +81,18 @@ double Landscape::longest_move(const Eigen::VectorXd& step) const {
 }
 
 bool Landscape::factor(const Positions& x) {
-  tangents_ = cell_tangents(network_, x);
-  return factor_matrix(assembly_.assemble(tangents_));
+  tangent_ = tangent_at(network_, x);
+  return factor_matrix(assembly_.assemble(tangent_));
 }
 
 void Landscape::factor_clamped() {
-  clamp_to_positive(tangents_);
-  factor_shifted(assembly_.assemble(tangents_));
+  clamp_to_positive(tangent_);
+  factor_shifted(assembly_.assemble(tangent_));
 }
 
 Eigen::VectorXd Landscape::negative_curvature(const Eigen::VectorXd& downhill,
                                               std::mt19937_64& random) {
-  factor_shifted(assembly_.assemble(tangents_));
+  factor_shifted(assembly_.assemble(tangent_));
   Eigen::VectorXd v(assembly_.size());
   for (double& component : v)
     component = 2 * static_cast<double>(random() >> 11U) * 0x1p-53 - 1;
@@ -113,18 +112,9 @@ Positions Landscape::predicted(const Positions& x, double to) {
     increment[node][i] = mesh_.nodes()[node][i] +
                          prescribed_displacement(mesh_, scene_, held, to) - x[node][i];
   }
-  std::vector<Vector3> push(x.size(), Vector3::Zero());
-  for (std::size_t c = 0; c < network_.cells.size(); ++c) {
-    const CellNodes& nodes = network_.cells[c].nodes;
-    Eigen::Matrix<double, 24, 1> cell_increment;
-    for (std::size_t i = 0; i < 8; ++i)
-      cell_increment.segment<3>(static_cast<Eigen::Index>(3 * i)) = increment[nodes[i]];
-    if (cell_increment.isZero(0)) continue;
-    const Eigen::Matrix<double, 24, 1> answer = tangents_[c] * cell_increment;
-    for (std::size_t i = 0; i < 8; ++i)
-      push[nodes[i]] -= answer.segment<3>(static_cast<Eigen::Index>(3 * i));
-  }
-  for (std::size_t n = 0; n < x.size(); ++n) push[n] += (to - load_fraction_) * load_[n];
+  std::vector<Vector3> push = product(network_, tangent_, increment);
+  for (std::size_t n = 0; n < x.size(); ++n)
+    push[n] = (to - load_fraction_) * load_[n] - push[n];
   Positions y = moved(x, solve(on_free(push)), 1);
   for (const auto& [node, i, plate] : prescribed_) y[node][i] += increment[node][i];
   return y;
@@ -132,19 +122,23 @@ Positions Landscape::predicted(const Positions& x, double to) {
 
 double Landscape::gradient(const Positions& from, const Positions& to) const {
   double sum = 0;
-  for (const Spring& spring : network_.springs) {
+  std::size_t count = 0;
+  for_each_dashpot(network_, [&](const Spring& spring) {
     const Vector3 change =
         to[spring.b] - to[spring.a] - (from[spring.b] - from[spring.a]);
     sum += change.squaredNorm() / (spring.rest_length * spring.rest_length);
-  }
-  return std::sqrt(sum / static_cast<double>(network_.springs.size()));
+    ++count;
+  });
+  return std::sqrt(sum / static_cast<double>(count));
 }
 
 double Landscape::largest_volume_ratio(const Positions& x) const {
+  std::vector<Vector3> u(x.size());
+  for (std::size_t n = 0; n < x.size(); ++n) u[n] = x[n] - network_.rest_positions[n];
   double largest = 0;
-  for (const Cell& cell : network_.cells)
+  for (std::size_t c = 0; c < network_.cells.size(); ++c)
     largest =
-        std::max(largest, mean_edge_volume(corners(cell.nodes, x)) / cell.rest_volume);
+        std::max(largest, 1 + volume_change(network_.cells.displacement_gradient(c, u)));
   return largest;
 }
 

@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
-#include "mss/network.hpp"
-#include "mss/tangent.hpp"
+#include "mss/assembly.hpp"
+#include "mss/cell_forces.hpp"
 
 namespace springcheck::mss {
 
@@ -47,7 +47,7 @@ class Landscape {
   /// Factors the true tangent at x; false when it is not positive definite.
   bool factor(const Positions& x);
 
-  /// Factors the tangent of the last factor() with the negative eigenvalues of each cell
+  /// Factors the tangent of the last factor() with the negative eigenvalues of each patch
   /// set to zero; shifted when that is singular.
   void factor_clamped();
 
@@ -64,8 +64,8 @@ class Landscape {
   /// increments and the load's to first order through the tangent factored last.
   [[nodiscard]] Positions predicted(const Positions& x, double to);
 
-  /// Root mean square over the springs of |change of d|/L: about the displacement
-  /// gradient between two states.
+  /// Root mean square over springs and damped edges of |change of d|/L: about the
+  /// displacement gradient between two states.
   [[nodiscard]] double gradient(const Positions& from, const Positions& to) const;
 
   /// Largest volume of a cell over its rest volume.
@@ -92,7 +92,8 @@ class Landscape {
   double cell_edge_;
   double stiffness_;  // norm of the tangent's diagonal at rest [N/m]
   std::vector<Vector3> forces_;
-  std::vector<CellMatrix> tangents_;
+  CellStates states_;  // room for forces()
+  Tangent tangent_;
   Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky_;
   bool analysed_ = false;
   double load_fraction_ = 0;

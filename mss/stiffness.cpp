@@ -1,6 +1,7 @@
 #include "mss/stiffness.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace springcheck::mss {
 
@@ -23,6 +24,14 @@ LatticeStiffness baudet_stiffness(double young_modulus, double poisson_ratio,
   const double k_ed = E * h * (4 * nu + 1) / (8 * (1 + nu));
   const double k_d = 3 * E * h / (8 * (1 + nu));
   return {.edge = 4 * k_ed, .face_diagonal = 0, .inner_diagonal = k_d};
+}
+
+double van_gelder_stiffness(double young_modulus, double volume, double length) {
+  return young_modulus * volume / (length * length);
+}
+
+double lloyd_stiffness(double young_modulus, double length) {
+  return 2 * std::numbers::sqrt2 / 25 * length * young_modulus;
 }
 
 double volume_correction_modulus(const Material& material) {

@@ -47,6 +47,20 @@ LatticeStiffness young_modulus_form(double young_modulus, double cell_edge,
 LatticeStiffness baudet_stiffness(double young_modulus, double poisson_ratio,
                                   double cell_edge);
 
+/// What one tetrahedron adds to its edge of length l [N/m], and no more than that: the
+/// sum over the tetrahedra at an edge is its spring.
+///
+///     Van Gelder  k = E V/l^2        V its volume [m^3]
+///     Lloyd       k = 2 sqrt(2)/25 l E
+///
+/// No isotropic material comes of them but in special meshes, and none of a chosen
+/// Poisson ratio. Source: Van Gelder, Approximate simulation of elastic membranes by
+/// triangulated spring meshes (1998); Lloyd, Szekely and Harders, Identification of
+/// spring parameters for deformable object simulation (2007), whose tetrahedra are
+/// regular.
+double van_gelder_stiffness(double young_modulus, double volume, double length);
+double lloyd_stiffness(double young_modulus, double length);
+
 /// Modulus of the volume correction [Pa], W = kappa/2 (V - V0)^2 / V0 per cell:
 ///
 ///     kappa = E (4 nu - 1) / (2 (1 + nu)(1 - 2 nu)) = lambda - mu

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/SparseCore>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,44 +7,44 @@
 
 namespace springcheck::mss {
 
-using CellMatrix = Eigen::Matrix<double, 24, 24>;
-
-/// Second derivative of one cell's energy [N/m], 3x3 blocks in corner order: per spring
-/// k [(1 - L/|d|)(I - n n^T) + n n^T] between its two corners, and from the volume
-/// kappa/V0 [dV dV^T + (V - V0) d2V].
-CellMatrix cell_tangent(const Cell& cell, double volume_modulus,
-                        std::span<const Vector3> rest_positions,
-                        std::span<const Vector3> positions);
-
-/// cell_tangent of every cell, in parallel.
-std::vector<CellMatrix> cell_tangents(const Network& network,
-                                      std::span<const Vector3> positions);
-
-/// Sets the negative eigenvalues of every matrix to zero, in parallel. Assembled, such
-/// matrices give a descent direction even where the true tangent is indefinite.
-void clamp_to_positive(std::vector<CellMatrix>& matrices);
-
-/// Puts cell matrices together over the free components: lower triangle of a sparse
-/// matrix whose pattern is laid out once.
-class FreeAssembly {
- public:
-  /// is_free: one entry per component, 3 node + component.
-  FreeAssembly(const Network& network, const std::vector<bool>& is_free);
-
-  [[nodiscard]] Eigen::Index size() const { return matrix_.rows(); }
-
-  /// The unknown of a free component, -1 for a prescribed one. Ascending with them.
-  [[nodiscard]] Eigen::Index unknown(NodeIndex node, int component) const {
-    return unknowns_[3 * std::size_t{node} + static_cast<std::size_t>(component)];
-  }
-
-  [[nodiscard]] const Eigen::SparseMatrix<double>& assemble(
-      const std::vector<CellMatrix>& matrices);
-
- private:
-  std::vector<Eigen::Index> unknowns_;
-  Eigen::SparseMatrix<double> matrix_;
-  std::vector<std::int32_t> places_;  // of each cell's 24 x 24 entries in the values
+/// The part of the tangent that a star has: its matrix is
+///
+///     D^T shape D + volume v v^T,   (D u)_iJ = sum u_a,i G_a,J,   v u = sum u_a . g_a
+///
+/// over its nodes a; never put together for longer than it takes to add it somewhere.
+struct StarTangent {
+  std::vector<NodeIndex> nodes;       // of all its cells, ascending
+  Eigen::Matrix3Xd gradients;         // G_a of the star's mean F [1/m]
+  Matrix9 shape;                      // 3/4 V_n dP/dF [J]
+  Eigen::Matrix3Xd volume_gradients;  // g_a of its mean det F [1/m]
+  double volume;                      // kappa V_n [J], not negative
 };
+Eigen::MatrixXd matrix(const StarTangent& star);
+
+/// Second derivative of the energy [N/m] as a sum of patches, each over a few nodes. 3x3
+/// blocks in the order of the patch's nodes.
+struct Tangent {
+  // Of each cell's own energy, with its springs' and with the pressure of its nodes'
+  // stars:
+  std::vector<Eigen::MatrixXd> cells;
+  std::vector<StarTangent> stars;  // of each node; none without stars
+};
+
+/// Per spring of constant rest length k [(1 - L/|d|)(I - n n^T) + n n^T] between its two
+/// nodes, per spring of affine rest length the like through |d| - |F r|, and from the law
+/// V D^T (dP/dF) D. In parallel.
+Tangent tangent_at(const Network& network, std::span<const Vector3> positions);
+
+/// Sets the negative eigenvalues of every cell's matrix, and of every star's shape part,
+/// to zero, in parallel. Assembled, such patches give a descent direction even where the
+/// true tangent is indefinite.
+void clamp_to_positive(Tangent& tangent);
+
+/// The tangent times one vector per node.
+std::vector<Vector3> product(const Network& network, const Tangent& tangent,
+                             std::span<const Vector3> vectors);
+
+/// Nodes of the tangent's patches: cells first, then stars.
+std::vector<std::vector<NodeIndex>> patches(const Network& network);
 
 }  // namespace springcheck::mss

@@ -7,78 +7,83 @@
 #include <limits>
 #include <random>
 
-#include "mss/cell.hpp"
+#include "mss/assembly.hpp"
 #include "mss/forces.hpp"
 
 namespace springcheck::mss {
 namespace {
 
-using Field = Eigen::Matrix3Xd;  // a vector per node
+using Field = Eigen::VectorXd;  // an entry per free component
 
 /// v -> M^-1/2 (2 dt C + dt^2 K) M^-1/2 v at rest, on the free components.
 class StepOperator {
  public:
   StepOperator(const Network& network, double damping_ratio,
                const std::vector<bool>& is_free)
-      : network_(network),
-        inverse_root_mass_(3, static_cast<Eigen::Index>(network.masses.size())) {
-    for (std::size_t i = 0; i < is_free.size(); ++i)
-      inverse_root_mass_.reshaped()[static_cast<Eigen::Index>(i)] =
-          is_free[i] ? 1 / std::sqrt(network.masses[i / 3]) : 0;
-    for (const Spring& spring : network.springs) {
-      axes_.push_back(
-          (network.rest_positions[spring.b] - network.rest_positions[spring.a])
-              .normalized());
-      dashpots_.push_back(dashpot_constant(network, spring, damping_ratio));
-    }
-    if (network.volume_modulus != 0)
-      for (const Cell& cell : network.cells)
-        gradients_.push_back(
-            mean_edge_volume_gradient(corners(cell.nodes, network.rest_positions)));
+      : assembly_(network, is_free),
+        stiffness_(assembly_.assemble(tangent_at(network, network.rest_positions))),
+        inverse_root_mass_(assembly_.size()) {
+    for (NodeIndex n = 0; n < network.masses.size(); ++n)
+      for (int i = 0; i < 3; ++i)
+        if (const Eigen::Index unknown = assembly_.unknown(n, i); unknown >= 0)
+          inverse_root_mass_[unknown] = 1 / std::sqrt(network.masses[n]);
+    if (damping_ratio == 0) return;
+    for_each_dashpot(network, [&](const Spring& spring) {
+      dashpots_.push_back(
+          {.a = spring.a,
+           .b = spring.b,
+           .axis = (network.rest_positions[spring.b] - network.rest_positions[spring.a])
+                       .normalized(),
+           .constant = dashpot_constant(network, spring, damping_ratio)});
+    });
   }
 
   [[nodiscard]] Field start() const {
     std::mt19937_64 random(1);  // any vector not orthogonal to the answer
-    Field v = Field::Zero(3, inverse_root_mass_.cols());
-    for (Eigen::Index n = 0; n < v.cols(); ++n)
-      for (Eigen::Index i = 0; i < 3; ++i)
-        if (inverse_root_mass_(i, n) != 0)
-          v(i, n) = static_cast<double>(random() >> 11U) * 0x1p-52 - 1;
+    Field v(assembly_.size());
+    for (double& component : v)
+      component = static_cast<double>(random() >> 11U) * 0x1p-52 - 1;
     return v / v.norm();
   }
 
   [[nodiscard]] Field apply(const Field& v, double dt) const {
     const Field u = v.cwiseProduct(inverse_root_mass_);
-    Field force = Field::Zero(3, v.cols());
-    for (std::size_t s = 0; s < axes_.size(); ++s) {
-      const Spring& spring = network_.springs[s];
-      const double weight = dt * dt * spring.stiffness + 2 * dt * dashpots_[s];
-      const Vector3 pull =
-          weight * axes_[s].dot(u.col(spring.b) - u.col(spring.a)) * axes_[s];
-      force.col(spring.a) -= pull;
-      force.col(spring.b) += pull;
-    }
-    for (std::size_t c = 0; c < gradients_.size(); ++c) {
-      const Cell& cell = network_.cells[c];
-      double volume_rate = 0;
-      for (std::size_t i = 0; i < 8; ++i)
-        volume_rate +=
-            gradients_[c].col(static_cast<Eigen::Index>(i)).dot(u.col(cell.nodes[i]));
-      const double pressure =
-          dt * dt * network_.volume_modulus / cell.rest_volume * volume_rate;
-      for (std::size_t i = 0; i < 8; ++i)
-        force.col(cell.nodes[i]) +=
-            pressure * gradients_[c].col(static_cast<Eigen::Index>(i));
+    Field force = stiffness_.selfadjointView<Eigen::Lower>() * u;
+    force *= dt * dt;
+    for (const auto& [a, b, axis, constant] : dashpots_) {
+      double approach = 0;
+      for_each_end(a, b, [&](Eigen::Index unknown, int i, double sign) {
+        approach += sign * axis[i] * u[unknown];
+      });
+      for_each_end(a, b, [&](Eigen::Index unknown, int i, double sign) {
+        force[unknown] += sign * 2 * dt * constant * approach * axis[i];
+      });
     }
     return force.cwiseProduct(inverse_root_mass_);
   }
 
  private:
-  const Network& network_;
-  Field inverse_root_mass_;  // 0 in prescribed components
-  std::vector<Vector3> axes_;
-  std::vector<double> dashpots_;
-  std::vector<Eigen::Matrix<double, 3, 8>> gradients_;
+  struct Dashpot {
+    NodeIndex a, b;
+    Vector3 axis;
+    double constant;  // [N s/m]
+  };
+
+  /// visit(unknown, component, -1 at a and 1 at b) for the free components of both.
+  template <class Visit>
+  void for_each_end(NodeIndex a, NodeIndex b, Visit&& visit) const {
+    for (int i = 0; i < 3; ++i) {
+      if (const Eigen::Index unknown = assembly_.unknown(a, i); unknown >= 0)
+        visit(unknown, i, -1.);
+      if (const Eigen::Index unknown = assembly_.unknown(b, i); unknown >= 0)
+        visit(unknown, i, 1.);
+    }
+  }
+
+  FreeAssembly assembly_;
+  const Eigen::SparseMatrix<double>& stiffness_;
+  Field inverse_root_mass_;
+  std::vector<Dashpot> dashpots_;
 };
 
 /// Largest eigenvalue by Lanczos' recurrence; without reorthogonalisation copies of
@@ -86,11 +91,11 @@ class StepOperator {
 double largest_eigenvalue(const StepOperator& step_operator, double dt) {
   constexpr int iterations = 120;
   std::vector<double> diagonal, off_diagonal;
-  Field v = step_operator.start(), previous = Field::Zero(3, v.cols());
+  Field v = step_operator.start(), previous = Field::Zero(v.size());
   double largest = 0;
   for (int i = 0; i < iterations; ++i) {
     Field w = step_operator.apply(v, dt);
-    const double alpha = w.cwiseProduct(v).sum();
+    const double alpha = w.dot(v);
     w -= alpha * v;
     if (!off_diagonal.empty()) w -= off_diagonal.back() * previous;
     diagonal.push_back(alpha);
