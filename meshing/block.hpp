@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -16,9 +15,11 @@ namespace springcheck {
 ///     pyramid           six, around its centre
 ///     tetrahedron       six, three in each of two prisms
 ///     tetrahedron_5     five, mirrored from one hexahedron to the next
-///     tetrahedron_12    twelve, around its centre: two in each of six pyramids, and six in
+///     tetrahedron_12    twelve, around its centre: two in each of six pyramids, and six
+///     in
 ///                       each of two prisms
-///     mixed             hexahedra, pairs of prisms, and hexahedra cut around their centre
+///     mixed             hexahedra, pairs of prisms, and hexahedra cut around their
+///     centre
 ///                       into pyramids and tetrahedra, side by side as the seed says
 ///
 /// Those that gmsh makes have about the same edge length:
@@ -57,7 +58,8 @@ struct Block {
   std::array<int, 3> cells;    // along x, y, z
   CellPattern pattern = CellPattern::hexahedron;
   // Nodes inside the body move along each axis by up to this fraction of the grid's cell
-  // edge there; those on the surface stay, and with them plates, volume and tip:
+  // edge there, centre nodes to the mean of their hexahedron's corners; those on the
+  // surface stay, and with them plates, volume and tip:
   double distortion = 0;
   unsigned seed = 1;  // of the distortion and of the mixed pattern
 
@@ -73,9 +75,9 @@ bool keeps_grid(CellPattern pattern);
 /// behind.
 ///
 /// Throws InputError for sizes that are not positive and finite, fewer than one cell
-/// along an axis, and more nodes than NodeIndex counts; when a cell that the distortion
-/// leaves has no positive Jacobian at a corner; and when the total volume is not the
-/// box's.
+/// along an axis, more nodes than NodeIndex counts, and a distortion that is negative or
+/// not finite; when a cell that the distortion leaves has no positive Jacobian at a
+/// corner; and when the total volume is not the box's.
 Mesh generate_block(const Block& block);
 
 }  // namespace springcheck
