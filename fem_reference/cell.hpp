@@ -13,6 +13,8 @@ using CellMatrix = Eigen::MatrixXd;
 
 /// The shape functions' integrals over an undeformed cell.
 struct Shape {
+  // N_a(point q) as (q, a), one matrix for all cells of a type:
+  std::shared_ptr<const Eigen::MatrixXd> values;
   Eigen::VectorXd weights;  // of the Gauss points [m^3]
   CellVectors gradients;    // of the shape functions [1/m], point after point; at the end
                             // their means over the cell
@@ -43,7 +45,8 @@ struct Cell {
 /// 45 degrees. Ours, mu dev(E):dev(E) at the points and K/2 of the mean tr E squared,
 /// gives the figures that are known for this element: 13.822 and 6.397 %, .060333 N m.
 ///
-/// On parallelepipeds F_mean is F at the centroid. Taken at the centroid of other cells
+/// On a tetrahedron all three are the same. On parallelepipeds F_mean is F at the
+/// centroid. Taken at the centroid of other cells
 /// the dilatation fails the patch test; both means pass it.
 /// Source: Nagtegaal, Parks and Rice, Comput. Methods Appl. Mech. Eng. 4 (1974) 153;
 /// Hughes, The Finite Element Method (1987), section 4.5.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "fem_reference/equilibrium.hpp"
+#include "fem_reference/loads.hpp"
 #include "fem_reference/supports.hpp"
 #include "meshing/input_error.hpp"
 
@@ -21,9 +22,14 @@ void check(const Scene& scene) {
     throw InputError("scene", "plates", "at least 1, or a boundary gradient", "0");
 }
 
-/// fem-cauchy-born of mss-baudet inherits the range in which its springs push back.
-std::optional<std::string> reason_to_refuse(const Material& material,
+/// q2 has no pyramids or prisms. fem-cauchy-born of mss-baudet inherits the range in
+/// which its springs push back.
+std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Material& material,
                                             const Settings& settings) {
+  const CellType first = type_of(mesh.cells().front());  // hexahedra are the last
+  if (settings.element == Element::q2 && first != CellType::hexahedron)
+    return fmt::format("q2 is for hexahedra; cells of type {} in the mesh: {}",
+                       name_of(first), mesh.count(first));
   const bool baudet =
       settings.law == Law::cauchy_born && settings.lattice.springs == Springs::baudet;
   if (baudet && !(material.poisson_ratio > -0.25))
@@ -63,7 +69,7 @@ bool takes_multigrid(const Settings& settings, double poisson_ratio,
 
 Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
   check(scene);
-  if (const auto reason = reason_to_refuse(scene.material, settings))
+  if (const auto reason = reason_to_refuse(mesh, scene.material, settings))
     return refused(*reason);
   const Discretisation body = discretise(mesh, settings.element);
   const Supports supports(mesh, scene, body);

@@ -7,12 +7,13 @@ namespace springcheck::fem_reference {
 /// Constitutive laws; formulas and sources in materials.hpp.
 enum class Law { hooke, st_venant_kirchhoff, hencky, cauchy_born };
 
-/// Hexahedral elements.
+/// Elements, named by what they are on a hexahedron.
 ///
-///     q1      trilinear, 2x2x2 Gauss points: locks near nu = 1/2
-///     q1_sri  trilinear, the volumetric part of the law from the cell's mean dilatation
-///             (cell.hpp): does not lock
-///     q2      triquadratic (27 nodes), 3x3x3 Gauss points, on the same cells
+///     q1      the nodes of the cell: trilinear on a hexahedron, linear on a tetrahedron,
+///             in between on prisms and pyramids (cell_shapes.hpp); locks near nu = 1/2
+///     q1_sri  the same, the volumetric part of the law from the cell's mean dilatation
+///             (cell.hpp): does not lock on hexahedra; on tetrahedra the same as q1
+///     q2      triquadratic (27 nodes), 3x3x3 Gauss points; hexahedra only
 enum class Element { q1, q1_sri, q2 };
 
 /// Springs whose continuum the law cauchy_born is (lattice.hpp).
@@ -53,8 +54,8 @@ bool takes_multigrid(const Settings& settings, double poisson_ratio,
                      std::size_t components);
 
 /// Static equilibrium of the body by finite elements (deal.II). Node numbers are the
-/// mesh's. A failed simulation is a Solution with the status that says so; bad input
-/// throws InputError.
+/// mesh's. A failed simulation is a Solution with the status that says so, `refused` for
+/// q2 on other cells than hexahedra; bad input throws InputError.
 Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings);
 
 }  // namespace springcheck::fem_reference

@@ -4,12 +4,13 @@
 #include <functional>
 #include <numeric>
 #include <random>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "fem_reference/discretisation.hpp"
-#include "meshing/gmsh.hpp"
+#include "meshing/block.hpp"
 #include "meshing/scene.hpp"
 
 // Meshes, fields and scenes that several tests of the solver are made from.
@@ -18,6 +19,17 @@ namespace springcheck::fem_reference {
 inline constexpr double edge = 0.05;  // m, the cube's
 
 inline constexpr Element elements[] = {Element::q1, Element::q1_sri, Element::q2};
+
+/// Of all cell types, one each and together.
+inline constexpr CellPattern patterns[] = {CellPattern::hexahedron,
+                                           CellPattern::tetrahedron, CellPattern::prism,
+                                           CellPattern::pyramid, CellPattern::mixed};
+
+/// The elements there are on a pattern's cells.
+inline std::span<const Element> elements_on(CellPattern pattern) {
+  return std::span(elements).first(pattern == CellPattern::hexahedron ? 3 : 2);
+}
+
 inline constexpr Law laws[] = {Law::hooke, Law::st_venant_kirchhoff, Law::hencky,
                                Law::cauchy_born};
 
@@ -31,8 +43,17 @@ inline std::string words(Element element) {
   return names[static_cast<int>(element)];
 }
 
-inline Mesh cube(int cells) {
-  return generate_block({.size = {edge, edge, edge}, .cells = {cells, cells, cells}});
+inline std::string words(CellPattern pattern) {
+  return std::string(cell_patterns()[static_cast<std::size_t>(pattern)].name);
+}
+
+/// Nodes inside moved by up to the distortion times the cells' edge.
+inline Mesh cube(int cells, CellPattern pattern = CellPattern::hexahedron,
+                 double distortion = 0) {
+  return generate_block({.size = {edge, edge, edge},
+                         .cells = {cells, cells, cells},
+                         .pattern = pattern,
+                         .distortion = distortion});
 }
 
 /// The mesh with its nodes moved, cells and regions as they were.
@@ -60,8 +81,7 @@ inline Mesh renumbered(const Mesh& mesh) {
   for (const CellNodes& cell : mesh.cells()) cells.push_back(renumber(cell));
   std::map<std::string, std::vector<FaceNodes>> regions;
   for (const auto& [name, region] : mesh.regions())
-    for (const FaceNodes& face : region.faces)
-      regions[name].push_back(renumber(face));
+    for (const FaceNodes& face : region.faces) regions[name].push_back(renumber(face));
   return {"renumbered " + mesh.source(), nodes, cells, regions};
 }
 
@@ -92,6 +112,14 @@ inline Mesh distorted_cube(int cells, double amount, Moved moved) {
   return mapped(cube(cells), [&](const Vector3& x) -> Vector3 {
     const Vector3 by = move();
     return moved == Moved::interior_nodes && on_cubes_boundary(x) ? x : x + by;
+  });
+}
+
+/// Cells of irregular shape in a body with curved sides: no quadrilateral is plane.
+inline Mesh warped_cube(int cells, CellPattern pattern) {
+  return mapped(cube(cells, pattern, 0.2), [&](const Vector3& x) -> Vector3 {
+    const Vector3 wave = (4 / edge * x).array().sin();
+    return x + 0.08 * edge / cells * Vector3(wave.y() + wave.z(), wave.z(), wave.x());
   });
 }
 

@@ -5,7 +5,9 @@
 #include <set>
 
 #include "bodies.hpp"
+#include "fem_reference/loads.hpp"
 #include "laws.hpp"
+#include "meshing/cell_geometry.hpp"
 
 // Nodes, shape functions and consistent loads. What is exact on paper has round-off as
 // its tolerance.
@@ -17,8 +19,20 @@ namespace {
 
 const auto round_off = boost::test_tools::tolerance(1e-12);
 
-Mesh warped(int cells) {
-  return distorted_cube(cells, 0.15, Moved::all_nodes);
+/// Every element on irregular cells of every type, nodes in disorder.
+void for_all_bodies(const std::function<void(const Mesh&, const Discretisation&)>& test) {
+  for (const CellPattern pattern : patterns) {
+    const Mesh mesh = renumbered(warped_cube(3, pattern));
+    for (const Element element : elements_on(pattern))
+      BOOST_TEST_CONTEXT(words(pattern) << ' ' << words(element))
+    test(mesh, discretise(mesh, element));
+  }
+}
+
+std::set<const Shape*> shapes_of(const Discretisation& body) {
+  std::set<const Shape*> shapes;
+  for (const Cell& cell : body.cells) shapes.insert(cell.shape.get());
+  return shapes;
 }
 
 /// Gradient of a nodal field at a Gauss point.
@@ -28,18 +42,40 @@ Matrix3 gradient_at(const Eigen::VectorXd& field, const Cell& cell, Eigen::Index
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(vertices_keep_the_numbers_of_the_mesh) {
-  const Mesh mesh = renumbered(warped(3));
-  for (const Element element : elements) {
-    const Discretisation body = discretise(mesh, element);
+BOOST_AUTO_TEST_CASE(vertices_and_cells_keep_the_numbers_of_the_mesh) {
+  for_all_bodies([](const Mesh& mesh, const Discretisation& body) {
     BOOST_TEST(body.vertices == mesh.nodes().size());
     for (std::size_t n = 0; n < body.vertices; ++n)
       BOOST_TEST((body.nodes[n] == mesh.nodes()[n]));
-    for (std::size_t c = 0; c < body.cells.size(); ++c)
-      BOOST_TEST(
-          (std::set(body.cells[c].nodes.begin(), body.cells[c].nodes.begin() + 8) ==
-           std::set(mesh.cells()[c].begin(), mesh.cells()[c].end())));
-  }
+    for (std::size_t c = 0; c < body.cells.size(); ++c) {
+      const CellNodes& expected = mesh.cells()[c];
+      const auto corners = std::span(body.cells[c].nodes).first(expected.size());
+      BOOST_TEST((std::set(corners.begin(), corners.end()) ==
+                  std::set(expected.begin(), expected.end())));
+    }
+  });
+}
+
+// Both from exact integrals over bilinear faces: dV/dX_a = int grad N_a dV. Round-off: a
+// pyramid's points and weights have 14 digits.
+BOOST_AUTO_TEST_CASE(cells_have_the_exact_volume_and_its_exact_gradient) {
+  for_all_bodies([](const Mesh& mesh, const Discretisation& body) {
+    if (body.nodes.size() > body.vertices) return;  // other shape functions
+    for (std::size_t c = 0; c < body.cells.size(); ++c) {
+      const auto& [nodes, shape] = body.cells[c];
+      BOOST_TEST(shape->volume == mesh.cell_volumes()[c], round_off);
+      const CornerPositions expected =
+          cell_volume_gradient(corners(mesh.cells()[c], mesh.nodes()));
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        const auto place =
+            std::ranges::find(mesh.cells()[c], nodes[a]) - mesh.cells()[c].begin();
+        BOOST_TEST(
+            (shape->volume * shape->mean_gradients().col(static_cast<Eigen::Index>(a)) -
+             expected.col(place))
+                .norm() < 1e-13 * expected.norm());
+      }
+    }
+  });
 }
 
 // 3^3 cells have 7^3 triquadratic nodes, at the means of two, four or eight vertices.
@@ -61,12 +97,11 @@ BOOST_AUTO_TEST_CASE(triquadratic_nodes_lie_between_vertices) {
   BOOST_TEST(kinds[8] == 27);
 }
 
-// All fields of first degree, on warped cells too.
+// All fields of first degree, and the place X itself: of the Gauss points by values and
+// by gradients.
 BOOST_AUTO_TEST_CASE(shape_functions_reproduce_affine_fields) {
   const Matrix3 H = general_gradient();
-  const Mesh mesh = warped(2);
-  for (const Element element : elements) {
-    const Discretisation body = discretise(mesh, element);
+  for_all_bodies([&](const Mesh& mesh, const Discretisation& body) {
     const Eigen::VectorXd affine =
         nodal(body, [&](const Vector3& x) -> Vector3 { return H * x; });
     for (std::size_t c = 0; c < body.cells.size(); ++c) {
@@ -75,10 +110,11 @@ BOOST_AUTO_TEST_CASE(shape_functions_reproduce_affine_fields) {
       BOOST_TEST(cell.shape->weights.sum() == mesh.cell_volumes()[c], round_off);
       for (Eigen::Index q = 0; q <= cell.shape->weights.size(); ++q)  // and the mean
         BOOST_TEST(largest(gradient_at(affine, cell, q) - H) < 1e-12);
+      BOOST_TEST((cell.shape->values->rows() == cell.shape->weights.size()));
+      for (const double sum : cell.shape->values->rowwise().sum())
+        BOOST_TEST(sum == 1, round_off);
     }
-    for (Eigen::Index q = 0; q < body.shape_values.rows(); ++q)
-      BOOST_TEST(body.shape_values.row(q).sum() == 1, round_off);
-  }
+  });
 }
 
 // u = (x y, y z, x^2 - z^2) on cubes: q2's own.
@@ -90,7 +126,7 @@ BOOST_AUTO_TEST_CASE(triquadratic_cells_reproduce_quadratic_fields) {
   const Eigen::VectorXd places = nodal(body, [](const Vector3& X) { return X; });
   for (const Cell& cell : body.cells)
     for (Eigen::Index q = 0; q < cell.shape->weights.size(); ++q) {
-      const Vector3 X = of_cell(places, cell) * body.shape_values.row(q).transpose();
+      const Vector3 X = of_cell(places, cell) * cell.shape->values->row(q).transpose();
       Matrix3 H;
       H << X.y(), X.x(), 0, 0, X.z(), X.y(), 2 * X.x(), 0, -2 * X.z();
       BOOST_TEST(largest(gradient_at(field, cell, q) - H) < 1e-13);
@@ -101,10 +137,10 @@ BOOST_AUTO_TEST_CASE(translated_cells_share_their_shape_and_others_do_not) {
   const Discretisation regular = discretise(cube(3), Element::q1);
   for (const Cell& cell : regular.cells)
     BOOST_TEST(cell.shape == regular.cells.front().shape);
-  const Discretisation irregular = discretise(warped(3), Element::q1);
-  std::set<const Shape*> shapes;
-  for (const Cell& cell : irregular.cells) shapes.insert(cell.shape.get());
-  BOOST_TEST(shapes.size() == 27U);
+  for (const CellPattern pattern : patterns) {
+    const Discretisation irregular = discretise(warped_cube(3, pattern), Element::q1);
+    BOOST_TEST(shapes_of(irregular).size() == irregular.cells.size());
+  }
   // Cells that differ in one corner by a millionth of their edge.
   const Mesh nearly = mapped(cube(3), [](const Vector3& x) -> Vector3 {
     return x.minCoeff() > 0.99 * edge ? x + Vector3(0, 0, 1e-6 * edge / 3) : x;
@@ -113,13 +149,22 @@ BOOST_AUTO_TEST_CASE(translated_cells_share_their_shape_and_others_do_not) {
   BOOST_TEST(body.cells.back().shape != body.cells.front().shape);
 }
 
+// As many shapes as a hexahedron is cut into, however many hexahedra there are.
+BOOST_AUTO_TEST_CASE(cells_of_a_regular_pattern_share_the_shapes_of_its_period) {
+  for (const auto& [pattern, period] : {std::pair{CellPattern::prism, 2U},
+                                        {CellPattern::pyramid, 6U},
+                                        {CellPattern::tetrahedron, 6U}}) {
+    const Discretisation body = discretise(cube(4, pattern), Element::q1);
+    BOOST_TEST(body.cells.size() == 64 * period);
+    BOOST_TEST(shapes_of(body).size() == period);
+  }
+}
+
 // Weight of a warped body: total exact, and the same moments as the body itself, since
 // int sum_a N_a X_a dV = int X dV.
 BOOST_AUTO_TEST_CASE(body_load_has_the_resultant_and_the_moment_of_its_density) {
   const Vector3 density(2, -3, 5);  // N/m^3
-  const Mesh mesh = warped(2);
-  for (const Element element : elements) {
-    const Discretisation body = discretise(mesh, element);
+  for_all_bodies([&](const Mesh& mesh, const Discretisation& body) {
     const Eigen::VectorXd load = body_load(body, [&](const Vector3&) { return density; });
     BOOST_TEST((total(load) - mesh.volume() * density).norm() <
                1e-12 * mesh.volume() * density.norm());
@@ -131,7 +176,23 @@ BOOST_AUTO_TEST_CASE(body_load_has_the_resultant_and_the_moment_of_its_density) 
     for (std::size_t n = 0; n < body.nodes.size(); ++n)
       moment += body.nodes[n].x() * load.segment<3>(static_cast<Eigen::Index>(3 * n));
     BOOST_TEST((total(slanted) - moment).norm() < 1e-12 * moment.norm());
-  }
+  });
+}
+
+// int X dV is exact in every cell, whatever its shape: a cube's weight acts at its
+// centre.
+BOOST_AUTO_TEST_CASE(weight_acts_at_the_centre_of_a_distorted_cube) {
+  const Vector3 centre = Vector3::Constant(edge / 2);
+  for (const CellPattern pattern : patterns)
+    for (const Element element : elements_on(pattern)) {
+      const Discretisation body = discretise(cube(3, pattern, 0.2), element);
+      const Eigen::VectorXd load =
+          body_load(body, [](const Vector3&) -> Vector3 { return Vector3::UnitZ(); });
+      Vector3 moment = Vector3::Zero();
+      for (std::size_t n = 0; n < body.nodes.size(); ++n)
+        moment += load[static_cast<Eigen::Index>(3 * n + 2)] * body.nodes[n];
+      BOOST_TEST((moment / total(load).z() - centre).norm() < 1e-13 * edge);
+    }
 }
 
 // int N dA over a square face: a quarter of it at each corner for q1; 1/36 at corners,
@@ -156,18 +217,39 @@ BOOST_AUTO_TEST_CASE(traction_on_a_face_is_shared_out_consistently) {
   }
 }
 
-// On a region of several faces, on a side with curved faces: the area by Gauss's formula
-// on the mesh's own bilinear faces, of high enough order to be exact to 1e-6 (their area
-// element is the root of a polynomial).
-BOOST_AUTO_TEST_CASE(traction_is_the_stress_times_the_undeformed_area) {
+// On every side of the cube, of triangles, quadrilaterals or both: the force is the
+// stress times the area, and acts at the side's centre. Round-off.
+BOOST_AUTO_TEST_CASE(traction_on_plane_sides_acts_at_their_centres) {
   const Vector3 stress(7, 5, -11);
-  const Mesh flat = cube(3), curved = warped(3);
-  for (const Element element : elements)
-    for (const auto& [name, region] : flat.regions())
-      BOOST_TEST((total(traction_load(discretise(flat, element),
-                                      {.region = name, .stress = stress})) -
-                  edge * edge * stress)
-                     .norm() < 1e-12 * edge * edge);
+  const std::map<std::string, Vector3> centres{
+      {"x_min", {0, 0.5, 0.5}},  {"x_max", {1, 0.5, 0.5}},  //
+      {"y_min", {0.5, 0, 0.5}},  {"y_max", {0.5, 1, 0.5}},  //
+      {"bottom", {0.5, 0.5, 0}}, {"top", {0.5, 0.5, 1}}};
+  for (const CellPattern pattern : patterns)
+    for (const Element element : elements_on(pattern)) {
+      const Discretisation body = discretise(renumbered(cube(3, pattern, 0.2)), element);
+      BOOST_TEST(body.regions.size() == centres.size());
+      for (const auto& [name, centre] : centres) {
+        const Eigen::VectorXd load =
+            traction_load(body, {.region = name, .stress = stress});
+        BOOST_TEST((total(load) - edge * edge * stress).norm() < 1e-12 * edge * edge);
+        Vector3 moment = Vector3::Zero();
+        for (std::size_t n = 0; n < body.nodes.size(); ++n)
+          moment += load[static_cast<Eigen::Index>(3 * n)] / stress.x() * body.nodes[n];
+        BOOST_TEST((moment - edge * edge * edge * centre).norm() <
+                   1e-12 * edge * edge * edge);
+        const Eigen::VectorXd places = nodal(body, [](const Vector3& X) { return X; });
+        BOOST_TEST((mean_displacement(body, name, places) - edge * centre).norm() <
+                   1e-12 * edge);
+      }
+    }
+}
+
+// On a side with curved faces: the area by the midpoint rule on the mesh's own bilinear
+// faces, exact to some 1e-4 (their area element is the root of a polynomial).
+BOOST_AUTO_TEST_CASE(traction_on_curved_sides_is_the_stress_times_the_area) {
+  const Vector3 stress(7, 5, -11);
+  const Mesh curved = warped_cube(3, CellPattern::hexahedron);
   double area = 0;
   for (const FaceNodes& face : curved.region("x_max").faces) {
     constexpr int points = 20;  // midpoint rule, error of the order 1/points^2

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "bodies.hpp"
+#include "fem_reference/loads.hpp"
 #include "fem_reference/newton.hpp"
 #include "fem_reference/supports.hpp"
 #include "laws.hpp"

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "bodies.hpp"
+#include "fem_reference/loads.hpp"
 #include "fem_reference/newton.hpp"
 #include "fem_reference/supports.hpp"
 #include "laws.hpp"
@@ -83,8 +84,8 @@ Errors errors(const Discretisation& body, const Field& field, const Eigen::Vecto
   for (const Cell& cell : body.cells) {
     const CellVectors u_cell = of_cell(u, cell), X_cell = of_cell(places, cell);
     for (Eigen::Index q = 0; q < cell.shape->weights.size(); ++q) {
-      const Vector3 X = X_cell * body.shape_values.row(q).transpose();
-      const Vector3 u_h = u_cell * body.shape_values.row(q).transpose();
+      const Vector3 X = X_cell * cell.shape->values->row(q).transpose();
+      const Vector3 u_h = u_cell * cell.shape->values->row(q).transpose();
       const Matrix3 H_h = u_cell * cell.shape->gradients_at(q).transpose();
       const double w = cell.shape->weights[q];
       value += w * (u_h - field.value(X)).squaredNorm();

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bodies.hpp"
+#include "fem_reference/loads.hpp"
 #include "fem_reference/supports.hpp"
 #include "laws.hpp"
 #include "log.hpp"
