@@ -23,8 +23,8 @@ std::vector<NodeIndex> centre_line(const CaseSettings& settings, const Mesh& mes
   return line;
 }
 
-/// The displacement at a point of a plane, horizontal region, linear on the triangles that
-/// its faces' nodes span with the faces' centres; none where no face has the point.
+/// The displacement at a point of a plane, horizontal region, linear on the triangles
+/// that its faces' nodes span with the faces' centres; none where no face has the point.
 std::optional<Vector3> on_face(const Mesh& mesh, const Region& region,
                                std::span<const Vector3> displacements,
                                const Vector3& point) {

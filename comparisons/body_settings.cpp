@@ -11,10 +11,8 @@ namespace {
 
 CellPattern pattern_of(const Given& given) {
   const std::string name = given.text();
-  const auto found =
-      std::ranges::find(cell_patterns(), name, &CellPatternName::name);
-  if (found == cell_patterns().end())
-    given.refuse("one of " + names_of(cell_patterns()));
+  const auto found = std::ranges::find(cell_patterns(), name, &CellPatternName::name);
+  if (found == cell_patterns().end()) given.refuse("one of " + names_of(cell_patterns()));
   return found->pattern;
 }
 
@@ -78,17 +76,17 @@ Body body_of(const Settings& settings, const std::string& file, Test test) {
           found != settings.end())
         found->second.refuse("none of it without a mesh");
     body.shape = value_or(settings, "body", BodyShape::block, shape_of);
-    body.block = {.size = size_of(required(settings, "size", file, "three lengths [m]")),
-                  .cells = cells_of(required(settings, "cells", file, "three counts")),
-                  .pattern = value_or(settings, "cell-type", CellPattern::hexahedron,
-                                      pattern_of),
-                  .distortion = value_or(settings, "distortion", 0., not_negative_of)};
+    body.block = {
+        .size = size_of(required(settings, "size", file, "three lengths [m]")),
+        .cells = cells_of(required(settings, "cells", file, "three counts")),
+        .pattern = value_or(settings, "cell-type", CellPattern::hexahedron, pattern_of),
+        .distortion = value_or(settings, "distortion", 0., not_negative_of)};
     if (reads_seed(body.block))
       body.block.seed = value_or(settings, "seed", body.block.seed, seed_of);
   }
-  const bool slides =
-      test == Test::uniaxial || value_or(settings, "plates", PlateContact::glued,
-                                         plates_of) == PlateContact::sliding;
+  const bool slides = test == Test::uniaxial ||
+                      value_or(settings, "plates", PlateContact::glued, plates_of) ==
+                          PlateContact::sliding;
   if (slides && body.shape != BodyShape::block)
     throw InputError(file, "sliding plates", "a block, at whose corners pins hold",
                      "a " + std::string(name_of(body.shape)));

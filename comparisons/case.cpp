@@ -53,15 +53,28 @@ void add_reference_settings(nlohmann::json& json, const CaseSettings& settings) 
 
 /// Settings of the springs alone.
 void add_spring_settings(nlohmann::json& json, const CaseSettings& settings) {
-  const auto springs = std::get<mss::Method>(settings.method.model);
-  if (springs == mss::Method::custom) {
-    const auto& [k, kappa] = settings.constants.value();
-    json["stiffness"] = {k.edge, k.face_diagonal, k.inner_diagonal};
-    json["kappa"] = kappa;
-  } else if (springs != mss::Method::baudet)
-    json["stiffness-form"] = name_of(settings.stiffness_form);
-  if (springs == mss::Method::fd || springs == mss::Method::cf)
-    json["diagonal-ratio"] = settings.diagonal_ratio;
+  switch (std::get<mss::Method>(settings.method.model)) {
+    case mss::Method::custom: {
+      const auto& [k, kappa] = settings.constants.value();
+      json["stiffness"] = {k.edge, k.face_diagonal, k.inner_diagonal};
+      json["kappa"] = kappa;
+      break;
+    }
+    case mss::Method::fd:
+    case mss::Method::cf:
+      json["diagonal-ratio"] = settings.diagonal_ratio;
+      [[fallthrough]];
+    case mss::Method::nfd:
+      json["stiffness-form"] = name_of(settings.stiffness_form);
+      break;
+    case mss::Method::vangelder:
+    case mss::Method::lloyd:
+      json["correction"] = name_of(settings.correction);
+      break;
+    case mss::Method::affine:
+    case mss::Method::baudet:
+      break;
+  }
   json["solver"] = name_of(settings.solver);
   if (settings.solver == mss::Solver::static_equilibrium) {
     json["seed"] = settings.seed;
@@ -124,6 +137,10 @@ std::string_view name_of(mss::Solver solver) {
 
 std::string_view name_of(mss::StiffnessForm form) {
   return form == mss::StiffnessForm::shear_modulus ? "mu" : "E";
+}
+
+std::string_view name_of(mss::VolumeCorrection correction) {
+  return correction == mss::VolumeCorrection::on ? "on" : "off";
 }
 
 std::string_view name_of(fem_reference::LatticeDirection direction) {

@@ -31,6 +31,7 @@ std::string_view name_of(Test test);
 std::string_view name_of(PlateContact contact);
 std::string_view name_of(mss::Solver solver);
 std::string_view name_of(mss::StiffnessForm form);
+std::string_view name_of(mss::VolumeCorrection correction);
 std::string_view name_of(fem_reference::LatticeDirection direction);
 std::string_view name_of(fem_reference::LinearSolver solver);
 
@@ -57,6 +58,7 @@ struct CaseSettings {
   fem_reference::LatticeDirection lattice_direction;
   // Springs:
   std::optional<mss::LatticeConstants> constants;  // of mss-custom, at this cell size
+  mss::VolumeCorrection correction;                // of mss-vangelder and mss-lloyd
   mss::Solver solver;
   mss::DynamicsSettings dynamics;  // of the semi-implicit solver
   unsigned seed;                   // of the static solver

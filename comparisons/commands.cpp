@@ -161,7 +161,8 @@ ExitStatus list_command(const std::string& what, Output output) {
       {"cauchy-born", "continuum of a spring lattice (fem-cauchy-born)"}};
   if (!what.empty()) {
     if (!lists.contains(what))
-      throw InputError("list", "", "one of methods, scenes, sweeps, cell-types, elements, materials",
+      throw InputError("list", "",
+                       "one of methods, scenes, sweeps, cell-types, elements, materials",
                        "'" + what + "'");
     lists = Json{{what, lists[what]}};
   }

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "comparisons/beam_measures.hpp"
-#include "comparisons/mechanical_scene.hpp"
 #include "comparisons/displacement_norms.hpp"
 #include "comparisons/measures.hpp"
+#include "comparisons/mechanical_scene.hpp"
 
 namespace springcheck {
 namespace {
@@ -37,8 +37,7 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
   for (std::size_t n = 0; n < mesh.nodes().size(); ++n) {
     sum += distance(n);
     largest = std::max(largest, distance(n));
-    if (has_layers &&
-        std::abs(mesh.nodes()[n].z() - height / 2) < on_plane * height) {
+    if (has_layers && std::abs(mesh.nodes()[n].z() - height / 2) < on_plane * height) {
       layer_sum += distance(n);
       ++layer_nodes;
     }

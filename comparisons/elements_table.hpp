@@ -4,7 +4,9 @@
 
 namespace springcheck {
 
-/// Volumetric locking: the plate force in compression near nu = 1/2 by element.
+/// Springs and finite elements on cubes, on a distorted mixture of cells and on gmsh's
+/// tetrahedra, about 5 cells across: compression, shearing and torsion at nu 0, .25, .45
+/// and .499.
 SheetPlan plan_elements_table();
 
 }  // namespace springcheck

@@ -32,6 +32,16 @@ std::optional<double> observed_order(const GridSizes& sizes, double coarse_chang
   }
 }
 
+std::optional<double> fitted_order(std::span<const double> sizes,
+                                   std::span<const double> errors) {
+  const auto count = static_cast<Eigen::Index>(sizes.size());
+  const Eigen::ArrayXd e = Eigen::Map<const Eigen::ArrayXd>(errors.data(), count);
+  if (!(e > 0).all()) return std::nullopt;
+  const Eigen::ArrayXd x = Eigen::Map<const Eigen::ArrayXd>(sizes.data(), count).log();
+  const Eigen::ArrayXd from_mean = x - x.mean();
+  return (from_mean * e.log()).sum() / from_mean.square().sum();
+}
+
 Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values,
                          double noise) {
   const auto& [q1, q2, q3] = values;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <span>
 
 namespace springcheck {
 
@@ -29,6 +30,11 @@ inline constexpr double lowest_order = 0.3, highest_order = 4.5;
 /// Engineering", 1998, section 5.10; ASME V&V 20-2009, Eq. 2-4-4.
 std::optional<double> observed_order(const GridSizes& sizes, double coarse_change,
                                      double fine_change);
+
+/// Order p of error = C h^p, fitted to two or more grids: the slope of ln error over ln h
+/// by least squares. None where an error is not positive.
+std::optional<double> fitted_order(std::span<const double> sizes,
+                                   std::span<const double> errors);
 
 /// Safety factors on the estimated error, after Roache, section 5.6: three grids that
 /// show an order, and grids that do not.

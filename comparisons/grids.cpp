@@ -100,7 +100,8 @@ std::vector<Vector3> interpolated(std::span<const Vector3> field, const Block& g
         weight *= side[i] == 0 ? 1 - places[i].beyond : places[i].beyond;
         node[i] = places[i].cell + side[i];
       }
-      if (weight != 0) value += weight * field[number_of(nodes, node[0], node[1], node[2])];
+      if (weight != 0)
+        value += weight * field[number_of(nodes, node[0], node[1], node[2])];
     });
     values.push_back(value);
   }

@@ -197,7 +197,8 @@ int command_line(int argc, char** argv) {
   merge->add_option("from", from, "result files")->required()->check(check_not_empty);
 
   CLI::App* list = app.add_subcommand("list", "List what there is");
-  list->add_option("what", what, "methods, scenes, sweeps, cell-types, elements or materials");
+  list->add_option("what", what,
+                   "methods, scenes, sweeps, cell-types, elements or materials");
   list->add_flag("--json", json, "print one JSON document");
 
   CLI::App* mesh = app.add_subcommand("mesh", "Write the mesh that both solvers use");

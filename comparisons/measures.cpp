@@ -7,8 +7,8 @@
 #include <type_traits>
 
 #include "comparisons/beam_measures.hpp"
-#include "comparisons/mechanical_scene.hpp"
 #include "comparisons/displacement_norms.hpp"
+#include "comparisons/mechanical_scene.hpp"
 #include "meshing/cell_geometry.hpp"
 #include "meshing/traction.hpp"
 

@@ -67,8 +67,9 @@ Scene mechanical_scene(const CaseSettings& settings, const Mesh& mesh) {
   RigidMotion& motion = upper.motion;
   Scene scene{.material = settings.material, .plates = {}, .gravity = settings.gravity};
   if (slides)
-    scene.pins = {{.point = Vector3::Zero(), .held = {true, true, false}},
-                  {.point = Vector3(body.block.size[0], 0, 0), .held = {false, true, false}}};
+    scene.pins = {
+        {.point = Vector3::Zero(), .held = {true, true, false}},
+        {.point = Vector3(body.block.size[0], 0, 0), .held = {false, true, false}}};
 
   switch (settings.test) {
     case Test::compression:

@@ -21,8 +21,8 @@ namespace springcheck {
 /// Sliding plates hold z only. Pins take away the rigid motions they leave: the corner at
 /// the origin keeps x and y, the one at (size_x, 0, 0) y. They need a block.
 ///
-/// The plates' distance and the moved one's centre are those of the block; of other bodies
-/// those of the regions' area-weighted centres.
+/// The plates' distance and the moved one's centre are those of the block; of other
+/// bodies those of the regions' area-weighted centres.
 ///
 /// Throws InputError where the mesh lacks a plate's region, or the moved plate is not
 /// above the fixed one.

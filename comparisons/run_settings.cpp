@@ -10,8 +10,8 @@
 #include <map>
 #include <sstream>
 
-#include "comparisons/grids.hpp"
 #include "comparisons/body_settings.hpp"
+#include "comparisons/grids.hpp"
 #include "comparisons/setting_values.hpp"
 #include "meshing/input_error.hpp"
 
@@ -44,15 +44,16 @@ bool runs(const RunSettings& run, std::string_view name) {
          (run.reference && run.reference->method.name == name);
 }
 
-/// Settings of one method where nothing runs it.
+/// Settings of some methods where nothing runs any of them.
 void check_method_runs(const RunSettings& run, const Settings& settings,
-                       const std::string& method,
+                       const std::vector<std::string_view>& methods,
                        std::initializer_list<std::string_view> keys) {
-  if (runs(run, method)) return;
+  if (std::ranges::any_of(methods, [&](auto method) { return runs(run, method); }))
+    return;
   for (const std::string_view key : keys)
     if (const auto found = settings.find(key); found != settings.end())
-      found->second.refuse(
-          fmt::format("no {} without {} as method or reference", key, method));
+      found->second.refuse(fmt::format("no {} without {} as method or reference", key,
+                                       fmt::join(methods, " or ")));
 }
 
 /// "N" or "NX,NY,NZ" behind a reference's '@'.
@@ -162,6 +163,8 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
           value_or(settings, "lattice-direction", fem_reference::LatticeDirection::d100,
                    lattice_direction_of),
       .constants = std::nullopt,
+      .correction =
+          value_or(settings, "correction", mss::VolumeCorrection::on, correction_of),
       .solver = value_or(settings, "solver", mss::Solver::static_equilibrium, solver_of),
       .dynamics =
           {.duration = value_or(settings, "duration", 10., &Given::positive_number),
@@ -181,16 +184,17 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
 
   RunSettings run{
       .common = common,
-      .cells_place = settings.at(common.body.shape == BodyShape::file ? "mesh" : "cells")
-                         .place(),
+      .cells_place =
+          settings.at(common.body.shape == BodyShape::file ? "mesh" : "cells").place(),
       .methods = methods_of(need("method", "a list of methods")),
       .reference = std::nullopt,
       .expect = value_or(settings, "expect", std::vector{Status::ok}, expect_of)};
   if (const auto reference = settings.find(std::string_view("reference"));
       reference != settings.end())
     run.reference = reference_named(reference->second);
-  check_method_runs(run, settings, "fem-cauchy-born", {"lattice", "lattice-direction"});
-  check_method_runs(run, settings, "mss-custom", {"stiffness", "kappa"});
+  check_method_runs(run, settings, {"fem-cauchy-born"}, {"lattice", "lattice-direction"});
+  check_method_runs(run, settings, {"mss-custom"}, {"stiffness", "kappa"});
+  check_method_runs(run, settings, {"mss-vangelder", "mss-lloyd"}, {"correction"});
   if (runs(run, "mss-custom"))
     run.common.constants = mss::LatticeConstants{
         .stiffness = stiffness_of(need("stiffness", "KE,KF,KC of mss-custom [N/m]")),

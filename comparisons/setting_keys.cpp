@@ -25,6 +25,8 @@ const std::vector<SettingKey>& option_keys() {
        "KE,KF,KC of mss-custom: lattice values of its edge, face-diagonal and "
        "inner-diagonal springs at the scene's cell size [N/m]"},
       {"kappa", "modulus of mss-custom's volume correction [Pa] (default 0: none)"},
+      {"correction",
+       "volume correction of mss-vangelder and mss-lloyd: on (default), off"},
       {"lattice",
        "springs whose continuum fem-cauchy-born is: mss-baudet, mss-nfd, mss-fd, mss-cf "
        "(default), mss-affine"},
@@ -33,16 +35,19 @@ const std::vector<SettingKey>& option_keys() {
       {"cells", "number of cells along x,y,z"},
       {"size", "size of the block along x,y,z [m]"},
       {"cell-type",
-       "how the block is cut: hexahedron (default), tetrahedron, prism, pyramid, mixed or "
+       "how the block is cut: hexahedron (default), tetrahedron, prism, pyramid, mixed "
+       "or "
        "another of 'springcheck list cell-types'"},
       {"distortion",
        "how far nodes inside the block are moved along each axis, as a fraction of the "
        "cell edge (default 0)"},
       {"mesh", "a .msh file (gmsh 2.2 or 4.1) in place of the block"},
       {"mesh-unit", "length unit of the .msh file: m (default), cm or mm"},
-      {"fixed", "name of the .msh file's surface on the lower, fixed plate (default "
+      {"fixed",
+       "name of the .msh file's surface on the lower, fixed plate (default "
        "bottom)"},
-      {"moved", "name of the one on the upper plate, which is moved or loaded (default "
+      {"moved",
+       "name of the one on the upper plate, which is moved or loaded (default "
        "top)"},
       {"solver",
        "of spring methods: static (default) or semi-implicit (dynamics); finite elements "

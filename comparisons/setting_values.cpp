@@ -135,6 +135,11 @@ mss::StiffnessForm stiffness_form_of(const Given& given) {
   return one_of<mss::StiffnessForm>(given, given.text(), {shear_modulus, young_modulus});
 }
 
+mss::VolumeCorrection correction_of(const Given& given) {
+  using enum mss::VolumeCorrection;
+  return one_of<mss::VolumeCorrection>(given, given.text(), {on, off});
+}
+
 mss::Solver solver_of(const Given& given) {
   using enum mss::Solver;
   return one_of<mss::Solver>(given, given.text(),

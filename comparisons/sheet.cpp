@@ -7,10 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/build_info.hpp"
+#include "comparisons/convergence_table.hpp"
 #include "comparisons/elements_table.hpp"
+#include "comparisons/locking_table.hpp"
 #include "comparisons/orientation_table.hpp"
 #include "comparisons/scene_file.hpp"
 #include "comparisons/split_table.hpp"
+#include "comparisons/subdivision_table.hpp"
 #include "comparisons/text_table.hpp"
 #include "meshing/input_error.hpp"
 
@@ -110,13 +113,17 @@ std::string format_sheet(const Sheet& sheet, TableFormat format) {
 }
 
 const std::vector<std::string>& sheet_names() {
-  static const std::vector<std::string> names{"split", "elements", "orientation"};
+  static const std::vector<std::string> names{"split",       "elements", "convergence",
+                                              "subdivision", "locking",  "orientation"};
   return names;
 }
 
 SheetPlan plan_sheet(const std::string& name) {
   if (name == "split") return plan_split_table();
   if (name == "elements") return plan_elements_table();
+  if (name == "convergence") return plan_convergence_table();
+  if (name == "subdivision") return plan_subdivision_table();
+  if (name == "locking") return plan_locking_table();
   if (name == "orientation") return plan_orientation_table();
   throw InputError("table", "", fmt::format("one of {}", fmt::join(sheet_names(), ", ")),
                    "'" + name + "'");

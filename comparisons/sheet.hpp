@@ -51,7 +51,7 @@ struct SheetPlan {
   std::function<Sheet(std::span<const CaseResult>, MeshStore&)> make;
 };
 
-/// "split", "elements", "orientation".
+/// "split", "elements", "convergence", "subdivision", "locking", "orientation".
 const std::vector<std::string>& sheet_names();
 
 /// Throws InputError for an unknown name.

@@ -25,7 +25,8 @@ Solution solve(const CaseSettings& settings, const Mesh& mesh) {
                     {.network = {.method = std::get<mss::Method>(settings.method.model),
                                  .stiffness_form = settings.stiffness_form,
                                  .diagonal_ratio = settings.diagonal_ratio,
-                                 .constants = settings.constants},
+                                 .constants = settings.constants,
+                                 .volume_correction = settings.correction},
                      .solver = settings.solver,
                      .dynamics = settings.dynamics,
                      .seed = settings.seed});

@@ -121,15 +121,14 @@ ConvergedValue converged_distance(Runs runs, const std::optional<ConvergedField>
                                   const std::optional<ConvergedField>& origin,
                                   const Body& body, MeshStore& meshes) {
   ConvergedValue value{
-      .grids = on_grids(runs,
-                        [&](const CaseResult& run) -> std::optional<double> {
-                          const Cells& own = run.request.settings.body.block.cells;
-                          if (!run.measures.volume_error ||
-                              !is_refinement(own, body.block.cells))
-                            return std::nullopt;
-                          return mean_distance(displacements_on(body, run, meshes),
-                                               origin);
-                        }),
+      .grids = on_grids(
+          runs,
+          [&](const CaseResult& run) -> std::optional<double> {
+            const Cells& own = run.request.settings.body.block.cells;
+            if (!run.measures.volume_error || !is_refinement(own, body.block.cells))
+              return std::nullopt;
+            return mean_distance(displacements_on(body, run, meshes), origin);
+          }),
       .value = mean_distance(field, origin),
       .order = {},
       .bar = {}};
@@ -177,7 +176,8 @@ SplitQuantity split_field(const CaseResult& springs, const ContinuumRuns& cauchy
       .name = "mean_deviation",
       .springs = mean_distance(own, law),
       .cauchy_born = {converged_distance(cauchy_born.runs, lattice, law, body, meshes),
-                      converged_distance(cauchy_born.check, lattice_check, law, body, meshes),
+                      converged_distance(cauchy_born.check, lattice_check, law, body,
+                                         meshes),
                       mean_distance(lattice, lattice_check),
                       all_ok(cauchy_born.runs, cauchy_born.check)},
       .reference = {converged_distance(reference.runs, law, law, body, meshes),

@@ -39,8 +39,8 @@ Json json(const ErrorPart& part) {
 std::string cells_of(const ThreeCases& cases) {
   std::string text;
   for (const CaseSettings& grid : cases)
-    text +=
-        fmt::format("{}{}", text.empty() ? "" : ", ", fmt::join(grid.body.block.cells, " x "));
+    text += fmt::format("{}{}", text.empty() ? "" : ", ",
+                        fmt::join(grid.body.block.cells, " x "));
   return text;
 }
 

@@ -60,7 +60,8 @@ void write_stored_mesh(hid_t meshes, const Mesh& mesh) {
   for (const CellTable& table : cell_tables) {
     std::vector<std::uint32_t> nodes;
     for (const CellNodes& cell : mesh.cells())
-      if (type_of(cell) == table.type) nodes.insert(nodes.end(), cell.begin(), cell.end());
+      if (type_of(cell) == table.type)
+        nodes.insert(nodes.end(), cell.begin(), cell.end());
     if (!nodes.empty())
       hdf5::write_table(group, table.name, nodes, node_count(table.type));
   }

@@ -220,9 +220,10 @@ TablePlan bending_table(const Reference& reference) {
         .printed_text = {},
         .verdict = verdict,
         .notes = {}};
-    row.labels = {scene, fmt::format("{:g}", young / 1e6),
-                  fmt::format("{}", fmt::join(row.request.settings.body.block.cells, " x ")),
-                  label(row.request.settings)};
+    row.labels = {
+        scene, fmt::format("{:g}", young / 1e6),
+        fmt::format("{}", fmt::join(row.request.settings.body.block.cells, " x ")),
+        label(row.request.settings)};
     plan.rows.push_back(std::move(row));
   };
   for (const double young : {10e6, 2e6})

@@ -135,10 +135,10 @@ BOOST_AUTO_TEST_CASE(markdown_and_csv_are_rectangular) {
 
 // Made of invented results: a force of its place in the table, in N.
 BOOST_AUTO_TEST_CASE(
-    the_elements_table_compares_each_element_with_the_two_that_do_not_lock,
+    the_locking_table_compares_each_element_with_the_two_that_do_not_lock,
     *boost::unit_test::tolerance(1e-12)) {
-  const SheetPlan plan = plan_sheet("elements");
-  BOOST_TEST_REQUIRE(plan.requests.size() == 18U);  // 2 laws, 3 ratios, 3 elements
+  const SheetPlan plan = plan_sheet("locking");
+  BOOST_TEST_REQUIRE(plan.requests.size() == 18U);  // 2 laws, 3 ratios, 3 locking
   std::vector<CaseResult> results;
   for (const Request& request : plan.requests) {
     CaseResult result{};
@@ -152,9 +152,9 @@ BOOST_AUTO_TEST_CASE(
   MeshStore meshes;
   const Sheet sheet = plan.make(results, meshes);
   expect_rectangular(format_sheet(sheet, TableFormat::markdown),
-                     format_sheet(sheet, TableFormat::csv), 18, "elements");
+                     format_sheet(sheet, TableFormat::csv), 18, "locking");
   const auto json = nlohmann::json::parse(format_sheet(sheet, TableFormat::json));
-  BOOST_TEST(json["table"] == "elements");
+  BOOST_TEST(json["table"] == "locking");
   const auto& row = json["rows"][3];
   BOOST_TEST(row["law"] == "fem-hooke");
   BOOST_TEST(row["nu"] == 0.499);
@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(an_unknown_table_is_refused) {
       plan_table("5.9", std::nullopt), InputError, [](const InputError& error) {
         const std::string message = error.what();
         return message.find("5.1, 5.2") != std::string::npos &&
-               message.find("split, elements, orientation") != std::string::npos;
+               message.find("split, elements, convergence") != std::string::npos;
       });
   BOOST_CHECK_THROW(plan_sheet("5.1"), InputError);
 }
