@@ -1,5 +1,6 @@
 #define BOOST_TEST_MODULE gmsh
 #include "meshing/gmsh.hpp"
+#include "meshing/mesh_files.hpp"
 
 #include <gmsh.h>
 
@@ -19,7 +20,7 @@ BOOST_AUTO_TEST_CASE(msh_file_says_4_1_and_reads_back_through_gmsh,
                      *boost::unit_test::tolerance(1e-14)) {
   const Mesh mesh = generate_block(block);
   const auto file = std::filesystem::temp_directory_path() / "springcheck_gmsh_test.msh";
-  write_msh(mesh, file);
+  write_mesh(mesh, file);
   std::ifstream in(file);
   std::string header, version, format;
   in >> header >> version >> format;

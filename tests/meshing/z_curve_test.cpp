@@ -38,9 +38,9 @@ BOOST_AUTO_TEST_CASE(curve_fills_one_octant_after_the_other) {
   for (const int y : {0, 1, 2, 3})
     for (const int x : {0, 1, 2, 3}) square.nodes.emplace_back(x, y, 0);
   const MeshParts sorted = along_z_curve(square);
-  for (std::size_t n = 0; n < 16; ++n) {
-    const Vector3 quarter(n / 4 % 2, static_cast<double>(n / 8), 0);
-    BOOST_TEST((Vector3((sorted.nodes[n] / 2).array().floor()) == quarter));
+  for (int n = 0; const Vector3& x : sorted.nodes) {
+    BOOST_TEST((Vector3((x / 2).array().floor()) == Vector3(n / 4 % 2, n / 8, 0)));
+    ++n;
   }
 }
 
