@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "comparisons/build_info.hpp"
 #include "comparisons/known_results.hpp"
 #include "comparisons/memory.hpp"
 #include "comparisons/progress.hpp"
+#include "comparisons/quality_text.hpp"
 #include "comparisons/reproduce.hpp"
 #include "comparisons/result_json.hpp"
 #include "comparisons/result_text.hpp"
@@ -180,14 +182,20 @@ ExitStatus list_command(const std::string& what, Output output) {
 
 ExitStatus mesh_command(const std::string& scene,
                         const std::vector<GivenSetting>& options,
-                        const std::filesystem::path& file) {
+                        const std::optional<std::filesystem::path>& file,
+                        MeshReport report) {
+  if (!file && report == MeshReport::counts)
+    throw InputError("--out", "", "a .msh, .vtu or .inp file, or --quality alone",
+                     "neither");
   const RunSettings run = read_run(scene, options);
   check_mesh_memory(run.cells_place, run.common.body);
-  check_writable(file);
+  if (file) check_writable(*file);
   const Mesh mesh = build_mesh(run.common.body);
-  write_mesh(mesh, file);
-  fmt::print("{}: {} nodes, {}, {:.6g} m^3, SHA-256 {}\n", file.string(),
-             mesh.nodes().size(), cell_counts(mesh), mesh.volume(), mesh.sha256());
+  if (file) write_mesh(mesh, *file);
+  fmt::print("{}: {} nodes, {}, {:.6g} m^3, SHA-256 {}\n",
+             file ? file->string() : mesh.source(), mesh.nodes().size(),
+             cell_counts(mesh), mesh.volume(), mesh.sha256());
+  if (report == MeshReport::quality) fmt::print("\n{}", quality_text(quality_of(mesh)));
   return ExitStatus::done;
 }
 

@@ -36,9 +36,13 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
 /// `springcheck list`; an empty `what` lists everything.
 ExitStatus list_command(const std::string& what, Output output);
 
-/// `springcheck mesh`.
+/// What is printed of a mesh: how much there is, or how good it is too.
+enum class MeshReport { counts, quality };
+
+/// `springcheck mesh`: writes the file, where one is named, and prints the report.
 ExitStatus mesh_command(const std::string& scene,
                         const std::vector<GivenSetting>& options,
-                        const std::filesystem::path& file);
+                        const std::optional<std::filesystem::path>& file,
+                        MeshReport report);
 
 }  // namespace springcheck

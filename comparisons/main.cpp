@@ -105,7 +105,7 @@ int command_line(int argc, char** argv) {
   std::string displacements, forces;
   std::string shard = "1/1";
   SweepOptions sweep_options{.jobs = cores};
-  bool json = false, split = false, all = false, bless = false;
+  bool json = false, split = false, all = false, bless = false, quality = false;
   int threads = cores;
   int status = ExitStatus::done;
   const auto output = [&] { return json ? Output::json : Output::text; };
@@ -131,8 +131,8 @@ int command_line(int argc, char** argv) {
                          "of our own");
   table
       ->add_option("name", name,
-                   "5.1, 5.2, 5.3, 5.4, deviation, bending, split (takes minutes), "
-                   "elements or orientation")
+                   "5.1, 5.2, 5.3, 5.4, deviation, bending, subdivision, locking, "
+                   "orientation; split, elements and convergence take minutes")
       ->required();
   table->add_option("--from", from, "result files to take cases from; computes the rest")
       ->check(check_not_empty);
@@ -147,7 +147,8 @@ int command_line(int argc, char** argv) {
   everything->add_option("--out", out, "folder for tables, results and summary")
       ->required()
       ->check(check_not_empty);
-  everything->add_flag("--all", all, "the split table too, which takes minutes");
+  everything->add_flag("--all", all,
+                       "the tables split and convergence too, which take many minutes");
   add_threads(everything);
 
   CLI::App* measure = app.add_subcommand(
@@ -205,9 +206,9 @@ int command_line(int argc, char** argv) {
   mesh->add_option("scene", scene, "name of a shipped scene, or a .toml file")
       ->required();
   const SettingOptions mesh_options(mesh);
-  mesh->add_option("--out", out, "a .msh, .vtu or .inp file")
-      ->required()
-      ->check(check_not_empty);
+  mesh->add_option("--out", out, "a .msh, .vtu or .inp file")->check(check_not_empty);
+  mesh->add_flag("--quality", quality,
+                 "print volumes, scaled Jacobians and edge ratios of the cells");
 
   CLI::App* gate = app.add_subcommand("gate", "Judge results by bands, as a CI does");
   gate->add_option("gates", name, "a gate file (.toml), or accuracy or thesis")
@@ -259,9 +260,10 @@ int command_line(int argc, char** argv) {
     status = gate_command(name, results, path_or_none(junit), output(),
                           bless ? Bless::yes : Bless::no);
   else if (*mesh)
-    status = mesh_command(scene, mesh_options.given(), out);
+    status = mesh_command(scene, mesh_options.given(), path_or_none(out),
+                          quality ? MeshReport::quality : MeshReport::counts);
   else {
-    reproduce(out, all ? Extent::all : Extent::without_split, threads);
+    reproduce(out, all ? Extent::all : Extent::without_long_tables, threads);
     fmt::print("Tables, results and summary are in {}\n", out);
   }
   flush_output();

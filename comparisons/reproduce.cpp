@@ -89,11 +89,12 @@ std::string summary(const ComputedTables& computed, double seconds) {
   text += "\n## Tables of our own figures\n\n";
   for (const Sheet& sheet : sheets)
     text += fmt::format("- [{}](tables/{}.md)\n", sheet.title, sheet.name);
-  const bool has_split = std::ranges::count(sheets, "split", &Sheet::name) > 0;
-  if (!has_split)
-    text +=
-        "- split takes minutes and is left out: `springcheck table split`, or "
-        "`springcheck reproduce --all`\n";
+  for (const std::string& name : long_sheet_names())
+    if (std::ranges::count(sheets, name, &Sheet::name) == 0)
+      text += fmt::format(
+          "- {0} takes many minutes and is left out: `springcheck table {0}`, or "
+          "`springcheck reproduce --all`\n",
+          name);
   text +=
       "\n## Cases that are not ok\n\n| table | case | status | why |\n"
       "| --- | --- | --- | --- |\n";
@@ -196,7 +197,8 @@ void reproduce(const std::filesystem::path& directory, Extent extent, int parall
 
   std::vector<std::string> names = table_names();
   for (const std::string& name : sheet_names())
-    if (name != "split" || extent == Extent::all) names.push_back(name);
+    if (extent == Extent::all || std::ranges::count(long_sheet_names(), name) == 0)
+      names.push_back(name);
   MeshStore meshes;
   ResultFile file(result_file);
   const StoredCases stored = std::filesystem::exists(result_file)

@@ -26,8 +26,8 @@ ComputedTables compute_tables(
     const KnownResult& known = {},
     const std::function<void(const CaseResult&)>& computed = {});
 
-/// Whether the split table, which takes minutes, is among the tables.
-enum class Extent { without_split, all };
+/// Whether the tables that take many minutes (long_sheet_names) are among the tables.
+enum class Extent { without_long_tables, all };
 
 /// Regenerates every table into `directory`, created if need be:
 ///

@@ -118,6 +118,11 @@ const std::vector<std::string>& sheet_names() {
   return names;
 }
 
+const std::vector<std::string>& long_sheet_names() {
+  static const std::vector<std::string> names{"split", "convergence"};
+  return names;
+}
+
 SheetPlan plan_sheet(const std::string& name) {
   if (name == "split") return plan_split_table();
   if (name == "elements") return plan_elements_table();

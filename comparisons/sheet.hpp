@@ -54,6 +54,9 @@ struct SheetPlan {
 /// "split", "elements", "convergence", "subdivision", "locking", "orientation".
 const std::vector<std::string>& sheet_names();
 
+/// Those that take many minutes; `reproduce` leaves them out unless asked for all.
+const std::vector<std::string>& long_sheet_names();
+
 /// Throws InputError for an unknown name.
 SheetPlan plan_sheet(const std::string& name);
 

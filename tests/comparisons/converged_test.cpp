@@ -139,7 +139,8 @@ BOOST_AUTO_TEST_CASE(measures_hold_order_and_bar_of_an_extrapolated_reference) {
   for (const char* cells : {"cells=2,2,2", "cells=4,4,4", "cells=8,8,8"})
     runs.push_back(result_of("shearing", {cells, "method=fem-hencky"}, meshes));
   const std::array<const CaseResult*, 3> grids{&runs[0], &runs[1], &runs[2]};
-  const ConvergedField field = converged_field(grids, runs[0].request.settings.body, meshes);
+  const ConvergedField field =
+      converged_field(grids, runs[0].request.settings.body, meshes);
   BOOST_TEST(*extrapolated.reference_bar == field.bar);
   BOOST_TEST(*extrapolated.reference_order == *field.order);
   BOOST_TEST(field.bar > 0);

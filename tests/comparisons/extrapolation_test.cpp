@@ -105,3 +105,22 @@ BOOST_AUTO_TEST_CASE(a_field_whose_changes_oppose_has_no_order) {
   BOOST_TEST(limit.value(0) == 2);
   BOOST_TEST(limit.bar(0) == 6);
 }
+
+// Errors of C h^1.5 exactly: round-off. An error of zero has no logarithm.
+BOOST_AUTO_TEST_CASE(fitted_order_is_the_exponent_of_a_power_law,
+                     *boost::unit_test::tolerance(1e-12)) {
+  const std::vector<double> sizes{0.5, 0.25, 0.1};
+  std::vector<double> errors;
+  for (const double h : sizes) errors.push_back(7 * std::pow(h, 1.5));
+  BOOST_TEST(fitted_order(sizes, errors).value() == 1.5);
+  errors.back() = 0;
+  BOOST_TEST(!fitted_order(sizes, errors).has_value());
+}
+
+// Least squares of (0, 0), (1, 0), (2, 3) in logarithms: slope 3/2 by hand.
+BOOST_AUTO_TEST_CASE(fitted_order_is_the_least_squares_slope,
+                     *boost::unit_test::tolerance(1e-12)) {
+  const double e = std::exp(1.);
+  const std::vector<double> sizes{1, e, e * e}, errors{1, 1, e * e * e};
+  BOOST_TEST(fitted_order(sizes, errors).value() == 1.5);
+}

@@ -270,8 +270,8 @@ BOOST_AUTO_TEST_CASE(loads_and_gradients_reach_the_scene) {
   const auto scene_of = [](const CaseSettings& settings) {
     return mechanical_scene(settings, build_mesh(settings.body));
   };
-  const Scene glued = scene_of(
-      case_of("traction", {"plates=glued", "traction=1,-2,3", "method=mss-cf"}));
+  const Scene glued =
+      scene_of(case_of("traction", {"plates=glued", "traction=1,-2,3", "method=mss-cf"}));
   BOOST_TEST((glued.plates.front().held == all_components));
   BOOST_TEST(glued.pins.empty());
   BOOST_TEST((glued.tractions.front().stress == Vector3(1, -2, 3)));

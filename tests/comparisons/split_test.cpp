@@ -54,7 +54,8 @@ BOOST_AUTO_TEST_CASE(the_continua_run_on_nested_grids_with_the_springs_lattice) 
   const SplitPlan plan =
       plan_of("tension", {"cells=4,4,6", "method=mss-fd", "diagonal-ratio=2"});
   const auto cells = [](const ThreeCases& cases) {
-    return std::array{cases[0].body.block.cells, cases[1].body.block.cells, cases[2].body.block.cells};
+    return std::array{cases[0].body.block.cells, cases[1].body.block.cells,
+                      cases[2].body.block.cells};
   };
   const std::array<Cells, 3> q1{{{4, 4, 6}, {8, 8, 12}, {16, 16, 24}}};
   const std::array<Cells, 3> q2{{{2, 2, 3}, {4, 4, 6}, {8, 8, 12}}};
