@@ -116,18 +116,18 @@ BOOST_AUTO_TEST_CASE(triangles_along_different_diagonals_are_refused) {
   }
 }
 
-// A node in the middle of a warped quadrilateral, and one as far off it as it is warped.
+// A node in a warped quadrilateral, and one as far off it as it is warped.
 BOOST_AUTO_TEST_CASE(warped_faces_are_the_bilinear_ones) {
   std::vector<Vector3> nodes = box({0, 0, 0}, {1, 1, 1});
-  nodes[6].z() = 1.4;  // the patch's middle is at 1.1
+  nodes[6].z() = 1.4;  // the patch is at 1 + 0.4 x y
   const auto with_box_at = [&](double z) {
     std::vector<Vector3> all = nodes;
     // Only the first corner is near the face.
-    for (const Vector3& x : box({0.5, 0.5, z}, {0.6, 0.6, 3})) all.push_back(x);
+    for (const Vector3& x : box({0.2, 0.9, z}, {0.3, 1, 3})) all.push_back(x);
     all[9].z() = all[10].z() = all[11].z() = 2;
     return Mesh("body", all, {{0, 1, 2, 3, 4, 5, 6, 7}, second_cube}, {});
   };
-  check_refusal(with_box_at(1.1),
+  check_refusal(with_box_at(1 + 0.4 * 0.2 * 0.9),
                 "body: node 8: expected a corner of every face that it lies in, got it "
                 "inside the face of node 4, node 5, node 6, node 7");
   BOOST_CHECK_NO_THROW(check_conformity(with_box_at(1.2)));
