@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "meshing/extent.hpp"
 #include "meshing/free_block.hpp"
 #include "meshing/grid_block.hpp"
 #include "meshing/input_error.hpp"
@@ -45,16 +46,11 @@ std::string describe(const Block& block) {
 }
 
 void check(const Block& block) {
+  check_extent(describe(block), block.size, block.cells);
   double nodes = 1, cells = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!(block.size[axis] > 0) || !std::isfinite(block.size[axis]))
-      throw InputError(describe(block), "size", "positive finite lengths",
-                       fmt::format("{}", block.size[axis]));
-    if (block.cells[axis] < 1)
-      throw InputError(describe(block), "cells", "at least 1 along each axis",
-                       std::to_string(block.cells[axis]));
-    nodes *= block.cells[axis] + 1.0;
-    cells *= block.cells[axis];
+  for (const int along_axis : block.cells) {
+    nodes *= along_axis + 1.0;
+    cells *= along_axis;
   }
   const bool may_have_centres = block.pattern == CellPattern::pyramid ||
                                 block.pattern == CellPattern::tetrahedron_12 ||

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "meshing/distortion.hpp"
+#include "meshing/gmsh_algorithms.hpp"
 #include "meshing/gmsh_box.hpp"
 #include "meshing/gmsh_cells.hpp"
 #include "meshing/gmsh_session.hpp"
@@ -15,30 +16,22 @@
 namespace springcheck {
 namespace {
 
-void add_geometry(const Block& block) {
+MeshParts by_gmsh(const Block& block) {
   namespace geo = ::gmsh::model::geo;
+  const GmshSession session("block");
+  const GmshBottom bottom = add_bottom(block.size[0], block.size[1], 0);
+  const bool is_prism = block.pattern == CellPattern::free_prism;
+  const std::vector<int> layers =
+      is_prism ? std::vector{block.cells[2]} : std::vector<int>{};
+  ::gmsh::vectorpair above;
+  geo::extrude({{2, bottom.surface}}, 0, 0, block.size[2], above, layers, {}, is_prism);
+  geo::synchronize();
   const Vector3 cell(block.size[0] / block.cells[0], block.size[1] / block.cells[1],
                      block.size[2] / block.cells[2]);
-  set_edge_length(cell.mean());
-  const GmshBottom bottom = add_bottom(block.size[0], block.size[1], 0);
-  ::gmsh::vectorpair above;
-  if (block.pattern == CellPattern::free_prism) {
-    set_edge_length(cell.head<2>().mean());
-    geo::extrude({{2, bottom.surface}}, 0, 0, block.size[2], above, {block.cells[2]}, {},
-                 true);
-    return;
-  }
-  geo::extrude({{2, bottom.surface}}, 0, 0, block.size[2], above);
-  if (block.pattern == CellPattern::free_hexahedron) {
-    set_edge_length(2 * cell.mean());
-    ::gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 2);  // all hexahedra
-  }
-}
-
-MeshParts by_gmsh(const Block& block) {
-  const GmshSession session("block");
-  add_geometry(block);
-  generate_mesh();
+  if (block.pattern == CellPattern::free_hexahedron)
+    generate_hexahedra(cell.mean());
+  else
+    generate_tetrahedra(is_prism ? cell.head<2>().mean() : cell.mean());
   return gmsh_cells();
 }
 

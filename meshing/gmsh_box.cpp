@@ -15,15 +15,4 @@ GmshBottom add_bottom(double width, double depth, double z) {
   return {.surface = geo::addPlaneSurface({loop}), .edges = edges};
 }
 
-void set_edge_length(double length) {
-  ::gmsh::option::setNumber("Mesh.MeshSizeMin", length);
-  ::gmsh::option::setNumber("Mesh.MeshSizeMax", length);
-}
-
-void generate_mesh() {
-  ::gmsh::model::geo::synchronize();
-  ::gmsh::option::setNumber("Mesh.Algorithm3D", 1);  // Delaunay: the one that holds
-  ::gmsh::model::mesh::generate(3);
-}
-
 }  // namespace springcheck

@@ -12,10 +12,4 @@ struct GmshBottom {
 };
 GmshBottom add_bottom(double width, double depth, double z);
 
-/// Asks gmsh for edges of this length everywhere [m].
-void set_edge_length(double length);
-
-/// Meshes gmsh's current model by Delaunay tetrahedra, what else it asks for aside.
-void generate_mesh();
-
 }  // namespace springcheck

@@ -14,7 +14,7 @@ void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
   const std::string extension = file.extension().string();
   const std::size_t pyramids = mesh.count(CellType::pyramid);
   if (extension == ".inp" && pyramids > 0)
-    throw InputError(file.string(), "pyramids", "none, which CalculiX does not have",
+    throw InputError(file.string(), "pyramids", "none, as CalculiX has no such cells",
                      std::to_string(pyramids));
   if (extension == ".msh")
     write_whole_stream(file, [&](std::ostream& out) { write_msh(mesh, out); });

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include "meshing/input_error.hpp"
 
@@ -46,8 +45,10 @@ MshCursor::MshCursor(const std::filesystem::path& file) : file_(file.string()) {
   if (std::filesystem::is_directory(status)) refuse_file("a directory");
   if (!std::filesystem::is_regular_file(status)) refuse_file("no regular file");
   std::ifstream in(file, std::ios::binary);
-  bytes_.assign(std::istreambuf_iterator<char>(in), {});
   if (!in) refuse_file("one without permission to read");
+  bytes_.resize(std::filesystem::file_size(file));
+  in.read(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
+  if (!in) refuse_file("one that breaks off");
   if (bytes_.empty()) refuse_file("an empty one");
 }
 

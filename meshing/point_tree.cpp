@@ -40,6 +40,7 @@ void PointTree::collect(std::size_t begin, std::size_t end,
 std::vector<NodeIndex> PointTree::in_box(const Eigen::AlignedBox3d& box) const {
   std::vector<NodeIndex> found;
   collect(0, nodes_.size(), box, found);
+  std::ranges::sort(found);
   return found;
 }
 

@@ -13,7 +13,7 @@ class PointTree {
  public:
   PointTree(std::span<const Vector3> positions, std::vector<NodeIndex> nodes);
 
-  /// The nodes in a box, its sides included, in no order of interest.
+  /// The nodes in a box, its sides included, ascending.
   [[nodiscard]] std::vector<NodeIndex> in_box(const Eigen::AlignedBox3d& box) const;
 
  private:

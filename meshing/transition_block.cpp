@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meshing/gmsh_algorithms.hpp"
 #include "meshing/gmsh_box.hpp"
 #include "meshing/gmsh_cells.hpp"
 #include "meshing/gmsh_session.hpp"
@@ -42,8 +43,8 @@ MeshParts upper_zone(const Block& block, double z, double edge_length) {
   geo::mesh::setTransfiniteSurface(bottom.surface, "Right");  // as cells_around cuts
   ::gmsh::vectorpair above;
   geo::extrude({{2, bottom.surface}}, 0, 0, block.size[2] - z, above);
-  set_edge_length(edge_length);
-  generate_mesh();
+  geo::synchronize();
+  generate_tetrahedra(edge_length);
   return gmsh_cells();
 }
 

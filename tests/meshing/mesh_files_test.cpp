@@ -2,45 +2,21 @@
 #include "meshing/mesh_files.hpp"
 #include "meshing/output_file.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <system_error>
 
 #include "meshing/input_error.hpp"
+#include "test_directory.hpp"
 
 using namespace springcheck;
 
 namespace {
 
-/// A directory of this test's own, gone with it.
-class Directory {
+class Directory : public TestDirectory {
  public:
-  Directory()
-      : path_(std::filesystem::temp_directory_path() /
-              ("springcheck_mesh_files_test_" + std::to_string(getpid()))) {
-    std::filesystem::create_directory(path_);
-  }
-  ~Directory() { std::filesystem::remove_all(path_); }
-  Directory(const Directory&) = delete;
-  Directory& operator=(const Directory&) = delete;
-
-  [[nodiscard]] std::filesystem::path operator/(const char* name) const {
-    return path_ / name;
-  }
-  [[nodiscard]] std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(path_))
-      names.push_back(entry.path().filename().string());
-    return names;
-  }
-
- private:
-  std::filesystem::path path_;
+  Directory() : TestDirectory("mesh_files_test") {}
 };
 
 /// Two cells whose coordinates need all their digits.
@@ -53,11 +29,6 @@ Mesh mesh_with_long_decimals() {
           nodes,
           {{0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 6, 7, 8, 9, 10, 11}},
           {{"bottom", {{0, 3, 2, 1}}}, {"top", {{8, 9, 10, 11}}}}};
-}
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// Numbers between `start` and the next `end`; commas count as spaces.
@@ -158,15 +129,13 @@ BOOST_AUTO_TEST_CASE(inp_file_has_no_number_of_more_than_20_characters) {
 // S4 2-6-7-3, S5 3-7-8-4, S6 4-8-5-1. The cell with the face need not be the first one.
 BOOST_AUTO_TEST_CASE(inp_surfaces_name_the_faces_as_calculix_does) {
   const Directory directory;
-  const std::vector<FaceNodes> as_calculix{{0, 3, 2, 1}, {8, 9, 10, 11},
-                                               {0, 1, 5, 4}, {1, 2, 6, 5},
-                                               {2, 3, 7, 6}, {3, 0, 4, 7}};
+  const std::vector<FaceNodes> as_calculix{{0, 3, 2, 1}, {8, 9, 10, 11}, {0, 1, 5, 4},
+                                           {1, 2, 6, 5}, {2, 3, 7, 6},   {3, 0, 4, 7}};
   std::map<std::string, std::vector<FaceNodes>> regions;
   for (std::size_t f = 0; f < 6; ++f)
     regions["face" + std::to_string(f + 1)] = {as_calculix[f]};
   const Mesh mesh = mesh_with_long_decimals();
-  write_mesh(Mesh("faces", mesh.nodes(), mesh.cells(), regions),
-             directory / "mesh.inp");
+  write_mesh(Mesh("faces", mesh.nodes(), mesh.cells(), regions), directory / "mesh.inp");
   const std::string text = text_of(directory / "mesh.inp");
   for (int f = 1; f <= 6; ++f) {
     const std::string number = std::to_string(f);

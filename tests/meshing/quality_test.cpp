@@ -90,6 +90,18 @@ BOOST_AUTO_TEST_CASE(flat_pyramid_is_judged_at_its_base_and_tall_one_at_its_apex
   BOOST_TEST(scaled_jacobian(pyramid(2)) == std::sqrt(2.) * 2 / std::pow(tall, 3));
 }
 
+// Its apex leans over one corner of the base, whatever the number of that corner.
+BOOST_AUTO_TEST_CASE(pyramid_may_start_at_any_corner_of_its_base,
+                     *boost::unit_test::tolerance(1e-14)) {
+  CornerPositions x = pyramid(2);
+  x.col(4) += Vector3(-0.6, -0.8, 0);
+  for (int turn = 1; turn < 4; ++turn) {
+    CornerPositions turned = x;
+    for (int i = 0; i < 4; ++i) turned.col((i + turn) % 4) = x.col(i);
+    BOOST_TEST(scaled_jacobian(turned) == scaled_jacobian(x));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(folded_cell_has_less_than_0) {
   CornerPositions x = regular(CellType::hexahedron);
   x.col(0) = Vector3::Constant(0.6);
