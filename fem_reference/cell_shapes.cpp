@@ -32,10 +32,11 @@ std::unique_ptr<const dealii::FiniteElement<3>> functions_on(CellType type,
   return std::make_unique<dealii::FE_Q<3>>(element == Element::q2 ? 2 : 1);
 }
 
-/// The same for all corners of the triangle: QGaussWedge's points are not, so that forces
-/// would depend on which corner a prism begins with.
+/// Three points in the triangle (exact to second degree), the same for all its corners:
+/// those of QGaussWedge are not, and make forces depend on the corner a prism begins
+/// with.
 dealii::Quadrature<3> points_on_prism() {
-  const dealii::QWitherdenVincentSimplex<2> triangle(2, false);
+  const dealii::QWitherdenVincentSimplex<2> triangle(1, false);
   const dealii::QGauss<1> height(2);
   std::vector<dealii::Point<3>> points;
   std::vector<double> weights;

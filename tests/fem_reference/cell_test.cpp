@@ -268,6 +268,38 @@ BOOST_AUTO_TEST_CASE(one_element_in_bending_has_its_closed_form_energy,
   }
 }
 
+// A right prism on the half square x + y < h. There u_x = c x z about the centroid is of
+// the element's own kind, int x^2 dA = h^4/36 and int z^2 = h^3/12. Exact integrals:
+// round-off.
+BOOST_AUTO_TEST_CASE(one_prism_in_bending_has_its_closed_form_energy,
+                     *boost::unit_test::tolerance(1e-12)) {
+  const auto [lambda, mu] = lame_constants(of_poisson_ratio(0.3));
+  constexpr double h = edge;
+  const OneCell cell(
+      mesh_of({{0, 0, 0}, {h, 0, 0}, {0, h, 0}, {0, 0, h}, {h, 0, h}, {0, h, h}},
+              {0, 1, 2, 3, 4, 5}),
+      Element::q1);
+  const CellVectors u = cell.at_nodes([](const Vector3& X) -> Vector3 {
+    return {c * (X.x() - h / 3) * (X.z() - h / 2), 0, 0};
+  });
+  const CellState state =
+      cell_state(cell_law(Law::hooke, DilatationTaken::at_points), cell.shape(), u);
+  const double along_z = std::pow(h, 5) / 24, along_x = std::pow(h, 5) / 36;
+  BOOST_TEST(state.energy == c * c * ((mu + lambda / 2) * along_z + mu / 2 * along_x));
+  BOOST_TEST(state.gradient_square == c * c * (along_z + along_x));
+}
+
+BOOST_AUTO_TEST_CASE(cells_have_the_gauss_points_of_their_type) {
+  const auto points = [](CellType type, Element element) {
+    return OneCell(distorted_cell(type), element).shape().weights.size();
+  };
+  BOOST_TEST(points(CellType::tetrahedron, Element::q1) == 1);
+  BOOST_TEST(points(CellType::pyramid, Element::q1) == 8);
+  BOOST_TEST(points(CellType::prism, Element::q1) == 6);
+  BOOST_TEST(points(CellType::hexahedron, Element::q1) == 8);
+  BOOST_TEST(points(CellType::hexahedron, Element::q2) == 27);
+}
+
 // det F = 1 + c z, smallest at the lower of the Gauss points z = +-h/(2 sqrt(3)) and 0 or
 // +-sqrt(3/5) h/2; int |H|^2 = c^2 int (x^2 + z^2), int det F = V. Round-off.
 BOOST_AUTO_TEST_CASE(cell_reports_the_smallest_jacobian_of_its_gauss_points,

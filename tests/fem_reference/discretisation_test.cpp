@@ -160,6 +160,20 @@ BOOST_AUTO_TEST_CASE(cells_of_a_regular_pattern_share_the_shapes_of_its_period) 
   }
 }
 
+// A tetrahedron whose corners are the first four of a prism.
+BOOST_AUTO_TEST_CASE(cells_of_different_types_never_share_their_shape,
+                     *boost::unit_test::tolerance(1e-14)) {
+  std::vector<Vector3> nodes{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const Vector3& x : std::vector(nodes))
+    nodes.emplace_back(x + 3 * Vector3::UnitX());
+  nodes.emplace_back(4, 0, 1);
+  nodes.emplace_back(3, 1, 1);
+  const Discretisation body = discretise(
+      {"two cells", nodes, {{0, 1, 2, 3}, {4, 5, 6, 7, 8, 9}}, {}}, Element::q1);
+  BOOST_TEST(body.cells[0].shape->volume == 1. / 6);
+  BOOST_TEST(body.cells[1].shape->volume == 1. / 2);
+}
+
 // Weight of a warped body: total exact, and the same moments as the body itself, since
 // int sum_a N_a X_a dV = int X dV.
 BOOST_AUTO_TEST_CASE(body_load_has_the_resultant_and_the_moment_of_its_density) {

@@ -16,9 +16,10 @@ using namespace springcheck::fem_reference;
 
 namespace {
 
-void for_all_settings(const std::function<void(const Settings&)>& test) {
+void for_all_settings(const std::function<void(const Settings&)>& test,
+                      CellPattern pattern = CellPattern::hexahedron) {
   for (const Law law : laws)
-    for (const Element element : elements)
+    for (const Element element : elements_on(pattern))
       BOOST_TEST_CONTEXT(words(law) << ' ' << words(element))
   test({.law = law, .element = element});
 }
@@ -53,7 +54,7 @@ BOOST_AUTO_TEST_CASE(one_element_between_plates_has_its_closed_form_reactions,
 }
 
 // A column of nu = 0 under its own weight shortens by rho g L^2/(2E), exact at the nodes.
-BOOST_AUTO_TEST_CASE(column_shortens_under_its_weight,
+BOOST_AUTO_TEST_CASE(hexahedral_column_shortens_under_its_weight,
                      *boost::unit_test::tolerance(1e-10)) {
   const Mesh mesh = cube(3);
   const Scene scene{.material = of_poisson_ratio(0),
@@ -71,7 +72,6 @@ BOOST_AUTO_TEST_CASE(column_shortens_under_its_weight,
 // Pulled by a dead load of t = .1 E on its top, a body of nu = 0 stretches uniformly:
 // by t/E for Hooke, to the root of l (l^2 - 1)/2 = t/E for St-Venant.
 BOOST_AUTO_TEST_CASE(traction_stretches_a_body_uniformly) {
-  const Mesh mesh = cube(2);
   const Scene scene{.material = of_poisson_ratio(0),
                     .plates = {fixed("bottom")},
                     .tractions = {{.region = "top", .stress = {0, 0, 0.1 * young}}},
@@ -80,20 +80,46 @@ BOOST_AUTO_TEST_CASE(traction_stretches_a_body_uniformly) {
   for (int iteration = 0; iteration < 30; ++iteration)
     stretch -=
         (stretch * (stretch * stretch - 1) / 2 - 0.1) / (1.5 * stretch * stretch - 0.5);
-  for (const Element element : elements)
-    for (const Law law : {Law::hooke, Law::st_venant_kirchhoff}) {
-      const Solution solution = solve(mesh, scene, {.law = law, .element = element});
-      BOOST_TEST((solution.status == SolveStatus::ok));
-      const double growth = law == Law::hooke ? 0.1 : stretch - 1;
+  for (const CellPattern pattern : patterns) {
+    const Mesh mesh = cube(2, pattern, 0.2);
+    for (const Element element : elements_on(pattern))
+      for (const Law law : {Law::hooke, Law::st_venant_kirchhoff}) {
+        const Solution solution = solve(mesh, scene, {.law = law, .element = element});
+        BOOST_TEST((solution.status == SolveStatus::ok));
+        const double growth = law == Law::hooke ? 0.1 : stretch - 1;
+        for (std::size_t n = 0; n < mesh.nodes().size(); ++n)
+          BOOST_TEST((solution.displacements[n] -
+                      growth * mesh.nodes()[n].z() * Vector3::UnitZ())
+                         .norm() < 1e-9 * edge);
+        BOOST_TEST((force_on(mesh, "bottom", solution) +
+                    0.1 * young * edge * edge * Vector3::UnitZ())
+                       .norm() < 1e-9 * young * edge * edge);
+        BOOST_TEST(force_on(mesh, "top", solution).norm() == 0);
+      }
+  }
+}
+
+// Whatever the field inside, the support carries the body's weight and the torque of it
+// about the origin, in the undeformed body. The cube's own: round-off, times the
+// condition of some 1e3.
+BOOST_AUTO_TEST_CASE(support_carries_the_weight_at_the_centre_of_any_cells) {
+  const Vector3 gravity(-10, 0, 0), centre = Vector3::Constant(edge / 2);
+  const Vector3 weight = 1000 * std::pow(edge, 3) * gravity;
+  for (const CellPattern pattern : patterns) {
+    const Mesh mesh = cube(3, pattern, 0.2);
+    for (const Element element : elements_on(pattern)) {
+      const Solution solution = solve(mesh,
+                                      {.material = of_poisson_ratio(0.3),
+                                       .plates = {fixed("bottom")},
+                                       .gravity = gravity},
+                                      {.law = Law::hooke, .element = element});
+      Vector3 torque = Vector3::Zero();
       for (std::size_t n = 0; n < mesh.nodes().size(); ++n)
-        BOOST_TEST(
-            (solution.displacements[n] - growth * mesh.nodes()[n].z() * Vector3::UnitZ())
-                .norm() < 1e-9 * edge);
-      BOOST_TEST((force_on(mesh, "bottom", solution) +
-                  0.1 * young * edge * edge * Vector3::UnitZ())
-                     .norm() < 1e-9 * young * edge * edge);
-      BOOST_TEST(force_on(mesh, "top", solution).norm() == 0);
+        torque += mesh.nodes()[n].cross(solution.reactions[n]);
+      BOOST_TEST((total(solution.reactions) + weight).norm() < 1e-10 * weight.norm());
+      BOOST_TEST((torque + centre.cross(weight)).norm() < 1e-10 * weight.norm() * edge);
     }
+  }
 }
 
 // Equilibrium holds to Newton's 1e-10: Hooke's about the undeformed nodes, that of the
@@ -129,7 +155,6 @@ BOOST_AUTO_TEST_CASE(reactions_have_no_net_force_or_torque) {
 
 // Both plates turn by 100 degrees together. What is left is round-off: 1e-12 of E L^2.
 BOOST_AUTO_TEST_CASE(body_is_free_of_force_after_a_rigid_motion) {
-  const Mesh mesh = cube(3);
   const RigidMotion motion{.translation = Vector3(0.01, -0.02, 0.03),
                            .axis = Vector3(1, 2, -1).normalized(),
                            .centre = Vector3(0.02, 0.01, 0.07),
@@ -137,17 +162,22 @@ BOOST_AUTO_TEST_CASE(body_is_free_of_force_after_a_rigid_motion) {
   const Scene scene{.material = of_poisson_ratio(0.3),
                     .plates = {plate("bottom", motion), plate("top", motion)},
                     .gravity = Vector3::Zero()};
-  for_all_settings([&](const Settings& settings) {
-    if (settings.law == Law::hooke) return;
-    const Solution solution = solve(mesh, scene, settings);
-    BOOST_TEST((solution.status == SolveStatus::ok), solution.reason);
-    for (const Vector3& reaction : solution.reactions)
-      BOOST_TEST(reaction.norm() < 1e-12 * young * edge * edge);
-    for (std::size_t node = 0; node < mesh.nodes().size(); ++node)
-      BOOST_TEST(
-          (solution.displacements[node] - displacement(motion, mesh.nodes()[node], 1))
-              .norm() < 1e-12);
-  });
+  for (const CellPattern pattern : patterns) {
+    const Mesh mesh = cube(3, pattern, 0.2);
+    for_all_settings(
+        [&](const Settings& settings) {
+          if (settings.law == Law::hooke) return;
+          const Solution solution = solve(mesh, scene, settings);
+          BOOST_TEST((solution.status == SolveStatus::ok), solution.reason);
+          for (const Vector3& reaction : solution.reactions)
+            BOOST_TEST(reaction.norm() < 1e-12 * young * edge * edge);
+          for (std::size_t node = 0; node < mesh.nodes().size(); ++node)
+            BOOST_TEST((solution.displacements[node] -
+                        displacement(motion, mesh.nodes()[node], 1))
+                           .norm() < 1e-12);
+        },
+        pattern);
+  }
 }
 
 // Without load nothing moves, and a strain of 1e-9 is not taken for none: the reaction is
@@ -221,6 +251,23 @@ BOOST_AUTO_TEST_CASE(lattice_that_pushes_is_refused_with_its_range) {
   BOOST_TEST((status(-0.3) == SolveStatus::refused));
   BOOST_TEST((status(-0.25) == SolveStatus::refused));
   BOOST_TEST((status(-0.24) == SolveStatus::ok));
+}
+
+BOOST_AUTO_TEST_CASE(triquadratic_elements_on_other_cells_are_refused_with_the_type) {
+  const auto reason = [](CellPattern pattern) {
+    const Solution solution =
+        solve(cube(2, pattern), between_plates(of_poisson_ratio(0.3), Vector3::Zero()),
+              {.law = Law::hooke, .element = Element::q2});
+    BOOST_TEST((solution.status == SolveStatus::refused));
+    BOOST_TEST(solution.displacements.empty());
+    return solution.reason;
+  };
+  BOOST_TEST(reason(CellPattern::prism) ==
+             "q2 is for hexahedra; cells of type prism in the mesh: 16");
+  BOOST_TEST(reason(CellPattern::pyramid) ==
+             "q2 is for hexahedra; cells of type pyramid in the mesh: 48");
+  BOOST_TEST(reason(CellPattern::tetrahedron) ==
+             "q2 is for hexahedra; cells of type tetrahedron in the mesh: 48");
 }
 
 BOOST_AUTO_TEST_CASE(impossible_input_is_refused_by_name) {
