@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "meshing/free_block.hpp"
 #include "meshing/grid_block.hpp"
 #include "meshing/input_error.hpp"
 
@@ -118,10 +119,7 @@ bool keeps_grid(CellPattern pattern) {
 
 Mesh generate_block(const Block& block) {
   check(block);
-  if (!keeps_grid(block.pattern))
-    throw InputError(describe(block), "pattern", "one that keeps the grid",
-                     name_of(block.pattern));
-  MeshParts parts = grid_block(block);
+  MeshParts parts = keeps_grid(block.pattern) ? grid_block(block) : free_block(block);
   std::map<std::string, std::vector<FaceNodes>> regions = sides(block, parts);
   Mesh mesh(describe(block), std::move(parts.nodes), std::move(parts.cells),
             std::move(regions));

@@ -28,6 +28,7 @@ namespace springcheck {
 ///     free_prism        free triangles, extruded along z
 ///     free_hexahedron   free tetrahedra at twice the edge, each cut into four hexahedra
 ///     transition        hexahedra below, free tetrahedra above, pyramids between them
+///                       (at least three layers)
 ///
 /// Source of the subdivisions: Golec 2018, section 6.1.
 enum class CellPattern {

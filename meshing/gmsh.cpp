@@ -3,33 +3,14 @@
 #include <gmsh.h>
 
 #include <fstream>
-#include <mutex>
+
+#include "meshing/gmsh_session.hpp"
 
 namespace springcheck {
 namespace {
 
 constexpr int gmsh_quadrilateral = 3;  // gmsh's element type numbers
 constexpr int gmsh_hexahedron = 5;
-
-/// gmsh keeps global state and is not thread-safe: one session at a time.
-class GmshSession {
- public:
-  explicit GmshSession(const std::string& model) : lock_(mutex()) {
-    ::gmsh::initialize(0, nullptr, false);
-    ::gmsh::option::setNumber("General.Terminal", 0);
-    ::gmsh::model::add(model);
-  }
-  ~GmshSession() { ::gmsh::finalize(); }
-  GmshSession(const GmshSession&) = delete;
-  GmshSession& operator=(const GmshSession&) = delete;
-
- private:
-  static std::mutex& mutex() {
-    static std::mutex the_only_one;
-    return the_only_one;
-  }
-  std::lock_guard<std::mutex> lock_;
-};
 
 bool ends_with(const std::filesystem::path& file, std::string_view ending) {
   std::ifstream in(file, std::ios::binary);

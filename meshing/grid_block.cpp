@@ -49,9 +49,7 @@ std::vector<GridCell> grid_cells(const std::array<int, 3>& cells) {
 
 /// Adds the mean of the hexahedron's corners to the nodes and returns its number.
 NodeIndex add_centre(const CellNodes& hexahedron, std::vector<Vector3>& nodes) {
-  Vector3 centre = Vector3::Zero();
-  for (const NodeIndex corner : hexahedron) centre += nodes[corner] / 8;
-  nodes.push_back(centre);
+  nodes.push_back(mean_of(hexahedron, nodes));
   return static_cast<NodeIndex>(nodes.size() - 1);
 }
 

@@ -1,7 +1,6 @@
 #include "meshing/hexahedron_cuts.hpp"
 
 #include <algorithm>
-#include <span>
 
 namespace springcheck {
 namespace {
@@ -44,6 +43,12 @@ std::vector<CellNodes> five_tetrahedra(const CellNodes& hexahedron, bool is_even
   constexpr std::array<std::array<std::size_t, 4>, 5> odd{
       {{1, 3, 4, 6}, {0, 1, 3, 4}, {2, 3, 1, 6}, {5, 4, 6, 1}, {7, 6, 4, 3}}};
   return cells<4>(hexahedron, is_even ? even : odd);
+}
+
+Vector3 mean_of(const CellNodes& hexahedron, std::span<const Vector3> nodes) {
+  Vector3 mean = Vector3::Zero();
+  for (const NodeIndex corner : hexahedron) mean += nodes[corner] / 8;
+  return mean;
 }
 
 std::vector<CellNodes> cells_around(NodeIndex centre, const CellNodes& hexahedron,

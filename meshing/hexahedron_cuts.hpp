@@ -1,9 +1,10 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
-#include "meshing/cell_type.hpp"
+#include "meshing/mesh.hpp"
 
 namespace springcheck {
 
@@ -22,6 +23,9 @@ std::vector<CellNodes> six_tetrahedra(const CellNodes& hexahedron);
 
 /// One tetrahedron amid four at the corners 1, 3, 4, 6 (even) or 0, 2, 5, 7 (odd).
 std::vector<CellNodes> five_tetrahedra(const CellNodes& hexahedron, bool is_even);
+
+/// Mean of its corners.
+Vector3 mean_of(const CellNodes& hexahedron, std::span<const Vector3> nodes);
 
 /// Over each face a pyramid, or two tetrahedra where the face is cut, to the centre.
 std::vector<CellNodes> cells_around(NodeIndex centre, const CellNodes& hexahedron,
