@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "blocks.hpp"
+#include "mss/assembly.hpp"
 #include "mss/forces.hpp"
 
 using namespace springcheck;
@@ -25,19 +26,20 @@ std::vector<Vector3> deformed(const Network& network, unsigned seed) {
              random_field(network.rest_positions.size(), 0.6, seed));
 }
 
-/// The cell matrices put together in the plainest way, all nodes.
-Eigen::MatrixXd dense(const Network& network, const std::vector<CellMatrix>& cells) {
+/// The patches put together in the plainest way, all nodes.
+Eigen::MatrixXd dense(const Network& network, const Tangent& tangent) {
   const auto unknowns = static_cast<Eigen::Index>(3 * network.masses.size());
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(unknowns, unknowns);
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    for (Eigen::Index i = 0; i < 8; ++i)
-      for (Eigen::Index j = 0; j < 8; ++j) {
-        const auto node = [&](Eigen::Index corner) {
-          return static_cast<Eigen::Index>(
-              network.cells[c].nodes[static_cast<std::size_t>(corner)]);
-        };
-        K.block<3, 3>(3 * node(i), 3 * node(j)) += cells[c].block<3, 3>(3 * i, 3 * j);
-      }
+  const auto add = [&](std::span<const NodeIndex> nodes, const Eigen::MatrixXd& patch) {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t j = 0; j < nodes.size(); ++j)
+        K.block<3, 3>(3 * Eigen::Index{nodes[i]}, 3 * Eigen::Index{nodes[j]}) +=
+            patch.block<3, 3>(static_cast<Eigen::Index>(3 * i),
+                              static_cast<Eigen::Index>(3 * j));
+  };
+  for (std::size_t c = 0; c < tangent.cells.size(); ++c)
+    add(network.cells.nodes(c), tangent.cells[c]);
+  for (const StarTangent& star : tangent.stars) add(star.nodes, matrix(star));
   return K;
 }
 
@@ -54,13 +56,13 @@ Eigen::VectorXd stacked_forces(const Network& network, const std::vector<Vector3
 
 // Central difference with a step of 1e-5 m: truncation of the order of step^2 =
 // 1e-10, round-off 1e-16/1e-5 = 1e-11 of the forces.
-BOOST_AUTO_TEST_CASE(cell_tangents_add_up_to_minus_the_slope_of_the_forces) {
+BOOST_AUTO_TEST_CASE(patches_add_up_to_minus_the_slope_of_the_forces) {
   constexpr double step = 1e-5;
   for (const auto& [name, method] : methods)
     for (const double nu : {-0.2, 0., 0.25, 0.4, 0.49}) {
       const Network network = soft_block(method, nu);
       std::vector<Vector3> x = deformed(network, 1);
-      const Eigen::MatrixXd K = dense(network, cell_tangents(network, x));
+      const Eigen::MatrixXd K = dense(network, tangent_at(network, x));
       Eigen::MatrixXd slopes(K.rows(), K.cols());
       for (Eigen::Index column = 0; column < K.cols(); ++column) {
         double& coordinate = x[static_cast<std::size_t>(column / 3)][column % 3];
@@ -76,18 +78,24 @@ BOOST_AUTO_TEST_CASE(cell_tangents_add_up_to_minus_the_slope_of_the_forces) {
     }
 }
 
-// Eigenvalues from -11 to 12 on random axes. The result is known exactly; 1e-12 is
-// round-off of the decomposition relative to their size.
+// Eigenvalues from -11 to 12, and from -4 to 4, on random axes. The result is known
+// exactly; 1e-12 is round-off of the decomposition relative to their size.
 BOOST_AUTO_TEST_CASE(clamp_removes_negative_eigenvalues_and_leaves_the_others) {
-  const Eigen::Matrix<double, 24, 1> spectrum =
-      Eigen::Matrix<double, 24, 1>::LinSpaced(-11, 12);
   std::srand(1);  // Eigen's Random draws from rand()
-  const CellMatrix Q =
-      Eigen::HouseholderQR<CellMatrix>(CellMatrix::Random()).householderQ();
-  std::vector<CellMatrix> matrices{Q * spectrum.asDiagonal() * Q.transpose()};
-  clamp_to_positive(matrices);
-  const CellMatrix expected = Q * spectrum.cwiseMax(0).asDiagonal() * Q.transpose();
-  BOOST_TEST((matrices.front() - expected).norm() < 1e-12);
+  const auto axes = [](Eigen::Index size) -> Eigen::MatrixXd {
+    return Eigen::HouseholderQR<Eigen::MatrixXd>(Eigen::MatrixXd::Random(size, size))
+        .householderQ();
+  };
+  const Eigen::MatrixXd Q = axes(24), R = axes(9);
+  const Eigen::VectorXd of_cell = Eigen::VectorXd::LinSpaced(24, -11, 12),
+                        of_star = Eigen::VectorXd::LinSpaced(9, -4, 4);
+  Tangent tangent{.cells = {Q * of_cell.asDiagonal() * Q.transpose()}, .stars = {{}}};
+  tangent.stars.front().shape = R * of_star.asDiagonal() * R.transpose();
+  clamp_to_positive(tangent);
+  const Eigen::MatrixXd cell = Q * of_cell.cwiseMax(0).asDiagonal() * Q.transpose(),
+                        star = R * of_star.cwiseMax(0).asDiagonal() * R.transpose();
+  BOOST_TEST((tangent.cells.front() - cell).norm() < 1e-12);
+  BOOST_TEST((tangent.stars.front().shape - star).norm() < 1e-12);
 }
 
 // A swollen cell's springs all pull, and its tangent has no negative eigenvalue:
@@ -96,14 +104,15 @@ BOOST_AUTO_TEST_CASE(clamp_leaves_a_positive_tangent_alone) {
   const Network network = soft_block(Method::cf, 0.4);
   std::vector<Vector3> x = network.rest_positions;
   for (Vector3& place : x) place *= 1.01;
-  const std::vector<CellMatrix> tangents = cell_tangents(network, x);
-  std::vector<CellMatrix> clamped = tangents;
+  const Tangent tangent = tangent_at(network, x);
+  Tangent clamped = tangent;
   clamp_to_positive(clamped);
-  for (std::size_t c = 0; c < tangents.size(); ++c)
-    BOOST_TEST((clamped[c] - tangents[c]).norm() < 1e-13 * tangents[c].norm());
+  for (std::size_t c = 0; c < tangent.cells.size(); ++c)
+    BOOST_TEST((clamped.cells[c] - tangent.cells[c]).norm() <
+               1e-13 * tangent.cells[c].norm());
 }
 
-// The same sums in the same order, cell by cell: to the bit. The second assembly must
+// The same sums in the same order, patch by patch: to the bit. The second assembly must
 // not remember the first.
 BOOST_AUTO_TEST_CASE(
     assembly_is_the_lower_triangle_of_the_dense_one_over_the_free_components) {
@@ -124,10 +133,10 @@ BOOST_AUTO_TEST_CASE(
       if (kept) rows.push_back(component);
     }
   for (const unsigned seed : {1U, 2U}) {
-    const auto tangents = cell_tangents(network, deformed(network, seed));
+    const Tangent tangent = tangent_at(network, deformed(network, seed));
     const Eigen::MatrixXd expected =
-        dense(network, tangents)(rows, rows).triangularView<Eigen::Lower>();
-    const Eigen::MatrixXd assembled = assembly.assemble(tangents);
+        dense(network, tangent)(rows, rows).triangularView<Eigen::Lower>();
+    const Eigen::MatrixXd assembled = assembly.assemble(tangent);
     BOOST_TEST((assembled == expected));
   }
 }
