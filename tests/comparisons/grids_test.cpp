@@ -32,9 +32,9 @@ BOOST_AUTO_TEST_CASE(trilinear_fields_are_interpolated_exactly) {
     const auto [a, b, c] = std::tuple(x.x() / 0.05, x.y() / 0.03, x.z() / 0.02);
     return Vector3(a * b * c, 1 + a * b - c, b * c);
   };
+  const Mesh grid = generate_block({size, fine});
   std::vector<Vector3> on_fine;
-  for (const Vector3& x : generate_block({size, fine}).nodes())
-    on_fine.push_back(field_at(x));
+  for (const Vector3& x : grid.nodes()) on_fine.push_back(field_at(x));
   const Mesh mixed = generate_block({size, {5, 5, 5}, CellPattern::mixed, 0.2});
   const auto found = interpolated(on_fine, {size, fine}, mixed.nodes());
   for (std::size_t n = 0; n < found.size(); ++n)
