@@ -15,12 +15,11 @@ namespace springcheck {
 ///     pyramid           six, around its centre
 ///     tetrahedron       six, three in each of two prisms
 ///     tetrahedron_5     five, mirrored from one hexahedron to the next
-///     tetrahedron_12    twelve, around its centre: two in each of six pyramids, and six
-///     in
-///                       each of two prisms
+///     tetrahedron_12    twelve, around its centre: two in each of six pyramids, and
+///                       six in each of two prisms
 ///     mixed             hexahedra, pairs of prisms, and hexahedra cut around their
-///     centre
-///                       into pyramids and tetrahedra, side by side as the seed says
+///                       centre into pyramids and tetrahedra, side by side as the seed
+///                       says
 ///
 /// Those that gmsh makes have about the same edge length:
 ///
