@@ -65,9 +65,9 @@ double cells_energy(const Network& network, const CellStates& states) {
               law.energy(states.displacement_gradients[c]);
     if (network.cell_springs == RestLength::affine)
       for_each_affine_spring(
-          network, states, c,
-          [&](const CellSpring& spring, const Vector3&, double e, const Vector3&,
-              double) { energy += spring.stiffness / 2 * e * e; });
+          network, states, c, [&](const CellSpring& spring, const AffineSpring& now) {
+            energy += spring.stiffness / 2 * now.elongation * now.elongation;
+          });
   }
   for (std::size_t n = 0; n < states.star_gradients.size(); ++n)
     energy +=
@@ -100,15 +100,14 @@ void add_cell_forces(const Network& network, std::span<const Vector3> positions,
     if (!states.star_pressures.empty())
       stress += V * star_pressure(network, states, c) * cofactor(H);
     if (network.cell_springs == RestLength::affine)
-      for_each_affine_spring(network, states, c,
-                             [&](const CellSpring& spring, const Vector3& d, double e,
-                                 const Vector3& m, double) {
-                               const Vector3 pull = spring.stiffness * e * d.normalized();
-                               forces[nodes[spring.ends[0]]] += pull;
-                               forces[nodes[spring.ends[1]]] -= pull;
-                               stress -=
-                                   (spring.stiffness * e * m) * spring.rest.transpose();
-                             });
+      for_each_affine_spring(
+          network, states, c, [&](const CellSpring& spring, const AffineSpring& now) {
+            const double tension = spring.stiffness * now.elongation;
+            const Vector3 pull = (tension / now.length) * now.d;
+            forces[nodes[spring.ends[0]]] += pull;
+            forces[nodes[spring.ends[1]]] -= pull;
+            stress -= ((tension / now.rest_length) * now.rest) * spring.rest.transpose();
+          });
     // The gradients' sum is zero, and with them that of the forces: to the bit.
     Vector3 rest = Vector3::Zero();
     for (std::size_t a = 1; a < nodes.size(); ++a) {

@@ -50,9 +50,17 @@ double cells_energy(const Network& network, const CellStates& states);
 void add_cell_forces(const Network& network, std::span<const Vector3> positions,
                      CellStates& states, std::span<Vector3> forces);
 
-/// Calls visit(spring, d, e, m, L) for each spring of affine rest length of the cell: d
-/// from end to end now, its elongation e = |d| - L, m = F r/L and L = |F r|. Leaves out
-/// those of zero length.
+/// A spring of affine rest length in some state.
+struct AffineSpring {
+  Vector3 d;           // from end to end [m]
+  double length;       // |d|
+  Vector3 rest;        // F r [m]
+  double rest_length;  // |F r|
+  double elongation;   // |d| - |F r|, to the digits of small ones
+};
+
+/// Calls visit(spring, affine spring) for each of the cell's springs of affine rest
+/// length. Leaves out those of zero length.
 template <class Visit>
 void for_each_affine_spring(const Network& network, const CellStates& states,
                             std::size_t cell, Visit&& visit) {
@@ -62,12 +70,17 @@ void for_each_affine_spring(const Network& network, const CellStates& states,
     const Vector3 move = states.displacements[nodes[spring.ends[1]]] -
                          states.displacements[nodes[spring.ends[0]]];
     const Vector3 affine_move = H * spring.rest;
-    const Vector3 d = spring.rest + move, Fr = spring.rest + affine_move;
-    const double length = d.norm(), affine_length = Fr.norm();
-    if (length == 0 || affine_length == 0) continue;
-    // From the difference of d and F r: small elongations keep their digits.
-    const double elongation = (move - affine_move).dot(d + Fr) / (length + affine_length);
-    visit(spring, d, elongation, Vector3(Fr / affine_length), affine_length);
+    AffineSpring now{.d = spring.rest + move,
+                     .length = 0,
+                     .rest = spring.rest + affine_move,
+                     .rest_length = 0,
+                     .elongation = 0};
+    now.length = now.d.norm();
+    now.rest_length = now.rest.norm();
+    if (now.length == 0 || now.rest_length == 0) continue;
+    now.elongation =
+        (move - affine_move).dot(now.d + now.rest) / (now.length + now.rest_length);
+    visit(spring, now);
   }
 }
 

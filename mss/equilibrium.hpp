@@ -10,7 +10,7 @@ namespace springcheck::mss {
 /// Load steps, the first so long that the springs turn and stretch by .06 on average:
 /// predictor through the tangent from the prescribed increments, then Newton's method
 /// with an energy line search. Where the tangent is not positive definite the step uses
-/// the cells' matrices with negative eigenvalues set to zero. A state counts as a minimum
+/// the patches' matrices with negative eigenvalues set to zero. A state counts as a minimum
 /// when its true tangent has a Cholesky factor; near a saddle the search leaves along the
 /// direction of most negative curvature (`seed` starts its inverse iteration, and so
 /// decides between equal directions). A step that finds no minimum is halved, down to

@@ -60,20 +60,19 @@ void add_affine_springs(Eigen::MatrixXd& tangent, Matrix9& by_gradient,
   q.setZero();
   Eigen::Index column = 0;
   for_each_affine_spring(
-      network, states, cell,
-      [&](const CellSpring& spring, const Vector3& d, double e, const Vector3& m,
-          double affine_length) {
-        const double length = d.norm(), k = spring.stiffness;
-        const Vector3 n = d / length, &r = spring.rest;
+      network, states, cell, [&](const CellSpring& spring, const AffineSpring& now) {
+        const double k = spring.stiffness, e = now.elongation;
+        const Vector3 n = now.d / now.length, m = now.rest / now.rest_length,
+                      &r = spring.rest;
         q.block<3, 1>(row(spring.ends[0]), column) = -n;
         q.block<3, 1>(row(spring.ends[1]), column) = n;
         for (std::size_t a = 0; a < gradients.size(); ++a)
           q.block<3, 1>(row(a), column) -= gradients[a].dot(r) * m;
         weights[column++] = k;
         add_between(tangent, spring.ends,
-                    k * e / length * (Matrix3::Identity() - n * n.transpose()));
+                    k * e / now.length * (Matrix3::Identity() - n * n.transpose()));
         const Matrix3 across =
-            k * e / affine_length * (Matrix3::Identity() - m * m.transpose());
+            k * e / now.rest_length * (Matrix3::Identity() - m * m.transpose());
         for (Eigen::Index J = 0; J < 3; ++J)
           for (Eigen::Index L = 0; L < 3; ++L)
             by_gradient.block<3, 3>(3 * J, 3 * L) -= r[J] * r[L] * across;

@@ -33,11 +33,11 @@ mutate() {  # name, file, sed expression
 }
 mutate "sign of kappa" mss/stiffness.cpp 's/return E \* (4 \* nu - 1)/return E * (1 - 4 * nu)/'
 mutate "share of face diagonals" mss/network.cpp 's/k.face_diagonal \/ 2/k.face_diagonal \/ 4/'
-mutate "a term of the volume's gradient" mss/cell.cpp \
-  's/areas << Y.cross(Z), Z.cross(X)/areas << Y.cross(Z), X.cross(Z)/'
+mutate "a term of the volume's gradient" mss/deformation.cpp \
+  's/F.col(2).cross(F.col(0))/F.col(0).cross(F.col(2))/'
 mutate "sum over the plate" comparisons/measures.cpp \
   's/  for (const NodeIndex node : nodes) {/  for (const NodeIndex node : std::span(nodes).subspan(1)) {/'
 mutate "split of selective reduced integration" fem_reference/cell.cpp \
   's/if (settings.element != Element::q1_sri) return/if (settings.law != Law::cauchy_born) return/'
-mutate "share of the mass" mss/network.cpp 's/density \* volume \/ 8/density * volume \/ 4/'
+mutate "share of the mass" mss/network.cpp 's/density \* shares/density * 2 * shares/'
 exit $failed

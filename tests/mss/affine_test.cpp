@@ -109,9 +109,8 @@ BOOST_AUTO_TEST_CASE(hourglass_springs_are_at_rest_in_affine_states_alone) {
       double elongation = 0;
       for (std::size_t c = 0; c < network.cells.size(); ++c)
         for_each_affine_spring(
-            network, states, c,
-            [&](const CellSpring&, const Vector3&, double e, const Vector3&, double) {
-              elongation = std::max(elongation, std::abs(e));
+            network, states, c, [&](const CellSpring&, const AffineSpring& now) {
+              elongation = std::max(elongation, std::abs(now.elongation));
             });
       return elongation;
     };

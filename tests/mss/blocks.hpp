@@ -38,6 +38,10 @@ inline constexpr NamedMethod methods[] = {{"mss-baudet", Method::baudet},
                                           {"mss-fd", Method::fd},
                                           {"mss-cf", Method::cf}};
 
+/// Those and mss-affine.
+inline constexpr NamedMethod methods_on_cubes[] = {
+    methods[0], methods[1], methods[2], methods[3], {"mss-affine", Method::affine}};
+
 /// One vector per node, components uniform in [-size, size].
 inline std::vector<Vector3> random_field(std::size_t nodes, double size, unsigned seed) {
   std::mt19937 random(seed);

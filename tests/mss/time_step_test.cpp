@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(prescribed_components_never_shorten_the_step) {
 BOOST_AUTO_TEST_CASE(dynamics_is_stable_below_the_limit_and_not_above) {
   const Mesh mesh = cube(3, 0.005);
   constexpr double squeeze = 1e-4;  // [m]
-  for (const auto& [name, method] : methods)
+  for (const auto& [name, method] : methods_on_cubes)
     for (const double nu : {0.25, 0.45})
       for (const double damping : {0., 0.2}) {
         const Scene scene{
