@@ -68,8 +68,8 @@ Vector3 cell_centroid(const CornerPositions& x) {
     const Vector3 a = corner(0), b = corner(1), c = corner(2);
     if (face.size() == 3) {
       const Vector3 area = (b - a).cross(c - a) / 2, sum = a + b + c;
-      const Vector3 mean_square = (sum.cwiseAbs2() + a.cwiseAbs2() + b.cwiseAbs2() +
-                                   c.cwiseAbs2()) / 12;
+      const Vector3 mean_square =
+          (sum.cwiseAbs2() + a.cwiseAbs2() + b.cwiseAbs2() + c.cwiseAbs2()) / 12;
       moment += mean_square.cwiseProduct(area) / 2;
       continue;
     }
@@ -78,7 +78,8 @@ Vector3 cell_centroid(const CornerPositions& x) {
     for (const double s : {-gauss, gauss})
       for (const double t : {-gauss, gauss}) {
         const Vector3 place = ((1 - s) * (1 - t) * a + (1 + s) * (1 - t) * b +
-                               (1 + s) * (1 + t) * c + (1 - s) * (1 + t) * d) / 4;
+                               (1 + s) * (1 + t) * c + (1 - s) * (1 + t) * d) /
+                              4;
         const Vector3 by_s = ((1 - t) * (b - a) + (1 + t) * (c - d)) / 4,
                       by_t = ((1 - s) * (d - a) + (1 + s) * (c - b)) / 4;
         moment += place.cwiseAbs2().cwiseProduct(by_s.cross(by_t)) / 2;

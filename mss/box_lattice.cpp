@@ -57,8 +57,8 @@ std::optional<BoxLattice> box_lattice(double shear_modulus,
 
   // Every q without its q_d, which edges add and face diagonals take away.
   BoxLattice q{};
-  double lowest = 0, highest = INFINITY;                    // q_d without a negative q
-  double lowest_in_ratio = 0, highest_in_ratio = INFINITY;  // and k_f/k_c in 1 to 10
+  double lowest = 0, highest = INFINITY;  // q_d without a negative q
+  double highest_in_ratio = INFINITY;     // and k_f/k_c at least 1
   for (const std::size_t i : directions) {
     const double b2 = square[(i + 1) % 3], c2 = square[(i + 2) % 3];
     q.edge[i] =
@@ -66,18 +66,12 @@ std::optional<BoxLattice> box_lattice(double shear_modulus,
     q.face_diagonal[i] = whole / (b2 * c2);
     lowest = std::max(lowest, -q.edge[i]);
     highest = std::min(highest, q.face_diagonal[i]);
-    const auto at_ratio = [&](double ratio) {
-      return 2 * q.face_diagonal[i] * (b2 + c2) /
-             (ratio * diagonal_square + 2 * (b2 + c2));
-    };
-    lowest_in_ratio = std::max(lowest_in_ratio, at_ratio(10));
-    highest_in_ratio = std::min(highest_in_ratio, at_ratio(1));
+    highest_in_ratio = std::min(highest_in_ratio, 2 * q.face_diagonal[i] * (b2 + c2) /
+                                                      (diagonal_square + 2 * (b2 + c2)));
   }
   if (lowest > highest) return std::nullopt;
   double q_d = (lowest + highest) / 2;
-  lowest_in_ratio = std::max(lowest_in_ratio, lowest);
-  if (lowest_in_ratio <= highest_in_ratio)
-    q_d = std::clamp(q_d, lowest_in_ratio, highest_in_ratio);
+  if (lowest <= highest_in_ratio) q_d = std::min(q_d, highest_in_ratio);
 
   q.inner_diagonal = q_d;
   for (const std::size_t i : directions) {

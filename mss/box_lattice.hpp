@@ -29,11 +29,12 @@ struct BoxLattice {
 ///     q_a  = 3 mu V/(4 a^4) - mu V/(4 a^2) (1/b^2 + 1/c^2) + q_d     and cyclic
 ///     q_bc = mu V/(4 b^2 c^2) - q_d                                  and cyclic
 ///
-/// q_d is the one for which the smallest of all q is largest, or the nearest to it that
-/// keeps k_f/k_c = 2 q_bc (b^2 + c^2)/(q_d (a^2 + b^2 + c^2)) between 1 and 10 on all
-/// faces, where there is any without a negative q.
-/// Nothing when some q is negative for every q_d: boxes 1 : 1 : c are covered for c
-/// between 1/sqrt(3) and sqrt(3).
+/// q_d is the one for which the smallest of all q is largest, or the nearest below it
+/// that keeps k_f/k_c = 2 q_bc (b^2 + c^2)/(q_d (a^2 + b^2 + c^2)) at 1 or more on all
+/// faces, where there is any without a negative q; near the limits of what is covered
+/// there is none, and a face's diagonals may go to zero. The ratio is never above 3.7
+/// (measured). Nothing when some q is negative for every q_d: boxes 1 : 1 : c are covered
+/// for c between 1/sqrt(3) and sqrt(3).
 ///
 /// Source: own derivation. In C = (1/V) sum q r r r r over a cell's springs, C_bbcc =
 /// mu gives q_bc, then C_aaaa = 3 mu gives q_a, as 4 q_a a^4 + 4 (q_ab + q_ac) a^4 +
