@@ -16,6 +16,10 @@
 namespace springcheck {
 namespace {
 
+/// The length to ask of gmsh's tetrahedra over that of the mean edge: left alone, edges are
+/// 1.12 to 1.29 times as long as asked, 4 to 16 of them across a cube.
+constexpr double delaunay_length = 0.83;
+
 MeshParts by_gmsh(const Block& block) {
   namespace geo = ::gmsh::model::geo;
   const GmshSession session("block");
@@ -31,7 +35,8 @@ MeshParts by_gmsh(const Block& block) {
   if (block.pattern == CellPattern::free_hexahedron)
     generate_hexahedra(cell.mean());
   else
-    generate_tetrahedra(is_prism ? cell.head<2>().mean() : cell.mean());
+    generate_tetrahedra(is_prism ? cell.head<2>().mean()
+                                 : delaunay_length * cell.mean());
   return gmsh_cells();
 }
 
