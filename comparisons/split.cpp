@@ -214,7 +214,8 @@ SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
   lattice.element = *find_element("q1-sri");
   lattice.lattice = *own_lattice;
   lattice.lattice_direction = fem_reference::LatticeDirection::d100;
-  CaseSettings reference = lattice;
+  CaseSettings reference = springs;
+  reference.body = lattice.body;
   reference.method = law;
   reference.element = lattice.element;
   return {.springs = springs,

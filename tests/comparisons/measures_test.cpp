@@ -259,13 +259,18 @@ BOOST_AUTO_TEST_CASE(deviations_in_torsion_are_divided_by_the_largest_chord_of_t
   }
 }
 
-BOOST_AUTO_TEST_CASE(odd_cell_counts_have_no_middle_layer_and_no_tip) {
+BOOST_AUTO_TEST_CASE(odd_cell_counts_have_no_middle_layer_and_a_tip_between_nodes) {
   const CaseSettings odd = case_of("bending", {"cells=3,4,5", "method=mss-cf"});
   const Mesh mesh = build_mesh(odd.body);
   const Solution still = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
   Measures m = measure(odd, mesh, still);
   measure_deviation(m, odd, mesh, still, still);
-  BOOST_TEST(!m.tip_deflection.has_value());
+  BOOST_TEST(m.tip_deflection.value() == 0);
+  const Solution tilted = moved(mesh, [](const Vector3& x) {
+    return Vector3(-x.x() - 2 * x.y(), 0, 0);  // the centre by .2 and .4 m
+  });
+  BOOST_TEST(measure(odd, mesh, tilted).tip_deflection.value() == 0.6,
+             boost::test_tools::tolerance(1e-12));
   BOOST_TEST(!m.middle_layer_deviation.has_value());
   BOOST_TEST(!m.deviation_l2_relative.has_value());
   BOOST_TEST(m.tip_elastica.has_value());

@@ -78,7 +78,7 @@ std::ostream& operator<<(std::ostream& out, const Bad& bad) {
 const std::vector<Bad> bad_scenes{
     {"", "scene.toml:1:1: expected settings, got an empty scene"},
     {"test = ", "scene.toml:1:"},
-    {good + "colour = 3\n", "scene.toml:9:1: expected one of test, gravity"},
+    {good + "colour = 3\n", "scene.toml:9:1: expected one of test, body, gravity"},
     {with("nu = 0.25", "nu = \"soft\""),
      "scene.toml:5:6: nu: expected a finite number, got 'soft'"},
     {with("nu = 0.25\n", ""),
@@ -243,7 +243,7 @@ BOOST_AUTO_TEST_CASE(a_scene_that_cannot_be_read_is_named) {
         "no/such.toml:1:1: expected a readable scene");
   });
   BOOST_CHECK_EXCEPTION(read_scene("compresion"), InputError, [](const InputError& e) {
-    return std::string(e.what()).find("compression, shearing") != std::string::npos;
+    return std::string(e.what()).find("compression, kidney") != std::string::npos;
   });
 }
 

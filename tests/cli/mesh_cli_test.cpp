@@ -1,0 +1,90 @@
+#define BOOST_TEST_MODULE mesh_cli
+#include "program.hpp"
+
+// What the commands say of cell types, quality and meshes of the user's own.
+
+BOOST_AUTO_TEST_CASE(a_case_on_mixed_cells_counts_them_by_type) {
+  const Json json = json_of(
+      "run compression --cells 3,3,3 --cell-type mixed --distortion 0.2 --method "
+      "mss-affine,mss-cf --json");
+  const Json& mesh = json["results"][0]["mesh"];
+  std::size_t sum = 0;
+  for (const auto& [type, count] : mesh["types"].items()) sum += count.get<std::size_t>();
+  BOOST_TEST(mesh["types"].size() == 4U);
+  BOOST_TEST(mesh["cells"] == sum);
+  BOOST_TEST(json["results"][0]["status"] == "ok");
+  BOOST_TEST(json["results"][1]["status"] == "refused");
+  BOOST_TEST(json["results"][1]["reason"].get<std::string>().find("tetrahedron") !=
+             std::string::npos);
+}
+
+// The mesh that a case wrote is the mesh that a case reads: nothing but names differs.
+BOOST_AUTO_TEST_CASE(a_mesh_that_was_written_gives_the_same_results_when_read) {
+  const std::string options =
+      " --method mss-affine --nu 0.45 --reference fem-hencky --json";
+  BOOST_TEST(
+      springcheck("mesh torsion --cells 2,2,2 --cell-type mixed --out own.msh").status ==
+      0);
+  const Json block =
+      json_of("run torsion --cells 2,2,2 --cell-type mixed" + options)["results"][0];
+  const Json file = json_of("run torsion --mesh own.msh" + options)["results"][0];
+  BOOST_TEST(file["mesh"]["sha256"] == block["mesh"]["sha256"]);
+  for (const char* name : {"plate_torque", "volume_change", "deviation_l2_relative"})
+    BOOST_TEST(file[name].get<double>() == block[name].get<double>(),
+               boost::test_tools::tolerance(1e-9));  // the centre of the plate, summed
+  // In millimetres it is another body: lengths 1000 times smaller, torques 1e-9.
+  const Json small =
+      json_of("run torsion --mesh own.msh --mesh-unit mm" + options)["results"][0];
+  BOOST_TEST(
+      small["plate_torque"].get<double>() == 1e-9 * block["plate_torque"].get<double>(),
+      boost::test_tools::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(quality_is_printed_with_or_without_a_file) {
+  const Run run =
+      springcheck("mesh compression --cells 2,2,2 --cell-type prism --quality");
+  BOOST_TEST(run.status == 0);
+  BOOST_TEST(run.out.find("16 prisms") != std::string::npos);
+  BOOST_TEST(run.out.find("scaled Jacobian") != std::string::npos);
+  BOOST_TEST(run.out.find("0.8 to 0.9            16") != std::string::npos, run.out);
+  expect_bad_input("mesh compression", "--out: expected a .msh, .vtu or .inp file");
+}
+
+BOOST_AUTO_TEST_CASE(meshes_that_cannot_be_used_are_bad_input) {
+  springcheck("mesh compression --cells 1,1,1 --out good.msh");
+  expect_bad_input("run compression --mesh none.msh", "none.msh");
+  expect_bad_input("run compression --mesh good.msh --moved lid",
+                   "expected one of bottom, top, x_max, x_min, y_max, y_min, got 'lid'");
+  const std::string good = text_of(folder / "good.msh");
+  std::ofstream(folder / "half.msh") << good.substr(0, good.size() / 2);
+  expect_bad_input("run compression --mesh half.msh", "half.msh");
+  expect_bad_input("run compression --cell-type cubes", "one of hexahedron");
+  expect_bad_input("run compression --cell-type mixed --distortion 3", "Jacobian");
+}
+
+// Van Gelder's springs make no material of a chosen Poisson ratio; the correction moves
+// what they do make.
+BOOST_AUTO_TEST_CASE(the_correction_of_tetrahedral_springs_can_be_left_out) {
+  const std::string run =
+      "run shearing --cells 2,2,2 --cell-type tetrahedron --nu 0.4 --method "
+      "mss-vangelder --json --correction ";
+  const Json with = json_of(run + "on")["results"][0],
+             without = json_of(run + "off")["results"][0];
+  BOOST_TEST(with["key"] != without["key"]);
+  BOOST_TEST(with["plate_force"].get<double>() >
+             1.01 * without["plate_force"].get<double>());
+  expect_bad_input("run shearing --correction off", "mss-vangelder or mss-lloyd");
+}
+
+BOOST_AUTO_TEST_CASE(result_files_hold_mixed_meshes) {
+  BOOST_TEST(springcheck("run compression --cells 2,2,2 --cell-type mixed --method "
+                         "mss-affine --out mixed.h5")
+                 .status == 0);
+  const std::string xdmf = text_of(folder / "mixed.xdmf");
+  BOOST_TEST(xdmf.find("TopologyType=\"Mixed\"") != std::string::npos);
+  BOOST_TEST(springcheck("run compression --cells 2,2,2 --cell-type tetrahedron --method "
+                         "mss-affine --out tetrahedra.h5")
+                 .status == 0);
+  BOOST_TEST(text_of(folder / "tetrahedra.xdmf").find("TopologyType=\"Tetrahedron\"") !=
+             std::string::npos);
+}
