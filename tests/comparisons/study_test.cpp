@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_refused_case_is_a_result_without_measures) {
   MeshStore meshes;
   const auto results =
       study(requests(run_of("compression",
-                            {"size=.05,.05,.06", "cells=4,4,4", "method=mss-cf"})),
+                            {"size=.05,.05,.06", "cells=4,4,4", "method=mss-nfd"})),
             meshes, 1);
   BOOST_TEST((results.front().status == Status::refused));
   BOOST_TEST(results.front().reason.find("cubic") != std::string::npos);
