@@ -22,6 +22,7 @@ import pandas as pd
 LAYOUT = 2
 _PAGE = 4096
 _MAGIC = b"springcheck journal 1\n".ljust(32, b"\0")
+_CELLS = ["tetrahedra", "pyramids", "prisms", "hexahedra"]
 _COMPONENTS = {3: ["x", "y", "z"], 9: ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"]}
 
 
@@ -53,16 +54,16 @@ class Results:
         return _at_rest(self.path, arrays)
 
     def mesh(self, key):
-        """Nodes (n x 3) [m], hexahedra (cells x 8) and regions' faces of a case's mesh."""
+        """Of a case's mesh: nodes (n x 3) [m]; tetrahedra (cells x 4), pyramids (5), prisms
+        (6) and hexahedra (8), those there are; regions, name to faces (n x 4), of
+        triangles the last node twice. Fields of cells follow the types in this order."""
         name = self.cases.loc[key, "mesh"]
 
         def arrays(file):
             group = file["meshes"][name]
-            return {
-                "nodes": group["nodes"][()],
-                "hexahedra": group["hexahedra"][()],
-                "regions": {region: faces[()] for region, faces in group["regions"].items()},
-            }
+            cells = {name: group[name][()] for name in _CELLS if name in group}
+            regions = {region: faces[()] for region, faces in group["regions"].items()}
+            return {"nodes": group["nodes"][()], **cells, "regions": regions}
 
         return _at_rest(self.path, arrays)
 

@@ -11,6 +11,7 @@ from hashlib import sha256
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "reports"))
+import numpy as np  # noqa: E402
 import springcheck_results as results  # noqa: E402
 
 
@@ -50,6 +51,33 @@ class Reading(unittest.TestCase):
         self.assertEqual(fields["cell_volume_ratio"].shape, (8,))
         with self.assertRaises(KeyError):
             read.fields("none")
+
+    def test_mixed_meshes_list_their_cells_by_type(self):
+        """Their volumes, in the order of the types, add up to the deformed body's."""
+        file = self.folder / "mixed.h5"
+        run = "run compression --method mss-affine --cells 3,3,3 --cell-type mixed --out"
+        subprocess.run(
+            [os.environ["SPRINGCHECK"], *run.split(), file], check=True, stdout=subprocess.DEVNULL
+        )
+        read = results.read(file)
+        key = read.cases.index[0]
+        mesh = read.mesh(key)
+        widths = {"tetrahedra": 4, "pyramids": 5, "prisms": 6, "hexahedra": 8}
+        counts = {name: len(mesh[name]) for name in widths}
+        for name, width in widths.items():
+            self.assertEqual(mesh[name].shape[1], width)
+        ratios = read.fields(key)["cell_volume_ratio"]
+        self.assertEqual(len(ratios), sum(counts.values()))
+        corner = mesh["nodes"][mesh["hexahedra"]]
+        cube = 0.05**3 / 27
+        self.assertTrue(
+            np.allclose(np.prod(corner[:, 6] - corner[:, 0], axis=1), cube, rtol=1e-12)
+        )
+        share = {"tetrahedra": 1 / 12, "pyramids": 1 / 6, "prisms": 1 / 2, "hexahedra": 1}
+        volumes = np.concatenate([np.full(counts[n], cube * share[n]) for n in widths])
+        change = (ratios * volumes).sum() / volumes.sum() - 1
+        self.assertAlmostEqual(volumes.sum(), 0.05**3, 15)
+        self.assertAlmostEqual(change, read.cases.volume_change.iloc[0], 12)
 
     def test_provenance_is_of_the_writing(self):
         read = results.read(self.file)
