@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "meshing/kidney.hpp"
-#include "meshing/msh_reader.hpp"
+#include "meshing/files/msh_reader.hpp"
+#include "meshing/generators/kidney.hpp"
 
 namespace springcheck {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "meshing/block.hpp"
+#include "meshing/generators/block.hpp"
 
 namespace springcheck {
 

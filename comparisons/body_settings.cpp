@@ -42,13 +42,31 @@ std::string path_of(const Given& given) {
   return std::filesystem::path(source).parent_path() / given.text();
 }
 
+/// A mesh stands in place of a block that a scene file describes; a block's settings
+/// beside it, or given as options over it, are a contradiction.
 void check_mesh_alone(const Settings& settings, const Given& mesh) {
   for (const char* key : {"size", "cells", "cell-type", "distortion", "body"})
     if (const auto found = settings.find(std::string_view(key));
-        found != settings.end() && source_of(found->second) == source_of(mesh))
-      throw InputError(found->second.place(), "",
-                       "nothing of the block beside mesh '" + mesh.text() + "'",
-                       "a value");
+        found != settings.end()) {
+      const std::string source = source_of(found->second);
+      if (source == source_of(mesh) || source == "--")
+        throw InputError(found->second.place(), "",
+                         "nothing of a block beside mesh '" + mesh.text() + "'",
+                         "a value");
+    }
+}
+
+/// A kidney has no grid whose nodes could be moved, or that its cells could follow.
+void check_kidney(const Settings& settings, const Block& block) {
+  if (block.distortion > 0) settings.at("distortion").refuse("none of it but in blocks");
+  if (block.pattern == CellPattern::free_tetrahedron ||
+      block.pattern == CellPattern::free_hexahedron)
+    return;
+  const std::string expected = "free-tetrahedron or free-hexahedron for a kidney";
+  if (const auto given = settings.find(std::string_view("cell-type"));
+      given != settings.end())
+    given->second.refuse(expected);
+  throw InputError("key 'cell-type'", "", expected, "none");
 }
 
 }  // namespace
@@ -81,6 +99,7 @@ Body body_of(const Settings& settings, const std::string& file, Test test) {
         .cells = cells_of(required(settings, "cells", file, "three counts")),
         .pattern = value_or(settings, "cell-type", CellPattern::hexahedron, pattern_of),
         .distortion = value_or(settings, "distortion", 0., not_negative_of)};
+    if (body.shape == BodyShape::kidney) check_kidney(settings, body.block);
     if (reads_seed(body.block))
       body.block.seed = value_or(settings, "seed", body.block.seed, seed_of);
   }
@@ -88,7 +107,8 @@ Body body_of(const Settings& settings, const std::string& file, Test test) {
                       value_or(settings, "plates", PlateContact::glued, plates_of) ==
                           PlateContact::sliding;
   if (slides && body.shape != BodyShape::block)
-    throw InputError(file, "sliding plates", "a block, at whose corners pins hold",
+    throw InputError(body.shape == BodyShape::file ? settings.at("mesh").place() : file,
+                     "sliding plates", "a block, at whose corners pins hold",
                      "a " + std::string(name_of(body.shape)));
   return body;
 }

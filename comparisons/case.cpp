@@ -20,18 +20,18 @@ nlohmann::json row_by_row(const Eigen::Matrix3d& matrix) {
 
 /// What a mesh is made of; the file of a user's mesh is not, whose content the case's key
 /// holds.
-void add_body_settings(nlohmann::json& json, const Body& body) {
+void add_body_settings(nlohmann::json& json, const Body& body, Test test) {
   json["body"] = name_of(body.shape);
   if (body.shape == BodyShape::file) {
-    json["fixed"] = body.fixed;
-    json["moved"] = body.moved;
+    if (has_lower_plate(test)) json["fixed"] = body.fixed;
+    if (has_upper_plate(test)) json["moved"] = body.moved;
     return;
   }
   const Block& block = body.block;
   json["size"] = block.size;
   json["cells"] = block.cells;
   json["cell-type"] = name_of(block.pattern);
-  if (block.distortion > 0) json["distortion"] = block.distortion;
+  if (body.shape == BodyShape::block) json["distortion"] = block.distortion;
   if (reads_seed(block)) json["seed"] = block.seed;
 }
 
@@ -97,6 +97,14 @@ void add_measured_settings(nlohmann::json& json, const Measured& measured) {
 }
 
 }  // namespace
+
+bool has_lower_plate(Test test) {
+  return test != Test::affine;
+}
+
+bool has_upper_plate(Test test) {
+  return test != Test::bending && test != Test::affine;
+}
 
 const std::vector<Test>& all_tests() {
   static const std::vector<Test> all{Test::compression, Test::tension, Test::shearing,
@@ -190,7 +198,7 @@ nlohmann::json settings_json(const CaseSettings& settings) {
       {"density", settings.material.density},
       {"method", settings.method.name},
   };
-  add_body_settings(json, settings.body);
+  add_body_settings(json, settings.body, settings.test);
   if (settings.deformation) json["deformation"] = *settings.deformation;
   if (settings.test == Test::bending)
     json["gravity"] = {settings.gravity.x(), settings.gravity.y(), settings.gravity.z()};

@@ -27,6 +27,11 @@ enum class PlateContact { glued, sliding };
 
 const std::vector<Test>& all_tests();
 
+/// Whether the body stands on a plate; whether there is one on it that is moved or
+/// loaded.
+bool has_lower_plate(Test test);
+bool has_upper_plate(Test test);
+
 std::string_view name_of(Test test);
 std::string_view name_of(PlateContact contact);
 std::string_view name_of(mss::Solver solver);

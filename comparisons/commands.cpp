@@ -17,8 +17,8 @@
 #include "comparisons/scene_file.hpp"
 #include "comparisons/shipped.hpp"
 #include "comparisons/split_output.hpp"
+#include "meshing/files/mesh_files.hpp"
 #include "meshing/input_error.hpp"
-#include "meshing/mesh_files.hpp"
 #include "meshing/output_file.hpp"
 
 namespace springcheck {

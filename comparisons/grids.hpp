@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "meshing/block.hpp"
+#include "meshing/generators/block.hpp"
 
 namespace springcheck {
 

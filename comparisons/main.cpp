@@ -147,8 +147,7 @@ int command_line(int argc, char** argv) {
   everything->add_option("--out", out, "folder for tables, results and summary")
       ->required()
       ->check(check_not_empty);
-  everything->add_flag("--all", all,
-                       "the tables split and convergence too, which take many minutes");
+  everything->add_flag("--all", all, "the split table too, which takes many minutes");
   add_threads(everything);
 
   CLI::App* measure = app.add_subcommand(

@@ -21,10 +21,6 @@ Vector3 area_centre(const Mesh& mesh, const std::string& region) {
   return sum / area;
 }
 
-bool has_upper_plate(Test test) {
-  return test != Test::bending && test != Test::affine;
-}
-
 /// Centre and distance of a body's plates.
 struct PlateGeometry {
   Vector3 centre;   // of the moved plate [m]
@@ -38,6 +34,9 @@ PlateGeometry plate_geometry(const CaseSettings& settings, const Mesh& mesh) {
     return {.centre = Vector3(width / 2, depth / 2, height), .distance = height};
   }
   if (!has_upper_plate(settings.test)) return {.centre = Vector3::Zero(), .distance = 0};
+  if (body.moved == body.fixed)
+    throw InputError(mesh.source(), "plates", "two regions",
+                     fmt::format("'{}' as the fixed and the moved one", body.fixed));
   const Vector3 upper = area_centre(mesh, body.moved);
   const double distance = upper.z() - area_centre(mesh, body.fixed).z();
   if (!(distance > 0))

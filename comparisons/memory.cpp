@@ -43,7 +43,8 @@ LinearSystems linear_systems(const CaseSettings& settings) {
 }
 
 /// mss-affine couples a node with its neighbours' neighbours where its volume correction
-/// acts on node stars. Peaks at 10^3 and 20^3 cubes: 221 and 714 MB, mss-cf's 188 and 432.
+/// acts on node stars. Peaks at 10^3 and 20^3 cubes: 221 and 714 MB, mss-cf's 188 and
+/// 432.
 double coupling(const CaseSettings& settings) {
   const auto* springs = std::get_if<mss::Method>(&settings.method.model);
   const bool has_stars = springs != nullptr && *springs == mss::Method::affine &&
@@ -85,10 +86,9 @@ double estimated_memory(const CaseSettings& settings) {
       // and a Cholesky factor that grows like nested dissection's, nodes *
       // sqrt(cross-section).
       constexpr double matrices_per_cell = 12.5e3, factor = 740;
-      return bytes +
-             coupling(settings) * (matrices_per_cell * cells +
-                                   factor * nodes[0] * nodes[1] * nodes[2] *
-                                       std::sqrt(nodes[0] * nodes[1]));
+      return bytes + coupling(settings) * (matrices_per_cell * cells +
+                                           factor * nodes[0] * nodes[1] * nodes[2] *
+                                               std::sqrt(nodes[0] * nodes[1]));
     }
   }
   return bytes;

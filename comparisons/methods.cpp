@@ -41,10 +41,12 @@ const std::vector<Method>& methods() {
 const std::vector<ElementName>& elements() {
   using fem_reference::Element;
   static const std::vector<ElementName> all{
-      {"q1", Element::q1, "trilinear, 2x2x2 points: locks near nu = 0.5"},
+      {"q1", Element::q1, "linear or trilinear, full integration: locks near nu = 0.5"},
       {"q1-sri", Element::q1_sri,
-       "trilinear, volumetric part from the cell's mean (selective reduced integration)"},
-      {"q2", Element::q2, "triquadratic (27 nodes), 3x3x3 points, on the same cells"}};
+       "the same, volumetric part from the cell's mean (selective reduced integration; "
+       "on "
+       "tetrahedra it is q1)"},
+      {"q2", Element::q2, "triquadratic (27 nodes), 3x3x3 points; hexahedra only"}};
   return all;
 }
 

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "comparisons/build_info.hpp"
-#include "meshing/gmsh.hpp"
+#include "meshing/generators/gmsh.hpp"
 
 namespace springcheck {
 namespace {

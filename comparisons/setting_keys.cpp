@@ -5,7 +5,7 @@ namespace springcheck {
 const std::vector<SettingKey>& option_keys() {
   static const std::vector<SettingKey> keys{
       {"method", "comma-separated list of methods, see 'springcheck list methods'"},
-      {"element", "finite element on hexahedra: q1, q1-sri (default), q2"},
+      {"element", "finite element: q1, q1-sri (default), or q2 on hexahedra"},
       {"nu", "Poisson ratio, in (-1, 0.5)"},
       {"young", "Young's modulus [Pa]"},
       {"density", "mass density [kg/m^3]"},

@@ -119,7 +119,7 @@ const std::vector<std::string>& sheet_names() {
 }
 
 const std::vector<std::string>& long_sheet_names() {
-  static const std::vector<std::string> names{"split", "convergence"};
+  static const std::vector<std::string> names{"split"};
   return names;
 }
 

@@ -47,8 +47,10 @@ std::vector<Request> missing_of(const Wanted& wanted, const StoredKeys& stored,
   for (std::size_t i = 0; i < wanted.keys.size(); ++i) {
     const std::string& key = wanted.keys[i];
     const auto known = stored.statuses.find(key);
+    // Of a refused case there never are fields.
     const bool is_there = known != stored.statuses.end() &&
-                          (!sweep.with_fields || stored.with_fields.contains(key));
+                          (!sweep.with_fields || stored.with_fields.contains(key) ||
+                           known->second == Status::refused);
     const bool failed = known != stored.statuses.end() && known->second != Status::ok;
     if (options.only_failed ? failed : options.recompute || !is_there)
       missing.push_back(wanted.requests[i]);

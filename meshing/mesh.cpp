@@ -67,7 +67,8 @@ void check_cells(const std::string& source, const std::vector<Vector3>& nodes,
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const double jacobian = smallest_corner_jacobian(corners(cells[c], nodes));
     if (!(jacobian > 0))
-      throw InputError(source, cell_name(c, cells[c], nodes), "positive Jacobians at its corners",
+      throw InputError(source, cell_name(c, cells[c], nodes),
+                       "positive Jacobians at its corners",
                        fmt::format("{:.3g} m^3", jacobian));
   }
 }
@@ -82,8 +83,7 @@ void for_each_face(const CellNodes& cell, Visit&& visit) {
 /// opposite order.
 bool are_opposite(const FaceNodes& a, const FaceNodes& b) {
   const std::size_t count = a.size();
-  const auto first =
-      static_cast<std::size_t>(std::ranges::find(b, a[0]) - b.begin());
+  const auto first = static_cast<std::size_t>(std::ranges::find(b, a[0]) - b.begin());
   for (std::size_t i = 1; i < count; ++i)
     if (b[(first + count - i) % count] != a[i]) return false;
   return true;
@@ -111,8 +111,7 @@ FaceUses check_faces(const std::string& source, const std::vector<Vector3>& node
 
 std::vector<NodeIndex> nodes_of(const std::vector<FaceNodes>& faces) {
   std::vector<NodeIndex> nodes;
-  for (const FaceNodes& face : faces)
-    nodes.insert(nodes.end(), face.begin(), face.end());
+  for (const FaceNodes& face : faces) nodes.insert(nodes.end(), face.begin(), face.end());
   std::ranges::sort(nodes);
   const auto repeated = std::ranges::unique(nodes);
   nodes.erase(repeated.begin(), repeated.end());

@@ -18,8 +18,8 @@ class ShortList {
   constexpr ShortList(std::initializer_list<Value> values) { append(values); }
 
   template <std::ranges::input_range Range>
-    requires(!std::same_as<std::remove_cvref_t<Range>, ShortList>)
-  constexpr explicit ShortList(const Range& values) {
+  requires(!std::same_as<std::remove_cvref_t<Range>,
+                         ShortList>) constexpr explicit ShortList(const Range& values) {
     append(values);
   }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Regenerates every comparison table: installs what is missing, builds, computes.
 # Usage: bash scripts/reproduce.sh [--all] [FOLDER]     (default: results)
-# --all: the tables split and convergence too, which take about half an hour on two cores.
+# --all: the split table too, which takes about a quarter of an hour on two cores.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 extent=()

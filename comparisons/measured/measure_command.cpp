@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "comparisons/mechanical_scene.hpp"
 #include "comparisons/measured/measured_case.hpp"
 #include "comparisons/measured/nodal_csv.hpp"
 #include "comparisons/measured/vtu_file.hpp"
+#include "comparisons/mechanical_scene.hpp"
 #include "comparisons/memory.hpp"
 #include "comparisons/progress.hpp"
 #include "comparisons/result_file.hpp"

@@ -1,4 +1,3 @@
-#include "comparisons/mechanical_scene.hpp"
 #include "comparisons/measured/measured_case.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +6,7 @@
 #include <algorithm>
 
 #include "comparisons/measured/node_finder.hpp"
+#include "comparisons/mechanical_scene.hpp"
 #include "comparisons/simulate.hpp"
 #include "comparisons/utf8.hpp"
 #include "meshing/input_error.hpp"

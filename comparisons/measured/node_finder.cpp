@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace springcheck {
+
 double smallest_edge(const Mesh& mesh) {
   double smallest = INFINITY;
   for (const CellNodes& cell : mesh.cells())

@@ -2,11 +2,12 @@
 #include "comparisons/body.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 
 #include "comparisons/case_result.hpp"
 #include "comparisons/mechanical_scene.hpp"
+#include "meshing/files/mesh_files.hpp"
 #include "meshing/input_error.hpp"
-#include "meshing/mesh_files.hpp"
 #include "own_folder.hpp"
 #include "settings.hpp"
 
@@ -108,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_plate_that_is_missing_or_upside_down_is_refused) {
 
 BOOST_AUTO_TEST_CASE(what_does_not_go_with_a_mesh_is_refused) {
   BOOST_TEST(message_of("compression", {"mesh=a.msh", "cells=2,2,2"})
-                 .starts_with("--cells: expected nothing of the block beside mesh"));
+                 .starts_with("--cells: expected nothing of a block beside mesh"));
   BOOST_TEST(message_of("compression", {"fixed=foot"}) ==
              "--fixed: expected none of it without a mesh, got 'foot'");
   BOOST_TEST(message_of("compression", {"mesh=a.msh", "mesh-unit=inch"}) ==
@@ -121,6 +122,26 @@ BOOST_AUTO_TEST_CASE(what_does_not_go_with_a_mesh_is_refused) {
   BOOST_TEST(message_of("compression", {"mesh=a.msh", "reference=fem-stvk@converged"})
                  .find("expected a block, which regular grids can cut") !=
              std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_kidney_takes_no_settings_of_a_grid) {
+  BOOST_TEST(
+      message_of("kidney", {"cell-type=mixed"}) ==
+      "--cell-type: expected free-tetrahedron or free-hexahedron for a kidney, got "
+      "'mixed'");
+  BOOST_TEST(message_of("kidney", {"distortion=0.1"})
+                 .starts_with("--distortion: expected none of it but in blocks"));
+}
+
+// What is not read is not part of a case.
+BOOST_AUTO_TEST_CASE(settings_name_the_plates_that_a_test_has) {
+  const auto settings = [](const std::string& scene) {
+    return settings_json(case_of(scene, {"mesh=a.msh", "moved=b", "method=fem-stvk"}));
+  };
+  BOOST_TEST(settings("compression")["moved"] == "b");
+  BOOST_TEST(!settings("bending").contains("moved"));
+  BOOST_TEST(settings("bending")["fixed"] == "bottom");
+  BOOST_TEST(!settings("affine").contains("fixed"));
 }
 
 // A case is its mesh's content, wherever the file lies; and its plates.

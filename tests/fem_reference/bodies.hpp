@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fem_reference/discretisation.hpp"
-#include "meshing/block.hpp"
+#include "meshing/generators/block.hpp"
 #include "meshing/scene.hpp"
 
 // Meshes, fields and scenes that several tests of the solver are made from.

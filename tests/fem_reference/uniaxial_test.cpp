@@ -6,8 +6,8 @@
 
 #include "fem_reference/homogeneous_laws.hpp"
 #include "fem_reference/solve.hpp"
-#include "meshing/gmsh.hpp"
 #include "meshing/cell_geometry.hpp"
+#include "meshing/generators/gmsh.hpp"
 
 // A block between sliding plates, its sides free, is in a homogeneous state: the elements
 // have to give the closed solution of each law.

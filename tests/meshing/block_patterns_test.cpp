@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "meshing/block.hpp"
 #include "meshing/cell_geometry.hpp"
+#include "meshing/generators/block.hpp"
 
 using namespace springcheck;
 

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE block
-#include "meshing/block.hpp"
+#include "meshing/generators/block.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <limits>

@@ -2,8 +2,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "meshing/block.hpp"
 #include "meshing/cell_geometry.hpp"
+#include "meshing/generators/block.hpp"
 
 using namespace springcheck;
 

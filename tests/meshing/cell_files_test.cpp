@@ -2,9 +2,9 @@
 #include <boost/test/unit_test.hpp>
 #include <sstream>
 
-#include "meshing/block.hpp"
+#include "meshing/files/mesh_files.hpp"
+#include "meshing/generators/block.hpp"
 #include "meshing/input_error.hpp"
-#include "meshing/mesh_files.hpp"
 #include "test_directory.hpp"
 
 using namespace springcheck;

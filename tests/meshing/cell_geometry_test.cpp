@@ -124,9 +124,7 @@ BOOST_AUTO_TEST_CASE(faces_of_a_cube_face_outward) {
   const HexahedronCorners x = unit_cube();
   const Vector3 centre = Vector3::Constant(0.5);
   for (const LocalFace& face : faces(CellType::hexahedron)) {
-    const auto corner = [&](std::size_t i) {
-      return x[face[i]];
-    };
+    const auto corner = [&](std::size_t i) { return x[face[i]]; };
     const Vector3 normal = (corner(2) - corner(0)).cross(corner(3) - corner(1)) / 2;
     const Vector3 middle = (corner(0) + corner(1) + corner(2) + corner(3)) / 4;
     BOOST_TEST(normal.norm() == 1);
@@ -163,7 +161,7 @@ BOOST_AUTO_TEST_CASE(cell_volumes_follow_the_positions,
     for (std::size_t i = 0; i < 4; ++i)
       nodes.emplace_back(unit_cube()[i] + z * Vector3::UnitZ());
   const std::vector<CellNodes> cells{{0, 1, 2, 3, 4, 5, 6, 7},
-                                      {4, 5, 6, 7, 8, 9, 10, 11}};
+                                     {4, 5, 6, 7, 8, 9, 10, 11}};
   const std::vector<double> volumes = cell_volumes(cells, nodes);
   BOOST_TEST(volumes == (std::vector<double>{1, 2}), boost::test_tools::per_element());
 }

@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "meshing/block.hpp"
+#include "meshing/generators/block.hpp"
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;

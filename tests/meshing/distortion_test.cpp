@@ -1,10 +1,10 @@
 #define BOOST_TEST_MODULE distortion
 #include <boost/test/unit_test.hpp>
 
-#include "meshing/block.hpp"
 #include "meshing/cell_geometry.hpp"
+#include "meshing/generators/block.hpp"
+#include "meshing/generators/uniform_number.hpp"
 #include "meshing/input_error.hpp"
-#include "meshing/uniform_number.hpp"
 
 using namespace springcheck;
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "meshing/block.hpp"
+#include "meshing/generators/block.hpp"
 #include "meshing/quality.hpp"
 
 using namespace springcheck;

@@ -1,6 +1,6 @@
 #define BOOST_TEST_MODULE gmsh
-#include "meshing/gmsh.hpp"
-#include "meshing/mesh_files.hpp"
+#include "meshing/generators/gmsh.hpp"
+#include "meshing/files/mesh_files.hpp"
 
 #include <gmsh.h>
 

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE kidney
-#include "meshing/kidney.hpp"
+#include "meshing/generators/kidney.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

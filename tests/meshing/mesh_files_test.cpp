@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE mesh_files
-#include "meshing/mesh_files.hpp"
+#include "meshing/files/mesh_files.hpp"
 #include "meshing/output_file.hpp"
 
 #include <algorithm>

@@ -6,12 +6,12 @@
 #include <chrono>
 #include <sstream>
 
-#include "meshing/block.hpp"
 #include "meshing/conformity.hpp"
+#include "meshing/files/mesh_files.hpp"
+#include "meshing/files/msh_reader.hpp"
+#include "meshing/generators/block.hpp"
+#include "meshing/generators/uniform_number.hpp"
 #include "meshing/input_error.hpp"
-#include "meshing/mesh_files.hpp"
-#include "meshing/msh_reader.hpp"
-#include "meshing/uniform_number.hpp"
 #include "test_directory.hpp"
 
 using namespace springcheck;

@@ -1,12 +1,12 @@
 #define BOOST_TEST_MODULE msh_reader
-#include "meshing/msh_reader.hpp"
+#include "meshing/files/msh_reader.hpp"
 
 #include <gmsh.h>
 
 #include <boost/test/unit_test.hpp>
 
-#include "meshing/block.hpp"
-#include "meshing/mesh_files.hpp"
+#include "meshing/files/mesh_files.hpp"
+#include "meshing/generators/block.hpp"
 #include "test_directory.hpp"
 
 using namespace springcheck;

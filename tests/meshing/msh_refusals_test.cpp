@@ -2,8 +2,8 @@
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
+#include "meshing/files/msh_reader.hpp"
 #include "meshing/input_error.hpp"
-#include "meshing/msh_reader.hpp"
 #include "test_directory.hpp"
 
 using namespace springcheck;

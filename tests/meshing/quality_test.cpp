@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "meshing/block.hpp"
+#include "meshing/generators/block.hpp"
 
 using namespace springcheck;
 

@@ -5,7 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
-#include "meshing/gmsh.hpp"
+#include "meshing/generators/gmsh.hpp"
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;

@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <numeric>
 
-#include "meshing/gmsh.hpp"
+#include "meshing/generators/gmsh.hpp"
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE z_curve
-#include "meshing/z_curve.hpp"
+#include "meshing/generators/z_curve.hpp"
 
 #include <boost/test/unit_test.hpp>
 

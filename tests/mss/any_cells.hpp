@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "blocks.hpp"
-#include "meshing/block.hpp"
+#include "meshing/generators/block.hpp"
 
 // Meshes of every type of cell, and dense matrices of their networks.
 namespace springcheck::mss {

@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-#include "meshing/gmsh.hpp"
+#include "meshing/generators/gmsh.hpp"
 #include "meshing/scene.hpp"
 #include "mss/network.hpp"
 

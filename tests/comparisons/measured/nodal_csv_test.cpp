@@ -4,7 +4,7 @@
 #include "../own_folder.hpp"
 #include "comparisons/measured/nodal_csv.hpp"
 #include "comparisons/measured/node_finder.hpp"
-#include "meshing/gmsh.hpp"
+#include "meshing/generators/gmsh.hpp"
 #include "messages.hpp"
 
 using namespace springcheck;

@@ -8,8 +8,8 @@
 #include "../own_folder.hpp"
 #include "comparisons/measured/vtk_numbers.hpp"
 #include "comparisons/measured/vtu_file.hpp"
-#include "meshing/gmsh.hpp"
-#include "meshing/mesh_files.hpp"
+#include "meshing/files/mesh_files.hpp"
+#include "meshing/generators/gmsh.hpp"
 #include "messages.hpp"
 
 using namespace springcheck;

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "meshing/generators/mesh_parts.hpp"
+
+namespace springcheck {
+
+/// The three-dimensional cells of gmsh's current model, right way round, with the nodes
+/// they use. A gmsh session must be open.
+MeshParts gmsh_cells();
+
+}  // namespace springcheck
