@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "comparisons/converged.hpp"
+#include "comparisons/converged_number.hpp"
 #include "comparisons/planned_requests.hpp"
 
 namespace springcheck {
@@ -70,12 +70,12 @@ std::optional<double> in_percent(const std::optional<double>& fraction) {
 }
 
 double exact_force(std::span<const CaseResult> grids) {
-  OnThreeGrids values;
-  for (std::size_t i = 0; i < 3; ++i)
-    values[i] = Eigen::MatrixXd::Constant(1, 1, grids[i].measures.plate_force.value());
-  const GridSizes sizes = grid_sizes(
-      {grids[0].request.settings, grids[1].request.settings, grids[2].request.settings});
-  return extrapolate(sizes, values, solver_noise * std::abs(values[2](0))).value(0);
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < 3; ++i) values[i] = grids[i].measures.plate_force.value();
+  return converged_number({grids[0].request.settings, grids[1].request.settings,
+                           grids[2].request.settings},
+                          values)
+      .value;
 }
 
 void add_rows(Sheet& sheet, const PlannedSeries& planned,

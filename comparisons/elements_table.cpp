@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "comparisons/converged.hpp"
+#include "comparisons/converged_number.hpp"
 #include "comparisons/planned_requests.hpp"
 #include "comparisons/split.hpp"
 
@@ -136,18 +136,16 @@ std::optional<double> load_of(const CaseResult& result) {
 std::optional<double> converged_load(std::span<const CaseResult> results,
                                      const std::array<OfTests, 3>& grids,
                                      std::size_t test) {
-  OnThreeGrids values;
+  std::array<double, 3> values{};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto load = load_of(results[grids[i][test]]);
     if (!load) return std::nullopt;
-    values[i] = Eigen::MatrixXd::Constant(1, 1, *load);
+    values[i] = *load;
   }
   const auto settings = [&](std::size_t i) -> const CaseSettings& {
     return results[grids[i][test]].request.settings;
   };
-  return extrapolate(grid_sizes({settings(0), settings(1), settings(2)}), values,
-                     solver_noise * std::abs(values[2](0)))
-      .value(0);
+  return converged_number({settings(0), settings(1), settings(2)}, values).value;
 }
 
 Cell error_cell(const CaseResult& result, const std::optional<double>& exact) {

@@ -36,8 +36,7 @@ const std::vector<SettingKey>& option_keys() {
       {"size", "size of the block along x,y,z [m]"},
       {"cell-type",
        "how the block is cut: hexahedron (default), tetrahedron, prism, pyramid, mixed "
-       "or "
-       "another of 'springcheck list cell-types'"},
+       "or another of 'springcheck list cell-types'"},
       {"distortion",
        "how far nodes inside the block are moved along each axis, as a fraction of the "
        "cell edge (default 0)"},

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "comparisons/converged_number.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -48,17 +49,16 @@ ConvergedValue converged_measure(Runs runs, const SplitMeasure& measure,
       .value = {},
       .order = {},
       .bar = {}};
-  OnThreeGrids values;
+  std::array<double, 3> values{};
   for (std::size_t i = 0; i < 3; ++i) {
     if (!value.grids[i].value) return value;
-    values[i] = Eigen::MatrixXd::Constant(1, 1, *value.grids[i].value);
+    values[i] = *value.grids[i].value;
   }
-  const Extrapolated limit =
-      extrapolate(grid_sizes(cases_of(runs)), values,
-                  solver_noise * unit.value_or(std::abs(values[2](0))));
-  value.value = limit.value(0);
+  const ConvergedNumber limit = converged_number(
+      cases_of(runs), values, solver_noise * unit.value_or(std::abs(values[2])));
+  value.value = limit.value;
   value.order = limit.order;
-  value.bar = limit.bar(0);
+  value.bar = limit.bar;
   return value;
 }
 

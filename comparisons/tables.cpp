@@ -7,7 +7,7 @@
 #include <numbers>
 #include <span>
 
-#include "comparisons/converged.hpp"
+#include "comparisons/converged_number.hpp"
 #include "comparisons/printed_figures.hpp"
 #include "comparisons/scene_file.hpp"
 #include "comparisons/sheet.hpp"
@@ -248,19 +248,18 @@ void set_reference_value(TableRow& row, const Quantity& quantity,
                          std::span<const CaseResult> runs) {
   if (runs.size() == 1) row.reference_value = quantity.of(runs.front().measures);
   if (runs.size() != 3) return;
-  OnThreeGrids values;
+  std::array<double, 3> values{};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::optional<double> value = quantity.of(runs[i].measures);
     if (!value) return;
-    values[i] = Eigen::MatrixXd::Constant(1, 1, *value);
+    values[i] = *value;
   }
-  const GridSizes sizes = grid_sizes(
-      {runs[0].request.settings, runs[1].request.settings, runs[2].request.settings});
-  const Extrapolated limit =
-      extrapolate(sizes, values, solver_noise * std::abs(values[2](0)));
-  row.reference_value = limit.value(0);
+  const ConvergedNumber limit = converged_number(
+      {runs[0].request.settings, runs[1].request.settings, runs[2].request.settings},
+      values);
+  row.reference_value = limit.value;
   row.reference_order = limit.order;
-  row.reference_bar = limit.bar(0);
+  row.reference_bar = limit.bar;
 }
 
 }  // namespace
