@@ -90,9 +90,15 @@ std::string json_text(const Sheet& sheet) {
     out["cases"] = row.cases;
     rows.push_back(out);
   }
+  Json columns = Json::array();
+  for (const Column& column : sheet.columns)
+    columns.push_back({{"key", column.key},
+                       {"heading", column.heading},
+                       {"format", column.format.empty() ? Json() : Json(column.format)}});
   const Json document{{"springcheck", build_info::version},
                       {"table", sheet.name},
                       {"title", sheet.title},
+                      {"columns", columns},
                       {"rows", rows},
                       {"notes", sheet.notes}};
   return document.dump(2) + "\n";

@@ -164,6 +164,8 @@ std::string json_text(const Table& table) {
     Json flags = Json::array();
     for (const Status flag : row.result.flags) flags.push_back(name_of(flag));
     out["printed"] = json(row.plan.printed);
+    out["printed_text"] =
+        row.plan.printed_text.empty() ? Json() : Json(row.plan.printed_text);
     out["ours"] = json(row.ours);
     out["difference"] = json(row.difference);
     out["reference_value"] = json(row.reference_value);
@@ -184,11 +186,19 @@ std::string json_text(const Table& table) {
     out["case"] = row.result.key;
     rows.push_back(out);
   }
-  const Json document{
-      {"springcheck", build_info::version}, {"table", table.plan.name},
-      {"title", table.plan.title},          {"quantity", table.plan.quantity.name},
-      {"unit", table.plan.quantity.unit},   {"rows", rows},
-      {"notes", table.plan.notes}};
+  Json further = Json::array();
+  for (const Quantity& quantity : table.plan.further)
+    further.push_back({{"key", heading(quantity)}, {"format", quantity.format}});
+  const Json document{{"springcheck", build_info::version},
+                      {"table", table.plan.name},
+                      {"title", table.plan.title},
+                      {"labels", table.plan.label_headings},
+                      {"quantity", table.plan.quantity.name},
+                      {"unit", table.plan.quantity.unit},
+                      {"format", table.plan.quantity.format},
+                      {"further", further},
+                      {"rows", rows},
+                      {"notes", table.plan.notes}};
   return document.dump(2) + "\n";
 }
 

@@ -53,6 +53,12 @@ class Results:
 
         return _at_rest(self.path, arrays)
 
+    def field_names(self):
+        """Names of the arrays that each case has, by key; without those that have none."""
+        return _at_rest(
+            self.path, lambda file: {key: set(group) for key, group in file["fields"].items()}
+        )
+
     def mesh(self, key):
         """Of a case's mesh: nodes (n x 3) [m]; tetrahedra (cells x 4), pyramids (5), prisms
         (6) and hexahedra (8), those there are; regions, name to faces (n x 4), of

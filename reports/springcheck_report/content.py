@@ -1,0 +1,91 @@
+"""What sections are made of: text, tables, figures, 3D views."""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from markupsafe import Markup
+from numbers_shown import data
+
+
+@dataclass
+class Figure:
+    """name: of its files. draw(*arguments) makes matplotlib's Figure; another process
+    may call it. caption: what it shows and how to read it, a sentence or two."""
+
+    name: str
+    caption: str
+    draw: Callable
+    arguments: tuple
+
+
+@dataclass
+class Viewer:
+    """An interactive 3D view of a test's bodies, see bodies.py."""
+
+    test: str
+
+
+@dataclass
+class Section:
+    """blocks: Markup, Figure and Viewer, from top to bottom."""
+
+    name: str
+    title: str
+    blocks: list = field(default_factory=list)
+
+
+def paragraph(text, *values, **named):
+    """A paragraph; whatever stands for {} in the text is escaped."""
+    return Markup("<p>" + text + "</p>").format(*values, **named)
+
+
+def bullets(items):
+    return Markup("<ul>{}</ul>").format(Markup("").join(Markup("<li>{}</li>").format(i) for i in items))
+
+
+def file_name(text):
+    """A name that every file system takes: letters, digits, dots and dashes."""
+    return re.sub(r"[^A-Za-z0-9.]+", "-", text).strip("-.") or "unnamed"
+
+
+def measured_number(study, key, measure, text, factor=1):
+    """A case's measure as `text`, with its origin."""
+    value = float(study.cases.loc[key, measure]) * factor
+    return Markup(data(value, text, key, measure, factor))
+
+
+def table(headings, rows, *, name, classes=None, limit=None):
+    """rows: lists of cells, Markup or text, or (cell, class). Wide tables scroll. Beyond
+    `limit` rows the rest is left to the table's files."""
+    shown = rows[:limit]
+    head = Markup("").join(Markup("<th scope=col>{}</th>").format(text) for text in headings)
+    body = Markup("").join(
+        Markup("<tr>{}</tr>\n").format(Markup("").join(_cell(cell) for cell in row))
+        for row in shown
+    )
+    rest = ""
+    if len(shown) < len(rows):
+        rest = Markup("<p class=note>The first {} of {} rows; all are in the files.</p>").format(
+            len(shown), len(rows)
+        )
+    return Markup(
+        '<div class="scroll"><table id="table-{}" class="{}"><thead><tr>{}</tr></thead>'
+        "<tbody>\n{}</tbody></table></div>{}"
+    ).format(name, classes or "", head, body, rest)
+
+
+def _cell(cell):
+    text, style = cell if isinstance(cell, tuple) else (cell, "")
+    return Markup('<td class="{}">{}</td>').format(style, text) if style else Markup(
+        "<td>{}</td>"
+    ).format(text)
+
+
+def table_links(name):
+    """To the files of a table."""
+    links = [
+        Markup('<a href="tables/{}.{}">{}</a>').format(name, extension, extension)
+        for extension in ("csv", "md", "tex", "json")
+    ]
+    return Markup('<p class="files">Files: {}</p>').format(Markup(" · ").join(links))

@@ -1,0 +1,1 @@
+"""One function per figure, each of plain arrays and names, returning matplotlib's Figure."""

@@ -1,0 +1,69 @@
+"""Deformed bodies side by side (figures 5.9, 5.10, 5.12, 5.14, 5.15 of the thesis)."""
+
+from dataclasses import dataclass
+
+import matplotlib
+import numpy as np
+from matplotlib.figure import Figure
+from method_style import TWO_COLUMNS
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+_LIGHT = np.array([0.3, -0.5, 0.81])  # from the viewer's upper left, of length 1
+
+
+@dataclass
+class Panel:
+    """corners: faces x 4 x 3 deformed corners [m], values: one per face."""
+
+    title: str
+    corners: np.ndarray
+    values: np.ndarray
+
+
+def draw(rows, colour_label, unit_scale=1.0):
+    """rows: lists of Panel or None (an empty place), one column per method. All panels
+    share scale, view and colours; values are shown times `unit_scale`."""
+    columns = max(len(row) for row in rows)
+    panels = [panel for row in rows for panel in row if panel is not None]
+    everything = np.concatenate([panel.corners.reshape(-1, 3) for panel in panels])
+    low, high = everything.min(axis=0), everything.max(axis=0)
+    largest = max(panel.values.max() for panel in panels) * unit_scale
+    scale = matplotlib.colors.Normalize(0, largest or 1.0)
+    colours = matplotlib.colormaps["viridis"]
+    size = min(TWO_COLUMNS / columns, 2.4)
+    # mplot3d knows no constrained layout.
+    figure = Figure((max(size * columns, 3.4) + 0.6, size * len(rows) + 0.3), layout="none")
+    right = 1 - 0.75 / figure.get_figwidth()
+    grid = figure.add_gridspec(
+        len(rows), columns, left=0.01, right=right, bottom=0.01, top=0.95, wspace=0, hspace=0.12
+    )
+    for i, row in enumerate(rows):
+        for j, panel in enumerate(row):
+            if panel is None:
+                continue
+            axes = figure.add_subplot(grid[i, j], projection="3d")
+            collection = Poly3DCollection(
+                panel.corners,
+                facecolors=_shaded(colours(scale(panel.values * unit_scale)), panel.corners),
+                edgecolors=(0, 0, 0, 0.35),
+                linewidths=0.2,
+            )
+            collection.set_rasterized(True)  # hundreds of faces each
+            axes.add_collection3d(collection)
+            axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+            axes.set_box_aspect(high - low, zoom=1.35)
+            axes.view_init(elev=18, azim=-62)
+            axes.set_axis_off()
+            axes.set_title(panel.title, fontsize=7, y=0.97)
+    bar = figure.add_axes([right + 0.012, 0.2, 0.018, 0.6])
+    mappable = matplotlib.cm.ScalarMappable(scale, colours)
+    figure.colorbar(mappable, cax=bar, label=colour_label)
+    return figure
+
+
+def _shaded(colours, corners):
+    """Colours darkened by the angle between the faces and the light."""
+    normals = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True) + 1e-300
+    light = 0.62 + 0.38 * np.clip(normals @ _LIGHT, 0, 1)
+    return np.column_stack([colours[:, :3] * light[:, None], colours[:, 3]])

@@ -1,0 +1,77 @@
+"""Measures against a setting: Poisson's ratio, deformation, cells."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from matplotlib.figure import Figure
+from method_style import STATUS_COLOURS, TWO_COLUMNS, line
+
+
+@dataclass
+class Curve:
+    """A method's values along x; NaN where a case has no measure. statuses: of each
+    case; other than ok they are marked. style: keywords of plot, the method's own if none."""
+
+    name: str
+    x: np.ndarray
+    y: np.ndarray
+    statuses: list = field(default_factory=list)
+    style: dict | None = None
+
+
+@dataclass
+class Panel:
+    title: str
+    x_label: str
+    y_label: str
+    curves: list
+    log_x: bool = False
+    log_y: bool = False
+
+
+def draw(panels):
+    """One row of panels with one legend. A cross below the panel's floor tells of a case
+    without any equilibrium, a ring around a marker of one that is not ok."""
+    figure = Figure((TWO_COLUMNS, 2.75))
+    all_axes = figure.subplots(1, len(panels), squeeze=False)[0]
+    statuses = set()
+    for axes, panel in zip(all_axes, panels):
+        for curve in panel.curves:
+            axes.plot(curve.x, curve.y, label=curve.name, **(curve.style or line(curve.name)))
+        if panel.log_x:
+            axes.set_xscale("log")
+        if panel.log_y:
+            axes.set_yscale("log")
+        axes.set(title=panel.title, xlabel=panel.x_label, ylabel=panel.y_label)
+        for curve in panel.curves:
+            statuses |= _mark_statuses(axes, curve)
+    handles, labels = _legend(all_axes)
+    for status in sorted(statuses):
+        handles.append(
+            figure.axes[0].plot([], [], "o", mfc="none", mec=STATUS_COLOURS[status])[0]
+        )
+        labels.append(status)
+    figure.legend(handles, labels, loc="upper center", ncols=5, bbox_to_anchor=(0.5, 0))
+    return figure
+
+
+def _legend(all_axes):
+    entries = {}
+    for axes in all_axes:
+        for handle, label in zip(*axes.get_legend_handles_labels()):
+            entries.setdefault(label, handle)
+    return list(entries.values()), list(entries)
+
+
+def _mark_statuses(axes, curve):
+    found = set()
+    for x, y, status in zip(curve.x, curve.y, curve.statuses):
+        if status == "ok":
+            continue
+        found.add(status)
+        mark = {"color": STATUS_COLOURS[status], "clip_on": False, "zorder": 5}
+        if np.isfinite(y):
+            axes.plot([x], [y], "o", markersize=6.5, mfc="none", mec=mark["color"], zorder=5)
+        else:
+            axes.plot([x], [0], "x", markersize=4, transform=axes.get_xaxis_transform(), **mark)
+    return found

@@ -1,0 +1,104 @@
+"""How a method looks, the same in every figure, and how figures are set."""
+
+import matplotlib
+
+# Okabe and Ito's palette, told apart by colour-blind readers (jfly.uni-koeln.de/color).
+_COLOURS = {
+    "mss-cf": "#0072B2",
+    "mss-affine": "#009E73",
+    "mss-nfd": "#E69F00",
+    "mss-baudet": "#CC79A7",
+    "mss-fd": "#56B4E9",
+    "fem-hencky": "#000000",
+    "fem-stvk": "#D55E00",
+    "fem-hooke": "#7F7F7F",
+    "fem-cauchy-born": "#8C6BB1",
+    "mss-vangelder": "#B8A600",
+    "mss-lloyd": "#8B5A2B",
+    "mss-custom": "#5E81AC",
+}
+_MARKERS = {
+    "mss-cf": "o",
+    "mss-affine": "D",
+    "mss-nfd": "^",
+    "mss-baudet": "v",
+    "mss-fd": "<",
+    "fem-hencky": "s",
+    "fem-stvk": "P",
+    "fem-hooke": "X",
+    "fem-cauchy-born": "h",
+    "mss-vangelder": ">",
+    "mss-lloyd": "p",
+    "mss-custom": "d",
+}
+_OTHERS = ["#AA3377", "#228833", "#BB5566", "#004488", "#997700"]
+
+# Statuses by what they mean for a user: usable, suspect, none.
+STATUS_COLOURS = {
+    "ok": "#56B4E9",
+    "wrinkled": "#F0E442",
+    "indefinite": "#E69F00",
+    "inverted": "#D55E00",
+    "no_equilibrium": "#CC3311",
+    "not_converged": "#882255",
+    "diverged": "#332288",
+    "refused": "#DDDDDD",
+}
+
+ONE_COLUMN, TWO_COLUMNS = 3.5, 7.2  # inches, of a journal's page
+
+
+def _base(name):
+    """"fem-stvk" of "fem-stvk:q1-sri"."""
+    for separator in (":", ",", " ("):
+        name = name.split(separator)[0]
+    return name
+
+
+def colour(name):
+    """Of a method by its name in tables; labels of measured results get one of their own."""
+    base = _base(name)
+    return _COLOURS.get(base) or _OTHERS[sum(base.encode()) % len(_OTHERS)]
+
+
+def line(name):
+    """Keywords of matplotlib's plot for a method: finite elements are dashed."""
+    base = _base(name)
+    return {
+        "color": colour(name),
+        "marker": "*" if ", " in name else _MARKERS.get(base, "*"),  # variants, others' methods
+        "linestyle": "--" if base.startswith("fem-") else "-",
+        "markersize": 3.5,
+        "linewidth": 1.1,
+    }
+
+
+def set_defaults():
+    """Typography of all figures, and files that depend on nothing but what they show."""
+    matplotlib.use("agg")
+    matplotlib.rcParams.update(
+        {
+            "font.family": "DejaVu Sans",
+            "font.size": 7.5,
+            "axes.titlesize": 8,
+            "axes.labelsize": 7.5,
+            "legend.fontsize": 6.5,
+            "legend.frameon": False,
+            "axes.spines.top": False,
+            "axes.spines.right": False,
+            "axes.grid": True,
+            "grid.color": "#E4E4E4",
+            "grid.linewidth": 0.5,
+            "axes.axisbelow": True,
+            "axes.linewidth": 0.6,
+            "xtick.major.width": 0.6,
+            "ytick.major.width": 0.6,
+            "figure.dpi": 100,
+            "savefig.dpi": 200,
+            "svg.hashsalt": "springcheck",
+            "svg.fonttype": "path",
+            "pdf.fonttype": 42,
+            "figure.constrained_layout.use": True,
+            "axes.formatter.use_mathtext": True,
+        }
+    )

@@ -1,0 +1,38 @@
+"""The report's sections, in the page's order.
+
+A section is a function of a Study that returns content.Section, or None where the study
+has no data for it. A new one is a function here and a line in SECTIONS.
+"""
+
+from sections.bodies import bending, compression, other_tests, shearing, tension, torsion
+from sections.cases import all_cases, empty_file, files_for_paraview, provenance
+from sections.cells import any_cells, convergence, subdivision
+from sections.cost import cost
+from sections.failures import failures
+from sections.laws import error_parts, locking, orientation, spring_constants
+from sections.summary import summary
+from sections.thesis_tables import thesis_tables
+
+SECTIONS = [
+    empty_file,
+    summary,
+    thesis_tables,
+    compression,
+    tension,
+    shearing,
+    torsion,
+    bending,
+    other_tests,
+    failures,
+    spring_constants,
+    error_parts,
+    any_cells,
+    convergence,
+    subdivision,
+    locking,
+    orientation,
+    cost,
+    files_for_paraview,
+    all_cases,
+    provenance,
+]

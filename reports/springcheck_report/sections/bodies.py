@@ -1,0 +1,350 @@
+"""The five tests, and others: 3D views, pictures, sections, beams, sweeps."""
+
+import bodies
+import numpy as np
+from content import Figure, Section, Viewer, measured_number, paragraph, table
+from figures import beams, cross_sections
+from figures import bodies as body_figures
+from markupsafe import Markup
+from method_style import line
+from numbers_shown import significant
+from sections.slices import deformation_panels, nu_panels
+from study import ANSWERS, counts_text, is_variant
+from surface import edges_in_plane, outside
+
+_TESTS = {
+    "compression": "A cube between two glued plates is pressed: the upper plate moves down.",
+    "tension": "A beam between two glued plates is pulled: the upper plate moves up.",
+    "shearing": "The upper plate of a cube moves sideways, its height kept.",
+    "torsion": "The upper plate of a cube turns about the vertical axis, its height kept.",
+    "bending": "A beam clamped at one end bends under its own weight.",
+}
+
+
+def compression(study):
+    """Figure 5.9."""
+    return _test(study, "compression")
+
+
+def tension(study):
+    """Figure 5.10."""
+    return _test(study, "tension")
+
+
+def shearing(study):
+    """Figures 5.11 and 5.12: the vertical plane in the middle, along the motion."""
+    return _test(study, "shearing", _cross_section(study, "shearing", plane=1, across=(0, 2)))
+
+
+def torsion(study):
+    """Figures 5.13 and 5.14: the layer at half height, seen along the axis, and the vertical
+    plane in the middle, whose points turn out of it."""
+    blocks = _cross_section(study, "torsion", plane=1, across=(0, 2))
+    return _test(study, "torsion", blocks + _cross_section(study, "torsion", plane=2, across=(0, 1)))
+
+
+def bending(study):
+    """Figures 5.3 and 5.15 to 5.19."""
+    return _test(study, "bending", _beams(study) + _diagonal_ratio_beams(study))
+
+
+def other_tests(study):
+    """Whatever else the file has fields of."""
+    if study.cases.empty:
+        return None
+    section = Section("other-tests", "Other tests")
+    for test in sorted(set(study.cases.test) - set(_TESTS)):
+        blocks = _views(study, test)
+        if blocks:
+            section.blocks += [Markup("<h3>{}</h3>").format(test), *blocks]
+    return section if section.blocks else None
+
+
+def _test(study, test, further=()):
+    if study.cases.empty:
+        return None
+    panels = nu_panels(study, test) + deformation_panels(study, test)
+    blocks = [*_views(study, test), *further, *panels]
+    if not blocks:
+        return None
+    title = test.capitalize()
+    return Section(test, title, [paragraph(_TESTS[test]), *_verdicts(study, test), *blocks])
+
+
+def _verdicts(study, test):
+    """Per spring method how far its answer is from finite elements on the same problem."""
+    cases = study.cases[(study.cases.test == test) & (study.cases.kind != "finite elements")]
+    measure, answer, unit = ANSWERS[test]
+    rows = []
+    for name, of_method in cases.groupby("name"):
+        judged = of_method[(of_method.status == "ok") & of_method.answer_difference.notna()]
+        if judged.empty or is_variant(name):
+            continue
+        worst = judged.answer_difference.abs().idxmax()
+        case = judged.loc[worst]
+        theirs = study.cases.loc[case.counterpart]
+        rows.append(
+            [
+                Markup("<b>{}</b>").format(name),
+                str(len(judged)),
+                _percent(judged.answer_difference.abs().median()),
+                _percent(abs(case.answer_difference)),
+                bodies.group_text(case),
+                measured_number(study, worst, measure, significant(case.answer)),
+                measured_number(study, case.counterpart, measure, significant(theirs.answer)),
+                theirs["name"],
+            ]
+        )
+    if not rows:
+        return []
+    headings = ["springs", "cases", "median", "largest", "the largest at", f"springs [{unit}]"]
+    headings += [f"finite elements [{unit}]", "their law"]
+    note = paragraph(
+        '<span class="note">{} off finite elements on the same mesh, in cases that both solve. At '
+        "large deformation the laws differ, not only the methods.</span>",
+        answer.capitalize(),
+    )
+    return [table(headings, rows, name=f"answers-{test}"), note]
+
+
+def _percent(fraction):
+    return f"{significant(100 * fraction, 2)} %"
+
+
+def _views(study, test):
+    """The interactive view and the picture that stands for it in print."""
+    found = bodies.groups(study, test)
+    if not found:
+        return []
+    return [Viewer(test), _picture(study, test, found)]
+
+
+def _picture(study, test, found):
+    """Methods beside each other, a row for each Poisson's ratio (figures 5.9, 5.10, 5.12,
+    5.14) or Young's modulus (5.15), at the largest load that most methods have."""
+    first = study.cases.loc[found[0].cases[0]]
+    chosen = [
+        group
+        for group in found
+        if study.cases.loc[group.cases[0], "mesh"] == first["mesh"]
+        and study.cases.loc[group.cases[0], "load"] == _picture_load(study, found, first)
+    ] or [found[0]]
+    chosen.sort(key=lambda group: study.cases.loc[group.cases[0], "nu"])
+    if len(chosen) > 3:
+        chosen = [chosen[0], chosen[len(chosen) // 2], chosen[-1]]
+    names = _columns(study, chosen)
+    surface = outside(study.mesh(first.name))
+    rows = []
+    for group in chosen:
+        by_name = {study.cases.loc[key, "name"]: key for key in group.cases}
+        row = [_panel(study, by_name[name], surface) if name in by_name else None for name in names]
+        rows.append(row)
+    case = study.cases.loc[chosen[0].cases[0]]
+    text = (
+        f"Deformed bodies, {_mesh_and_load(case)}, coloured by displacement; springs to the left, "
+        "finite elements to the right, all to the same scale. Empty places: no equilibrium."
+    )
+    return Figure(f"bodies_{test}", text, body_figures.draw, (rows, "displacement [mm]", 1e3))
+
+
+def _picture_load(study, found, first):
+    """The largest load among groups with the largest number of methods on the mesh."""
+    on_mesh = [g for g in found if study.cases.loc[g.cases[0], "mesh"] == first["mesh"]]
+    most = max(len(_columns(study, [g])) for g in on_mesh)
+    loads = [
+        (_size_of_load(study.cases.loc[g.cases[0]]), study.cases.loc[g.cases[0], "load"])
+        for g in on_mesh
+        if len(_columns(study, [g])) >= min(most, 3)
+    ]
+    return max(loads)[1]
+
+
+def _size_of_load(case):
+    if case.test == "bending":
+        return 1 / case.young
+    return abs(case.deformation) if np.isfinite(case.deformation) else 0.0
+
+
+def _columns(study, chosen):
+    """Names of up to four spring methods and one of finite elements."""
+    names = {}
+    for group in chosen:
+        for key in group.cases:
+            case = study.cases.loc[key]
+            if is_variant(case["name"]):
+                continue
+            names.setdefault(case["name"], [case["kind"], 0])[1] += 1
+    springs = [name for name, (kind, _) in names.items() if kind != "finite elements"]
+    order = ["mss-baudet", "mss-nfd", "mss-cf", "mss-affine"]
+    springs.sort(key=lambda name: (order.index(name) if name in order else len(order), name))
+    elements = [name for name, (kind, _) in names.items() if kind == "finite elements"]
+    elements.sort(key=lambda name: (-names[name][1], not name.startswith("fem-hencky"), name))
+    return springs[:4] + elements[:1]
+
+
+def _panel(study, key, surface):
+    case = study.cases.loc[key]
+    mesh = study.mesh(key)
+    displacement = study.field(key, "displacement")[surface.nodes]
+    corners = (mesh["nodes"][surface.nodes] + displacement)[surface.faces]
+    values = np.linalg.norm(displacement, axis=1)[surface.faces].mean(axis=1)
+    title = f"{case['name']}\n$\\nu$ = {case.nu:g}"
+    if case.status != "ok":
+        title += f", {case.status.replace('_', ' ')}"
+    return body_figures.Panel(title, corners, values)
+
+
+def _mesh_and_load(case):
+    parts = bodies.group_text(case).split(", ")
+    return ", ".join(part for part in parts if not part.startswith("nu "))
+
+
+def _cross_section(study, test, plane, across):
+    """Springs over finite elements in the middle plane normal to axis `plane`."""
+    cases = study.cases[
+        (study.cases.test == test)
+        & study.cases.counterpart.notna()
+        & (study.cases.status == "ok")
+        & (study.cases.body == "block")
+    ]
+    cases = study.with_fields(cases)
+    cases = cases[[study.has(key, "displacement") for key in cases.counterpart]]
+    if cases.empty:
+        return []
+    preferred = cases[cases["name"] == "mss-cf"]
+    cases = cases if preferred.empty else preferred
+    cases = cases[cases.deformation == cases.deformation.max()]
+    cases = cases[cases["name"] == cases["name"].iloc[0]]
+    mesh_name = cases.groupby("mesh").nu.nunique().idxmax()
+    cases = cases[cases["mesh"] == mesh_name].drop_duplicates("nu").sort_values("nu")
+    if len(cases) > 3:
+        cases = cases.iloc[[0, len(cases) // 2, -1]]
+    sections = []
+    for key, case in cases.iterrows():
+        mesh = study.mesh(key)
+        extent = mesh["nodes"].max(axis=0) - mesh["nodes"].min(axis=0)
+        position = _layer(mesh["nodes"][:, plane])
+        edges = edges_in_plane(mesh, plane, position, 1e-6 * extent[plane])
+        if len(edges) == 0:
+            return []
+        lines = []
+        for of, name in ((case.counterpart, study.cases.loc[case.counterpart, "name"]), (key, case["name"])):
+            deformed = 100 * (mesh["nodes"] + study.field(of, "displacement"))
+            lines.append((name, deformed[edges][:, :, across]))
+        sections.append(cross_sections.Section(f"$\\nu$ = {case.nu:g}", lines))
+    axes = "xyz"
+    caption = (
+        f"The layer of nodes at {axes[plane]} = {100 * position:.3g} cm after {test} by "
+        f"{cases.iloc[0].load}, springs over finite elements (the pale lines), seen along "
+        f"{axes[plane]}."
+    )
+    labels = [f"{axes[axis]} [cm]" for axis in across]
+    name = f"cross_section_{test}_{axes[plane]}"
+    return [Figure(name, caption, cross_sections.draw, (sections, *labels))]
+
+
+def _layer(coordinates):
+    """The coordinate, among those of nodes, that is nearest to the middle."""
+    values = np.unique(coordinates)
+    return values[np.abs(values - (values[0] + values[-1]) / 2).argmin()]
+
+
+def _centre_line(study, key):
+    """Axial place and drop of the nodes on the middle axis, None where there are none."""
+    displacement = study.field(key, "displacement")
+    if displacement is None:
+        return None
+    mesh, case = study.mesh(key), study.cases.loc[key]
+    nodes = mesh["nodes"]
+    middle = np.array([case["size.x"], case["size.y"]]) / 2
+    on_axis = np.abs(nodes[:, :2] - middle).max(axis=1) < 1e-9 * case["size.z"]
+    if on_axis.sum() < 3:
+        return None
+    order = np.argsort(nodes[on_axis, 2])
+    deformed = (nodes + displacement)[on_axis][order]
+    return deformed[:, 2], -displacement[on_axis][order, 0]
+
+
+def _theory_lines(study, key):
+    """Curves of beam theory for the case's beam."""
+    styles = {
+        "euler_bernoulli": ("Euler-Bernoulli", {"color": "#444444", "linestyle": ":"}),
+        "timoshenko": ("Timoshenko", {"color": "#999999", "linestyle": "-."}),
+        "elastica": ("elastica", {"color": "#CC3311", "linestyle": "-", "alpha": 0.6}),
+    }
+    for beam in study.theory.get("beams", []):
+        if key in beam["cases"]:
+            return [
+                beams.CentreLine(
+                    name, np.array(beam[theory]["axial"]), np.array(beam[theory]["drop"]), style
+                )
+                for theory, (name, style) in styles.items()
+            ]
+    return []
+
+
+def _beams(study):
+    """A figure for each size of beam, a panel for each Young's modulus."""
+    cases = study.cases[(study.cases.test == "bending") & (study.cases.body == "block")]
+    cases = cases[~cases["name"].str.contains("A =") & (cases["cell-type"] == "hexahedron")]
+    cases = cases[np.isclose(cases.nu, 0.25)]
+    figures = []
+    for length, of_length in cases.groupby("size.z"):
+        panels = []
+        for _, of_modulus in of_length.groupby("young"):
+            lines = []
+            for key, case in of_modulus.sort_values(["method", "cells.z"]).iterrows():
+                curve = _centre_line(study, key)
+                if curve is None:
+                    continue
+                name = f"{case['name']} {counts_text(case)}"
+                if case.status != "ok":
+                    name += f" ({case.status.replace('_', ' ')})"
+                style = {**line(case["name"]), "markersize": 0}
+                style["alpha"] = 1.0 if case["cells.x"] == of_modulus["cells.x"].max() else 0.45
+                lines.append(beams.CentreLine(name, *curve, style))
+            if lines:
+                theory = _theory_lines(study, of_modulus.index[0])
+                panels.append((f"{of_modulus.iloc[0].load}, nu = 0.25", theory, lines))
+        if panels:
+            caption = (
+                f"Centre lines of beams {length:g} m long against theory: Euler-Bernoulli is for "
+                "small deflections, the elastica for large ones without shear. Paler lines are "
+                "coarser meshes."
+            )
+            figures.append(Figure(f"beams_{100 * length:.3g}cm", caption, beams.draw, (panels,)))
+    return figures
+
+
+def _diagonal_ratio_beams(study):
+    """Figure 5.3: the ratio A of the diagonals' stiffness."""
+    cases = study.cases[(study.cases.test == "bending") & (study.cases.method == "mss-cf")]
+    cases = study.with_fields(cases)
+    panels = []
+    for _, same in cases.groupby(["mesh", "young", "nu"]):
+        if same["diagonal-ratio"].nunique() < 3:
+            continue
+        same = same.drop_duplicates("diagonal-ratio").sort_values("diagonal-ratio")
+        lines = []
+        for i, (key, case) in enumerate(same.iterrows()):
+            curve = _centre_line(study, key)
+            if curve is not None:
+                shade = {"color": _shades(len(same))[i], "linewidth": 1.1}
+                status = "" if case.status == "ok" else f" ({case.status.replace('_', ' ')})"
+                lines.append(beams.CentreLine(f"A = {case['diagonal-ratio']:g}{status}", *curve, shade))
+        case = same.iloc[0]
+        theory = _theory_lines(study, same.index[0])
+        panels.append((f"{case.load}, nu = {case.nu:g}, {counts_text(case)}", theory, lines))
+    if not panels:
+        return []
+    caption = (
+        "The ratio A of face to inner diagonals' stiffness in mss-cf, which its small-strain "
+        "moduli do not depend on. The thesis saw no noticeable influence from 0.01 to 100."
+    )
+    return [Figure("beam_diagonal_ratio", caption, beams.draw, (panels[:2],))]
+
+
+def _shades(count):
+    import matplotlib
+
+    return [matplotlib.colormaps["viridis"](x) for x in np.linspace(0, 0.9, count)]

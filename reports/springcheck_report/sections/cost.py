@@ -1,0 +1,71 @@
+"""What accuracy costs: error against time with the Pareto front, time against cells."""
+
+import numpy as np
+from content import Figure, Section, paragraph
+from figures import cost as cost_figures
+
+
+def cost(study):
+    errors, times = _errors(study), _times(study)
+    if errors is None and times is None:
+        return None
+    section = Section("cost", "Speed against accuracy")
+    session = study.results.provenance.iloc[0]
+    section.blocks.append(
+        paragraph(
+            "Times are those of single solutions within one session on {} ({} threads, several "
+            "cases side by side): good for orders of magnitude, not for rankings within a factor "
+            "of two.",
+            session.get("cpu", "an unknown processor"),
+            f"{session.get('threads', 0):g}",
+        )
+    )
+    caption = (
+        "Left or alone: error against time; the wide line is the Pareto front, beyond which no "
+        "method here is both faster and better. Time against cells: static solutions."
+    )
+    section.blocks.append(Figure("cost", caption, cost_figures.draw, (errors, times)))
+    return section
+
+
+def _errors(study):
+    """From the table of convergence: error of the force off the converged one, at the nu
+    nearest to 0.25, on cubes and tetrahedra."""
+    document = study.tables.get("convergence")
+    if document is None:
+        return None
+    rows = [row for row in document["rows"] if row["force_error"] is not None]
+    rows = [row for row in rows if row["case"] in study.cases.index]
+    if not rows:
+        return None
+    nu = min({row["nu"] for row in rows}, key=lambda value: abs(value - 0.25))
+    methods = {}
+    for row in rows:
+        if row["nu"] != nu or row["cell_type"] not in ("hexahedron", "free-tetrahedron"):
+            continue
+        name = row["method"]
+        if row["cell_type"] != "hexahedron":
+            name += f", {row['cell_type']}"
+        seconds, errors, texts = methods.setdefault(name, ([], [], []))
+        seconds.append(study.cases.loc[row["case"], "solve_wall_s"])
+        errors.append(abs(row["force_error"]))
+        texts.append(f"{row['n']:.0f}")
+    methods = {name: (np.array(s), np.array(e), t) for name, (s, e, t) in methods.items()}
+    return (f"|force error| [%], shearing, nu = {nu:g}", methods)
+
+
+def _times(study):
+    """Per method the median time of static solutions on blocks of hexahedra, by cells."""
+    cases = study.cases[
+        (study.cases.status == "ok")
+        & (study.cases["cell-type"] == "hexahedron")
+        & (study.cases.solver == "static")
+        & (study.cases.kind != "measured")
+    ]
+    cells = cases["cells.x"] * cases["cells.y"] * cases["cells.z"]
+    methods = {}
+    for name, group in cases.assign(count=cells).groupby("name"):
+        medians = group.groupby("count").solve_wall_s.median()
+        if len(medians) >= 3 and medians.min() > 0 and "A =" not in name:
+            methods[name] = (medians.index.to_numpy(), medians.to_numpy())
+    return methods or None

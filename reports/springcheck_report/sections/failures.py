@@ -1,0 +1,128 @@
+"""Where methods fail."""
+
+from content import Figure, Section, bullets, paragraph, table
+from figures import statuses
+from markupsafe import Markup
+from numbers_shown import significant
+from study import case_text
+
+_WORDS = {
+    "wrinkled": "wrinkles: free faces zigzag from cell to cell",
+    "inverted": "turns cells inside out",
+    "indefinite": "ends in an equilibrium that is not stable",
+    "no_equilibrium": "has no equilibrium at the full load",
+    "not_converged": "was given up by the solver",
+    "diverged": "blew up in time",
+    "refused": "does not cover the mesh, material or time step",
+}
+_MOST_ROWS = 300
+
+
+def failing_sentences(study):
+    """What goes wrong with each spring method, in words; one sentence if nothing does."""
+    cases = study.cases[study.cases.kind != "finite elements"]
+    items = []
+    for method, of_method in cases.groupby("method"):
+        bad = of_method[~of_method.status.isin(["ok", "refused"])]
+        covered = of_method[of_method.status != "refused"]
+        parts = []
+        for status, of_status in bad.groupby("status", sort=False):
+            first = of_status.loc[of_status.deformation.abs().fillna(0).idxmin()]
+            tests = ", ".join(dict.fromkeys(of_status.test))
+            parts.append(
+                f"{_WORDS[status]} in {len(of_status)} of {len(covered)} cases ({tests}; "
+                f"mildest: {case_text(first)})"
+            )
+        if parts:
+            items.append(Markup("<b>{}</b> {}.").format(method, "; ".join(parts)))
+    if not items:
+        return ["In none of these cases."]
+    return items
+
+
+def failures(study):
+    """A map by method and test, and every case that is not ok with its reason."""
+    if study.cases.empty:
+        return None
+    bad = study.cases[study.cases.status != "ok"]
+    if bad.empty:
+        return None
+    section = Section("failures", "Where methods fail")
+    section.blocks.append(
+        paragraph(
+            "A failed simulation is a result. Wrinkled, inverted and indefinite states are "
+            "equilibria, but not those of a smooth elastic body: their figures say that the method "
+            "failed, and little more. Where there is no equilibrium, the table says how much of "
+            "the load was carried."
+        )
+    )
+    tests = list(dict.fromkeys(study.cases.test))[:8]
+    methods = sorted(set(study.cases.method))[:24]
+    shares = [
+        [
+            study.cases[(study.cases.method == method) & (study.cases.test == test)]
+            .status.value_counts()
+            .to_dict()
+            for test in tests
+        ]
+        for method in methods
+    ]
+    caption = (
+        "How cases ended, by method and test: the bars are shares of statuses, the numbers count "
+        "usable ones among all."
+    )
+    section.blocks.append(Figure("statuses", caption, statuses.draw, (methods, tests, shares)))
+    section.blocks += _maps(study)
+    section.blocks.append(_table(bad))
+    return section
+
+
+def _maps(study):
+    """Status by Poisson's ratio and deformation, for each method and test that has a grid."""
+    figures = []
+    for (test, method), cases in study.cases.groupby(["test", "method"]):
+        if (cases.status == "ok").all() or method.startswith("fem-"):
+            continue
+        cases = cases[cases["cell-type"] == cases["cell-type"].mode()[0]]
+        nus, loads = sorted(set(cases.nu)), sorted(set(cases.deformation.dropna()))
+        if len(nus) < 3 or len(loads) < 3:
+            continue
+        names = [cases[cases.deformation == load].iloc[0].load for load in loads]
+        shares = [
+            [
+                cases[(cases.nu == nu) & (cases.deformation == load)].status.value_counts().to_dict()
+                for load in loads
+            ]
+            for nu in nus
+        ]
+        caption = f"{method} in {test}: how cases ended, by Poisson's ratio and deformation."
+        rows = [f"nu {nu:g}" for nu in nus]
+        figures.append(
+            Figure(f"stability_{method}_{test}", caption, statuses.draw, (rows, names, shares))
+        )
+    return figures[:8]
+
+
+def _table(bad):
+    bad = bad.sort_values(["test", "method", "nu", "deformation"])
+    refused = bad[bad.status == "refused"]
+    rows = []
+    for key, case in bad[bad.status != "refused"].iterrows():
+        reached = ""
+        if case.status == "no_equilibrium" and case.load_fraction == case.load_fraction:
+            reached = f"{significant(100 * case.load_fraction, 3)} % of the load"
+        reason = case.reason or ""
+        rows.append(
+            [case["name"], case_text(case), (case.status.replace("_", " "), "failed"), reached]
+            + [reason, (key[:8], "key")]
+        )
+    blocks = Markup("")
+    if rows:
+        headings = ["method", "case", "status", "reached", "why", "case's key"]
+        blocks += table(headings, rows, name="failures", limit=_MOST_ROWS)
+    if len(refused):
+        counts = refused.groupby(["method", "reason"]).size()
+        items = [f"{method}: {count} refused ({reason})" for (method, reason), count in counts.items()]
+        short = items[:12] + ([f"and {len(items) - 12} further reasons"] if len(items) > 12 else [])
+        blocks += bullets(short)
+    return blocks

@@ -1,0 +1,183 @@
+"""What the springs' constants and laws do: from the tables split, locking, orientation."""
+
+import numpy as np
+from content import Figure, Section, paragraph
+from figures import curves, error_parts as error_figures
+from sections.sheets import sheet_blocks
+from study import ANSWERS
+
+
+def spring_constants(study):
+    """Figure 5.4, and the ratio of the diagonals."""
+    if study.cases.empty or not (study.cases.kind == "springs").any():
+        return None
+    section = Section("spring-constants", "The springs' constants")
+    modulus = study.theory.get("volume_modulus")
+    if modulus:
+        nu, ratio = np.array(modulus["nu"]), np.array(modulus["kappa_over_young"])
+        used = sorted(set(study.cases[study.cases.kind == "springs"].nu))
+        at_used = np.interp(used, nu, ratio)
+        panel = curves.Panel(
+            "Volume correction",
+            "Poisson's ratio",
+            "κ/E",
+            [
+                curves.Curve("κ/E = (4ν − 1)/(2(1 + ν)(1 − 2ν))", nu, ratio, style={"color": "#0072B2"}),
+                curves.Curve(
+                    "cases of this file",
+                    np.array(used)[np.array(used) <= nu[-1]],
+                    at_used[np.array(used) <= nu[-1]],
+                    style={"color": "#D55E00", "marker": "o", "linestyle": "none", "markersize": 4},
+                ),
+            ],
+        )
+        caption = (
+            f"The modulus of the volume correction over Young's modulus ({modulus['source']}). "
+            "It is zero at nu = 1/4, where springs alone are right, negative below, and without "
+            "bound at 1/2."
+        )
+        section.blocks.append(Figure("volume_modulus", caption, curves.draw, ([panel],)))
+    section.blocks += _diagonal_ratio(study)
+    return section if section.blocks else None
+
+
+def _diagonal_ratio(study):
+    """Answers against A for each load, over those at the smallest |log A|."""
+    cases = study.cases[(study.cases.method == "mss-cf") & (study.cases.test != "bending")]
+    panels = []
+    for test, of_test in cases.groupby("test"):
+        if test not in ANSWERS:
+            continue
+        lines = []
+        for (_, nu, load), group in of_test.groupby(["mesh", "nu", "load"]):
+            group = group[group["stiffness-form"] != "E"].drop_duplicates("diagonal-ratio")
+            group = group.sort_values("diagonal-ratio")
+            if len(group) < 3:
+                continue
+            ratio = group["diagonal-ratio"].to_numpy(dtype=float)
+            answer = group[ANSWERS[test][0]].to_numpy(dtype=float)
+            base = answer[np.abs(np.log(ratio)).argmin()]
+            lines.append(
+                curves.Curve(
+                    f"nu {nu:g}, {load}",
+                    ratio,
+                    answer / base,
+                    list(group.status),
+                    style={"color": _tint(len(lines)), "marker": "o", "markersize": 3},
+                )
+            )
+        if lines:
+            name = ANSWERS[test][1]
+            panels.append(curves.Panel(test, "A = k_f/k_c", f"{name}, over A = 1", lines, log_x=True))
+    if not panels:
+        return []
+    caption = (
+        "The ratio A of face to inner diagonals: the small-strain moduli do not know it, the "
+        "answer at larger strain and on a finite mesh does."
+    )
+    return [Figure("diagonal_ratio", caption, curves.draw, (panels[:3],))]
+
+
+def _tint(place):
+    return ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00"][place % 6]
+
+
+def error_parts(study):
+    """Law and discretisation, from the table split."""
+    document = study.tables.get("split")
+    if document is None:
+        return None
+    panels, labels = [], []
+    for quantity, title in (("volume change", "Volume change"), (None, "Answer")):
+        rows = [
+            row
+            for row in document["rows"]
+            if (row["quantity"] == quantity if quantity else row["quantity"] in _ANSWER_NAMES)
+            and row["scene"] != "uniaxial"
+        ]
+        by_label = {f"{row['scene']} {row['load']}": row for row in rows}
+        labels = labels or list(by_label)
+        percent = quantity is None
+        columns = []
+        for part in ("law", "discretisation"):
+            columns += _parts(by_label, labels, part, percent)
+        panels.append((title, "% of Hencky" if percent else _unit(rows), *columns))
+    section = Section("error-parts", "Where the errors come from")
+    section.blocks.append(
+        paragraph(
+            "Law: what the springs' own continuum (Cauchy-Born) does otherwise than Hencky's law. "
+            "Discretisation: what springs on this mesh do otherwise than that continuum. Converged "
+            "values carry error bars and are shown to their digits."
+        )
+    )
+    if labels:
+        caption = "The two parts of mss-cf's error, with the bars of the converged values."
+        section.blocks.append(
+            Figure("error_parts", caption, error_figures.draw, (labels, panels))
+        )
+    section.blocks += sheet_blocks(document)
+    return section
+
+
+_ANSWER_NAMES = {"plate force", "resultant", "torque", "tip drop", "face displacement"}
+
+
+def _unit(rows):
+    return rows[0]["unit"] if rows else ""
+
+
+def _parts(by_label, labels, part, percent):
+    """Values and bars of a part by label; percent of the reference where `percent`."""
+    values, bars = [], []
+    for label in labels:
+        row = by_label.get(label)
+        value = None if row is None else row[f"{part}_percent" if percent else part]
+        bar = None if row is None else row[f"{part}_bar"]
+        if bar is not None and percent:
+            bar = 100 * bar / abs(row["reference"])
+        values.append(np.nan if value is None else value)
+        bars.append(0 if bar is None else bar)
+    return [np.array(values), np.array(bars)]
+
+
+def locking(study):
+    document = study.tables.get("locking")
+    if document is None:
+        return None
+    lines = []
+    for law in dict.fromkeys(row["law"] for row in document["rows"]):
+        for element in dict.fromkeys(row["element"] for row in document["rows"]):
+            rows = [r for r in document["rows"] if (r["law"], r["element"]) == (law, element)]
+            rows = [r for r in rows if r["plate_force"] is not None]
+            if not rows:
+                continue
+            x = np.array([0.5 - r["nu"] for r in rows])
+            y = np.array([r["plate_force"] for r in rows])
+            lines.append(
+                curves.Curve(
+                    f"{law}:{element}",
+                    x,
+                    y,
+                    style={
+                        "color": {"q1": "#D55E00", "q1-sri": "#0072B2", "q2": "#000000"}.get(element),
+                        "linestyle": {"fem-hooke": "-", "fem-stvk": ":"}.get(law, "--"),
+                        "marker": "o",
+                        "markersize": 3,
+                    },
+                )
+            )
+    panel = curves.Panel("", "1/2 − nu", "plate force [N]", lines, log_x=True, log_y=True)
+    section = Section("locking", "Volumetric locking")
+    caption = document["title"] + ". The volume error hardly shows it."
+    section.blocks.append(Figure("locking", caption, curves.draw, ([panel],)))
+    section.blocks += sheet_blocks(document)
+    return section
+
+
+def orientation(study):
+    document = study.tables.get("orientation")
+    if document is None:
+        return None
+    section = Section("orientation", "The lattice's directions")
+    section.blocks += [paragraph("{}.", document["title"]), *sheet_blocks(document)]
+    return section

@@ -1,0 +1,77 @@
+"""Lines through the cases along one setting, all others the same."""
+
+import numpy as np
+from content import Figure
+from figures import curves
+from study import ANSWERS
+
+_MOST_FIGURES = 2  # of one kind in a test; the rest is in the table of all cases
+
+
+def _slices(study, test, along, least):
+    """Groups of cases that differ in method and `along` alone, of at least so many values,
+    longest first: [(number of values, cases), ...]."""
+    cases = study.cases[study.cases.test == test]
+    fixed = [c for c in ("mesh", "young", "density", "nu", "deformation") if c != along and c in cases]
+    fixed += [c for c in cases if c.startswith("gravity.")]
+    found = []
+    for _, group in cases.groupby(fixed, dropna=False, sort=False):
+        count = group[along].nunique()
+        if count >= least:
+            found.append((count, len(group), group))
+    found.sort(key=lambda entry: (-entry[0], -entry[1]))
+    return [group for _, _, group in found[:_MOST_FIGURES]]
+
+
+def _curves(cases, along, scale, measure, factor):
+    found = []
+    for name, of_method in cases.groupby("name"):
+        of_method = of_method.drop_duplicates(along).sort_values(along)
+        if len(of_method) < 2:
+            continue
+        y = factor * of_method[measure].to_numpy(dtype=float)
+        found.append(
+            curves.Curve(name, scale * of_method[along].to_numpy(dtype=float), y, list(of_method.status))
+        )
+    return found
+
+
+def nu_panels(study, test):
+    """Volume error and answer against Poisson's ratio, springs with finite elements."""
+    figures = []
+    for i, group in enumerate(_slices(study, test, "nu", 5)):
+        caption = (
+            f"{test.capitalize()}, {group.iloc[0].load}, against Poisson's ratio. Rings and crosses "
+            "mark cases that are not ok; a cross at the floor has no equilibrium at all."
+        )
+        panels = _two_panels(group, test, "nu", 1, "Poisson's ratio")
+        figures.append(Figure(f"nu_{test}_{i + 1}", caption, curves.draw, (panels,)))
+    return figures
+
+
+def deformation_panels(study, test):
+    """Volume error and answer against the deformation."""
+    figures = []
+    angle = test == "torsion"
+    scale = np.degrees(1) if angle else 100
+    for i, group in enumerate(_slices(study, test, "deformation", 4)):
+        caption = (
+            f"{test.capitalize()} from small to large deformation at nu = {group.iloc[0].nu:g}: "
+            "where the laws part, springs follow the continuum of their own lattice "
+            "(fem-cauchy-born)."
+        )
+        label = "angle [°]" if angle else "deformation [%]"
+        panels = _two_panels(group, test, "deformation", scale, label)
+        figures.append(Figure(f"deformation_{test}_{i + 1}", caption, curves.draw, (panels,)))
+    return figures
+
+
+def _two_panels(group, test, along, scale, x_label):
+    measure, answer, unit = ANSWERS[test]
+    volume = curves.Panel(
+        "Volume error", x_label, "|V − V₀|/V₀ [%]", _curves(group, along, scale, "volume_error", 100)
+    )
+    force = curves.Panel(
+        answer.capitalize(), x_label, f"{answer} [{unit}]", _curves(group, along, scale, measure, 1)
+    )
+    return [volume, force]

@@ -1,0 +1,217 @@
+"""What a report is about: the cases of a result file with what belongs to them."""
+
+import json
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+import pandas as pd
+import springcheck_results
+
+# Settings that make the mechanical problem, whatever method solves it. `mesh` is the mesh's
+# SHA-256, which stands for the body's own settings.
+_PROBLEM = ["test", "mesh", "nu", "young", "density", "deformation", "plates", "fixed", "moved"]
+_PROBLEM += [f"{name}.{axis}" for name in ("gravity", "traction") for axis in "xyz"]
+_PROBLEM += [f"gradient.{row}{column}" for row in "xyz" for column in "xyz"]
+
+# What a body answers to each test with: column, name, unit.
+ANSWERS = {
+    "compression": ("plate_force", "plate force", "N"),
+    "tension": ("plate_force", "plate force", "N"),
+    "uniaxial": ("plate_force", "plate force", "N"),
+    "shearing": ("plate_force_norm", "force on the plate", "N"),
+    "torsion": ("plate_torque", "torque on the plate", "N m"),
+    "bending": ("tip_deflection", "drop of the tip", "m"),
+}
+
+# Statuses whose measures are those of an equilibrium worth comparing.
+USABLE = "ok"
+FAILED = ["no_equilibrium", "diverged", "not_converged"]
+
+# The finite elements that springs are compared with, the first there is: Hencky's law is
+# the thesis's own reference.
+_LAWS = ["fem-hencky", "fem-stvk", "fem-hooke"]
+# Those that do not lock on hexahedra; on other cells all lock near nu = 1/2.
+_ELEMENTS = ["q1-sri", "q2"]
+_LOCKING_FROM = 0.4
+
+
+@dataclass
+class Study:
+    """A result file, with the tables and theory that were made from it.
+
+    cases: those of the file, and further columns: `name` (method, element and what else
+        tells methods apart), `kind` ("springs", "finite elements" or "measured"),
+        `problem` (the same for all methods on the same mesh, material and load), `load`
+        in words, `answer` (ANSWERS, SI), `counterpart` (key of the finite elements that
+        solve the same problem, or None), `volume_difference` and `answer_difference`
+        from them (volume as a fraction of V0, answer relative).
+    tables: JSON documents of tables/ by name. theory: data/theory.json.
+    """
+
+    results: springcheck_results.Results
+    cases: pd.DataFrame
+    tables: dict
+    theory: dict
+
+    def __post_init__(self):
+        self.field_names = self.results.field_names()
+        self._fields = lru_cache(maxsize=64)(self.results.fields)
+        self._meshes = lru_cache(maxsize=64)(
+            lambda name: self.results.mesh((self.cases["mesh"] == name).idxmax())
+        )
+
+    def has(self, key, name):
+        """Whether the file holds this field of the case."""
+        return name in self.field_names.get(key, ())
+
+    def field(self, key, name):
+        """A stored field of a case, None where the file holds none."""
+        return self._fields(key)[name] if self.has(key, name) else None
+
+    def mesh(self, key):
+        """The mesh of a case, as springcheck_results gives it."""
+        return self._meshes(self.cases.loc[key, "mesh"])
+
+    def with_fields(self, cases):
+        """Those cases of a table that have an equilibrium's displacements."""
+        return cases[[self.has(key, "displacement") for key in cases.index]]
+
+
+def read(file, folder):
+    """The study of a result file and the folder of its report."""
+    results = springcheck_results.read(file)
+    tables = {}
+    for path in sorted((folder / "tables").glob("*.json")):
+        document = json.loads(path.read_text(encoding="utf-8"))
+        tables[document["table"]] = document
+    theory_file = folder / "data" / "theory.json"
+    theory = json.loads(theory_file.read_text(encoding="utf-8")) if theory_file.exists() else {}
+    return Study(results, _prepared(results.cases), tables, theory)
+
+
+def _prepared(cases):
+    cases = cases.copy()
+    if cases.empty:
+        return cases
+    for column in ("source", "element", "deformation", "stiffness-form", "diagonal-ratio"):
+        if column not in cases:
+            cases[column] = None
+    columns = [column for column in _PROBLEM if column in cases]
+    records = cases[columns].astype(object).where(cases[columns].notna(), None)
+    cases["problem"] = [json.dumps(list(record)) for record in records.itertuples(index=False)]
+    cases["kind"] = [_kind(row) for _, row in cases.iterrows()]
+    cases["name"] = [method_name(row) for _, row in cases.iterrows()]
+    cases["load"] = [load_text(row) for _, row in cases.iterrows()]
+    cases["answer"] = [_answer(row) for _, row in cases.iterrows()]
+    cases["counterpart"] = _counterparts(cases)
+    other = cases.reindex(cases["counterpart"])
+    for measure, scale in (("volume_change", None), ("answer", "answer")):
+        theirs = other[measure].to_numpy(dtype=float)
+        difference = cases[measure].to_numpy(dtype=float) - theirs
+        name = measure.removesuffix("_change") + "_difference"
+        with np.errstate(divide="ignore", invalid="ignore"):
+            cases[name] = difference if scale is None else difference / np.abs(theirs)
+    return cases
+
+
+def _kind(case):
+    if case.get("source") == "measured":
+        return "measured"
+    return "finite elements" if case.method.startswith("fem-") else "springs"
+
+
+def is_variant(name):
+    """Whether a name is of a method with other than its usual settings."""
+    return ", " in name
+
+
+def method_name(case):
+    """"fem-stvk:q1-sri", "mss-cf, E-form", "mss-cf, A = 0.01": as tables call methods."""
+    name = case.method
+    if case.element:
+        name += f":{case.element}"
+    if case["stiffness-form"] == "E":
+        name += ", E-form"
+    ratio = case["diagonal-ratio"]
+    if ratio is not None and np.isfinite(ratio) and ratio != 1:
+        name += f", A = {ratio:g}"
+    lattice = case.get("lattice")
+    if lattice and lattice != "mss-cf":
+        name += f" ({lattice})"
+    solver = case.get("solver")
+    if solver and solver != "static":
+        name += f", {solver}"
+    if case.get("correction") == "off":
+        name += ", no correction"
+    return name
+
+
+def load_text(case):
+    """"5 %", "45°", "1 kPa"; of bending Young's modulus, which its drop depends on."""
+    if case.test == "bending":
+        return f"E = {case.young / 1e6:g} MPa"
+    if case.deformation is None or not np.isfinite(case.deformation):
+        traction = [case.get(f"traction.{axis}", np.nan) for axis in "xyz"]
+        if np.isfinite(traction).all():
+            return f"{np.linalg.norm(traction) / 1e3:.3g} kPa"
+        return ""
+    if case.test == "torsion":
+        return f"{np.degrees(case.deformation):.4g}°"
+    return f"{100 * case.deformation:.4g} %"
+
+
+_PLURALS = {"hexahedron": "hexahedra", "tetrahedron": "tetrahedra", "prism": "prisms"}
+_PLURALS |= {"pyramid": "pyramids", "free-tetrahedron": "free tetrahedra", "mixed": "mixed cells"}
+
+
+def counts_text(case):
+    """"10×10×10", the grid of a block."""
+    return "×".join(f"{case[f'cells.{axis}']:.0f}" for axis in "xyz")
+
+
+def mesh_text(case):
+    """"10×10×10 hexahedra", "5×5×5 mixed cells, distorted by 0.2", "kidney"."""
+    if case.body != "block":
+        return str(case.body)
+    text = f"{counts_text(case)} {_PLURALS.get(case['cell-type'], case['cell-type'])}"
+    if case.get("distortion", 0) > 0:
+        text += f", distorted by {case.distortion:g}"
+    return text
+
+
+def case_text(case):
+    """A case in words, for captions and lists."""
+    parts = [case.scene, mesh_text(case), f"nu {case.nu:g}", case.load]
+    return ", ".join(part for part in parts if part)
+
+
+def _answer(case):
+    if case.test == "traction":
+        return np.linalg.norm([case.get(f"face_displacement.{axis}", np.nan) for axis in "xyz"])
+    column = ANSWERS.get(case.test, (None,))[0]
+    return np.nan if column is None else case[column]
+
+
+def _counterparts(cases):
+    """Key of the finite elements on the same problem, for each case that is none itself; None
+    where there are none, or none that do not lock."""
+    reference = cases[(cases.kind == "finite elements") & (cases.status == USABLE)]
+    best = {}
+    for key, case in reference.iterrows():
+        if case.method not in _LAWS or not _is_judge(case):
+            continue
+        rank = _LAWS.index(case.method), case.element != _ELEMENTS[0]
+        if case.problem not in best or rank < best[case.problem][0]:
+            best[case.problem] = rank, key
+    return [
+        None if case.kind == "finite elements" else best.get(case.problem, (None, None))[1]
+        for _, case in cases.iterrows()
+    ]
+
+
+def _is_judge(case):
+    """Whether finite elements are right enough to judge springs by."""
+    if case.body == "block" and case["cell-type"] == "hexahedron":
+        return case.element in _ELEMENTS
+    return case.nu <= _LOCKING_FROM
