@@ -44,6 +44,13 @@ def bullets(items):
     return Markup("<ul>{}</ul>").format(Markup("").join(Markup("<li>{}</li>").format(i) for i in items))
 
 
+def columns(*blocks):
+    """Lists of Markup beside each other where the page is wide enough."""
+    joined = (Markup("").join(block) for block in blocks)
+    parts = Markup("").join(Markup("<div>{}</div>").format(part) for part in joined)
+    return Markup('<div class="columns">{}</div>').format(parts)
+
+
 def file_name(text):
     """A name that every file system takes: letters, digits, dots and dashes."""
     return re.sub(r"[^A-Za-z0-9.]+", "-", text).strip("-.") or "unnamed"

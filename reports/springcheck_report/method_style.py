@@ -62,15 +62,30 @@ def colour(name):
 
 
 def line(name):
-    """Keywords of matplotlib's plot for a method: finite elements are dashed."""
+    """Keywords of matplotlib's plot for a method: finite elements are dashed, by element."""
     base = _base(name)
+    element = name.split(":")[1].split(",")[0].split(" ")[0] if ":" in name else ""
+    dashes = {"q1": ":", "q2": "-."}.get(element, "--")
     return {
         "color": colour(name),
         "marker": "*" if ", " in name else _MARKERS.get(base, "*"),  # variants, others' methods
-        "linestyle": "--" if base.startswith("fem-") else "-",
+        "linestyle": dashes if base.startswith("fem-") else "-",
         "markersize": 3.5,
         "linewidth": 1.1,
     }
+
+
+def legend_below(figure, columns=5, further=()):
+    """One legend for all panels below the figure: every label once, then further handles
+    with labels."""
+    entries = {}
+    for axes in figure.axes:
+        for handle, label in zip(*axes.get_legend_handles_labels()):
+            entries.setdefault(label, handle)
+    entries.update({label: handle for handle, label in further})
+    if entries:
+        place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0)}
+        figure.legend(entries.values(), entries, ncols=min(columns, len(entries)), **place)
 
 
 def set_defaults():

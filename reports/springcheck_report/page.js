@@ -78,11 +78,31 @@ for (const head of document.querySelectorAll("thead th")) {
       hovertemplate: "%{intensity:.3g}<extra></extra>",
     };
   }
+  /* Places moved outward along the surface's normals by a fraction of the body's size. */
+  function raised(mesh, place, fraction) {
+    const normals = place.map((values) => values.map(() => 0));
+    const { triangles } = mesh;
+    for (let t = 0; t < triangles.length; t += 3) {
+      const [a, b, c] = triangles.slice(t, t + 3);
+      const p = place.map((values) => values[b] - values[a]);
+      const q = place.map((values) => values[c] - values[a]);
+      const normal = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+      for (const node of [a, b, c]) normal.forEach((n, axis) => { normals[axis][node] += n; });
+    }
+    const size = Math.max(...place.map((values) => Math.max(...values) - Math.min(...values)));
+    return place.map((values, axis) => values.map((value, i) => {
+      const length = Math.hypot(normals[0][i], normals[1][i], normals[2][i]) || 1;
+      return value + fraction * size * normals[axis][i] / length;
+    }));
+  }
+
+  /* Edges of cells, a trace above the surface, which would hide half of them. */
   function wires(mesh, place, colour, width, scene) {
     const line = [[], [], []];
+    const above = raised(mesh, place, 0.003);
     for (let e = 0; e < mesh.edges.length; e += 2)
       for (let axis = 0; axis < 3; ++axis)
-        line[axis].push(place[axis][mesh.edges[e]], place[axis][mesh.edges[e + 1]], null);
+        line[axis].push(above[axis][mesh.edges[e]], above[axis][mesh.edges[e + 1]], null);
     return {
       type: "scatter3d", mode: "lines", x: line[0], y: line[1], z: line[2], scene,
       line: { color: colour, width }, hoverinfo: "skip", showlegend: false,
@@ -104,7 +124,7 @@ for (const head of document.querySelectorAll("thead th")) {
       const values = ofCells ? body.volume.map((v) => 100 * v)
         : quantity === "deviation" && both ? distance : lengths(body.u);
       list.push(surface(mesh, places[at], values, ofCells, "coloraxis", scenes[at]));
-      list.push(wires(mesh, places[at], "rgba(30,30,30,0.55)", 1, scenes[at]));
+      list.push(wires(mesh, places[at], "rgba(20,20,20,0.7)", 1.5, scenes[at]));
     });
     let difference = null;
     if (both) {
@@ -115,7 +135,7 @@ for (const head of document.querySelectorAll("thead th")) {
         difference = ofCells ? minus(bodies[0].volume, bodies[1].volume).map((v) => 100 * v)
           : distance;
         list.push(surface(mesh, places[0], difference, ofCells, "coloraxis2", scenes[2]));
-        list.push(wires(mesh, places[0], "rgba(30,30,30,0.55)", 1, scenes[2]));
+        list.push(wires(mesh, places[0], "rgba(20,20,20,0.7)", 1.5, scenes[2]));
       }
     }
     const shown = list.filter((trace) => trace.coloraxis === "coloraxis");
@@ -130,10 +150,14 @@ for (const head of document.querySelectorAll("thead th")) {
   };
 
   function layout(drawn, quantity, camera) {
-    const low = [0, 1, 2].map((a) => Math.min(...drawn.places.map((p) => Math.min(...p[a]))));
-    const high = [0, 1, 2].map((a) => Math.max(...drawn.places.map((p) => Math.max(...p[a]))));
+    // What lies on the range's very end would be cut off here and there.
+    const least = [0, 1, 2].map((a) => Math.min(...drawn.places.map((p) => Math.min(...p[a]))));
+    const most = [0, 1, 2].map((a) => Math.max(...drawn.places.map((p) => Math.max(...p[a]))));
+    const margin = 0.01 * Math.max(...most.map((m, a) => m - least[a]));
+    const low = least.map((value) => value - margin);
+    const high = most.map((value) => value + margin);
     const size = high.map((h, a) => h - low[a]);
-    const longest = Math.max(...size);
+    const longest = Math.max(...size) / 1.25;  // fills the view
     const axis = (a) => ({ range: [low[a], high[a]], visible: false });
     const scene = (from, to) => ({
       domain: { x: [from, to], y: [0, 1] }, camera: structuredClone(camera), dragmode: "orbit",
@@ -178,7 +202,7 @@ for (const head of document.querySelectorAll("thead th")) {
     const elements = choice("finite elements", [], controls);
     const quantity = choice("colour", [["displacement", "displacement"],
       ["deviation", "deviation (springs from finite elements)"], ["volume", "volume change"]], controls);
-    let camera = { eye: { x: 1.2, y: -1.75, z: 0.75 }, up: { x: 0, y: 0, z: 1 } };
+    let camera = { eye: { x: 1.35, y: -1.95, z: 0.85 }, up: { x: 0, y: 0, z: 1 } };
     let drawn = false;
 
     function fill() {

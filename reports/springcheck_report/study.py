@@ -45,7 +45,8 @@ class Study:
         `problem` (the same for all methods on the same mesh, material and load), `load`
         in words, `answer` (ANSWERS, SI), `counterpart` (key of the finite elements that
         solve the same problem, or None), `volume_difference` and `answer_difference`
-        from them (volume as a fraction of V0, answer relative).
+        from them (volume as a fraction of V0, answer relative), `strain`: the size of the
+        deformation (of a beam its tip's drop over its length).
     tables: JSON documents of tables/ by name. theory: data/theory.json.
     """
 
@@ -104,6 +105,9 @@ def _prepared(cases):
     cases["name"] = [method_name(row) for _, row in cases.iterrows()]
     cases["load"] = [load_text(row) for _, row in cases.iterrows()]
     cases["answer"] = [_answer(row) for _, row in cases.iterrows()]
+    cases["strain"] = cases.deformation.astype(float).abs()
+    beams = (cases.test == "bending") & (cases.body == "block")
+    cases.loc[beams, "strain"] = cases.tip_deflection / cases["size.z"]
     cases["counterpart"] = _counterparts(cases)
     other = cases.reindex(cases["counterpart"])
     for measure, scale in (("volume_change", None), ("answer", "answer")):

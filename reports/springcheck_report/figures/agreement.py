@@ -2,7 +2,7 @@
 
 import numpy as np
 from matplotlib.figure import Figure
-from method_style import TWO_COLUMNS, line
+from method_style import TWO_COLUMNS, legend_below, line
 
 
 def draw(tables):
@@ -11,23 +11,18 @@ def draw(tables):
     is not one to compare."""
     figure = Figure((TWO_COLUMNS, 2.5))
     all_axes = figure.subplots(1, len(tables), squeeze=False)[0]
-    entries = {}
     for axes, (title, unit, methods) in zip(all_axes, tables):
         for name, (printed, difference, usable) in methods.items():
             style = {**line(name), "linestyle": "none", "markersize": 4.5}
             usable = np.asarray(usable, dtype=bool)
             for chosen, face in ((usable, style["color"]), (~usable, "none")):
                 if chosen.any():
-                    handle = axes.plot(
-                        np.asarray(printed)[chosen], np.asarray(difference)[chosen], mfc=face, **style
-                    )[0]
-                    if face != "none":
-                        entries.setdefault(name, handle)
+                    label = name if face != "none" else None
+                    x, y = np.asarray(printed)[chosen], np.asarray(difference)[chosen]
+                    axes.plot(x, y, mfc=face, label=label, **style)
         axes.axhline(0, color="#888888", linewidth=0.7)
         axes.margins(y=0.1)
         axes.set_yscale("symlog", linthresh=0.1 if unit == "points" else 1, linscale=1)
         axes.set(title=title, xlabel="printed", ylabel=f"ours − printed [{unit}]")
-    figure.legend(
-        list(entries.values()), list(entries), loc="upper center", ncols=5, bbox_to_anchor=(0.5, 0)
-    )
+    legend_below(figure)
     return figure

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.figure import Figure
-from method_style import TWO_COLUMNS
+from method_style import TWO_COLUMNS, legend_below
 
 
 @dataclass
@@ -19,8 +19,7 @@ class CentreLine:
 
 
 def draw(panels):
-    """panels: (title, theory, lines), the last two lists of CentreLine. The tips are shown
-    enlarged where the beams come close to each other."""
+    """panels: (title, theory, lines), the last two lists of CentreLine; one legend for all."""
     figure = Figure((TWO_COLUMNS, 2.9))
     all_axes = figure.subplots(1, len(panels), squeeze=False)[0]
     for axes, (title, theory, lines) in zip(all_axes, panels):
@@ -28,5 +27,5 @@ def draw(panels):
             axes.plot(line.axial, -line.drop, label=line.name, **line.style)
         axes.axhline(0, color="#BBBBBB", linewidth=0.6)
         axes.set(title=title, xlabel="along the beam [m]", ylabel="height [m]")
-        axes.legend(loc="lower left")
+    legend_below(figure, columns=4)
     return figure

@@ -2,7 +2,13 @@
 
 import numpy as np
 from matplotlib.figure import Figure
-from method_style import TWO_COLUMNS, line
+from method_style import TWO_COLUMNS, legend_below, line
+
+
+def _limits(methods):
+    """A little beyond the outermost errors, and never less than ±6 %."""
+    errors = np.concatenate([[-6, 6], *methods.values()])
+    return 1.4 * np.nanmin(errors), 1.4 * np.nanmax(errors)
 
 
 def draw(meshes, panels, x_label):
@@ -10,17 +16,19 @@ def draw(meshes, panels, x_label):
     per mesh, on a symmetric logarithmic axis."""
     figure = Figure((TWO_COLUMNS, 0.27 * len(meshes) + 1.2))
     all_axes = figure.subplots(1, len(panels), sharey=True, squeeze=False)[0]
-    entries = {}
     for axes, (title, methods) in zip(all_axes, panels):
         for i, (name, errors) in enumerate(methods.items()):
             style = {**line(name), "linestyle": "none", "markersize": 4}
             offset = 0.5 * (i - (len(methods) - 1) / 2) / len(methods)
             places = np.arange(len(meshes)) + offset
-            entries.setdefault(name, axes.plot(errors, places, **style)[0])
+            axes.plot(errors, places, label=name, **style)
         axes.axvline(0, color="#888888", linewidth=0.7)
+        axes.margins(x=0.08)
         axes.set_xscale("symlog", linthresh=5)
+        axes.set_xticks([-100, -20, -5, 0, 5, 20, 100, 400], minor=False)
+        axes.xaxis.set_major_formatter("{x:g}")
+        axes.set_xlim(*_limits(methods))
         axes.set(title=title, xlabel=x_label, ylim=(len(meshes) - 0.5, -0.5))
     all_axes[0].set_yticks(range(len(meshes)), meshes)
-    figure.legend(list(entries.values()), list(entries), loc="upper center", ncols=4,
-                  bbox_to_anchor=(0.5, 0))
+    legend_below(figure, columns=4)
     return figure

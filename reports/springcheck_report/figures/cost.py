@@ -2,7 +2,7 @@
 
 import numpy as np
 from matplotlib.figure import Figure
-from method_style import TWO_COLUMNS, line
+from method_style import TWO_COLUMNS, legend_below, line
 
 
 def pareto_front(times, errors):
@@ -21,26 +21,23 @@ def draw(error_panel, time_panel):
     figure = Figure((TWO_COLUMNS, 2.9))
     present = [panel for panel in (error_panel, time_panel) if panel]
     all_axes = list(figure.subplots(1, len(present), squeeze=False)[0])
-    entries = {}
     if error_panel:
         axes = all_axes.pop(0)
         label, methods = error_panel
         for name, (seconds, errors, texts) in methods.items():
-            entries[name] = axes.loglog(seconds, errors, **line(name))[0]
+            axes.loglog(seconds, errors, label=name, **line(name))
             for x, y, text in zip(seconds, errors, texts):
                 axes.annotate(text, (x, y), (3, 3), textcoords="offset points", fontsize=5)
         seconds = np.concatenate([methods[name][0] for name in methods])
         errors = np.concatenate([methods[name][1] for name in methods])
         front = pareto_front(seconds, errors)
-        axes.step(seconds[front], errors[front], where="post", color="#CC3311", linewidth=3,
-                  alpha=0.25, label="Pareto front")
+        wide = {"color": "#CC3311", "linewidth": 3, "alpha": 0.25, "label": "Pareto front"}
+        axes.step(seconds[front], errors[front], where="post", **wide)
         axes.set(xlabel="time of the solution [s]", ylabel=label, title="Error against time")
     if time_panel:
         axes = all_axes.pop(0)
         for name, (cells, seconds) in time_panel.items():
-            handle = axes.loglog(cells, seconds, **line(name))[0]
-            entries.setdefault(name, handle)
+            axes.loglog(cells, seconds, label=name, **line(name))
         axes.set(xlabel="cells", ylabel="time of the solution [s]", title="Time against cells")
-    figure.legend(list(entries.values()), list(entries), loc="upper center", ncols=5,
-                  bbox_to_anchor=(0.5, 0))
+    legend_below(figure)
     return figure

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
-from method_style import TWO_COLUMNS, colour
+from method_style import TWO_COLUMNS, colour, legend_below
 
 
 @dataclass
@@ -39,6 +39,5 @@ def draw(sections, horizontal, vertical):
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
         axes.set(xlabel=horizontal, ylabel=vertical, title=section.title)
         axes.grid(False)
-    handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper center", ncols=len(labels), bbox_to_anchor=(0.5, 0))
+    legend_below(figure)
     return figure

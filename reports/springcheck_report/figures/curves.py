@@ -4,7 +4,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from matplotlib.figure import Figure
-from method_style import STATUS_COLOURS, TWO_COLUMNS, line
+from matplotlib.lines import Line2D
+from method_style import STATUS_COLOURS, TWO_COLUMNS, legend_below, line
 
 
 @dataclass
@@ -39,28 +40,27 @@ def draw(panels):
         for curve in panel.curves:
             axes.plot(curve.x, curve.y, label=curve.name, **(curve.style or line(curve.name)))
         if panel.log_x:
-            axes.set_xscale("log")
+            _log_axis_of_values(axes, panel.curves)
         if panel.log_y:
             axes.set_yscale("log")
         axes.set(title=panel.title, xlabel=panel.x_label, ylabel=panel.y_label)
         for curve in panel.curves:
             statuses |= _mark_statuses(axes, curve)
-    handles, labels = _legend(all_axes)
-    for status in sorted(statuses):
-        handles.append(
-            figure.axes[0].plot([], [], "o", mfc="none", mec=STATUS_COLOURS[status])[0]
-        )
-        labels.append(status)
-    figure.legend(handles, labels, loc="upper center", ncols=5, bbox_to_anchor=(0.5, 0))
+    rings = [
+        (Line2D([], [], ls="none", marker="o", mfc="none", mec=STATUS_COLOURS[status]), status)
+        for status in sorted(statuses)
+    ]
+    legend_below(figure, further=[(ring, status.replace("_", " ")) for ring, status in rings])
     return figure
 
 
-def _legend(all_axes):
-    entries = {}
-    for axes in all_axes:
-        for handle, label in zip(*axes.get_legend_handles_labels()):
-            entries.setdefault(label, handle)
-    return list(entries.values()), list(entries)
+def _log_axis_of_values(axes, curves):
+    """A logarithmic axis, its ticks at the values there are if these are few."""
+    axes.set_xscale("log")
+    values = np.unique(np.concatenate([curve.x for curve in curves]))
+    if len(values) <= 8:
+        axes.set_xticks(values, [f"{value:.3g}" for value in values])
+        axes.set_xticks([], minor=True)
 
 
 def _mark_statuses(axes, curve):

@@ -2,7 +2,7 @@
 
 import numpy as np
 from matplotlib.figure import Figure
-from method_style import TWO_COLUMNS
+from method_style import TWO_COLUMNS, legend_below
 
 
 def draw(labels, panels):
@@ -18,6 +18,5 @@ def draw(labels, panels):
         axes.axvline(0, color="#444444", linewidth=0.7)
         axes.set(title=title, xlabel=unit, ylim=(len(labels) - 0.4, -0.6))
     all_axes[0].set_yticks(places, labels)
-    figure.legend(*all_axes[0].get_legend_handles_labels(), loc="upper center", ncols=2,
-                  bbox_to_anchor=(0.5, 0))
+    legend_below(figure)
     return figure

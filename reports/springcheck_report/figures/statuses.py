@@ -2,7 +2,7 @@
 
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
-from method_style import STATUS_COLOURS, TWO_COLUMNS
+from method_style import STATUS_COLOURS, TWO_COLUMNS, legend_below
 
 
 def draw(rows, columns, shares):
@@ -33,11 +33,10 @@ def draw(rows, columns, shares):
     axes.grid(False)
     axes.spines[:].set_visible(False)
     axes.xaxis.tick_top()
-    figure.legend(
-        [Patch(color=STATUS_COLOURS[status]) for status in STATUS_COLOURS if status in seen],
-        [status for status in STATUS_COLOURS if status in seen],
-        loc="upper center",
-        ncols=8,
-        bbox_to_anchor=(0.5, 0),
-    )
+    patches = [
+        (Patch(color=STATUS_COLOURS[status]), status.replace("_", " "))
+        for status in STATUS_COLOURS
+        if status in seen
+    ]
+    legend_below(figure, columns=8, further=patches)
     return figure

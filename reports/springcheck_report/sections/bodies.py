@@ -97,6 +97,7 @@ def _verdicts(study, test):
         )
     if not rows:
         return []
+    unit = unit.replace(" ", "\u00a0")
     headings = ["springs", "cases", "median", "largest", "the largest at", f"springs [{unit}]"]
     headings += [f"finite elements [{unit}]", "their law"]
     note = paragraph(
@@ -138,7 +139,8 @@ def _picture(study, test, found):
     for group in chosen:
         by_name = {study.cases.loc[key, "name"]: key for key in group.cases}
         row = [_panel(study, by_name[name], surface) if name in by_name else None for name in names]
-        rows.append(row)
+        if sum(panel is not None for panel in row) > 1 or len(names) == 1:
+            rows.append(row)
     case = study.cases.loc[chosen[0].cases[0]]
     text = (
         f"Deformed bodies, {_mesh_and_load(case)}, coloured by displacement; springs to the left, "
@@ -201,46 +203,62 @@ def _mesh_and_load(case):
 
 def _cross_section(study, test, plane, across):
     """Springs over finite elements in the middle plane normal to axis `plane`."""
-    cases = study.cases[
-        (study.cases.test == test)
-        & study.cases.counterpart.notna()
-        & (study.cases.status == "ok")
-        & (study.cases.body == "block")
-    ]
-    cases = study.with_fields(cases)
-    cases = cases[[study.has(key, "displacement") for key in cases.counterpart]]
-    if cases.empty:
+    pairs = _pairs_of_bodies(study, test)
+    if not pairs:
         return []
-    preferred = cases[cases["name"] == "mss-cf"]
-    cases = cases if preferred.empty else preferred
-    cases = cases[cases.deformation == cases.deformation.max()]
-    cases = cases[cases["name"] == cases["name"].iloc[0]]
-    mesh_name = cases.groupby("mesh").nu.nunique().idxmax()
-    cases = cases[cases["mesh"] == mesh_name].drop_duplicates("nu").sort_values("nu")
-    if len(cases) > 3:
-        cases = cases.iloc[[0, len(cases) // 2, -1]]
     sections = []
-    for key, case in cases.iterrows():
-        mesh = study.mesh(key)
-        extent = mesh["nodes"].max(axis=0) - mesh["nodes"].min(axis=0)
-        position = _layer(mesh["nodes"][:, plane])
-        edges = edges_in_plane(mesh, plane, position, 1e-6 * extent[plane])
+    for springs, elements in pairs:
+        mesh = study.mesh(springs)
+        coordinates = mesh["nodes"][:, plane]
+        position = _layer(coordinates)
+        edges = edges_in_plane(mesh, plane, position, 1e-6 * np.ptp(coordinates))
         if len(edges) == 0:
             return []
         lines = []
-        for of, name in ((case.counterpart, study.cases.loc[case.counterpart, "name"]), (key, case["name"])):
-            deformed = 100 * (mesh["nodes"] + study.field(of, "displacement"))
-            lines.append((name, deformed[edges][:, :, across]))
-        sections.append(cross_sections.Section(f"$\\nu$ = {case.nu:g}", lines))
+        for key in (elements, springs):
+            deformed = 100 * (mesh["nodes"] + study.field(key, "displacement"))
+            lines.append((study.cases.loc[key, "name"], deformed[edges][:, :, across]))
+        title = f"$\\nu$ = {study.cases.loc[springs].nu:g}"
+        sections.append(cross_sections.Section(title, lines))
     axes = "xyz"
     caption = (
         f"The layer of nodes at {axes[plane]} = {100 * position:.3g} cm after {test} by "
-        f"{cases.iloc[0].load}, springs over finite elements (the pale lines), seen along "
-        f"{axes[plane]}."
+        f"{study.cases.loc[pairs[0][0]].load}, springs over finite elements (the pale lines), seen "
+        f"along {axes[plane]}."
     )
     labels = [f"{axes[axis]} [cm]" for axis in across]
     name = f"cross_section_{test}_{axes[plane]}"
     return [Figure(name, caption, cross_sections.draw, (sections, *labels))]
+
+
+def _pairs_of_bodies(study, test):
+    """(key of springs, key of finite elements) at the test's largest load on the mesh with
+    the most values of nu, for up to three of them; one method and one law for all."""
+    cases = study.with_fields(study.cases[(study.cases.test == test) & (study.cases.body == "block")])
+    usable = cases[(cases.status == "ok") & ~cases["name"].map(is_variant)]
+    springs = usable[usable.kind != "finite elements"]
+    elements = usable[(usable.kind == "finite elements") & usable.problem.isin(springs.problem)]
+    springs = springs[springs.problem.isin(elements.problem)]
+    if springs.empty:
+        return []
+    name = "mss-cf" if "mss-cf" in set(springs["name"]) else springs["name"].iloc[0]
+    springs = springs[springs["name"] == name]
+    loads = springs.groupby(["mesh", "deformation"], dropna=False)
+    springs = max(
+        (group for _, group in loads),
+        key=lambda group: (
+            min(group.nu.nunique(), 3),
+            np.nan_to_num(group.deformation.iloc[0]),
+            len(study.mesh(group.index[0])["nodes"]),
+        ),
+    )
+    laws = elements[elements.problem.isin(springs.problem)].groupby("name").problem.nunique()
+    law = max(laws.index, key=lambda name: (laws[name], name.startswith("fem-hencky"), name))
+    keys = elements[elements["name"] == law].reset_index().set_index("problem").key
+    springs = springs[springs.problem.isin(keys.index)].drop_duplicates("nu").sort_values("nu")
+    if len(springs) > 3:
+        springs = springs.iloc[[0, len(springs) // 2, -1]]
+    return [(key, keys[case.problem]) for key, case in springs.iterrows()]
 
 
 def _layer(coordinates):
@@ -307,6 +325,7 @@ def _beams(study):
                 theory = _theory_lines(study, of_modulus.index[0])
                 panels.append((f"{of_modulus.iloc[0].load}, nu = 0.25", theory, lines))
         if panels:
+            panels = sorted(panels, key=lambda panel: -len(panel[2]))[:2]
             caption = (
                 f"Centre lines of beams {length:g} m long against theory: Euler-Bernoulli is for "
                 "small deflections, the elastica for large ones without shear. Paler lines are "

@@ -3,6 +3,7 @@
 import numpy as np
 from content import Figure, Section, paragraph
 from figures import cost as cost_figures
+from study import is_variant
 
 
 def cost(study):
@@ -22,7 +23,7 @@ def cost(study):
     )
     caption = (
         "Left or alone: error against time; the wide line is the Pareto front, beyond which no "
-        "method here is both faster and better. Time against cells: static solutions."
+        "method here is both faster and better. Time against cells: static solutions in compression."
     )
     section.blocks.append(Figure("cost", caption, cost_figures.draw, (errors, times)))
     return section
@@ -55,9 +56,11 @@ def _errors(study):
 
 
 def _times(study):
-    """Per method the median time of static solutions on blocks of hexahedra, by cells."""
+    """Per method the median time of static solutions on blocks of hexahedra in
+    compression, by cells."""
     cases = study.cases[
         (study.cases.status == "ok")
+        & (study.cases.test == "compression")
         & (study.cases["cell-type"] == "hexahedron")
         & (study.cases.solver == "static")
         & (study.cases.kind != "measured")
@@ -66,6 +69,6 @@ def _times(study):
     methods = {}
     for name, group in cases.assign(count=cells).groupby("name"):
         medians = group.groupby("count").solve_wall_s.median()
-        if len(medians) >= 3 and medians.min() > 0 and "A =" not in name:
+        if len(medians) >= 3 and medians.min() > 0 and not is_variant(name):
             methods[name] = (medians.index.to_numpy(), medians.to_numpy())
     return methods or None

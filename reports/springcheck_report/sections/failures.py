@@ -78,7 +78,8 @@ def failures(study):
 
 
 def _maps(study):
-    """Status by Poisson's ratio and deformation, for each method and test that has a grid."""
+    """Status by Poisson's ratio and deformation, for each method and test whose cases fill
+    a grid of the two."""
     figures = []
     for (test, method), cases in study.cases.groupby(["test", "method"]):
         if (cases.status == "ok").all() or method.startswith("fem-"):
@@ -86,6 +87,9 @@ def _maps(study):
         cases = cases[cases["cell-type"] == cases["cell-type"].mode()[0]]
         nus, loads = sorted(set(cases.nu)), sorted(set(cases.deformation.dropna()))
         if len(nus) < 3 or len(loads) < 3:
+            continue
+        filled = cases.dropna(subset="deformation").drop_duplicates(["nu", "deformation"])
+        if len(filled) < 0.7 * len(nus) * len(loads):
             continue
         names = [cases[cases.deformation == load].iloc[0].load for load in loads]
         shares = [

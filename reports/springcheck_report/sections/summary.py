@@ -1,21 +1,22 @@
 """The first screen: what was compared, how well it agrees, where springs fail."""
 
 import numpy as np
-from content import Section, bullets, measured_number, paragraph, table
+from content import Section, bullets, columns, measured_number, paragraph, table
 from markupsafe import Markup
 from numbers_shown import significant
 from sections.failures import failing_sentences
 from sections.thesis_tables import relative_size
 from study import ANSWERS, FAILED, case_text
 
-_SMALL = 0.051  # up to 5 %, and 0.05 rad
+# From half a percent on, below which volumes do not change; 5 % and 0.05 rad are small.
+_LEAST, _SMALL = 0.005, 0.051
 
 
 def summary(study):
     if study.cases.empty:
         return None
     section = Section("summary", "Summary")
-    section.blocks += [_what(study), _agreement(study), *_findings(study)]
+    section.blocks += [_what(study), _agreement(study), _findings(study)]
     return section
 
 
@@ -54,8 +55,8 @@ def _agreement(study):
         of_method = cases[cases.method == name]
         covered = of_method[of_method.status != "refused"]
         row = [Markup("<b>{}</b>").format(name), f"{(covered.status == 'ok').sum()} of {len(covered)}"]
-        small = covered.deformation.abs() <= _SMALL
-        for chosen in (covered[small], covered[~small]):
+        small = (covered.strain >= _LEAST) & (covered.strain <= _SMALL)
+        for chosen in (covered[small], covered[covered.strain > _SMALL]):
             usable = chosen[(chosen.status == "ok") & chosen.counterpart.notna()]
             row.append(_median_and_worst(study, usable, "volume_difference", "points"))
             row.append(_median_and_worst(study, usable, "answer_difference", "%"))
@@ -63,16 +64,19 @@ def _agreement(study):
     headings = [
         "method",
         "usable",
-        "volume, to 5 %",
-        "force, to 5 %",
-        "volume, beyond",
-        "force, beyond",
+        "volume, ½ to 5 %",
+        "force, ½ to 5 %",
+        "volume, beyond 5 %",
+        "force, beyond 5 %",
     ]
     text = Markup(
         '{}<p class="note">Distance from finite elements on the same mesh, material and '
         "deformation (the law is named in each test below): median, and in brackets the largest. "
         "Volume in points of V₀, force (torque, drop of a tip) in percent. Usable: an equilibrium "
-        "that is stable and does not wrinkle, of the cases that the method covers.</p>"
+        "that is stable and does not wrinkle, of the cases that the method covers. Beyond 5 % most "
+        "of the force's difference is the law, not the method: springs have one of their own. Near "
+        "nu = 0.5 linear finite elements on other cells than hexahedra lock and judge nothing; they "
+        "are left out here.</p>"
     )
     return text.format(table(headings, rows, name="summary", classes="summary"))
 
@@ -100,12 +104,11 @@ def _short(value):
 
 
 def _findings(study):
-    return [
-        Markup("<h3>What agrees, what does not</h3>"),
-        bullets([*_against_print(study), *_worst_cell(study), *_counts(study)]),
-        Markup("<h3>Where springs fail</h3>"),
-        bullets(failing_sentences(study)),
-    ]
+    agreement = [*_against_print(study), *_worst_cell(study), *_counts(study)]
+    return columns(
+        [Markup("<h3>What agrees, what does not</h3>"), bullets(agreement)],
+        [Markup("<h3>Where springs fail</h3>"), bullets(failing_sentences(study))],
+    )
 
 
 def _against_print(study):
