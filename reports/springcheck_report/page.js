@@ -99,7 +99,7 @@ for (const head of document.querySelectorAll("thead th")) {
   /* Edges of cells, a trace above the surface, which would hide half of them. */
   function wires(mesh, place, colour, width, scene) {
     const line = [[], [], []];
-    const above = raised(mesh, place, 0.003);
+    const above = raised(mesh, place, 0.006);
     for (let e = 0; e < mesh.edges.length; e += 2)
       for (let axis = 0; axis < 3; ++axis)
         line[axis].push(above[axis][mesh.edges[e]], above[axis][mesh.edges[e + 1]], null);

@@ -1,0 +1,37 @@
+"""Chromium without a window, for tests of the page."""
+
+import base64
+import io
+
+import numpy as np
+from matplotlib.image import imread
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+
+
+def chromium(webgl=True):
+    options = Options()
+    flags = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--window-size=1300,1000"]
+    flags += ["--hide-scrollbars", "--force-device-scale-factor=1"]
+    if webgl:
+        flags += ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    else:
+        flags += ["--disable-gpu", "--disable-3d-apis"]
+    for flag in flags:
+        options.add_argument(flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+    driver.set_page_load_timeout(60)
+    return driver
+
+
+def pixels(element):
+    """The element's screenshot: rows x columns x 3 in [0, 1]."""
+    content = base64.b64decode(element.screenshot_as_base64)
+    return imread(io.BytesIO(content), format="png")[:, :, :3]
+
+
+def drawn_share(image):
+    """Share of pixels that are not the page's white."""
+    return float((np.abs(image - 1).max(axis=2) > 0.02).mean())

@@ -1,0 +1,337 @@
+"""The page of a report in a real browser. SPRINGCHECK names the program."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[2] / "reports")]
+import browser  # noqa: E402
+import numpy as np  # noqa: E402
+import springcheck_results  # noqa: E402
+from selenium.webdriver.common.by import By  # noqa: E402
+
+LABEL = "mine <img src=x onerror=alert(1)> & Ω"
+SWEEP = """
+fields = true
+[[cases]]
+scene = ["compression", "shearing", "torsion"]
+method = ["mss-cf", "mss-nfd", "fem-hencky"]
+cells = [4, 4, 4]
+nu = [0, 0.1, 0.25, 0.4, 0.499]
+[[cases]]
+scene = "compression"
+method = ["mss-cf", "mss-nfd", "fem-stvk"]
+cells = [4, 4, 4]
+deformation = ["1%", "2%", "10%", "20%"]
+[[cases]]
+scene = "compression"
+method = ["mss-affine", "mss-cf", "fem-hencky"]
+cells = [3, 3, 3]
+cell-type = "mixed"
+[[cases]]
+scene = "tension"
+method = ["mss-cf", "fem-hencky"]
+cells = [2, 2, 12]
+[[cases]]
+scene = "bending"
+method = ["mss-cf", "fem-stvk"]
+cells = [2, 2, 12]
+[[cases]]
+scene = "bending"
+method = "mss-cf"
+cells = [2, 2, 12]
+diagonal-ratio = [0.1, 10]
+"""
+# Of the quantity that a table of the thesis prints: measure, and its factor to the table's unit.
+PRINTED = {"5.3": ("plate_force_norm", 1e4), "5.4": ("plate_torque", 1e6)}
+
+
+def springcheck(*arguments, **options):
+    return subprocess.run(
+        [os.environ["SPRINGCHECK"], *map(str, arguments)],
+        check=options.pop("check", True),
+        capture_output=True,
+        text=True,
+        **options,
+    )
+
+
+def measured_csv(folder):
+    """A displacement field of the 4 x 4 x 4 cube in compression by 5 %, as users write it."""
+    ticks = np.linspace(0, 0.05, 5)
+    rows = [f"{x},{y},{z},0,0,{-0.05 * z}" for z in ticks for y in ticks for x in ticks]
+    path = folder / "mine.csv"
+    path.write_text("x,y,z,ux,uy,uz\n" + "\n".join(rows) + "\n")
+    return path
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.file = cls.folder / "Ω <results> & more.h5"
+        (cls.folder / "sweep.toml").write_text(SWEEP)
+        springcheck("sweep", cls.folder / "sweep.toml", "--out", cls.file)
+        springcheck("run", "torsion", "--deformation", "45deg", "--method", "mss-cf,fem-hencky",
+                    "--nu", "0.25", "--out", cls.file)  # rows of table 5.4
+        springcheck("measure", "compression", "--cells", "4,4,4", "--displacements",
+                    measured_csv(cls.folder), "--label", LABEL, "--out", cls.file)
+        cls.report = cls.folder / "report"
+        springcheck("report", cls.file, "--out", cls.report)
+        cls.results = springcheck_results.read(cls.file)
+        cls.browser = browser.chromium()
+        cls.addClassCleanup(cls.browser.quit)
+        start = time.monotonic()
+        cls.browser.get((cls.report / "index.html").as_uri())
+        cls.seconds = time.monotonic() - start
+
+    def every(self, selector):
+        return self.browser.find_elements(By.CSS_SELECTOR, selector)
+
+    def test_the_page_is_whole_and_asks_for_nothing(self):
+        self.assertLess((self.report / "index.html").stat().st_size, 25e6)
+        self.assertLess(self.seconds, 5)
+        loaded = self.browser.execute_script(
+            "return performance.getEntriesByType('resource').map((entry) => entry.name)"
+            ".filter((name) => !name.startsWith('data:'))"
+        )
+        self.assertEqual(loaded, [])
+
+    def test_sections_are_those_with_data(self):
+        names = [section.get_attribute("id") for section in self.every("main > section")]
+        tests = ["compression", "tension", "shearing", "torsion", "bending"]
+        self.assertEqual(names[:2] + names[2:7], ["summary", "thesis-tables", *tests])
+        self.assertIn("provenance", names)
+        self.assertNotIn("empty", names)
+        self.assertNotIn("error-parts", names)  # there is no table split
+
+    def test_links_lead_somewhere(self):
+        links = {link.get_dom_attribute("href") for link in self.every("a[href]")}
+        self.assertGreater(len(links), 20)
+        for link in links:
+            if link.startswith("#"):
+                found = self.browser.execute_script("return document.getElementById(arguments[0])", link[1:])
+                self.assertIsNotNone(found, link)
+            else:
+                self.assertTrue((self.report / link).is_file(), link)
+
+    def test_every_figure_is_drawn_in_all_forms(self):
+        figures = self.every("main figure")
+        self.assertGreater(len(figures), 10)
+        for figure in figures:
+            image = figure.find_element(By.TAG_NAME, "img")
+            name = figure.get_attribute("id").removeprefix("figure-")
+            self.assertGreater(self.browser.execute_script("return arguments[0].naturalWidth", image), 100)
+            self.browser.execute_script("arguments[0].scrollIntoView({behavior: 'instant'})", image)
+            self.assertGreater(browser.drawn_share(browser.pixels(image)), 0.01, name)
+            self.assertTrue(image.get_attribute("alt"))
+            for extension in ("svg", "pdf"):
+                path = self.report / "figures" / f"{name}.{extension}"
+                self.assertGreater(path.stat().st_size, 1000)
+
+    def view(self, test):
+        """The drawn view of a test: (its element, its plot)."""
+        element = self.browser.find_element(By.CSS_SELECTOR, f".viewer[data-test={test}]")
+        self.browser.execute_script("arguments[0].scrollIntoView({behavior: 'instant'})", element)
+        plot = element.find_element(By.CLASS_NAME, "plot")
+        for _ in range(300):
+            if plot.get_attribute("data-drawn"):
+                break
+            time.sleep(0.1)
+        self.assertEqual(plot.get_attribute("data-drawn"), "yes")
+        time.sleep(0.5)
+        return element, plot
+
+    def cameras(self, plot):
+        script = "return ['scene', 'scene2', 'scene3'].map((name) => arguments[0].layout[name].camera)"
+        return self.browser.execute_script(script, plot)
+
+    def test_bodies_turn_together(self):
+        for test in ("compression", "shearing", "bending"):
+            _, plot = self.view(test)
+            before = browser.pixels(plot)
+            self.assertGreater(browser.drawn_share(before), 0.1)
+            self.browser.execute_script(
+                "Plotly.relayout(arguments[0],"
+                " {'scene2.camera': {eye: {x: -2, y: 0.4, z: 0.3}, up: {x: 0, y: 0, z: 1}}})",
+                plot,
+            )
+            time.sleep(1)
+            first, second, third = self.cameras(plot)
+            self.assertEqual(first["eye"], {"x": -2, "y": 0.4, "z": 0.3})
+            self.assertEqual(first, second)
+            self.assertEqual(first, third)
+            after = browser.pixels(plot)
+            self.assertGreater(np.abs(after - before).max(axis=2).mean(), 0.02)
+            self.assertGreater(browser.drawn_share(after), 0.1)
+
+    def test_views_follow_their_choices(self):
+        element, plot = self.view("torsion")
+        quantity = element.find_elements(By.TAG_NAME, "select")[3]
+        shown = []
+        for value in ("displacement", "volume", "deviation"):
+            self.browser.execute_script(
+                "arguments[0].value = arguments[1];"
+                " arguments[0].dispatchEvent(new Event('change'))", quantity, value)
+            time.sleep(1)
+            shown.append(browser.pixels(plot))
+        self.assertGreater(np.abs(shown[0] - shown[1]).max(axis=2).mean(), 0.02)
+        self.assertGreater(np.abs(shown[1] - shown[2]).max(axis=2).mean(), 0.02)
+        self.assertIn("springs in blue", element.text)
+
+    def test_numbers_are_those_of_the_file(self):
+        cases = self.results.cases
+        numbers = self.browser.execute_script(
+            "return [...document.querySelectorAll('data[data-case]')].map((element) =>"
+            " ({...element.dataset, value: element.value, text: element.textContent}))"
+        )
+        measured = [number for number in numbers if "measure" in number]
+        printed = [number for number in numbers if number.get("table") in PRINTED]
+        self.assertGreater(len(measured), 20)
+        self.assertGreaterEqual(len(printed), 2)
+        for number in measured + printed:
+            if "measure" in number:
+                measure, factor = number["measure"], float(number.get("factor", 1))
+            else:
+                measure, factor = PRINTED[number["table"]]
+            stored = cases.loc[number["case"], measure] * factor
+            shown = float(number["value"])
+            self.assertAlmostEqual(shown, stored, delta=1e-12 * abs(stored))
+            text = number["text"].split()[0].replace("−", "-")
+            decimals = len(text.partition("e")[0].partition(".")[2])
+            exponent = int(text.partition("e")[2] or 0)
+            # Whole numbers are rounded to four digits.
+            step = 10.0 ** (exponent - decimals) if decimals else max(1, 10 ** (len(text) - 4))
+            self.assertLessEqual(abs(float(text) - shown), 0.5001 * step, number)
+
+    def test_names_are_text(self):
+        self.assertIn(LABEL, self.browser.find_element(By.ID, "summary").text)
+        self.assertEqual(self.every("img[src=x]"), [])
+        self.assertIn("Ω <results> & more.h5", self.browser.title)
+
+    def test_heads_sort_columns(self):
+        table = self.browser.find_element(By.ID, "table-cases")
+        heads = [head.get_attribute("textContent") for head in table.find_elements(By.TAG_NAME, "th")]
+        head = table.find_elements(By.TAG_NAME, "th")[heads.index("nu")]
+        self.browser.execute_script("arguments[0].click()", head)
+        nus = self.browser.execute_script(
+            "return [...arguments[0].tBodies[0].rows].map((row) => Number(row.cells[arguments[1]].textContent))",
+            table, heads.index("nu"),
+        )
+        self.assertEqual(nus, sorted(nus))
+
+    def test_print_has_pictures_in_the_views_places(self):
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+        try:
+            shown = [view.is_displayed() for view in self.every(".viewer")]
+            self.assertEqual(set(shown), {False})
+            self.assertTrue(self.browser.find_element(By.ID, "figure-bodies_compression").is_displayed())
+        finally:
+            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+
+    def test_without_webgl_pictures_stand_for_views(self):
+        plain = browser.chromium(webgl=False)
+        try:
+            plain.get((self.report / "index.html").as_uri())
+            views = plain.find_elements(By.CSS_SELECTOR, ".viewer")
+            self.assertEqual({view.is_displayed() for view in views}, {False})
+            picture = plain.find_element(By.CSS_SELECTOR, "#figure-bodies_compression img")
+            self.assertGreater(browser.drawn_share(browser.pixels(picture)), 0.1)
+            self.assertEqual([e for e in plain.get_log("browser") if e["level"] == "SEVERE"], [])
+        finally:
+            plain.quit()
+
+    def test_zz_the_console_is_free_of_errors(self):
+        """Last: of everything that the other tests did."""
+        errors = [entry for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
+        self.assertEqual(errors, [])
+
+    def test_files_for_paraview(self):
+        import meshio
+
+        names = sorted(path.name for path in (self.report / "3d").glob("*.vtu"))
+        with_fields = self.results.field_names()
+        self.assertEqual(len(names), len(with_fields))
+        cases = self.results.cases
+        key = cases.index[(cases.method == "mss-affine") & (cases["cell-type"] == "mixed")][0]
+        (path,) = (self.report / "3d").glob(f"*{key[:8]}.vtu")
+        read, mesh, fields = meshio.read(path), self.results.mesh(key), self.results.fields(key)
+        np.testing.assert_array_equal(read.points, mesh["nodes"])
+        np.testing.assert_array_equal(read.point_data["displacement"], fields["displacement"])
+        np.testing.assert_array_equal(read.point_data["deviation"], fields["deviation"])
+        for name in ("cell_volume_ratio", "spring_strain"):
+            np.testing.assert_array_equal(np.concatenate(read.cell_data[name]), fields[name])
+        strains = fields["spring_strain"]
+        self.assertLess(strains.min(), -0.04)  # pressed by 5 %
+
+    def test_the_report_is_the_same_again(self):
+        """But for the times that are in the file, nothing depends on when it is made."""
+        again = self.folder / "again"
+        springcheck("report", self.file, "--out", again)
+        for path in sorted(p.relative_to(self.report) for p in self.report.rglob("*") if p.is_file()):
+            self.assertEqual((self.report / path).read_bytes(), (again / path).read_bytes(), path)
+
+
+class SmallFiles(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def page_of(self, file):
+        springcheck("report", file, "--out", self.folder / "report")
+        return (self.folder / "report" / "index.html").read_text(encoding="utf-8")
+
+    def test_an_empty_file_says_what_to_run(self):
+        import h5py
+
+        file = self.folder / "empty.h5"
+        with h5py.File(file, "w") as made:
+            made.attrs["layout"] = 2
+            for name in ("cases", "provenance", "meshes", "fields"):
+                made.create_group(name)
+        page = self.page_of(file)
+        self.assertIn("springcheck run compression --out", page)
+        self.assertNotIn("plotly", page)
+
+    def test_one_case(self):
+        file = self.folder / "one.h5"
+        springcheck("run", "compression", "--method", "mss-cf", "--cells", "2,2,2", "--nu", "0.25",
+                    "--out", file)
+        self.assertIn("1 case: 1 ok", self.page_of(file))
+
+    def test_failed_and_refused_cases_alone(self):
+        file = self.folder / "failed.h5"
+        springcheck("run", "compression", "--method", "mss-nfd,mss-lloyd", "--cells", "4,4,4", "--nu",
+                    "0", "--deformation", "20%", "--out", file, check=False)
+        page = self.page_of(file)
+        self.assertIn("no equilibrium", page)
+        self.assertIn("refused (its springs need tetrahedra", page)
+        self.assertIn('id="failures"', page)
+
+    def test_a_mesh_of_a_file_and_other_tests(self):
+        file = self.folder / "kidney.h5"
+        springcheck("run", "kidney", "--cells", "4,4,4", "--out", file)
+        springcheck("run", "traction", "--cells", "2,2,2", "--method", "mss-cf", "--out", file)
+        page = self.page_of(file)
+        self.assertIn('data-test="compression"', page)
+        self.assertIn('data-test="traction"', page)
+
+    def test_bad_input_is_named_and_nothing_is_written(self):
+        text = self.folder / "notes.h5"
+        text.write_text("notes")
+        for file in (text, self.folder / "none.h5"):
+            ended = springcheck("report", file, "--out", self.folder / "out", check=False)
+            self.assertEqual(ended.returncode, 2)
+            self.assertIn(str(file), ended.stderr)
+            self.assertFalse((self.folder / "out").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

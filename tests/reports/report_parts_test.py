@@ -1,0 +1,123 @@
+"""Parts of the report that need no result file."""
+
+import sys
+import unittest
+from pathlib import Path
+
+REPORTS = Path(__file__).parents[2] / "reports"
+sys.path[:0] = [str(REPORTS), str(REPORTS / "springcheck_report")]
+import matplotlib  # noqa: E402
+import method_style  # noqa: E402
+import numpy as np  # noqa: E402
+from content import file_name, paragraph, table  # noqa: E402
+from figures.cost import pareto_front  # noqa: E402
+from numbers_shown import data, formatted, significant, with_bar  # noqa: E402
+from surface import edges_in_plane, outside  # noqa: E402
+
+
+class Numbers(unittest.TestCase):
+    def test_significant_digits(self):
+        for value, digits, text in [
+            (2.86131, 4, "2.861"),
+            (9.9996, 4, "10.00"),
+            (-0.04725, 2, "-0.047"),
+            (58368.2, 4, "58370"),
+            (0, 4, "0"),
+            (1.2345e-7, 3, "1.23e-07"),
+            (1.5e9, 2, "1.5e+09"),
+        ]:
+            self.assertEqual(significant(value, digits), text)
+
+    def test_values_stop_where_their_bars_begin(self):
+        self.assertEqual(with_bar(3.09812, 0.0103), ("3.098", "0.010"))
+        self.assertEqual(with_bar(1266.21, 3.2), ("1266", "3"))
+        self.assertEqual(with_bar(58368, 260), ("58400", "300"))
+        self.assertEqual(with_bar(-0.71372, 0.06), ("-0.71", "0.06"))
+        self.assertEqual(with_bar(1.5, 0), ("1.500", "0"))
+
+    def test_no_minus_before_zero(self):
+        self.assertEqual(formatted(-1e-9, "{:+.2f}"), "+0.00")
+        self.assertEqual(formatted(-0.126, "{:+.2f}"), "-0.13")
+
+    def test_numbers_say_where_they_come_from(self):
+        html = data(3.1671, "3.167", "a<b", "volume_error", 100)
+        self.assertIn('value="3.1671"', html)
+        self.assertIn('data-case="a&lt;b"', html)
+        self.assertIn('data-factor="100"', html)
+        self.assertTrue(html.endswith(">3.167</data>"))
+
+
+class Html(unittest.TestCase):
+    def test_texts_are_escaped(self):
+        self.assertIn("&lt;script&gt;", paragraph("{}", "<script>"))
+        self.assertIn("&lt;b&gt;", table(["<b>"], [["<i>"]], name="t"))
+        self.assertNotIn("<i>", table(["h"], [["<i>"]], name="t"))
+
+    def test_long_tables_say_what_they_leave_out(self):
+        html = table(["n"], [[str(i)] for i in range(10)], name="t", limit=3)
+        self.assertEqual(html.count("<tr>"), 4)
+        self.assertIn("first 3 of 10", html)
+
+    def test_file_names_are_plain(self):
+        self.assertEqual(file_name("mine/../<é> nu 0.25"), "mine-..-nu-0.25")
+        self.assertEqual(file_name("Ω"), "unnamed")
+
+
+CUBE = np.array([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))], float)
+
+
+class Surfaces(unittest.TestCase):
+    def volume(self, mesh):
+        """Enclosed by the surface: by the divergence theorem, positive if it faces outward."""
+        surface = outside(mesh)
+        corners = mesh["nodes"][surface.nodes][surface.triangles()[0]]
+        return np.einsum("ti,ti->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6
+
+    def test_two_cubes_have_ten_faces(self):
+        nodes = np.concatenate([CUBE, CUBE[4:] + [0, 0, 1]])
+        mesh = {"nodes": nodes, "hexahedra": np.array([[0, 1, 2, 3, 4, 5, 6, 7], [4, 5, 6, 7, 8, 9, 10, 11]])}
+        surface = outside(mesh)
+        self.assertEqual(len(surface.faces), 10)
+        self.assertEqual(sorted(np.bincount(surface.cells)), [5, 5])
+        self.assertEqual(len(surface.edges()), 20)
+        self.assertAlmostEqual(self.volume(mesh), 2)
+
+    def test_all_types_of_cells_face_outward(self):
+        apex = np.concatenate([CUBE, [[0.5, 0.5, 1.7]]])
+        cells = {"hexahedra": [[0, 1, 2, 3, 4, 5, 6, 7]], "pyramids": [[4, 5, 6, 7, 8]]}
+        mesh = {"nodes": apex, **{name: np.array(rows) for name, rows in cells.items()}}
+        self.assertAlmostEqual(self.volume(mesh), 1 + 0.7 / 3)
+        surface = outside(mesh)
+        self.assertEqual(len(surface.faces), 9)
+        # Fields of cells list pyramids before hexahedra.
+        self.assertEqual(list(np.bincount(surface.cells)), [4, 5])
+        halves = {"prisms": np.array([[0, 1, 2, 4, 5, 6], [0, 2, 3, 4, 6, 7]])}
+        self.assertAlmostEqual(self.volume({"nodes": CUBE, **halves}), 1)
+        corner = {"tetrahedra": np.array([[0, 1, 3, 4]])}
+        self.assertAlmostEqual(self.volume({"nodes": CUBE, **corner}), 1 / 6)
+
+    def test_edges_in_a_plane(self):
+        mesh = {"nodes": CUBE, "hexahedra": np.array([[0, 1, 2, 3, 4, 5, 6, 7]])}
+        self.assertEqual(edges_in_plane(mesh, 2, 1, 1e-9).tolist(), [[4, 5], [4, 7], [5, 6], [6, 7]])
+        self.assertEqual(len(edges_in_plane(mesh, 2, 0.5, 1e-9)), 0)
+
+
+class Figures(unittest.TestCase):
+    def test_a_method_has_one_colour(self):
+        for name in ("fem-stvk:q2", "fem-stvk:q1-sri", "fem-stvk, else"):
+            self.assertEqual(method_style.colour(name), method_style.colour("fem-stvk"))
+        self.assertEqual(method_style.colour("mine"), method_style.colour("mine"))
+        own = [method_style.colour(f"mss-{name}") for name in ("cf", "nfd", "baudet", "affine", "fd")]
+        self.assertEqual(len(set(own)), 5)
+
+    def test_every_status_has_a_colour(self):
+        for colour in method_style.STATUS_COLOURS.values():
+            self.assertTrue(matplotlib.colors.is_color_like(colour))
+
+    def test_pareto_front(self):
+        times, errors = np.array([1, 2, 3, 4, 1.0]), np.array([5, 6, 2, 2, 7.0])
+        self.assertEqual(pareto_front(times, errors), [0, 2])
+
+
+if __name__ == "__main__":
+    unittest.main()
