@@ -60,7 +60,8 @@ TableFormat table_format(const std::string& name) {
   if (name == "md") return TableFormat::markdown;
   if (name == "csv") return TableFormat::csv;
   if (name == "json") return TableFormat::json;
-  throw InputError("--format", "", "one of md, csv, json", "'" + name + "'");
+  if (name == "latex") return TableFormat::latex;
+  throw InputError("--format", "", "one of md, csv, json, latex", "'" + name + "'");
 }
 
 std::optional<std::filesystem::path> path_or_none(const std::string& text) {
@@ -140,7 +141,7 @@ int command_line(int argc, char** argv) {
       ->check(check_not_empty);
   table->add_option("--reference", reference,
                     "METHOD[:ELEMENT][@CELLS|@converged] for the thesis's tables");
-  table->add_option("--format", format, "md (default), csv or json");
+  table->add_option("--format", format, "md (default), csv, json or latex");
   add_threads(table);
 
   CLI::App* everything = app.add_subcommand("reproduce", "Regenerate every table");
