@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/beam_theory.hpp"
-
 namespace springcheck {
 namespace {
 
@@ -64,23 +62,31 @@ std::optional<double> tip_deflection(const CaseSettings& settings, const Mesh& m
   return tip ? std::optional(tip->dot(settings.gravity.normalized())) : std::nullopt;
 }
 
+std::optional<Cantilever> cantilever(const std::array<double, 3>& size,
+                                     const Material& material, const Vector3& gravity) {
+  const auto [size_x, size_y, length] = size;
+  const Vector3 down = gravity.normalized();
+  const bool along_x = std::abs(down.x()) > 1 - 1e-12;
+  if (!along_x && std::abs(down.y()) < 1 - 1e-12) return std::nullopt;
+  return Cantilever{
+      .length = length,
+      .width = along_x ? size_y : size_x,
+      .height = along_x ? size_x : size_y,
+      .young_modulus = material.young_modulus,
+      .shear_modulus = lame_constants(material).mu,
+      .load_per_length = material.density * gravity.norm() * size_x * size_y};
+}
+
 void measure_beam(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
                   std::span<const Vector3> displacements) {
   if (settings.test != Test::bending || settings.gravity.isZero(0)) return;
   if (settings.body.shape != BodyShape::block) return;
   measures.tip_deflection = tip_deflection(settings, mesh, displacements);
-  const auto [size_x, size_y, length] = settings.body.block.size;
+  const auto of_settings =
+      cantilever(settings.body.block.size, settings.material, settings.gravity);
+  if (!of_settings) return;
+  const Cantilever& beam = *of_settings;
   const Vector3 down = settings.gravity.normalized();
-  // The theories know a load across one side of the section only.
-  const bool along_x = std::abs(down.x()) > 1 - 1e-12;
-  if (!along_x && std::abs(down.y()) < 1 - 1e-12) return;
-  const Cantilever beam{.length = length,
-                        .width = along_x ? size_y : size_x,
-                        .height = along_x ? size_x : size_y,
-                        .young_modulus = settings.material.young_modulus,
-                        .shear_modulus = lame_constants(settings.material).mu,
-                        .load_per_length = settings.material.density *
-                                           settings.gravity.norm() * size_x * size_y};
   const std::vector<NodeIndex> line = centre_line(settings, mesh);
   std::vector<double> s;
   for (const NodeIndex n : line) s.push_back(mesh.nodes()[n].z());
@@ -96,7 +102,7 @@ void measure_beam(Measures& measures, const CaseSettings& settings, const Mesh& 
                                                 s[i] + u.z() - theory[i].axial));
     }
   };
-  if (line.empty()) s = {length};
+  if (line.empty()) s = {beam.length};
   const auto each = [&](auto&& theory) {
     std::vector<BeamPoint> points;
     for (const double at : s) points.push_back(theory(beam, at));

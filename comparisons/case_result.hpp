@@ -51,6 +51,8 @@ struct CaseResult {
   std::string reason;         // in words, unless status is ok
   Measures measures;          // all empty when there is no equilibrium to measure
   Solution solution;
+  // [m] displacement less the reference's, of each node; empty without a reference:
+  std::vector<Vector3> deviation{};
   double wall_s;        // solution and measures
   double solve_wall_s;  // solution alone
 };

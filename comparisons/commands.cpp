@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/build_info.hpp"
+#include "comparisons/computed_tables.hpp"
 #include "comparisons/known_results.hpp"
 #include "comparisons/memory.hpp"
 #include "comparisons/progress.hpp"
 #include "comparisons/quality_text.hpp"
-#include "comparisons/reproduce.hpp"
 #include "comparisons/result_json.hpp"
 #include "comparisons/result_text.hpp"
 #include "comparisons/scene_file.hpp"
@@ -130,9 +130,9 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
   const ComputedTables computed =
       compute_tables({name}, chosen, meshes, parallel, known_from(stored, meshes));
   if (out) write_results(*out, computed.results, meshes);
-  for (const Table& table : computed.tables)
+  for (const Table& table : computed.set.tables)
     fmt::print("{}", format_table(table, format));
-  for (const Sheet& sheet : computed.sheets)
+  for (const Sheet& sheet : computed.set.sheets)
     fmt::print("{}", format_sheet(sheet, format));
   return ExitStatus::done;
 }

@@ -41,16 +41,32 @@ StoredCases of_this_commit(StoredCases stored) {
   return stored;
 }
 
-KnownResult known_from(const StoredCases& stored, MeshStore& meshes) {
+KnownResult known_figures(const StoredCases& stored) {
   return
       [&](const Request& request, const std::string& key) -> std::optional<CaseResult> {
         const auto found = stored.find(key);
         if (found == stored.end()) return std::nullopt;
-        const auto& [file, stored_case] = found->second;
-        CaseResult result = with_stored(request, key, stored_case);
-        read_fields(file, meshes.mesh(request.settings.body), result);
-        return result;
+        return with_stored(request, key, found->second.second);
       };
+}
+
+KnownResult known_from(const StoredCases& stored, MeshStore& meshes) {
+  return [&, figures = known_figures(stored)](const Request& request,
+                                              const std::string& key) {
+    auto result = figures(request, key);
+    if (result)
+      read_fields(stored.at(key).first, meshes.mesh(request.settings.body), *result);
+    return result;
+  };
+}
+
+KnownResult only_with_fields(const KnownResult& known) {
+  return [known](const Request& request, const std::string& key) {
+    auto result = known(request, key);
+    if (result && result->measures.volume_error && result->solution.displacements.empty())
+      result.reset();
+    return result;
+  };
 }
 
 }  // namespace springcheck

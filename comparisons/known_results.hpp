@@ -26,8 +26,14 @@ void warn_of_other_commits(const StoredCases& stored);
 /// the commit.
 StoredCases of_this_commit(StoredCases stored);
 
+/// Supplies stored cases without fields; `stored` must outlive it.
+KnownResult known_figures(const StoredCases& stored);
+
 /// Supplies stored cases with the fields there are; `stored` and `meshes` must outlive
 /// it.
 KnownResult known_from(const StoredCases& stored, MeshStore& meshes);
+
+/// Of known results in an equilibrium those alone that have their fields.
+KnownResult only_with_fields(const KnownResult& known);
 
 }  // namespace springcheck

@@ -15,6 +15,7 @@
 #include "comparisons/commands.hpp"
 #include "comparisons/gate_command.hpp"
 #include "comparisons/measured/measure_command.hpp"
+#include "comparisons/report_command.hpp"
 #include "comparisons/reproduce.hpp"
 #include "comparisons/sweep_command.hpp"
 #include "meshing/input_error.hpp"
@@ -60,7 +61,8 @@ TableFormat table_format(const std::string& name) {
   if (name == "md") return TableFormat::markdown;
   if (name == "csv") return TableFormat::csv;
   if (name == "json") return TableFormat::json;
-  throw InputError("--format", "", "one of md, csv, json", "'" + name + "'");
+  if (name == "latex") return TableFormat::latex;
+  throw InputError("--format", "", "one of md, csv, json, latex", "'" + name + "'");
 }
 
 std::optional<std::filesystem::path> path_or_none(const std::string& text) {
@@ -140,11 +142,12 @@ int command_line(int argc, char** argv) {
       ->check(check_not_empty);
   table->add_option("--reference", reference,
                     "METHOD[:ELEMENT][@CELLS|@converged] for the thesis's tables");
-  table->add_option("--format", format, "md (default), csv or json");
+  table->add_option("--format", format, "md (default), csv, json or latex");
   add_threads(table);
 
-  CLI::App* everything = app.add_subcommand("reproduce", "Regenerate every table");
-  everything->add_option("--out", out, "folder for tables, results and summary")
+  CLI::App* everything =
+      app.add_subcommand("reproduce", "Regenerate every table and the page");
+  everything->add_option("--out", out, "folder for page, tables, results and summary")
       ->required()
       ->check(check_not_empty);
   everything->add_flag("--all", all, "the split table too, which takes many minutes");
@@ -218,6 +221,11 @@ int command_line(int argc, char** argv) {
   gate->add_flag("--bless", bless,
                  "replace stored values that are outside their bands in the gate file");
 
+  CLI::App* report = app.add_subcommand(
+      "report", "Make page, figures and tables of a result file; computes nothing");
+  report->add_option("results", results, "HDF5 file of results")->required();
+  report->add_option("--out", out, "folder for them")->required()->check(check_not_empty);
+
   app.set_version_flag("--version", version);
   for (CLI::App* command : app.get_subcommands({}))
     command->set_version_flag("--version", version);
@@ -261,10 +269,11 @@ int command_line(int argc, char** argv) {
   else if (*mesh)
     status = mesh_command(scene, mesh_options.given(), path_or_none(out),
                           quality ? MeshReport::quality : MeshReport::counts);
-  else {
-    reproduce(out, all ? Extent::all : Extent::without_long_tables, threads);
-    fmt::print("Tables, results and summary are in {}\n", out);
-  }
+  else if (*report)
+    status = report_command(results, out);
+  else
+    status =
+        reproduce_command(out, all ? Extent::all : Extent::without_long_tables, threads);
   flush_output();
   return status;
 }

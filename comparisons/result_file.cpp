@@ -35,6 +35,10 @@ void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
   std::vector<double> ratios = deformed_volumes(mesh, solution);
   for (std::size_t c = 0; c < ratios.size(); ++c) ratios[c] /= mesh.cell_volumes()[c];
   hdf5::write_table(group, partial + "cell_volume_ratio", ratios, 1);
+  if (!solution.spring_strains.empty())
+    hdf5::write_table(group, partial + "spring_strain", solution.spring_strains, 1);
+  if (!result.deviation.empty())
+    hdf5::write_table(group, "deviation", flat(result.deviation), 3);
 }
 
 std::filesystem::path xdmf_beside(std::filesystem::path file) {

@@ -30,9 +30,12 @@ StoredKeys keys_in(hid_t root, const std::filesystem::path& file);
 ///     /cases           one column (dataset) for each setting and measure, see case_rows
 ///     /provenance      columns, a row for each time the file was written
 ///     /meshes/SHA256   nodes, hexahedra, regions/NAME
-///     /fields/KEY      displacement, reaction, cell_volume_ratio, or partial_ of all
-///                      three when the case ended without an equilibrium; no reaction
-///                      where another program's result came without forces
+///     /fields/KEY      of nodes displacement, reaction [N]; of cells cell_volume_ratio,
+///                      spring_strain (l/L - 1 of the most strained spring): partial_
+///                      of these when the case ended without an equilibrium; of nodes
+///                      deviation (displacement less the reference's [m]). No reaction
+///                      where another program's result came without forces, no
+///                      spring_strain without springs, no deviation without a reference
 ///
 /// Results are added whole or not at all, whatever ends the program (store/journal.hpp).
 class ResultFile {

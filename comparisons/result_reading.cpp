@@ -93,24 +93,28 @@ void read_fields(const std::filesystem::path& file, const Mesh& mesh,
     if (!hdf5::has_link(fields, result.key)) return 0;
     const auto group = hdf5::open_group(fields, result.key);
     const std::string partial = result.measures.volume_error ? "" : "partial_";
-    const auto table = [&](const char* name, std::size_t count) {
-      auto values = hdf5::read_table(group, partial + name);
+    const auto table = [&](const std::string& name, std::size_t count) {
+      auto values = hdf5::read_table(group, name);
       if (values && values->size() != count)
-        throw InputError(
-            file.string(), fmt::format("{}{} of case {}", partial, name, result.key),
-            fmt::format("{} numbers", count), fmt::to_string(values->size()));
+        throw InputError(file.string(), fmt::format("{} of case {}", name, result.key),
+                         fmt::format("{} numbers", count),
+                         fmt::to_string(values->size()));
       return values;
     };
     const std::size_t nodes = mesh.nodes().size(), cells = mesh.cells().size();
-    if (const auto displacements = table("displacement", 3 * nodes))
+    if (const auto displacements = table(partial + "displacement", 3 * nodes))
       result.solution.displacements = vectors(*displacements);
-    if (const auto reactions = table("reaction", 3 * nodes))
+    if (const auto reactions = table(partial + "reaction", 3 * nodes))
       result.solution.reactions = vectors(*reactions);
-    if (const auto ratios = table("cell_volume_ratio", cells)) {
+    if (const auto ratios = table(partial + "cell_volume_ratio", cells)) {
       result.solution.cell_volumes = *ratios;
       for (std::size_t c = 0; c < cells; ++c)
         result.solution.cell_volumes[c] *= mesh.cell_volumes()[c];
     }
+    if (auto strains = table(partial + "spring_strain", cells))
+      result.solution.spring_strains = std::move(*strains);
+    if (const auto deviation = table("deviation", 3 * nodes))
+      result.deviation = vectors(*deviation);
     return 0;
   });
 }

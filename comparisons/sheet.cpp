@@ -9,6 +9,7 @@
 #include "comparisons/build_info.hpp"
 #include "comparisons/convergence_table.hpp"
 #include "comparisons/elements_table.hpp"
+#include "comparisons/latex_table.hpp"
 #include "comparisons/locking_table.hpp"
 #include "comparisons/orientation_table.hpp"
 #include "comparisons/scene_file.hpp"
@@ -48,8 +49,8 @@ TextLines lines_of(const Sheet& sheet, Shown&& shown, Notes&& notes, Cases&& cas
   return lines;
 }
 
-std::string markdown(const Sheet& sheet) {
-  const std::vector<std::string> notes = footnotes(sheet);
+/// Heads and rounded rows, without the columns that are empty in every row.
+TextLines grid(const Sheet& sheet, const std::vector<std::string>& notes) {
   const auto marks = [&](const SheetRow& row) {
     std::vector<std::ptrdiff_t> numbers;
     for (const std::string& note : row.notes)
@@ -59,12 +60,10 @@ std::string markdown(const Sheet& sheet) {
   const auto key = [](const SheetRow& row) {
     return row.cases.empty() ? std::string() : row.cases.front().substr(0, 12);
   };
-  const TextLines lines = lines_of(
+  return without_empty_columns(lines_of(
       sheet,
       [](const Column& column, double number) { return rounded(column.format, number); },
-      marks, key);
-  return markdown_text(without_empty_columns(lines),
-                       {.title = sheet.title, .notes = sheet.notes, .footnotes = notes});
+      marks, key));
 }
 
 std::string csv(const Sheet& sheet) {
@@ -107,9 +106,13 @@ std::string json_text(const Sheet& sheet) {
 }  // namespace
 
 std::string format_sheet(const Sheet& sheet, TableFormat format) {
+  const std::vector<std::string> notes = footnotes(sheet);
+  const TableText text{.title = sheet.title, .notes = sheet.notes, .footnotes = notes};
   switch (format) {
     case TableFormat::markdown:
-      return markdown(sheet);
+      return markdown_text(grid(sheet, notes), text);
+    case TableFormat::latex:
+      return latex_text(grid(sheet, notes), text);
     case TableFormat::csv:
       return csv(sheet);
     case TableFormat::json:

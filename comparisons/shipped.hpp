@@ -20,6 +20,9 @@ const std::vector<ShippedFile>& shipped_sweeps();
 /// comparisons/gates/*.toml
 const std::vector<ShippedFile>& shipped_gates();
 
+/// reports/springcheck_results.py and reports/springcheck_report/*, with these paths
+const std::vector<ShippedFile>& shipped_report();
+
 /// comparisons/thesis/printed.csv
 std::string_view shipped_figures();
 

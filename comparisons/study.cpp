@@ -63,6 +63,11 @@ class MemoryBudget {
   int running_ = 0;
 };
 
+std::vector<Vector3> difference(std::vector<Vector3> a, const std::vector<Vector3>& b) {
+  for (std::size_t n = 0; n < a.size(); ++n) a[n] -= b[n];
+  return a;
+}
+
 class Study {
  public:
   Study(const std::vector<Request>& requests, MeshStore& meshes, const KnownResult& known,
@@ -177,6 +182,8 @@ class Study {
         reference && result.measures.volume_error) {
       measure_deviation(result.measures, request.settings, *own.mesh, result.solution,
                         reference->solution);
+      result.deviation =
+          difference(result.solution.displacements, reference->solution.displacements);
       result.measures.reference_order = reference->order;
       result.measures.reference_bar = reference->bar;
     }

@@ -9,9 +9,8 @@
 #include "comparisons/cost.hpp"
 #include "comparisons/known_results.hpp"
 #include "comparisons/memory.hpp"
-#include "comparisons/progress.hpp"
-#include "comparisons/result_writer.hpp"
 #include "comparisons/sweep_file.hpp"
+#include "comparisons/sweep_run.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -121,19 +120,8 @@ ExitStatus sweep_command(const std::string& name_or_path,
       missing_of(wanted, results.stored(), sweep, options);
   fmt::print("{}: {} cases, {} of them to compute\n", sweep.name, wanted.keys.size(),
              missing.size());
-  std::map<Status, int> count;
-  {
-    Progress progress("simulations");
-    ResultWriter writer(results, sweep.with_fields, meshes);
-    run_study(
-        missing, meshes, options.jobs,
-        [&](std::size_t done, std::size_t of) { progress.show(done, of); }, {},
-        [&](std::size_t, CaseResult&& result) {
-          ++count[result.status];
-          writer.put(std::move(result));
-        });
-    writer.finish();
-  }
+  const std::map<Status, int> count =
+      run_into(results, missing, sweep.with_fields, meshes, options.jobs, {});
   if (!count.empty()) fmt::print("computed: {}\n", counts(count));
   if (sweep.with_fields && !missing.empty()) write_xdmf_beside(file);
   return ExitStatus::done;

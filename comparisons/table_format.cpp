@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "comparisons/build_info.hpp"
+#include "comparisons/latex_table.hpp"
 #include "comparisons/text_table.hpp"
 
 namespace springcheck {
@@ -124,8 +125,8 @@ std::vector<std::vector<std::string>> grid(const Table& table,
   return without_empty_columns(std::move(lines));
 }
 
-std::string markdown(const Table& table) {
-  const std::vector<std::string> notes = footnotes(table);
+/// What tables to be read say below their rows.
+TableText text_of(const Table& table, const std::vector<std::string>& notes) {
   std::vector<std::string> on_the_table{
       "Reference: the solution (method:element, on the same mesh unless @ says "
       "otherwise) "
@@ -134,9 +135,7 @@ std::string markdown(const Table& table) {
       "bar (+-) and the order observed."};
   on_the_table.insert(on_the_table.end(), table.plan.notes.begin(),
                       table.plan.notes.end());
-  return markdown_text(
-      grid(table, notes),
-      {.title = table.plan.title, .notes = on_the_table, .footnotes = notes});
+  return {.title = table.plan.title, .notes = on_the_table, .footnotes = notes};
 }
 
 /// All digits, and the notes in words.
@@ -205,9 +204,12 @@ std::string json_text(const Table& table) {
 }  // namespace
 
 std::string format_table(const Table& table, TableFormat format) {
+  const std::vector<std::string> notes = footnotes(table);
   switch (format) {
     case TableFormat::markdown:
-      return markdown(table);
+      return markdown_text(grid(table, notes), text_of(table, notes));
+    case TableFormat::latex:
+      return latex_text(grid(table, notes), text_of(table, notes));
     case TableFormat::csv:
       return csv(table);
     case TableFormat::json:

@@ -6,7 +6,7 @@
 
 namespace springcheck {
 
-enum class TableFormat { markdown, csv, json };
+enum class TableFormat { markdown, csv, json, latex };
 
 /// The table as text. Every row names its reference, its status and the key of its case
 /// in the result file; a row without a value shows its status in the value's place.

@@ -64,19 +64,23 @@ void write_grids(std::ostream& out, const std::string& data, hid_t root) {
     const std::string partial = hdf5::has_link(arrays, "displacement") ? "" : "partial_";
     fmt::print(out, "<Grid Name=\"{}\">\n", escaped(grid_name(cases, row)));
     write_xdmf_mesh(out, mesh, in_mesh);
-    for (const char* field : {"displacement", "reaction"})
-      if (hdf5::has_link(arrays, partial + field))
+    for (const std::string& field :
+         {partial + "displacement", partial + "reaction", std::string("deviation")})
+      if (hdf5::has_link(arrays, field))
         fmt::print(out,
-                   "<Attribute Name=\"{0}{1}\" AttributeType=\"Vector\" Center=\"Node\">"
+                   "<Attribute Name=\"{0}\" AttributeType=\"Vector\" Center=\"Node\">"
                    "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" "
-                   "Dimensions=\"{2} 3\">{3}/{0}{1}</DataItem></Attribute>\n",
-                   partial, field, nodes, in_case);
-    fmt::print(out,
-               "<Attribute Name=\"{0}cell_volume_ratio\" AttributeType=\"Scalar\" "
-               "Center=\"Cell\"><DataItem Format=\"HDF\" NumberType=\"Float\" "
-               "Precision=\"8\" Dimensions=\"{1}\">{2}/{0}cell_volume_ratio</DataItem>"
-               "</Attribute>\n</Grid>\n",
-               partial, cells, in_case);
+                   "Dimensions=\"{1} 3\">{2}/{0}</DataItem></Attribute>\n",
+                   field, nodes, in_case);
+    for (const std::string& field :
+         {partial + "cell_volume_ratio", partial + "spring_strain"})
+      if (hdf5::has_link(arrays, field))
+        fmt::print(out,
+                   "<Attribute Name=\"{0}\" AttributeType=\"Scalar\" Center=\"Cell\">"
+                   "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" "
+                   "Dimensions=\"{1}\">{2}/{0}</DataItem></Attribute>\n",
+                   field, cells, in_case);
+    fmt::print(out, "</Grid>\n");
   }
   fmt::print(out, "</Domain>\n</Xdmf>\n");
 }

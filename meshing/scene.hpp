@@ -106,6 +106,9 @@ struct Solution {
   std::optional<int> linear_iterations{};  // of the iterative linear solver, all together
   // [m^3] deformed, of each cell; empty where the field in a cell is trilinear:
   std::vector<double> cell_volumes{};
+  // [-] of each cell, l/L - 1 of its most strained spring; empty for methods without
+  // springs:
+  std::vector<double> spring_strains{};
   // [m] int u dA/A over the undeformed face of each of the scene's tractions; empty where
   // the mesh's nodes tell it:
   std::vector<Vector3> loaded_face_displacements{};

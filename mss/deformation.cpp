@@ -60,6 +60,15 @@ Matrix9 volume_hessian(const Matrix3& H) {
   return hessian;
 }
 
+Eigen::Vector<double, 6> axis_strains(const Matrix3& H) {
+  Eigen::Vector<double, 6> strains;
+  Eigen::Index axis = 0;
+  for_each_axis(H, [&](const Vector3&, const Vector3&, double, double elongation) {
+    strains[axis++] = elongation;
+  });
+  return strains;
+}
+
 double VirtualSprings::energy(const Matrix3& H) const {
   double energy = 0;
   if (shear_modulus != 0)

@@ -20,6 +20,9 @@ Matrix3 cofactor(const Matrix3& displacement_gradient);
 /// d2(det F)/dF dF.
 Matrix9 volume_hessian(const Matrix3& displacement_gradient);
 
+/// |F n| - 1 along the six axes n of the icosahedron, to the digits of small strains.
+Eigen::Vector<double, 6> axis_strains(const Matrix3& displacement_gradient);
+
 /// A law made of springs along the six axes n of the icosahedron, which are isotropic
 /// exactly, and of a volume correction; energy per undeformed volume [Pa]
 ///

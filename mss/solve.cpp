@@ -1,6 +1,7 @@
 #include "mss/solve.hpp"
 
 #include "mss/equilibrium.hpp"
+#include "mss/spring_strain.hpp"
 
 namespace springcheck::mss {
 
@@ -8,9 +9,12 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
   if (const auto reason = reason_to_refuse(mesh, scene.material, settings.network.method))
     return refused(*reason);
   const Network network = build_network(mesh, scene.material, settings.network);
-  return settings.solver == Solver::static_equilibrium
-             ? find_equilibrium(mesh, scene, network, settings.seed)
-             : run_dynamics(mesh, scene, network, settings.dynamics);
+  Solution solution = settings.solver == Solver::static_equilibrium
+                          ? find_equilibrium(mesh, scene, network, settings.seed)
+                          : run_dynamics(mesh, scene, network, settings.dynamics);
+  if (!solution.displacements.empty())
+    solution.spring_strains = largest_spring_strains(network, solution.displacements);
+  return solution;
 }
 
 }  // namespace springcheck::mss

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Regenerates every comparison table: installs what is missing, builds, computes.
+# Regenerates every comparison table and the report page: installs what is missing, builds,
+# computes.
 # Usage: bash scripts/reproduce.sh [--all] [FOLDER]     (default: results)
 # --all: the split table too, which takes about a quarter of an hour on two cores.
 set -euo pipefail
@@ -13,4 +14,3 @@ out=$(realpath -m "${1:-$root/results}")
 
 bash "$root/scripts/build.sh"
 "$root/build/release/springcheck" reproduce --out "$out" "${extent[@]}"
-echo "Start with $out/summary.md"

@@ -38,6 +38,15 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
   const auto written = study(all, meshes);
   BOOST_TEST(!written[0].solution.linear_iterations.has_value());
   BOOST_TEST(written[2].solution.linear_iterations.value() > 0);
+  // What the springs' points are off the elements', and only springs are strained.
+  const auto& [springs, elements] = std::tie(written[0], written[1]);
+  BOOST_TEST(springs.solution.spring_strains.size() == 64U);
+  BOOST_TEST(elements.solution.spring_strains.empty());
+  BOOST_TEST(written[2].deviation.empty());  // its own reference
+  BOOST_TEST_REQUIRE(springs.deviation.size() == 125U);
+  double largest = 0;
+  for (const Vector3& off : springs.deviation) largest = std::max(largest, off.norm());
+  BOOST_TEST(largest == *springs.measures.max_deviation);
   write_results(file, written, meshes);
   const auto stored = read_results(file);
   BOOST_TEST_REQUIRE(stored.size() == 4U);
@@ -51,6 +60,8 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
     for (std::size_t c = 0; c < volumes.size(); ++c)
       BOOST_TEST(read.solution.cell_volumes.at(c) == volumes[c],
                  boost::test_tools::tolerance(1e-14));
+    BOOST_TEST((read.solution.spring_strains == result.solution.spring_strains));
+    BOOST_TEST((read.deviation == result.deviation));
     const Mesh other = generate_block({.size = {1, 1, 1}, .cells = {2, 2, 2}});
     BOOST_CHECK_THROW(read_fields(file, other, read), InputError);
     BOOST_TEST((read.status == result.status));
@@ -78,6 +89,29 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
   BOOST_TEST(std::filesystem::exists(xdmf.replace_extension(".xdmf")));
 }
 
+// The last state before a breakdown is no result: its fields have names of their own.
+BOOST_AUTO_TEST_CASE(fields_without_an_equilibrium_are_partial) {
+  const OwnFolder own;
+  const auto file = own.path / "partial.h5";
+  MeshStore meshes;
+  const auto written = study(
+      requests(run_of("tension", {"method=mss-cf", "nu=0", "deformation=0.3"})), meshes);
+  BOOST_TEST_REQUIRE(!written.front().measures.volume_error.has_value());
+  write_results(file, written, meshes);
+  const auto root = hdf5::open_file(file);
+  const auto fields = hdf5::open_group(root, "fields");
+  const auto names = hdf5::links(hdf5::open_group(fields, written.front().key));
+  const std::vector<std::string> expected{"partial_cell_volume_ratio",
+                                          "partial_displacement", "partial_reaction",
+                                          "partial_spring_strain"};
+  BOOST_TEST(names == expected, boost::test_tools::per_element());
+  CaseResult read = written.front();
+  read.solution.spring_strains.clear();
+  read_fields(file, meshes.mesh(read.request.settings.body), read);
+  BOOST_TEST((read.solution.spring_strains == written.front().solution.spring_strains));
+  BOOST_TEST(read.deviation.empty());
+}
+
 // Each item names a dataset of the HDF5 file and its shape; topology is 8 wide, points 3.
 BOOST_AUTO_TEST_CASE(xdmf_names_datasets_by_their_shapes) {
   const OwnFolder own;
@@ -101,7 +135,8 @@ BOOST_AUTO_TEST_CASE(xdmf_names_datasets_by_their_shapes) {
         std::to_string(shape[0]) + (rank == 2 ? " " + std::to_string(shape[1]) : "");
     BOOST_TEST(dimensions == (*found)[1].str());
   }
-  BOOST_TEST(items == 2 * 5);  // mesh, points and three fields of two cases
+  // Of two cases mesh, points and four fields; of one the springs' strain.
+  BOOST_TEST(items == 2 * 6 + 1);
 }
 
 BOOST_AUTO_TEST_CASE(foreign_and_broken_files_are_refused_by_name) {

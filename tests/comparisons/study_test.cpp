@@ -51,6 +51,20 @@ BOOST_AUTO_TEST_CASE(shared_simulations_run_once) {
   BOOST_TEST(results[0].key != results[1].key);
 }
 
+// The same numbers subtracted: bit by bit.
+BOOST_AUTO_TEST_CASE(the_deviation_is_the_displacement_less_the_reference_s) {
+  MeshStore meshes;
+  std::vector<std::string> against_hooke = small;
+  against_hooke.emplace_back("reference=fem-hooke");
+  const auto results = study(requests(run_of("compression", against_hooke)), meshes, 1);
+  const CaseResult &springs = results.front(), &hooke = results.back();
+  BOOST_TEST_REQUIRE(springs.deviation.size() == springs.solution.displacements.size());
+  for (std::size_t n = 0; n < springs.deviation.size(); ++n)
+    BOOST_TEST((springs.deviation[n] ==
+                springs.solution.displacements[n] - hooke.solution.displacements[n]));
+  BOOST_TEST(hooke.deviation.empty());
+}
+
 BOOST_AUTO_TEST_CASE(the_key_holds_what_deviations_are_measured_against) {
   MeshStore meshes;
   Request request = requests(run_of("compression", small)).front();

@@ -220,6 +220,7 @@ BOOST_AUTO_TEST_CASE(a_measured_case_is_stored_without_what_only_solvers_know) {
   BOOST_TEST((read.solution.displacements == fields.displacements));
   BOOST_TEST(read.solution.reactions.empty());
   BOOST_TEST((read.measures.mean_deviation == result.measures.mean_deviation));
+  BOOST_TEST((read.deviation == ours.front().deviation));
   BOOST_TEST(!read.measures.plate_force.has_value());
 
   const auto json =

@@ -1,0 +1,49 @@
+#include "comparisons/report_command.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "comparisons/report_program.hpp"
+#include "comparisons/result_file.hpp"
+#include "comparisons/stored_tables.hpp"
+#include "comparisons/table_files.hpp"
+#include "comparisons/theory_curves.hpp"
+#include "meshing/input_error.hpp"
+#include "meshing/output_file.hpp"
+
+namespace springcheck {
+
+void prepare_report(const std::filesystem::path& folder) {
+  check_python();
+  for (const char* part : {"tables", "data"}) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder / part, failed);
+    if (failed)
+      throw InputError(folder.string(), "", "a folder that can be created",
+                       failed.message());
+  }
+  for (const char* file : {"tables/5.1.md", "data/theory.json", "index.html"})
+    check_writable(folder / file);
+}
+
+ExitStatus make_report(const std::filesystem::path& file,
+                       const std::filesystem::path& folder) {
+  MeshStore meshes;
+  write_tables(folder / "tables", stored_tables(file, meshes));
+  const std::string theory = theory_curves(read_cases(file)).dump() + "\n";
+  write_whole_stream(folder / "data" / "theory.json",
+                     [&](std::ostream& out) { out << theory; });
+  if (run_report_program(file, folder) != 0) return ExitStatus::fell_short;
+  fmt::print("Start with {}\n", (folder / "index.html").string());
+  return ExitStatus::done;
+}
+
+ExitStatus report_command(const std::filesystem::path& file,
+                          const std::filesystem::path& folder) {
+  read_results(file);  // whatever is wrong with it is said before a folder is made
+  prepare_report(folder);
+  return make_report(file, folder);
+}
+
+}  // namespace springcheck

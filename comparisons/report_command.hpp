@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+
+#include "comparisons/commands.hpp"
+
+namespace springcheck {
+
+/// Makes the report's folder. Throws InputError where that or what the report writes into
+/// it is not possible, or Python is lacking.
+void prepare_report(const std::filesystem::path& folder);
+
+/// Writes into a folder that is prepared
+///
+///     tables/NAME.md .csv .json .tex   what the file's cases fill, see stored_tables
+///     data/theory.json                 see theory_curves
+///     index.html and its figures       by the program of reports/
+///
+/// Computes no case. Says where to start, or returns fell_short where the program of
+/// reports/ did.
+ExitStatus make_report(const std::filesystem::path& file,
+                       const std::filesystem::path& folder);
+
+/// `springcheck report`. Throws InputError before anything is written.
+ExitStatus report_command(const std::filesystem::path& file,
+                          const std::filesystem::path& folder);
+
+}  // namespace springcheck

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+
+#include "comparisons/computed_tables.hpp"
+
+namespace springcheck {
+
+/// What a result file can fill without a simulation: of the thesis's tables the rows
+/// whose case is there, with a note where others are lacking, and no reference value
+/// where that case is; of the sheets those that lack no case. Throws like read_results.
+TableSet stored_tables(const std::filesystem::path& file, MeshStore& meshes);
+
+}  // namespace springcheck

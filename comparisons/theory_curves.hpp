@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "comparisons/store/columns.hpp"
+
+namespace springcheck {
+
+/// Closed forms that figures show beside a result file's cases:
+///
+///     volume_modulus   nu, kappa_over_young: volume_correction_modulus over E
+///     beams            of every distinct beam among the cases of bending: cases (keys),
+///                      length, width, height [m], young [Pa], nu, density [kg/m^3],
+///                      gravity [m/s^2], arc_length [m], and by euler_bernoulli,
+///                      timoshenko and elastica drop and axial of a BeamPoint [m]
+nlohmann::ordered_json theory_curves(const Columns& cases);
+
+}  // namespace springcheck
