@@ -35,6 +35,7 @@ ExitStatus make_report(const std::filesystem::path& file,
   write_whole_stream(folder / "data" / "theory.json",
                      [&](std::ostream& out) { out << theory; });
   if (run_report_program(file, folder) != 0) return ExitStatus::fell_short;
+  write_xdmf_for(file, folder / "3d" / "cases.xdmf");
   fmt::print("Start with {}\n", (folder / "index.html").string());
   return ExitStatus::done;
 }

@@ -14,7 +14,8 @@ void prepare_report(const std::filesystem::path& folder);
 ///
 ///     tables/NAME.md .csv .json .tex   what the file's cases fill, see stored_tables
 ///     data/theory.json                 see theory_curves
-///     index.html and its figures       by the program of reports/
+///     index.html, figures/, 3d/        by the program of reports/
+///     3d/cases.xdmf                    for ParaView, all cases with fields
 ///
 /// Computes no case. Says where to start, or returns fell_short where the program of
 /// reports/ did.

@@ -222,11 +222,18 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
   return absorbed;
 }
 
-void write_xdmf_beside(const std::filesystem::path& file) {
+void write_xdmf_for(const std::filesystem::path& file,
+                    const std::filesystem::path& xdmf) {
+  const std::filesystem::path from = std::filesystem::absolute(xdmf).parent_path();
+  const std::string data = std::filesystem::relative(file, from).string();
   reading(file, [&](hid_t root) {
-    write_xdmf(xdmf_beside(file), file.filename().string(), root);
+    write_xdmf(xdmf, data, root);
     return 0;
   });
+}
+
+void write_xdmf_beside(const std::filesystem::path& file) {
+  write_xdmf_for(file, xdmf_beside(file));
 }
 
 void write_results(const std::filesystem::path& file, std::span<const CaseResult> results,

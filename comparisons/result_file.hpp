@@ -75,8 +75,10 @@ class ResultFile {
 /// Throws InputError unless write_xdmf_beside can write.
 void check_xdmf_writable(const std::filesystem::path& file);
 
-/// Writes FILE.xdmf for ParaView beside the result file: all cases that have fields.
+/// Writes an .xdmf for ParaView, of all cases that have fields: FILE.xdmf beside the
+/// result file, or one elsewhere, which leads to the result file by a relative path.
 void write_xdmf_beside(const std::filesystem::path& file);
+void write_xdmf_for(const std::filesystem::path& file, const std::filesystem::path& xdmf);
 
 /// Adds results with their fields, and writes the .xdmf.
 void write_results(const std::filesystem::path& file, std::span<const CaseResult> results,

@@ -11,6 +11,7 @@
 #include "comparisons/elements_table.hpp"
 #include "comparisons/latex_table.hpp"
 #include "comparisons/locking_table.hpp"
+#include "comparisons/meshes_table.hpp"
 #include "comparisons/orientation_table.hpp"
 #include "comparisons/scene_file.hpp"
 #include "comparisons/split_table.hpp"
@@ -122,8 +123,8 @@ std::string format_sheet(const Sheet& sheet, TableFormat format) {
 }
 
 const std::vector<std::string>& sheet_names() {
-  static const std::vector<std::string> names{"split",       "elements", "convergence",
-                                              "subdivision", "locking",  "orientation"};
+  static const std::vector<std::string> names{
+      "5.5", "split", "elements", "convergence", "subdivision", "locking", "orientation"};
   return names;
 }
 
@@ -133,6 +134,7 @@ const std::vector<std::string>& long_sheet_names() {
 }
 
 SheetPlan plan_sheet(const std::string& name) {
+  if (name == "5.5") return plan_meshes_table();
   if (name == "split") return plan_split_table();
   if (name == "elements") return plan_elements_table();
   if (name == "convergence") return plan_convergence_table();

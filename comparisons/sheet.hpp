@@ -51,7 +51,7 @@ struct SheetPlan {
   std::function<Sheet(std::span<const CaseResult>, MeshStore&)> make;
 };
 
-/// "split", "elements", "convergence", "subdivision", "locking", "orientation".
+/// "5.5", "split", "elements", "convergence", "subdivision", "locking", "orientation".
 const std::vector<std::string>& sheet_names();
 
 /// Those that take many minutes; `reproduce` leaves them out unless asked for all.

@@ -33,11 +33,13 @@ void write_tables(const std::filesystem::path& folder, const TableSet& set) {
           [&](TableFormat format) { return format_table(table, format); });
   for (const Sheet& sheet : set.sheets)
     write(sheet.name, [&](TableFormat format) { return format_sheet(sheet, format); });
+  std::vector<std::string> all{"cases"};
   for (const auto* names : {&table_names(), &sheet_names()})
-    for (const std::string& name : *names)
-      if (!written.contains(name))
-        for (const auto& [extension, format] : file_formats)
-          std::filesystem::remove(folder / (name + extension));
+    all.insert(all.end(), names->begin(), names->end());
+  for (const std::string& name : all)
+    if (!written.contains(name))
+      for (const auto& [extension, format] : file_formats)
+        std::filesystem::remove(folder / (name + extension));
 }
 
 }  // namespace springcheck

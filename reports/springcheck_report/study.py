@@ -14,6 +14,15 @@ _PROBLEM = ["test", "mesh", "nu", "young", "density", "deformation", "plates", "
 _PROBLEM += [f"{name}.{axis}" for name in ("gravity", "traction") for axis in "xyz"]
 _PROBLEM += [f"gradient.{row}{column}" for row in "xyz" for column in "xyz"]
 
+# Columns that a report reads; a file lacks those that none of its cases has.
+_TEXTS = ["scene", "test", "method", "element", "status", "reason", "body", "cell-type", "mesh"]
+_TEXTS += ["solver", "stiffness-form", "source", "reference"]
+_NUMBERS = ["nu", "young", "density", "deformation", "diagonal-ratio", "distortion"]
+_NUMBERS += [f"{name}.{axis}" for name in ("cells", "size") for axis in "xyz"]
+_NUMBERS += ["volume_error", "volume_change", "plate_force", "plate_force_norm", "plate_torque"]
+_NUMBERS += ["tip_deflection", "cell_volume_ratio_min", "load_fraction", "solve_wall_s"]
+_NUMBERS += ["provenance"]
+
 # What a body answers to each test with: column, name, unit.
 ANSWERS = {
     "compression": ("plate_force", "plate force", "N"),
@@ -93,11 +102,10 @@ def read(file, folder):
 
 def _prepared(cases):
     cases = cases.copy()
-    if cases.empty:
-        return cases
-    for column in ("source", "element", "deformation", "stiffness-form", "diagonal-ratio"):
-        if column not in cases:
-            cases[column] = None
+    for column in (name for name in _TEXTS if name not in cases):
+        cases[column] = None
+    for column in (name for name in _NUMBERS if name not in cases):
+        cases[column] = np.nan
     columns = [column for column in _PROBLEM if column in cases]
     records = cases[columns].astype(object).where(cases[columns].notna(), None)
     cases["problem"] = [json.dumps(list(record)) for record in records.itertuples(index=False)]
@@ -109,7 +117,7 @@ def _prepared(cases):
     beams = (cases.test == "bending") & (cases.body == "block")
     cases.loc[beams, "strain"] = cases.tip_deflection / cases["size.z"]
     cases["counterpart"] = _counterparts(cases)
-    other = cases.reindex(cases["counterpart"])
+    other = cases.reindex(cases["counterpart"].tolist())
     for measure, scale in (("volume_change", None), ("answer", "answer")):
         theirs = other[measure].to_numpy(dtype=float)
         difference = cases[measure].to_numpy(dtype=float) - theirs

@@ -21,15 +21,19 @@ def sheet_blocks(document, limit=80):
         cells.append(((row["case"] or "")[:8], "key"))
         rows.append(cells)
     headings = [c["heading"] for c in shown] + ["notes", "case"]
-    if not notes:
-        headings.pop(-2)
-        rows = [row[:-2] + row[-1:] for row in rows]
+    used = [i for i in range(len(headings)) if any(_text(row[i]) for row in rows)]
+    headings = [headings[i] for i in used]
+    rows = [[row[i] for i in used] for row in rows]
     blocks = [table(headings, rows, name=document["table"], limit=limit)]
     blocks += [paragraph('<span class="note">{}</span>', note) for note in document["notes"]]
     if notes:
         items = Markup("").join(Markup("<li>{}</li>").format(note) for note in notes)
         blocks.append(Markup('<ol class="note">{}</ol>').format(items))
     return [*blocks, table_links(document["table"])]
+
+
+def _text(cell):
+    return cell[0] if isinstance(cell, tuple) else cell
 
 
 def _cell(column, row, bars):

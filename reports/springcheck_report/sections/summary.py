@@ -94,8 +94,8 @@ def _median_and_worst(study, cases, measure, unit):
         return ("–", "none")
     worst = sizes.idxmax()
     text = f"{_short(sizes.median())} ({_short(sizes.max())}) {unit}"
-    return Markup('<a class="quiet" href="#case-{}" title="largest: {}">{}</a>').format(
-        worst[:12], case_text(study.cases.loc[worst]), text
+    return Markup('<span title="largest: {}">{}</span>').format(
+        case_text(study.cases.loc[worst]), text
     )
 
 

@@ -6,6 +6,7 @@ from content import Figure, Section, paragraph, table, table_links
 from figures import agreement
 from markupsafe import Markup
 from numbers_shown import data, formatted, with_bar
+from sections.sheets import sheet_blocks
 
 _NAMES = ["5.1", "5.2", "5.3", "5.4", "deviation", "bending"]
 _SHORT = {"5.1": "compression", "5.2": "tension", "5.3": "shearing", "5.4": "torsion"}
@@ -41,6 +42,9 @@ def thesis_tables(study):
         )
     for document in tables:
         section.blocks += thesis_table(document)
+    if "5.5" in study.tables:
+        document = study.tables["5.5"]
+        section.blocks += [Markup("<h3>{}</h3>").format(document["title"]), *sheet_blocks(document)]
     return section
 
 
