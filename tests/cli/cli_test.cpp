@@ -450,7 +450,7 @@ BOOST_AUTO_TEST_CASE(a_full_disk_leaves_the_old_file_alone) {
     const auto files_before = files();
     const Run run = springcheck(arguments, "ulimit -f 8; ");
     BOOST_TEST(run.status == 1, run.err);
-    const char* expected = is_run ? "cannot be written" : "could not be written whole";
+    const char* expected = is_run ? "has no room" : "could not be written whole";
     BOOST_TEST(run.err.find(expected) != std::string::npos, run.err);
     BOOST_TEST((text_of(folder / file) == before));
     BOOST_TEST(files() == files_before);  // nothing is left lying about

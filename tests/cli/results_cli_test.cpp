@@ -104,7 +104,8 @@ BOOST_AUTO_TEST_CASE(bad_sweeps_and_files_are_refused) {
   expect_bad_input("sweep huge.toml --out a.h5",
                    "expected at most 1000000 without --yes, got 2000000");
   expect_bad_input("sweep two.toml --out a.h5", "a readable sweep file");
-  expect_bad_input("sweep nn --out a.h5", "one of accuracy, beam-diagonal-ratio, deformation");
+  expect_bad_input("sweep nn --out a.h5",
+                   "one of accuracy, beam-diagonal-ratio, deformation");
   expect_bad_input("sweep one.toml", "--out");
   expect_bad_input("sweep one.toml --out a.h5 --shard 3/2", "I/N with 1 <= I <= N");
   expect_bad_input("sweep one.toml --out nowhere/a.h5", "nowhere/a.h5");
