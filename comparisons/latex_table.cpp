@@ -116,9 +116,11 @@ std::string latex_text(const TextLines& lines, const TableText& text) {
         "\\begin{{adjustbox}}{{max totalheight=.85\\textheight}}\n"
         "\\begin{{minipage}}{{\\textwidth}}\n\\footnotesize\n\\centering\n\\setlength{{"
         "\\tabcolsep}}{{3pt}}\n{}{}"
-        "\\end{{minipage}}\n\\end{{adjustbox}}\n\\end{{table}}\n",
+        "\\end{{minipage}}\n\\end{{adjustbox}}\n\\end{{table}}\n{}",
         caption, tabular(lines, 1 + rows * part / floats, 1 + rows * (part + 1) / floats),
-        part + 1 == floats ? notes_below(text) : "");
+        part + 1 == floats ? notes_below(text) : "",
+        // LaTeX keeps few floats that found no place yet.
+        part + 1 == floats ? "" : "\\clearpage\n");
   }
   return all;
 }

@@ -9,7 +9,7 @@ namespace springcheck {
 /// The table as floats for a LaTeX document that loads booktabs and adjustbox: columns of
 /// numbers to the right, marks of a column "notes" raised, notes below in a smaller
 /// size. What is wider than the page is scaled to it; more than 40 rows become several
-/// floats, the notes below the last.
+/// floats on pages of their own, the notes below the last.
 std::string latex_text(const TextLines& lines, const TableText& text);
 
 }  // namespace springcheck

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing; asks apt only then.
+# Installs the Debian packages of packages.txt, and of the lists that are named, that are
+# missing; asks apt only then. Usage: bash scripts/install_packages.sh [LIST.txt...]
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
@@ -7,7 +8,7 @@ missing=()
 while read -r package; do
   status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$status" = installed ] || missing+=("$package")
-done < <(grep -v '^#' "$here/packages.txt")
+done < <(cat "$here/packages.txt" "$@" | grep -v '^#')
 [ ${#missing[@]} -eq 0 ] && exit 0
 
 give_up() {

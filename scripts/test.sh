@@ -9,5 +9,6 @@ case "${1:-}" in
   --all) labels=() ;;
   *) echo "usage: bash scripts/test.sh [--all]" >&2; exit 2 ;;
 esac
+bash scripts/install_packages.sh scripts/packages_for_tests.txt
 bash scripts/build.sh
 ctest --preset release --parallel "$(nproc)" "${labels[@]}"

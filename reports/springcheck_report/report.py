@@ -13,7 +13,7 @@ import paraview
 from content import Figure, Viewer
 from markupsafe import Markup
 from plotly.offline import get_plotlyjs
-from sections import SECTIONS
+from sections import SECTIONS, empty_file
 from study import read
 
 _HERE = Path(__file__).resolve().parent
@@ -26,7 +26,8 @@ def make(file, folder):
     where the file is no result file or the folder cannot be written."""
     method_style.set_defaults()
     study = read(file, folder)
-    sections = [section for section in (make_one(study) for make_one in SECTIONS) if section]
+    makers = [empty_file] if study.cases.empty else SECTIONS
+    sections = [section for section in (maker(study) for maker in makers) if section]
     figures = [block for section in sections for block in section.blocks if isinstance(block, Figure)]
     figure_folder, three_d = folder / "figures", folder / "3d"
     for old in (figure_folder, three_d):
@@ -88,14 +89,15 @@ def _page(study, sections, figure_folder):
         content = (figure_folder / f"{figure.name}.svg").read_bytes()
         return f"data:image/svg+xml;base64,{base64.b64encode(content).decode('ascii')}"
 
-    text = {name: Markup((_HERE / name).read_text(encoding="utf-8")) for name in ("page.css", "page.js")}
+    def text(name):
+        return Markup((_HERE / name).read_text(encoding="utf-8"))
+
     return environment.get_template("page.html").render(
         title=f"springcheck: {study.results.path.name}",
         sections=sections,
         kind=kind,
         image=image,
-        style=text["page.css"],
-        script=text["page.js"],
+        text=text,
         plotly=Markup(get_plotlyjs()) if tests else None,
         views=views,
         left_out=left_out,

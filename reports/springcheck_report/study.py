@@ -85,7 +85,7 @@ class Study:
 
     def with_fields(self, cases):
         """Those cases of a table that have an equilibrium's displacements."""
-        return cases[[self.has(key, "displacement") for key in cases.index]]
+        return cases[_mask(self.has(key, "displacement") for key in cases.index)]
 
 
 def read(file, folder):
@@ -98,6 +98,11 @@ def read(file, folder):
     theory_file = folder / "data" / "theory.json"
     theory = json.loads(theory_file.read_text(encoding="utf-8")) if theory_file.exists() else {}
     return Study(results, _prepared(results.cases), tables, theory)
+
+
+def _mask(truths):
+    """Of rows; an empty list would choose columns."""
+    return np.fromiter(truths, dtype=bool)
 
 
 def _prepared(cases):

@@ -1,7 +1,8 @@
 """The report's sections, in the page's order.
 
-A section is a function of a Study that returns content.Section, or None where the study
-has no data for it. A new one is a function here and a line in SECTIONS.
+A section is a function of a Study with at least one case; it returns content.Section, or
+None where the study has no data for it. A new one is a function here and a line in
+SECTIONS. A file without cases gets `empty_file` alone.
 """
 
 from sections.bodies import bending, compression, other_tests, shearing, tension, torsion
@@ -13,8 +14,9 @@ from sections.laws import error_parts, locking, orientation, spring_constants
 from sections.summary import summary
 from sections.thesis_tables import thesis_tables
 
+__all__ = ["SECTIONS", "empty_file"]
+
 SECTIONS = [
-    empty_file,
     summary,
     thesis_tables,
     compression,

@@ -13,8 +13,6 @@ _LEAST, _SMALL = 0.005, 0.051
 
 
 def summary(study):
-    if study.cases.empty:
-        return None
     section = Section("summary", "Summary")
     section.blocks += [_what(study), _agreement(study), _findings(study)]
     return section
