@@ -32,7 +32,10 @@ BOOST_AUTO_TEST_CASE(a_report_has_the_rows_whose_cases_are_in_the_file) {
   BOOST_TEST(run.status == 0, run.err);
   BOOST_TEST(run.out.find("Start with some/index.html\n") != std::string::npos, run.out);
   BOOST_TEST(fs::exists(folder / "some/index.html"));
-  const std::set<std::string> files{"5.3.csv", "5.3.json", "5.3.md", "5.3.tex"};
+  std::set<std::string> files;
+  for (const char* table : {"5.3", "5.5", "cases"})
+    for (const char* extension : {".csv", ".json", ".md", ".tex"})
+      files.insert(std::string(table) + extension);
   BOOST_TEST(names_in("some/tables") == files, boost::test_tools::per_element());
 
   const Json table = json_in("some/tables/5.3.json");
@@ -61,14 +64,21 @@ BOOST_AUTO_TEST_CASE(a_reference_that_is_lacking_has_no_value) {
 }
 
 // What an earlier report left would be shown as this file's.
-BOOST_AUTO_TEST_CASE(cases_of_one_s_own_fill_no_table) {
+BOOST_AUTO_TEST_CASE(cases_of_one_s_own_fill_the_table_of_all_cases_alone) {
   BOOST_TEST(springcheck("run compression --cells 2,2,2 --nu 0.3 --out own.h5").status ==
              0);
   fs::create_directories(folder / "own/tables");
   std::ofstream(folder / "own/tables/5.1.md") << "of another file";
   const Run run = springcheck("report own.h5 --out own");
   BOOST_TEST(run.status == 0, run.err);
-  BOOST_TEST(names_in("own/tables").empty());
+  const std::set<std::string> files{"cases.csv", "cases.json", "cases.md", "cases.tex"};
+  BOOST_TEST(names_in("own/tables") == files, boost::test_tools::per_element());
+  const Json cases = json_in("own/tables/cases.json");
+  BOOST_TEST_REQUIRE(cases["rows"].size() == 2U);
+  BOOST_TEST(cases["rows"][0]["method"] == "fem-stvk:q1-sri");
+  BOOST_TEST(cases["rows"][1]["method"] == "mss-cf");
+  BOOST_TEST(cases["rows"][1]["mesh"] == "2x2x2 hexahedron");
+  BOOST_TEST(cases["rows"][1]["nu"] == .3);
   BOOST_TEST(json_in("own/data/theory.json")["beams"].empty());
 }
 
