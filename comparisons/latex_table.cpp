@@ -65,8 +65,40 @@ std::string row_text(const std::vector<std::string>& cells) {
   return "  " + at_line_start(fmt::format("{}", fmt::join(cells, " & "))) + " \\\\\n";
 }
 
+/// What a table says once instead of in every row.
+struct Condensed {
+  TextLines lines;
+  std::vector<std::string> cases;  // of the rows, empty without a column of them
+  std::string constants;           // "mesh 10x10x10, nu 0.25"
+};
+
+Condensed condensed(TextLines lines) {
+  Condensed shorter{.lines = std::move(lines), .cases = {}, .constants = {}};
+  shorter.cases.resize(shorter.lines.size() - 1);
+  TextLines& rows = shorter.lines;
+  for (std::size_t column = rows[0].size(); column-- > 0;) {
+    const std::string& head = rows[0][column];
+    const std::string value = rows[1][column];
+    const bool is_case = head == "case";
+    const bool is_constant =
+        rows.size() > 3 && !value.empty() && head != "notes" &&
+        std::all_of(rows.begin() + 1, rows.end(),
+                    [&](const auto& row) { return row[column] == value; });
+    if (!is_case && !is_constant) continue;
+    if (is_case)
+      for (std::size_t row = 1; row < rows.size(); ++row)
+        shorter.cases[row - 1] = rows[row][column];
+    else
+      shorter.constants =
+          head + " " + value + (shorter.constants.empty() ? "" : ", ") + shorter.constants;
+    for (auto& row : rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+  }
+  return shorter;
+}
+
 /// The tabular of the rows from `first` to `last`, excluded.
-std::string tabular(const TextLines& lines, std::size_t first, std::size_t last) {
+std::string tabular(const TextLines& lines, const std::vector<std::string>& cases,
+                    std::size_t first, std::size_t last) {
   std::string alignment;
   std::vector<std::string> heads;
   for (std::size_t i = 0; i < lines[0].size(); ++i) {
@@ -85,6 +117,8 @@ std::string tabular(const TextLines& lines, std::size_t first, std::size_t last)
       cells.push_back(lines[0][i] == "notes" ? superscript(lines[row][i])
                                              : body_cell(lines[row][i]));
     text += row_text(cells);
+    if (const std::string& key = cases[row - 1]; !key.empty())
+      text.replace(text.size() - 1, 1, " % case " + key + "\n");
   }
   return text + "  \\bottomrule\n\\end{tabular}\n\\end{adjustbox}\n";
 }
@@ -101,7 +135,10 @@ std::string notes_below(const TableText& text) {
 
 }  // namespace
 
-std::string latex_text(const TextLines& lines, const TableText& text) {
+std::string latex_text(const TextLines& table, const TableText& table_text) {
+  const auto [lines, cases, constants] = condensed(table);
+  TableText text = table_text;
+  if (!constants.empty()) text.notes.insert(text.notes.begin(), "In all rows: " + constants + ".");
   std::string all = "% needs \\usepackage{booktabs,adjustbox}\n";
   const std::size_t rows = lines.size() - 1;
   const std::size_t floats =
@@ -117,7 +154,7 @@ std::string latex_text(const TextLines& lines, const TableText& text) {
         "\\begin{{minipage}}{{\\textwidth}}\n\\footnotesize\n\\centering\n\\setlength{{"
         "\\tabcolsep}}{{3pt}}\n{}{}"
         "\\end{{minipage}}\n\\end{{adjustbox}}\n\\end{{table}}\n{}",
-        caption, tabular(lines, 1 + rows * part / floats, 1 + rows * (part + 1) / floats),
+        caption, tabular(lines, cases, 1 + rows * part / floats, 1 + rows * (part + 1) / floats),
         part + 1 == floats ? notes_below(text) : "",
         // LaTeX keeps few floats that found no place yet.
         part + 1 == floats ? "" : "\\clearpage\n");

@@ -138,6 +138,17 @@ TableText text_of(const Table& table, const std::vector<std::string>& notes) {
   return {.title = table.plan.title, .notes = on_the_table, .footnotes = notes};
 }
 
+/// The same without what only the screen has room for: further measures beside printed
+/// values.
+std::vector<std::vector<std::string>> narrow_grid(const Table& table,
+                                                  const std::vector<std::string>& notes) {
+  Table narrow = table;
+  const bool has_printed = std::ranges::any_of(
+      table.rows, [](const TableRow& row) { return row.plan.printed.has_value(); });
+  if (has_printed) narrow.plan.further.clear();
+  return grid(narrow, notes);
+}
+
 /// All digits, and the notes in words.
 std::string csv(const Table& table) {
   const std::vector<std::string> notes = footnotes(table);
@@ -209,7 +220,7 @@ std::string format_table(const Table& table, TableFormat format) {
     case TableFormat::markdown:
       return markdown_text(grid(table, notes), text_of(table, notes));
     case TableFormat::latex:
-      return latex_text(grid(table, notes), text_of(table, notes));
+      return latex_text(narrow_grid(table, notes), text_of(table, notes));
     case TableFormat::csv:
       return csv(table);
     case TableFormat::json:

@@ -88,3 +88,14 @@ BOOST_AUTO_TEST_CASE(long_tables_are_several_floats_with_notes_below_the_last) {
   BOOST_TEST(count(text, "Below.") == 1U);
   BOOST_TEST(text.find("Below.") > text.find("  81 \\\\"));
 }
+
+BOOST_AUTO_TEST_CASE(what_every_row_says_is_said_once) {
+  const std::string text = latex_text({{"mesh", "nu", "e [%]", "case"},
+                                       {"4x4x4", "0.1", "1", "ab"},
+                                       {"4x4x4", "0.2", "2", "cd"},
+                                       {"4x4x4", "0.3", "2", "ef"}},
+                                      {.title = "t", .notes = {"Own."}, .footnotes = {}});
+  expect_part(text, "{@{}rr@{}}\n  \\toprule\n  nu & e [\\%] \\\\\n");
+  expect_part(text, "  0.2 & 2 \\\\ % case cd\n");
+  expect_part(text, "In all rows: mesh 4x4x4.\n\\par\\smallskip Own.");
+}
