@@ -133,7 +133,7 @@ int command_line(int argc, char** argv) {
                          "of our own");
   table
       ->add_option("name", name,
-                   "5.1, 5.2, 5.3, 5.4, deviation, bending, subdivision, locking, "
+                   "5.1, 5.2, 5.3, 5.4, 5.5, deviation, bending, subdivision, locking, "
                    "orientation; split, elements and convergence take minutes")
       ->required();
   table->add_option("--from", from, "result files to take cases from; computes the rest")

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <system_error>
 
 #include "comparisons/report_program.hpp"
@@ -14,8 +15,25 @@
 
 namespace springcheck {
 
+namespace {
+
+/// Refuses a folder whose page somebody else made: it would be lost.
+void check_page_is_ours(const std::filesystem::path& folder) {
+  const std::filesystem::path page = folder / "index.html";
+  std::ifstream in(page);
+  if (!in) return;
+  std::string head(1000, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (head.find("content=\"springcheck report\"") == std::string::npos)
+    throw InputError(page.string(), "", "the page of an earlier report, or none",
+                     "another page, which would be lost");
+}
+
+}  // namespace
+
 void prepare_report(const std::filesystem::path& folder) {
   check_python();
+  check_page_is_ours(folder);
   for (const char* part : {"tables", "data"}) {
     std::error_code failed;
     std::filesystem::create_directories(folder / part, failed);

@@ -7,7 +7,7 @@
 namespace springcheck {
 
 /// Makes the report's folder. Throws InputError where that or what the report writes into
-/// it is not possible, or Python is lacking.
+/// it is not possible, it has a page of somebody else, or Python is lacking.
 void prepare_report(const std::filesystem::path& folder);
 
 /// Writes into a folder that is prepared

@@ -41,9 +41,10 @@ class Results:
     provenance: pd.DataFrame
 
     def fields(self, key):
-        """Arrays of a case by name: displacement and reaction (nodes x 3) [m, N],
-        cell_volume_ratio; "partial_" before each when the case ended without an
-        equilibrium. Empty where the file holds none. KeyError for an unknown case."""
+        """Arrays of a case by name: displacement, deviation (from the reference) and
+        reaction (nodes x 3) [m, m, N], cell_volume_ratio, spring_strain (one per cell);
+        "partial_" before each when the case ended without an equilibrium. Empty where the
+        file holds none. KeyError for an unknown case."""
         if key not in self.cases.index:
             raise KeyError(f"no case {key!r}")
 

@@ -109,7 +109,6 @@ def set_defaults():
             "xtick.major.width": 0.6,
             "ytick.major.width": 0.6,
             "figure.dpi": 100,
-            "savefig.dpi": 200,
             "svg.hashsalt": "springcheck",
             "svg.fonttype": "path",
             "pdf.fonttype": 42,

@@ -1,5 +1,23 @@
 "use strict";
 
+/* Long tables have a field that keeps the rows with its words. */
+for (const table of document.querySelectorAll("table")) {
+  const rows = [...table.tBodies[0].rows];
+  if (rows.length < 30) continue;
+  const field = document.createElement("input");
+  field.type = "search";
+  field.placeholder = `filter ${rows.length} rows, e.g. ${rows[0].cells[1].textContent}`;
+  field.setAttribute("aria-label", "filter rows");
+  field.addEventListener("input", () => {
+    const words = field.value.toLowerCase().split(/\s+/);
+    for (const row of rows) {
+      const text = row.textContent.toLowerCase();
+      row.hidden = !words.every((word) => text.includes(word));
+    }
+  });
+  table.parentElement.before(field);
+}
+
 /* Columns sort by a click on their head; numbers by their full value. */
 for (const head of document.querySelectorAll("thead th")) {
   head.addEventListener("click", () => {

@@ -21,8 +21,8 @@ _HERE = Path(__file__).resolve().parent
 
 def make(file, folder):
     """Writes index.html, figures/ and 3d/ of the result file into the folder, which
-    `springcheck report` has put tables/ and data/ in; what is there of these is replaced.
-    Returns a sentence that says where things are. ValueError or OSError, with the path,
+    `springcheck report` has put tables/ and data/ in. Files of an earlier report, which
+    data/made.txt lists, go; others stay. Returns a sentence that says where things are. ValueError or OSError, with the path,
     where the file is no result file or the folder cannot be written."""
     method_style.set_defaults()
     study = read(file, folder)
@@ -30,10 +30,10 @@ def make(file, folder):
     sections = [section for section in (maker(study) for maker in makers) if section]
     figures = [block for section in sections for block in section.blocks if isinstance(block, Figure)]
     figure_folder, three_d = folder / "figures", folder / "3d"
-    for old in (figure_folder, three_d):
-        shutil.rmtree(old, ignore_errors=True)
-        old.mkdir(parents=True)
-    keys = [key for key in study.field_names if key in study.cases.index]
+    for part in (figure_folder, three_d, folder / "data"):
+        part.mkdir(parents=True, exist_ok=True)
+    _replace_earlier(folder, [*_figure_files(figures), *_three_d_files(study)])
+    keys = study.keys_with_fields()
     _in_parallel(
         [(_draw, figure, figure_folder) for figure in figures]
         + [(_write_vtus, study, keys[i : i + 20], three_d) for i in range(0, len(keys), 20)]
@@ -44,6 +44,25 @@ def make(file, folder):
     unfinished.write_text(page, encoding="utf-8")
     unfinished.replace(folder / "index.html")
     return f"{folder / 'index.html'}: {len(sections)} sections, {len(figures)} figures"
+
+
+def _figure_files(figures):
+    return [f"figures/{figure.name}.{form}" for figure in figures for form in ("svg", "pdf")]
+
+
+def _three_d_files(study):
+    names = [paraview.vtu_name(study, key) for key in study.keys_with_fields()]
+    return [f"3d/{name}" for name in [*names, "show.py", "cases.xdmf"]]
+
+
+def _replace_earlier(folder, files):
+    """Removes what an earlier report made there, and notes what this one will."""
+    made = folder / "data" / "made.txt"
+    if made.exists():
+        for name in made.read_text(encoding="utf-8").splitlines():
+            if name.startswith(("figures/", "3d/")) and ".." not in name.split("/"):
+                (folder / name).unlink(missing_ok=True)
+    made.write_text("".join(f"{name}\n" for name in files), encoding="utf-8")
 
 
 _tasks = []  # of _in_parallel, which forks: nothing is pickled
@@ -66,8 +85,9 @@ def _draw(figure, folder):
     drawn = figure.draw(*figure.arguments)
     stem = folder / figure.name
     # No date: the same input gives the same file.
-    drawn.savefig(f"{stem}.svg", bbox_inches="tight", metadata={"Date": None})
-    drawn.savefig(f"{stem}.pdf", bbox_inches="tight", metadata={"CreationDate": None})
+    # dpi: of the parts that are pixels, fewer in the page's SVG than in the PDF for print.
+    drawn.savefig(f"{stem}.svg", bbox_inches="tight", metadata={"Date": None}, dpi=140)
+    drawn.savefig(f"{stem}.pdf", bbox_inches="tight", metadata={"CreationDate": None}, dpi=300)
 
 
 def _write_vtus(study, keys, folder):

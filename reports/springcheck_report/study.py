@@ -75,6 +75,10 @@ class Study:
         """Whether the file holds this field of the case."""
         return name in self.field_names.get(key, ())
 
+    def keys_with_fields(self):
+        """Of cases with fields, whole or partial, in the order of the file's groups."""
+        return [key for key in self.field_names if key in self.cases.index]
+
     def field(self, key, name):
         """A stored field of a case, None where the file holds none."""
         return self._fields(key)[name] if self.has(key, name) else None

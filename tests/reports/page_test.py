@@ -227,6 +227,19 @@ class Page(unittest.TestCase):
         )
         self.assertEqual(nus, sorted(nus))
 
+    def test_long_tables_have_a_filter(self):
+        shown = (
+            "return [...document.querySelectorAll('#table-cases tbody tr')]"
+            ".filter((row) => !row.hidden).map((row) => row.textContent)"
+        )
+        field = self.browser.find_element(By.CSS_SELECTOR, "#cases input")
+        before = self.browser.execute_script(shown)
+        field.send_keys("torsion nfd")
+        kept = self.browser.execute_script(shown)
+        self.assertEqual(kept, [row for row in before if "torsion" in row and "nfd" in row])
+        self.assertEqual(len(kept), 5)
+        field.clear()
+
     def test_print_has_pictures_in_the_views_places(self):
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
         try:
@@ -322,6 +335,25 @@ class SmallFiles(unittest.TestCase):
         page = self.page_of(file)
         self.assertIn('data-test="compression"', page)
         self.assertIn('data-test="traction"', page)
+
+    def test_files_of_others_stay(self):
+        file = self.folder / "one.h5"
+        springcheck("run", "compression", "--method", "mss-cf", "--cells", "2,2,2", "--out", file)
+        mine = self.folder / "report" / "figures" / "mine.svg"
+        mine.parent.mkdir(parents=True)
+        mine.write_text("mine")
+        self.page_of(file)
+        made = set((self.folder / "report" / "3d").iterdir())
+        springcheck("run", "shearing", "--method", "mss-cf", "--cells", "2,2,2", "--out",
+                    self.folder / "two.h5")
+        self.page_of(self.folder / "two.h5")
+        left = made & set((self.folder / "report" / "3d").iterdir())
+        self.assertEqual({path.name for path in left}, {"show.py", "cases.xdmf"})
+        self.assertEqual(mine.read_text(), "mine")
+        (self.folder / "report" / "index.html").write_text("<p>my page</p>")
+        ended = springcheck("report", file, "--out", self.folder / "report", check=False)
+        self.assertEqual(ended.returncode, 2)
+        self.assertEqual((self.folder / "report" / "index.html").read_text(), "<p>my page</p>")
 
     def test_bad_input_is_named_and_nothing_is_written(self):
         text = self.folder / "notes.h5"

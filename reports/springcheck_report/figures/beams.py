@@ -22,10 +22,12 @@ def draw(panels):
     """panels: (title, theory, lines), the last two lists of CentreLine; one legend for all."""
     figure = Figure((TWO_COLUMNS, 2.9))
     all_axes = figure.subplots(1, len(panels), squeeze=False)[0]
+    largest = max(line.drop.max() for _, theory, lines in panels for line in [*theory, *lines])
+    unit, factor = ("m", 1) if largest > 0.01 else ("mm", 1e3) if largest > 1e-3 else ("µm", 1e6)
     for axes, (title, theory, lines) in zip(all_axes, panels):
         for line in [*theory, *lines]:
-            axes.plot(line.axial, -line.drop, label=line.name, **line.style)
+            axes.plot(line.axial, -factor * line.drop, label=line.name, **line.style)
         axes.axhline(0, color="#BBBBBB", linewidth=0.6)
-        axes.set(title=title, xlabel="along the beam [m]", ylabel="height [m]")
+        axes.set(title=title, xlabel="along the beam [m]", ylabel=f"height [{unit}]")
     legend_below(figure, columns=4)
     return figure

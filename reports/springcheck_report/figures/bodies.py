@@ -35,7 +35,7 @@ def draw(rows, colour_label, unit_scale=1.0):
     figure = Figure((max(size * columns, 3.4) + 0.6, size * len(rows) + 0.3), layout="none")
     right = 1 - 0.75 / figure.get_figwidth()
     grid = figure.add_gridspec(
-        len(rows), columns, left=0.01, right=right, bottom=0.01, top=0.95, wspace=0, hspace=0.12
+        len(rows), columns, left=0.01, right=right, bottom=0.01, top=0.93, wspace=0, hspace=0.2
     )
     for i, row in enumerate(rows):
         for j, panel in enumerate(row):
@@ -51,10 +51,10 @@ def draw(rows, colour_label, unit_scale=1.0):
             collection.set_rasterized(True)  # hundreds of faces each
             axes.add_collection3d(collection)
             axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-            axes.set_box_aspect(high - low, zoom=1.35)
+            axes.set_box_aspect(high - low, zoom=1.25)
             axes.view_init(elev=18, azim=-62)
             axes.set_axis_off()
-            axes.set_title(panel.title, fontsize=7, y=0.97)
+            axes.set_title(panel.title, fontsize=7, y=1.0)
     bar = figure.add_axes([right + 0.012, 0.2, 0.018, 0.6])
     mappable = matplotlib.cm.ScalarMappable(scale, colours)
     figure.colorbar(mappable, cax=bar, label=colour_label)

@@ -5,7 +5,7 @@ from markupsafe import Markup
 from paraview import vtu_name
 from sections.sheets import sheet_blocks
 
-_MOST_ROWS = 250
+_MOST_ROWS = 2000
 
 
 def empty_file(study):
@@ -37,7 +37,7 @@ def all_cases(study):
 
 
 def files_for_paraview(study):
-    names = [vtu_name(study, key) for key in study.field_names if key in study.cases.index]
+    names = [vtu_name(study, key) for key in study.keys_with_fields()]
     if not names:
         return None
     section = Section("paraview", "For ParaView")

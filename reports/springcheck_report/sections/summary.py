@@ -6,7 +6,7 @@ from markupsafe import Markup
 from numbers_shown import significant
 from sections.failures import failing_sentences
 from sections.thesis_tables import relative_size
-from study import ANSWERS, FAILED, case_text
+from study import FAILED, case_text, is_variant
 
 # From half a percent on, below which volumes do not change; 5 % and 0.05 rad are small.
 _LEAST, _SMALL = 0.005, 0.051
@@ -46,6 +46,7 @@ def _what(study):
 def _agreement(study):
     """Per spring method: cases, failures, medians and worst differences."""
     cases = study.cases[study.cases.kind != "finite elements"]
+    cases = cases[~cases["name"].map(is_variant)]
     if cases.empty:
         return paragraph("The file holds finite elements only: there is nothing to compare.")
     rows = []
@@ -69,7 +70,7 @@ def _agreement(study):
     ]
     text = Markup(
         '{}<p class="note">Distance from finite elements on the same mesh, material and '
-        "deformation (the law is named in each test below): median, and in brackets the largest. "
+        "deformation, methods with their usual settings (the law is named in each test below): median, and in brackets the largest. "
         "Volume in points of V₀, force (torque, drop of a tip) in percent. Usable: an equilibrium "
         "that is stable and does not wrinkle, of the cases that the method covers. Beyond 5 % most "
         "of the force's difference is the law, not the method: springs have one of their own. Near "
