@@ -6,6 +6,14 @@
     document.createElement("canvas").getContext("webgl"));
   if (!hasWebGL) return;  // the pictures below stand for the views
   const { meshes, tests } = JSON.parse(document.getElementById("bodies").textContent);
+
+  /* The library is long: it runs when the first view comes into sight. */
+  function loadPlotly() {
+    if (window.Plotly) return;
+    const script = document.createElement("script");
+    script.textContent = document.getElementById("plotly").textContent;
+    document.head.append(script);
+  }
   const scenes = ["scene", "scene2", "scene3"];
   const mostAlive = 3;  // three WebGL contexts each; browsers allow about 16
   const alive = [];
@@ -234,6 +242,7 @@
     const state = {
       show() {
         if (alive.includes(state)) return;
+        loadPlotly();
         alive.push(state);
         draw();
         while (alive.length > mostAlive) alive.shift().rest();
