@@ -60,6 +60,8 @@ ExitStatus make_report(const std::filesystem::path& file,
 
 ExitStatus report_command(const std::filesystem::path& file,
                           const std::filesystem::path& folder) {
+  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+    throw InputError(file.string(), "", "a result file", "what is no file");
   read_results(file);  // whatever is wrong with it is said before a folder is made
   prepare_report(folder);
   return make_report(file, folder);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "comparisons/beam_measures.hpp"
 #include "comparisons/case.hpp"
+#include "comparisons/methods.hpp"
 
 namespace springcheck {
 namespace {
@@ -19,14 +21,35 @@ std::vector<double> evenly(double from, double to, int steps) {
   return values;
 }
 
-Json volume_modulus() {
-  const std::vector<double> ratios = evenly(-0.9, 0.49, 100);
+double kappa_over_young(double nu) {
+  return mss::volume_correction_modulus(
+      {.young_modulus = 1, .poisson_ratio = nu, .density = 1});
+}
+
+/// Poisson's ratios finer and finer towards 1/2, where kappa has its pole.
+Json volume_modulus(const Columns& cases) {
+  std::vector<double> ratios = evenly(-0.9, 0.4, 100);
+  for (double distance = 0.095; distance > 5e-4; distance *= 0.95)
+    ratios.push_back(0.5 - distance);
   std::vector<double> moduli;
-  for (const double nu : ratios)
-    moduli.push_back(mss::volume_correction_modulus(
-        {.young_modulus = 1, .poisson_ratio = nu, .density = 1}));
-  return {
-      {"nu", ratios}, {"kappa_over_young", moduli}, {"source", "Golec 2018, Eq. 5.36"}};
+  for (const double nu : ratios) moduli.push_back(kappa_over_young(nu));
+  std::set<double> used;
+  if (const auto column = cases.numbers.find("nu"); column != cases.numbers.end())
+    used.insert(column->second.values.begin(), column->second.values.end());
+  Json of_cases = Json::array();
+  for (const double nu : used)
+    of_cases.push_back({{"nu", nu}, {"kappa_over_young", kappa_over_young(nu)}});
+  return {{"nu", ratios},
+          {"kappa_over_young", moduli},
+          {"cases", of_cases},
+          {"source", "Golec 2018, Eq. 5.36"}};
+}
+
+Json method_descriptions() {
+  Json descriptions = Json::object();
+  for (const Method& method : methods())
+    descriptions[method.name] = std::string(method.description);
+  return descriptions;
 }
 
 std::vector<double> numbers(const Row& row, const char* name, std::size_t width) {
@@ -114,7 +137,9 @@ Json theory_curves(const Columns& cases) {
     add_curves(json, beam.theory);
     list.push_back(std::move(json));
   }
-  return {{"volume_modulus", volume_modulus()}, {"beams", list}};
+  return {{"methods", method_descriptions()},
+          {"volume_modulus", volume_modulus(cases)},
+          {"beams", list}};
 }
 
 }  // namespace springcheck

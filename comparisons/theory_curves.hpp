@@ -6,9 +6,12 @@
 
 namespace springcheck {
 
-/// Closed forms that figures show beside a result file's cases:
+/// What a report says beside a result file's cases: what the methods are, and closed
+/// forms for its figures.
 ///
-///     volume_modulus   nu, kappa_over_young: volume_correction_modulus over E
+///     methods          description by name
+///     volume_modulus   nu, kappa_over_young: volume_correction_modulus over E; cases: the
+///                      same of every nu in the file
 ///     beams            of every distinct beam among the cases of bending: cases (keys),
 ///                      length, width, height [m], young [Pa], nu, density [kg/m^3],
 ///                      gravity [m/s^2], arc_length [m], and by euler_bernoulli,

@@ -22,7 +22,7 @@ import pandas as pd
 LAYOUT = 2
 _PAGE = 4096
 _MAGIC = b"springcheck journal 1\n".ljust(32, b"\0")
-_CELLS = ["tetrahedra", "pyramids", "prisms", "hexahedra"]
+CELLS = ["tetrahedra", "pyramids", "prisms", "hexahedra"]
 _COMPONENTS = {3: ["x", "y", "z"], 9: ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"]}
 
 
@@ -68,7 +68,7 @@ class Results:
 
         def arrays(file):
             group = file["meshes"][name]
-            cells = {name: group[name][()] for name in _CELLS if name in group}
+            cells = {name: group[name][()] for name in CELLS if name in group}
             regions = {region: faces[()] for region, faces in group["regions"].items()}
             return {"nodes": group["nodes"][()], **cells, "regions": regions}
 

@@ -44,8 +44,11 @@ def main(arguments):
     try:
         print(report.make(Path(arguments[0]), Path(arguments[1])))
     except (OSError, ValueError) as error:
-        print(error, file=sys.stderr)
+        print(f"springcheck: {arguments[0]}: the report failed: {error}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print("springcheck: interrupted; an earlier report is as it was", file=sys.stderr)
+        return 130
     return 0
 
 

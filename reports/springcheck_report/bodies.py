@@ -35,9 +35,9 @@ def groups(study, test):
         rank = (
             not both,
             "mss-cf" not in set(usable["name"]),
+            -(load if np.isfinite(load) else 0),
             -len(study.mesh(members.index[0])["nodes"]),
             -members.method.nunique(),
-            -(load if np.isfinite(load) else 0),
             abs(members.nu.iloc[0] - 0.25),
         )
         found.append((rank, Group(problem, group_text(members.iloc[0]), list(members.index))))

@@ -1,5 +1,7 @@
 """How a method looks, the same in every figure, and how figures are set."""
 
+import zlib
+
 import matplotlib
 
 # Okabe and Ito's palette, told apart by colour-blind readers (jfly.uni-koeln.de/color).
@@ -33,17 +35,26 @@ _MARKERS = {
 }
 _OTHERS = ["#AA3377", "#228833", "#BB5566", "#004488", "#997700"]
 
-# Statuses by what they mean for a user: usable, suspect, none.
+# Statuses by what they mean for a user: usable, suspect, none. No method's colours.
 STATUS_COLOURS = {
-    "ok": "#56B4E9",
-    "wrinkled": "#F0E442",
-    "indefinite": "#E69F00",
-    "inverted": "#D55E00",
-    "no_equilibrium": "#CC3311",
-    "not_converged": "#882255",
-    "diverged": "#332288",
+    "ok": "#C6DFC6",
+    "wrinkled": "#F4C430",
+    "indefinite": "#C9A0DC",
+    "inverted": "#7B3294",
+    "no_equilibrium": "#C51B3A",
+    "not_converged": "#5B1A18",
+    "diverged": "#2B2B6B",
     "refused": "#DDDDDD",
 }
+
+# Curves that are no methods: theory, settings, parts of errors.
+NEUTRAL = ["#222222", "#777777", "#AAAAAA"]
+
+
+def shades(count):
+    """Colours along a scale, for values of a setting."""
+    return [matplotlib.colormaps["viridis"](0.9 * i / max(count - 1, 1)) for i in range(count)]
+
 
 ONE_COLUMN, TWO_COLUMNS = 3.5, 7.2  # inches, of a journal's page
 
@@ -58,15 +69,17 @@ def _base(name):
 def colour(name):
     """Of a method by its name in tables; labels of measured results get one of their own."""
     base = _base(name)
-    return _COLOURS.get(base) or _OTHERS[sum(base.encode()) % len(_OTHERS)]
+    return _COLOURS.get(base) or _OTHERS[zlib.crc32(base.encode()) % len(_OTHERS)]
 
 
 def line(name):
-    """Keywords of matplotlib's plot for a method: finite elements are dashed, by element."""
+    """Keywords of matplotlib's plot for a method: finite elements are dashed, by element,
+    and hollow where they lock."""
     base = _base(name)
     element = name.split(":")[1].split(",")[0].split(" ")[0] if ":" in name else ""
     dashes = {"q1": ":", "q2": "-."}.get(element, "--")
     return {
+        "markerfacecolor": "white" if element == "q1" else colour(name),
         "color": colour(name),
         "marker": "*" if ", " in name else _MARKERS.get(base, "*"),  # variants, others' methods
         "linestyle": dashes if base.startswith("fem-") else "-",
@@ -86,6 +99,13 @@ def legend_below(figure, columns=5, further=()):
     if entries:
         place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0)}
         figure.legend(entries.values(), entries, ncols=min(columns, len(entries)), **place)
+
+
+def plain_numbers(axis):
+    """Ticks of a logarithmic axis as 0.01, 10; powers would need matplotlib's mathtext,
+    which is off as users' labels may hold dollars."""
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_formatter("")
 
 
 def set_defaults():
@@ -109,10 +129,11 @@ def set_defaults():
             "xtick.major.width": 0.6,
             "ytick.major.width": 0.6,
             "figure.dpi": 100,
+            "text.parse_math": False,  # users' labels may hold dollars
+            "legend.handlelength": 2.8,
             "svg.hashsalt": "springcheck",
             "svg.fonttype": "path",
             "pdf.fonttype": 42,
             "figure.constrained_layout.use": True,
-            "axes.formatter.use_mathtext": True,
         }
     )

@@ -7,6 +7,8 @@ from html import escape
 def significant(value, digits=4):
     """A value to so many significant digits, in plain notation where that is readable:
     2.86131 -> "2.861", 0.0001234 -> "1.234e-04", 58368.2 -> "58370"."""
+    if not math.isfinite(value):
+        return "–"
     if value == 0:
         return "0"
     exponent = math.floor(math.log10(abs(float(f"{value:.{digits - 1}e}"))))  # 9.9996 is 10.00

@@ -3,7 +3,10 @@
 import base64
 import multiprocessing
 import os
+import re
 import shutil
+import signal
+import tempfile
 from pathlib import Path
 
 import bodies
@@ -29,39 +32,39 @@ def make(file, folder):
     makers = [empty_file] if study.cases.empty else SECTIONS
     sections = [section for section in (maker(study) for maker in makers) if section]
     figures = [block for section in sections for block in section.blocks if isinstance(block, Figure)]
-    figure_folder, three_d = folder / "figures", folder / "3d"
-    for part in (figure_folder, three_d, folder / "data"):
-        part.mkdir(parents=True, exist_ok=True)
-    _replace_earlier(folder, [*_figure_files(figures), *_three_d_files(study)])
-    keys = study.keys_with_fields()
-    _in_parallel(
-        [(_draw, figure, figure_folder) for figure in figures]
-        + [(_write_vtus, study, keys[i : i + 20], three_d) for i in range(0, len(keys), 20)]
-    )
-    shutil.copyfile(_HERE / "show.py", three_d / "show.py")
-    page = _page(study, sections, figure_folder)
-    unfinished = folder / "index.html.unfinished"
-    unfinished.write_text(page, encoding="utf-8")
-    unfinished.replace(folder / "index.html")
+    (folder / "data").mkdir(parents=True, exist_ok=True)
+    # Beside their place until all of them are made: an earlier report stays whole till then.
+    with tempfile.TemporaryDirectory(dir=folder / "data") as name:
+        unfinished = Path(name)
+        figure_folder, three_d = unfinished / "figures", unfinished / "3d"
+        for part in (figure_folder, three_d):
+            part.mkdir()
+        keys = study.keys_with_fields()
+        _in_parallel(
+            [(_draw, figure, figure_folder) for figure in figures]
+            + [(_write_vtus, study, keys[i : i + 20], three_d) for i in range(0, len(keys), 20)]
+        )
+        if keys:
+            shutil.copyfile(_HERE / "show.py", three_d / "show.py")
+        page = unfinished / "index.html"
+        page.write_text(_page(study, sections, figure_folder), encoding="utf-8")
+        _replace_earlier(folder, unfinished)
     return f"{folder / 'index.html'}: {len(sections)} sections, {len(figures)} figures"
 
 
-def _figure_files(figures):
-    return [f"figures/{figure.name}.{form}" for figure in figures for form in ("svg", "pdf")]
-
-
-def _three_d_files(study):
-    names = [paraview.vtu_name(study, key) for key in study.keys_with_fields()]
-    return [f"3d/{name}" for name in [*names, "show.py", "cases.xdmf"]]
-
-
-def _replace_earlier(folder, files):
-    """Removes what an earlier report made there, and notes what this one will."""
+def _replace_earlier(folder, unfinished):
+    """Moves the finished files to their places, and removes what an earlier report made
+    that this one has not."""
+    files = sorted(str(p.relative_to(unfinished)) for p in unfinished.rglob("*") if p.is_file())
     made = folder / "data" / "made.txt"
-    if made.exists():
-        for name in made.read_text(encoding="utf-8").splitlines():
-            if name.startswith(("figures/", "3d/")) and ".." not in name.split("/"):
-                (folder / name).unlink(missing_ok=True)
+    earlier = made.read_text(encoding="utf-8").splitlines() if made.exists() else []
+    made.write_text("".join(f"{name}\n" for name in {*earlier, *files}), encoding="utf-8")
+    for name in files:
+        (folder / name).parent.mkdir(exist_ok=True)
+        (unfinished / name).replace(folder / name)
+    for name in set(earlier) - set(files):
+        if name.startswith(("figures/", "3d/")) and ".." not in name.split("/"):
+            (folder / name).unlink(missing_ok=True)
     made.write_text("".join(f"{name}\n" for name in files), encoding="utf-8")
 
 
@@ -72,7 +75,9 @@ def _in_parallel(tasks):
     """Calls (function, *arguments) of every task, on all cores."""
     _tasks[:] = tasks
     context = multiprocessing.get_context("fork")
-    with context.Pool(min(len(os.sched_getaffinity(0)), max(len(tasks), 1))) as pool:
+    workers = min(len(os.sched_getaffinity(0)), max(len(tasks), 1))
+    # An interrupt ends this process, which ends the workers.
+    with context.Pool(workers, signal.signal, (signal.SIGINT, signal.SIG_IGN)) as pool:
         pool.map(_run_task, range(len(tasks)), chunksize=1)
 
 
@@ -82,12 +87,13 @@ def _run_task(place):
 
 
 def _draw(figure, folder):
-    drawn = figure.draw(*figure.arguments)
-    stem = folder / figure.name
-    # No date: the same input gives the same file.
-    # dpi: of the parts that are pixels, fewer in the page's SVG than in the PDF for print.
-    drawn.savefig(f"{stem}.svg", bbox_inches="tight", metadata={"Date": None}, dpi=140)
-    drawn.savefig(f"{stem}.pdf", bbox_inches="tight", metadata={"CreationDate": None}, dpi=300)
+    # Drawn for each form: a figure with pixels in it cannot be saved twice.
+    # No date: the same input gives the same file. dpi: of the parts that are pixels, fewer
+    # in the page's SVG than in the PDF for print.
+    for form, date, dpi in (("svg", "Date", 140), ("pdf", "CreationDate", 300)):
+        drawn = figure.draw(*figure.arguments)
+        path = folder / f"{figure.name}.{form}"
+        drawn.savefig(path, bbox_inches="tight", metadata={date: None}, dpi=dpi)
 
 
 def _write_vtus(study, keys, folder):
@@ -109,6 +115,12 @@ def _page(study, sections, figure_folder):
         content = (figure_folder / f"{figure.name}.svg").read_bytes()
         return f"data:image/svg+xml;base64,{base64.b64encode(content).decode('ascii')}"
 
+    def width(figure):
+        """Pixels: of a figure as wide as a page of print, 960."""
+        head = (figure_folder / f"{figure.name}.svg").read_bytes()[:2000].decode()
+        points = float(re.search(r'<svg[^>]* width="([0-9.]+)pt"', head).group(1))
+        return round(960 * points / (72 * method_style.TWO_COLUMNS))
+
     def text(name):
         return Markup((_HERE / name).read_text(encoding="utf-8"))
 
@@ -117,6 +129,7 @@ def _page(study, sections, figure_folder):
         sections=sections,
         kind=kind,
         image=image,
+        width=width,
         text=text,
         plotly=Markup(get_plotlyjs()) if tests else None,
         views=views,

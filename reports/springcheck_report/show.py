@@ -1,14 +1,18 @@
-# Shows a case in ParaView: paraview --script=3d/show.py 3d/CASE.vtu
+# Shows a case in ParaView: pvpython 3d/show.py 3d/CASE.vtu
 import sys
 
 from paraview.simple import *
 
 source = OpenDataFile(sys.argv[-1])
+# Of a case that ended without an equilibrium, the last state.
+names = source.PointData.keys()
+name = "displacement" if "displacement" in names else "partial_displacement"
 warped = WarpByVector(Input=source)
-warped.Vectors = ["POINTS", "displacement"]
+warped.Vectors = ["POINTS", name]
 display = Show(warped)
 display.Representation = "Surface With Edges"
-ColorBy(display, ("POINTS", "displacement", "Magnitude"))
+ColorBy(display, ("POINTS", name, "Magnitude"))
 display.SetScalarBarVisibility(GetActiveViewOrCreate("RenderView"), True)
 ResetCamera()
 Render()
+Interact()

@@ -40,9 +40,9 @@ FAILED = ["no_equilibrium", "diverged", "not_converged"]
 # The finite elements that springs are compared with, the first there is: Hencky's law is
 # the thesis's own reference.
 _LAWS = ["fem-hencky", "fem-stvk", "fem-hooke"]
-# Those that do not lock on hexahedra; on other cells all lock near nu = 1/2.
+# Those that do not lock, which is on hexahedra only: linear finite elements on other cells
+# are further from the truth than springs may be.
 _ELEMENTS = ["q1-sri", "q2"]
-_LOCKING_FROM = 0.4
 
 
 @dataclass
@@ -56,6 +56,8 @@ class Study:
         solve the same problem, or None), `volume_difference` and `answer_difference`
         from them (volume as a fraction of V0, answer relative), `strain`: the size of the
         deformation (of a beam its tip's drop over its length).
+        `is_judged`: whether that counterpart is good enough to judge by. `is_repeated`: the
+        same simulation is there already, with another reference.
     tables: JSON documents of tables/ by name. theory: data/theory.json.
     """
 
@@ -67,8 +69,21 @@ class Study:
     def __post_init__(self):
         self.field_names = self.results.field_names()
         self._fields = lru_cache(maxsize=64)(self.results.fields)
+        self._is_whole = lru_cache(maxsize=None)(self._find_out_if_whole)
         self._meshes = lru_cache(maxsize=64)(
             lambda name: self.results.mesh((self.cases["mesh"] == name).idxmax())
+        )
+
+    def _find_out_if_whole(self, key):
+        if not (self.has(key, "displacement") and self.has(key, "cell_volume_ratio")):
+            return False
+        mesh, fields = self.mesh(key), self._fields(key)
+        cells = sum(len(mesh[name]) for name in springcheck_results.CELLS if name in mesh)
+        return (
+            fields["displacement"].shape == mesh["nodes"].shape
+            and fields["cell_volume_ratio"].shape == (cells,)
+            and bool(np.isfinite(fields["displacement"]).all())
+            and bool(np.isfinite(fields["cell_volume_ratio"]).all())
         )
 
     def has(self, key, name):
@@ -88,8 +103,8 @@ class Study:
         return self._meshes(self.cases.loc[key, "mesh"])
 
     def with_fields(self, cases):
-        """Those cases of a table that have an equilibrium's displacements."""
-        return cases[_mask(self.has(key, "displacement") for key in cases.index)]
+        """Those cases of a table that have an equilibrium's whole fields."""
+        return cases[_mask(self._is_whole(key) for key in cases.index)]
 
 
 def read(file, folder):
@@ -98,7 +113,11 @@ def read(file, folder):
     tables = {}
     for path in sorted((folder / "tables").glob("*.json")):
         document = json.loads(path.read_text(encoding="utf-8"))
-        tables[document["table"]] = document
+        if document.get("table") == path.stem:  # others' files may lie there
+            tables[path.stem] = document
+    if "cases" in tables:  # the file may have grown since the tables were made
+        known = {row["case"] for row in tables["cases"]["rows"]}
+        results.cases = results.cases[results.cases.index.isin(known)]
     theory_file = folder / "data" / "theory.json"
     theory = json.loads(theory_file.read_text(encoding="utf-8")) if theory_file.exists() else {}
     return Study(results, _prepared(results.cases), tables, theory)
@@ -125,7 +144,8 @@ def _prepared(cases):
     cases["strain"] = cases.deformation.astype(float).abs()
     beams = (cases.test == "bending") & (cases.body == "block")
     cases.loc[beams, "strain"] = cases.tip_deflection / cases["size.z"]
-    cases["counterpart"] = _counterparts(cases)
+    cases["counterpart"], cases["is_judged"] = _counterparts(cases)
+    cases["is_repeated"] = cases.duplicated(["problem", "name"])
     other = cases.reindex(cases["counterpart"].tolist())
     for measure, scale in (("volume_change", None), ("answer", "answer")):
         theirs = other[measure].to_numpy(dtype=float)
@@ -160,6 +180,9 @@ def method_name(case):
     lattice = case.get("lattice")
     if lattice and lattice != "mss-cf":
         name += f" ({lattice})"
+    stiffness = [case.get(f"stiffness.{axis}", np.nan) for axis in "xyz"]
+    if np.isfinite(stiffness).all():
+        name += ", k = " + "/".join(f"{k:.4g}" for k in stiffness)
     solver = case.get("solver")
     if solver and solver != "static":
         name += f", {solver}"
@@ -172,6 +195,9 @@ def load_text(case):
     """"5 %", "45°", "1 kPa"; of bending Young's modulus, which its drop depends on."""
     if case.test == "bending":
         return f"E = {case.young / 1e6:g} MPa"
+    if case.test == "affine":
+        parts = [(a + b, case.get(f"gradient.{a}{b}", 0)) for a in "xyz" for b in "xyz"]
+        return ", ".join(f"H_{place} = {value:.3g}" for place, value in parts if value)
     if case.deformation is None or not np.isfinite(case.deformation):
         traction = [case.get(f"traction.{axis}", np.nan) for axis in "xyz"]
         if np.isfinite(traction).all():
@@ -193,6 +219,8 @@ def counts_text(case):
 
 def mesh_text(case):
     """"10×10×10 hexahedra", "5×5×5 mixed cells, distorted by 0.2", "kidney"."""
+    if case.body == "file":
+        return f"mesh {case.mesh[:8]}"
     if case.body != "block":
         return str(case.body)
     text = f"{counts_text(case)} {_PLURALS.get(case['cell-type'], case['cell-type'])}"
@@ -215,24 +243,25 @@ def _answer(case):
 
 
 def _counterparts(cases):
-    """Key of the finite elements on the same problem, for each case that is none itself; None
-    where there are none, or none that do not lock."""
+    """(keys of the finite elements on the same problem, for each case that is none itself;
+    whether they are good enough to judge by)."""
     reference = cases[(cases.kind == "finite elements") & (cases.status == USABLE)]
     best = {}
     for key, case in reference.iterrows():
-        if case.method not in _LAWS or not _is_judge(case):
+        if case.method not in _LAWS:
             continue
-        rank = _LAWS.index(case.method), case.element != _ELEMENTS[0]
+        rank = _LAWS.index(case.method), case.element not in _ELEMENTS, case.element
         if case.problem not in best or rank < best[case.problem][0]:
             best[case.problem] = rank, key
-    return [
+    keys = [
         None if case.kind == "finite elements" else best.get(case.problem, (None, None))[1]
         for _, case in cases.iterrows()
     ]
+    judges = {key for _, key in best.values() if _is_judge(cases.loc[key])}
+    return keys, [key in judges for key in keys]
 
 
 def _is_judge(case):
     """Whether finite elements are right enough to judge springs by."""
-    if case.body == "block" and case["cell-type"] == "hexahedron":
-        return case.element in _ELEMENTS
-    return case.nu <= _LOCKING_FROM
+    is_grid = case.body == "block" and case["cell-type"] == "hexahedron"
+    return is_grid and case.element in _ELEMENTS

@@ -144,7 +144,8 @@
     const low = least.map((value) => value - margin);
     const high = most.map((value) => value + margin);
     const size = high.map((h, a) => h - low[a]);
-    const longest = Math.max(...size) / 1.25;  // fills the view
+    // The sphere around the body fills the view.
+    const longest = Math.hypot(...size) / 1.9;
     const axis = (a) => ({ range: [low[a], high[a]], visible: false });
     const scene = (from, to) => ({
       domain: { x: [from, to], y: [0, 1] }, camera: structuredClone(camera), dragmode: "orbit",
@@ -160,9 +161,9 @@
     });
     const [text, other] = heads[quantity];
     return {
-      scene: scene(0, 0.29), scene2: scene(0.29, 0.58), scene3: scene(0.68, 0.92),
+      scene: scene(0, 0.29), scene2: scene(0.29, 0.58), scene3: scene(0.65, 0.94),
       coloraxis: bar(text, 0.58, drawn.range),
-      coloraxis2: { ...bar(other, 0.92, drawn.difference || 1), showscale: drawn.difference !== null },
+      coloraxis2: { ...bar(other, 0.94, drawn.difference || 1), showscale: drawn.difference !== null },
       margin: { l: 0, r: 0, t: 0, b: 0 }, showlegend: false,
     };
   }
@@ -209,6 +210,8 @@
     function draw() {
       const chosen = groups[group.value];
       const [left, right] = [springs, elements].map((s) => s.value === "" ? null : chosen.bodies[s.value]);
+      quantity.options[1].disabled = !(left && right);  // a body alone deviates from nothing
+      if (quantity.selectedOptions[0].disabled) quantity.value = "displacement";
       const found = traces(chosen, left, right, quantity.value);
       names.replaceChildren(...[left?.name ?? "", right?.name ?? "",
         left && right ? (quantity.value === "deviation" ? "both, springs in blue" : "difference") : ""]
@@ -248,6 +251,9 @@
         while (alive.length > mostAlive) alive.shift().rest();
       },
       rest() {
+        // Browsers allow few contexts; Plotly leaves its own to the garbage collector.
+        for (const canvas of plot.querySelectorAll("canvas"))
+          canvas.getContext("webgl")?.getExtension("WEBGL_lose_context")?.loseContext();
         Plotly.purge(plot);
         drawn = false;
         delete plot.dataset.drawn;

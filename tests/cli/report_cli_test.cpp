@@ -96,6 +96,12 @@ BOOST_AUTO_TEST_CASE(theory_has_the_closed_forms) {
   BOOST_TEST(springcheck("report beam.h5 --out beam").status == 0);
   const Json theory = json_in("beam/data/theory.json");
   const Json& modulus = theory["volume_modulus"];
+  BOOST_TEST(theory["methods"]["mss-cf"].get<std::string>().size() > 10U);
+  BOOST_TEST_REQUIRE(modulus["cases"].size() == 1U);
+  const double used = modulus["cases"][0]["nu"];
+  BOOST_TEST(modulus["cases"][0]["kappa_over_young"].get<double>() ==
+                 (4 * used - 1) / (2 * (1 + used) * (1 - 2 * used)),
+             round_off);
   BOOST_TEST(modulus["source"] == "Golec 2018, Eq. 5.36");
   BOOST_TEST(modulus["nu"].size() == modulus["kappa_over_young"].size());
   for (std::size_t i = 0; i < modulus["nu"].size(); ++i) {

@@ -6,7 +6,6 @@ from pathlib import Path
 
 REPORTS = Path(__file__).parents[2] / "reports"
 sys.path[:0] = [str(REPORTS), str(REPORTS / "springcheck_report")]
-import matplotlib  # noqa: E402
 import method_style  # noqa: E402
 import numpy as np  # noqa: E402
 from content import file_name, paragraph, table  # noqa: E402
@@ -106,13 +105,22 @@ class Figures(unittest.TestCase):
     def test_a_method_has_one_colour(self):
         for name in ("fem-stvk:q2", "fem-stvk:q1-sri", "fem-stvk, else"):
             self.assertEqual(method_style.colour(name), method_style.colour("fem-stvk"))
-        self.assertEqual(method_style.colour("mine"), method_style.colour("mine"))
+        self.assertNotEqual(method_style.colour("mine"), method_style.colour("mss-cf"))
         own = [method_style.colour(f"mss-{name}") for name in ("cf", "nfd", "baudet", "affine", "fd")]
         self.assertEqual(len(set(own)), 5)
 
-    def test_every_status_has_a_colour(self):
-        for colour in method_style.STATUS_COLOURS.values():
-            self.assertTrue(matplotlib.colors.is_color_like(colour))
+    def test_every_status_has_a_colour_of_its_own(self):
+        statuses = "ok wrinkled inverted indefinite no_equilibrium diverged not_converged refused"
+        self.assertEqual(set(method_style.STATUS_COLOURS), set(statuses.split()))
+        methods = {method_style.colour(f"mss-{name}") for name in ("cf", "nfd", "baudet", "affine", "fd")}
+        colours = set(method_style.STATUS_COLOURS.values())
+        self.assertEqual(len(colours), 8)
+        self.assertFalse(colours & methods)
+
+    def test_elements_that_lock_are_hollow(self):
+        self.assertEqual(method_style.line("fem-stvk:q1")["markerfacecolor"], "white")
+        self.assertEqual(
+            method_style.line("fem-stvk:q1-sri")["markerfacecolor"], method_style.colour("fem-stvk"))
 
     def test_pareto_front(self):
         times, errors = np.array([1, 2, 3, 4, 1.0]), np.array([5, 6, 2, 2, 7.0])

@@ -30,9 +30,9 @@ def draw(rows, colour_label, unit_scale=1.0):
     largest = max(panel.values.max() for panel in panels) * unit_scale
     scale = matplotlib.colors.Normalize(0, largest or 1.0)
     colours = matplotlib.colormaps["viridis"]
-    size = min(TWO_COLUMNS / columns, 2.4)
+    width = min(TWO_COLUMNS / columns, 2.4)
     # mplot3d knows no constrained layout.
-    figure = Figure((max(size * columns, 3.4) + 0.6, size * len(rows) + 0.3), layout="none")
+    figure = Figure((max(width * columns, 2.4) + 0.7, width * len(rows) + 0.3), layout="none")
     right = 1 - 0.75 / figure.get_figwidth()
     grid = figure.add_gridspec(
         len(rows), columns, left=0.01, right=right, bottom=0.01, top=0.93, wspace=0, hspace=0.2
@@ -51,7 +51,11 @@ def draw(rows, colour_label, unit_scale=1.0):
             collection.set_rasterized(True)  # hundreds of faces each
             axes.add_collection3d(collection)
             axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-            axes.set_box_aspect(high - low, zoom=1.25)
+            # mplot3d shows the body's diagonal always as long: beams fill the panel then,
+            # cubes do not.
+            size = high - low
+            zoom = np.clip(0.75 * np.linalg.norm(size) / size.max(), 0.95, 1.25)
+            axes.set_box_aspect(size, zoom=zoom)
             axes.view_init(elev=18, azim=-62)
             axes.set_axis_off()
             axes.set_title(panel.title, fontsize=7, y=1.0)

@@ -2,7 +2,7 @@
 
 import numpy as np
 from matplotlib.figure import Figure
-from method_style import TWO_COLUMNS, legend_below, line
+from method_style import TWO_COLUMNS, legend_below, line, plain_numbers
 
 
 def _limits(methods):
@@ -26,7 +26,7 @@ def draw(meshes, panels, x_label):
         axes.margins(x=0.08)
         axes.set_xscale("symlog", linthresh=5)
         axes.set_xticks([-100, -20, -5, 0, 5, 20, 100, 400], minor=False)
-        axes.xaxis.set_major_formatter("{x:g}")
+        plain_numbers(axes.xaxis)
         axes.set_xlim(*_limits(methods))
         axes.set(title=title, xlabel=x_label, ylim=(len(meshes) - 0.5, -0.5))
     all_axes[0].set_yticks(range(len(meshes)), meshes)

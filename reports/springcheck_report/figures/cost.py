@@ -2,7 +2,7 @@
 
 import numpy as np
 from matplotlib.figure import Figure
-from method_style import TWO_COLUMNS, legend_below, line
+from method_style import TWO_COLUMNS, legend_below, line, plain_numbers
 
 
 def pareto_front(times, errors):
@@ -33,11 +33,15 @@ def draw(error_panel, time_panel):
         front = pareto_front(seconds, errors)
         wide = {"color": "#CC3311", "linewidth": 3, "alpha": 0.25, "label": "Pareto front"}
         axes.step(seconds[front], errors[front], where="post", **wide)
+        plain_numbers(axes.xaxis)
+        plain_numbers(axes.yaxis)
         axes.set(xlabel="time of the solution [s]", ylabel=label, title="Error against time")
     if time_panel:
         axes = all_axes.pop(0)
         for name, (cells, seconds) in time_panel.items():
             axes.loglog(cells, seconds, label=name, **line(name))
+        plain_numbers(axes.xaxis)
+        plain_numbers(axes.yaxis)
         axes.set(xlabel="cells", ylabel="time of the solution [s]", title="Time against cells")
     legend_below(figure)
     return figure

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from method_style import STATUS_COLOURS, TWO_COLUMNS, legend_below, line
+from method_style import STATUS_COLOURS, TWO_COLUMNS, legend_below, line, plain_numbers
 
 
 @dataclass
@@ -28,6 +28,7 @@ class Panel:
     curves: list
     log_x: bool = False
     log_y: bool = False
+    symmetric_log_y: bool = False  # linear within 1
 
 
 def draw(panels):
@@ -43,20 +44,21 @@ def draw(panels):
             _log_axis_of_values(axes, panel.curves)
         if panel.log_y:
             axes.set_yscale("log")
+            plain_numbers(axes.yaxis)
+        if panel.symmetric_log_y:
+            axes.set_yscale("symlog", linthresh=1)
+            plain_numbers(axes.yaxis)
         axes.set(title=panel.title, xlabel=panel.x_label, ylabel=panel.y_label)
         for curve in panel.curves:
             statuses |= _mark_statuses(axes, curve)
-    rings = [
-        (Line2D([], [], ls="none", marker="o", mfc="none", mec=STATUS_COLOURS[status]), status)
-        for status in sorted(statuses)
-    ]
-    legend_below(figure, further=[(ring, status.replace("_", " ")) for ring, status in rings])
+    legend_below(figure, further=[_status_entry(*status) for status in sorted(statuses)])
     return figure
 
 
 def _log_axis_of_values(axes, curves):
     """A logarithmic axis, its ticks at the values there are if these are few."""
     axes.set_xscale("log")
+    plain_numbers(axes.xaxis)
     values = np.unique(np.concatenate([curve.x for curve in curves]))
     if len(values) <= 8:
         axes.set_xticks(values, [f"{value:.3g}" for value in values])
@@ -64,14 +66,26 @@ def _log_axis_of_values(axes, curves):
 
 
 def _mark_statuses(axes, curve):
+    """Rings around values of cases that are not ok, crosses of the curve's own colour where
+    there is no value. Returns {(status, whether it has values)}."""
     found = set()
+    own = (curve.style or line(curve.name))["color"]
     for x, y, status in zip(curve.x, curve.y, curve.statuses):
         if status == "ok":
             continue
-        found.add(status)
-        mark = {"color": STATUS_COLOURS[status], "clip_on": False, "zorder": 5}
+        found.add((status, bool(np.isfinite(y))))
         if np.isfinite(y):
-            axes.plot([x], [y], "o", markersize=6.5, mfc="none", mec=mark["color"], zorder=5)
+            ring = {"mfc": "none", "mec": STATUS_COLOURS[status], "zorder": 5}
+            axes.plot([x], [y], "o", markersize=6.5, **ring)
         else:
-            axes.plot([x], [0], "x", markersize=4, transform=axes.get_xaxis_transform(), **mark)
+            floor = {"transform": axes.get_xaxis_transform(), "clip_on": False, "zorder": 5}
+            axes.plot([x], [0], "x", markersize=5, color=own, **floor)
     return found
+
+
+def _status_entry(status, has_values):
+    """(handle, label) for the legend."""
+    name = status.replace("_", " ")
+    if has_values:
+        return Line2D([], [], ls="none", marker="o", mfc="none", mec=STATUS_COLOURS[status]), name
+    return Line2D([], [], ls="none", marker="x", color="#555555"), f"{name} (method's colour)"

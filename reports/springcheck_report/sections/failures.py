@@ -1,5 +1,6 @@
 """Where methods fail."""
 
+import numpy as np
 from content import Figure, Section, bullets, paragraph, table
 from figures import statuses
 from markupsafe import Markup
@@ -27,7 +28,7 @@ def failing_sentences(study):
         covered = of_method[of_method.status != "refused"]
         parts = []
         for status, of_status in bad.groupby("status", sort=False):
-            first = of_status.loc[of_status.deformation.abs().fillna(0).idxmin()]
+            first = of_status.loc[of_status.strain.fillna(np.inf).idxmin()]
             tests = ", ".join(dict.fromkeys(of_status.test))
             parts.append(
                 f"{_WORDS[status]} in {len(of_status)} of {len(covered)} cases ({tests}; "
@@ -36,7 +37,7 @@ def failing_sentences(study):
         if parts:
             items.append(Markup("<b>{}</b> {}.").format(method, "; ".join(parts)))
     if not items:
-        return ["In none of these cases."]
+        return ["In none of these cases." if (cases.status != "refused").any() else "None was run."]
     return items
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 from content import Figure, Section, paragraph
 from figures import curves, error_parts as error_figures
+from method_style import NEUTRAL, shades
 from sections.sheets import sheet_blocks
 from study import ANSWERS
 
@@ -13,28 +14,27 @@ def spring_constants(study):
         return None
     section = Section("spring-constants", "The springs' constants")
     modulus = study.theory.get("volume_modulus")
-    if modulus:
-        nu, ratio = np.array(modulus["nu"]), np.array(modulus["kappa_over_young"])
-        used = sorted(set(study.cases[study.cases.kind == "springs"].nu))
-        at_used = np.interp(used, nu, ratio)
-        panel = curves.Panel(
-            "Volume correction",
-            "Poisson's ratio",
-            "κ/E",
-            [
-                curves.Curve("κ/E = (4ν − 1)/(2(1 + ν)(1 − 2ν))", nu, ratio, style={"color": "#0072B2"}),
-                curves.Curve(
-                    "cases of this file",
-                    np.array(used)[np.array(used) <= nu[-1]],
-                    at_used[np.array(used) <= nu[-1]],
-                    style={"color": "#D55E00", "marker": "o", "linestyle": "none", "markersize": 4},
-                ),
-            ],
+    corrected = study.cases.method.isin(["mss-cf", "mss-nfd", "mss-affine"]) & study.cases.answer.notna()
+    if modulus and corrected.any():
+        formula = curves.Curve(
+            "κ/E = (4ν − 1)/(2(1 + ν)(1 − 2ν))",
+            np.array(modulus["nu"]),
+            np.array(modulus["kappa_over_young"]),
+            style={"color": NEUTRAL[0]},
         )
+        dots = {"color": NEUTRAL[1], "marker": "o", "linestyle": "none", "markersize": 4}
+        used = [case for case in modulus["cases"] if case["nu"] in set(study.cases[corrected].nu)]
+        of_cases = curves.Curve(
+            "cases of this file",
+            np.array([case["nu"] for case in used]),
+            np.array([case["kappa_over_young"] for case in used]),
+            style=dots,
+        )
+        panel = curves.Panel("", "Poisson's ratio", "κ/E", [formula, of_cases], symmetric_log_y=True)
         caption = (
             f"The modulus of the volume correction over Young's modulus ({modulus['source']}). "
             "It is zero at nu = 1/4, where springs alone are right, negative below, and without "
-            "bound at 1/2."
+            "bound at 1/2. The axis is linear within ±1."
         )
         section.blocks.append(Figure("volume_modulus", caption, curves.draw, ([panel],)))
     section.blocks += _diagonal_ratio(study)
@@ -63,7 +63,7 @@ def _diagonal_ratio(study):
                     ratio,
                     answer / base,
                     list(group.status),
-                    style={"color": _tint(len(lines)), "marker": "o", "markersize": 3},
+                    style={"color": shades(6)[len(lines) % 6], "marker": "o", "markersize": 3},
                 )
             )
         if lines:
@@ -76,10 +76,6 @@ def _diagonal_ratio(study):
         "answer at larger strain and on a finite mesh does."
     )
     return [Figure("diagonal_ratio", caption, curves.draw, (panels[:3],))]
-
-
-def _tint(place):
-    return ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00"][place % 6]
 
 
 def error_parts(study):
@@ -158,12 +154,6 @@ def locking(study):
                     f"{law}:{element}",
                     x,
                     y,
-                    style={
-                        "color": {"q1": "#D55E00", "q1-sri": "#0072B2", "q2": "#000000"}.get(element),
-                        "linestyle": {"fem-hooke": "-", "fem-stvk": ":"}.get(law, "--"),
-                        "marker": "o",
-                        "markersize": 3,
-                    },
                 )
             )
     panel = curves.Panel("", "1/2 − nu", "plate force [N]", lines, log_x=True, log_y=True)

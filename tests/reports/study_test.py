@@ -1,0 +1,131 @@
+"""What cases are compared with, and what the page says of them; on made-up cases."""
+
+import sys
+import unittest
+from pathlib import Path
+
+REPORTS = Path(__file__).parents[2] / "reports"
+sys.path[:0] = [str(REPORTS), str(REPORTS / "springcheck_report")]
+import numpy as np  # noqa: E402
+import pandas as pd  # noqa: E402
+import study as study_module  # noqa: E402
+from sections.failures import failing_sentences  # noqa: E402
+from sections.summary import _force  # noqa: E402
+from sections.thesis_tables import relative_size  # noqa: E402
+
+
+class Stub:
+    """A study of cases alone."""
+
+    def __init__(self, cases):
+        self.cases, self.theory = cases, {}
+
+
+def cases_of(*rows):
+    usual = {
+        "scene": "compression", "test": "compression", "method": "mss-cf", "status": "ok",
+        "body": "block", "cell-type": "hexahedron", "mesh": "m", "nu": 0.25, "young": 1e4,
+        "density": 1e3, "deformation": 0.05, "solver": "static", "cells.x": 4.0, "cells.y": 4.0,
+        "cells.z": 4.0, "size.z": 0.05, "volume_change": -0.03, "plate_force": 1.0,
+    }
+    table = pd.DataFrame([{**usual, **row} for row in rows])
+    for name in table.columns[table.dtypes == object]:  # as the reader has it
+        table[name] = table[name].where(table[name].notna(), None)
+    table.index = [f"key{i}" for i in range(len(rows))]
+    return study_module._prepared(table)
+
+
+def fem(law, element, **further):
+    return {"method": f"fem-{law}", "element": element, **further}
+
+
+class Counterparts(unittest.TestCase):
+    def test_hencky_before_others_and_no_element_that_locks(self):
+        cases = cases_of({}, fem("stvk", "q1-sri"), fem("hencky", "q1"), fem("hencky", "q1-sri"))
+        self.assertEqual(list(cases.counterpart), ["key3", None, None, None])
+        self.assertTrue(cases.is_judged.iloc[0])
+
+    def test_problems_differ_by_any_setting(self):
+        for change in ({"nu": 0.3}, {"deformation": 0.2}, {"mesh": "n"}, {"young": 2e4}):
+            cases = cases_of({}, fem("hencky", "q1-sri", **change))
+            self.assertIsNone(cases.counterpart.iloc[0])
+
+    def test_a_failed_solution_is_no_counterpart(self):
+        cases = cases_of({}, fem("hencky", "q1-sri", status="no_equilibrium"))
+        self.assertIsNone(cases.counterpart.iloc[0])
+
+    def test_linear_elements_judge_nothing(self):
+        for shape in ({"cell-type": "free-tetrahedron"}, {"body": "kidney"}):
+            cases = cases_of(shape, fem("hencky", "q1", **shape))
+            self.assertEqual(cases.counterpart.iloc[0], "key1")
+            self.assertFalse(cases.is_judged.iloc[0])
+        self.assertFalse(cases_of({}, fem("hencky", "q1")).is_judged.iloc[0])
+
+    def test_differences(self):
+        cases = cases_of(
+            {"plate_force": 0.9, "volume_change": -0.031}, fem("hencky", "q2", plate_force=1.2)
+        )
+        self.assertAlmostEqual(cases.answer_difference.iloc[0], -0.25)
+        self.assertAlmostEqual(cases.volume_difference.iloc[0], -0.001)
+        self.assertTrue(np.isnan(cases.answer_difference.iloc[1]))
+
+    def test_answers_are_of_the_test(self):
+        row = {"plate_force": 1, "plate_force_norm": 2, "plate_torque": 3, "tip_deflection": 0.01}
+        cases = cases_of(*({**row, "test": t} for t in ("tension", "shearing", "torsion", "bending")))
+        self.assertEqual(list(cases.answer), [1, 2, 3, 0.01])
+        self.assertAlmostEqual(cases.strain.iloc[3], 0.2)  # of a beam tip over length
+
+    def test_the_same_simulation_with_another_reference_counts_once(self):
+        cases = cases_of({"reference": "a"}, {"reference": "b"}, {"method": "mss-nfd"})
+        self.assertEqual(list(cases.is_repeated), [False, True, False])
+
+
+class Words(unittest.TestCase):
+    def test_names_tell_settings(self):
+        cases = cases_of(
+            {"stiffness-form": "E"},
+            {"diagonal-ratio": 0.5},
+            {"diagonal-ratio": 1.0},
+            {"solver": "explicit"},
+            fem("cauchy-born", "q2", lattice="mss-affine"),
+            {"method": "mine", "source": "measured"},
+        )
+        names = ["mss-cf, E-form", "mss-cf, A = 0.5", "mss-cf", "mss-cf, explicit"]
+        self.assertEqual(list(cases["name"]), [*names, "fem-cauchy-born:q2 (mss-affine)", "mine"])
+        self.assertEqual(cases.kind.iloc[5], "measured")
+
+    def test_loads(self):
+        cases = cases_of({}, {"test": "torsion", "deformation": np.pi / 4}, {"test": "bending"})
+        self.assertEqual(list(cases.load), ["5 %", "45°", "E = 0.01 MPa"])
+
+    def test_failures_are_told_with_the_mildest(self):
+        bad = {"method": "mss-nfd", "status": "wrinkled"}
+        beam = {**bad, "test": "bending", "scene": "bending", "tip_deflection": 0.02}
+        cases = cases_of({}, {**bad, "deformation": 0.2}, {**bad, "deformation": 0.02}, beam)
+        (sentence,) = failing_sentences(Stub(cases))
+        self.assertIn("in 3 of 3 cases (compression, bending; mildest: compression", sentence)
+        self.assertIn("2 %)", sentence)
+        self.assertEqual(failing_sentences(Stub(cases_of({}))), ["In none of these cases."])
+
+    def test_medians_are_of_judged_usable_cases(self):
+        reference = fem("hencky", "q1-sri")
+        cases = cases_of(
+            {"plate_force": 1.1}, {"method": "mss-nfd", "plate_force": 1.3},
+            {"method": "mss-fd", "plate_force": 1.5, "status": "wrinkled"}, reference,
+        )
+        springs = cases[cases.kind == "springs"]
+        text, style = _force(Stub(cases), springs)
+        self.assertIn(">20 %<", text)
+        self.assertIn("2/3", text)
+        self.assertEqual(style, "")
+        self.assertEqual(_force(Stub(cases), springs[springs.status != "ok"])[1], "failed")
+
+    def test_sizes_of_differences(self):
+        row = {"difference": -0.5, "printed": 10.0}
+        self.assertAlmostEqual(relative_size({"unit": "%"}, row), 0.25)
+        self.assertAlmostEqual(relative_size({"unit": "N"}, row), 0.5)
+        self.assertIsNone(relative_size({"unit": "N"}, {"difference": None}))
+
+
+if __name__ == "__main__":
+    unittest.main()
