@@ -53,7 +53,11 @@ ExitStatus make_report(const std::filesystem::path& file,
   write_whole_stream(folder / "data" / "theory.json",
                      [&](std::ostream& out) { out << theory; });
   if (run_report_program(file, folder) != 0) return ExitStatus::fell_short;
-  write_xdmf_for(file, folder / "3d" / "cases.xdmf");
+  const std::filesystem::path xdmf = folder / "3d" / "cases.xdmf";
+  if (std::filesystem::exists(folder / "3d" / "show.py"))  // made where there are fields
+    write_xdmf_for(file, xdmf);
+  else
+    std::filesystem::remove(xdmf);
   fmt::print("Start with {}\n", (folder / "index.html").string());
   return ExitStatus::done;
 }

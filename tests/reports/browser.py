@@ -2,6 +2,7 @@
 
 import base64
 import io
+import time
 
 import numpy as np
 from matplotlib.image import imread
@@ -12,7 +13,7 @@ from selenium.webdriver.chrome.service import Service
 
 def chromium(webgl=True):
     options = Options()
-    flags = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--window-size=1300,1000"]
+    flags = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--window-size=1300,1700"]
     flags += ["--hide-scrollbars", "--force-device-scale-factor=1"]
     if webgl:
         flags += ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
@@ -24,6 +25,13 @@ def chromium(webgl=True):
     driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
     driver.set_page_load_timeout(60)
     return driver
+
+
+def show(driver, element):
+    """Scrolls to the element; twice, as sections get their size when they come into sight."""
+    for _ in range(2):
+        driver.execute_script("arguments[0].scrollIntoView({behavior: 'instant'})", element)
+        time.sleep(0.2)
 
 
 def pixels(element):

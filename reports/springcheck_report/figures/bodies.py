@@ -54,7 +54,7 @@ def draw(rows, colour_label, unit_scale=1.0):
             # mplot3d shows the body's diagonal always as long: beams fill the panel then,
             # cubes do not.
             size = high - low
-            zoom = np.clip(0.75 * np.linalg.norm(size) / size.max(), 0.95, 1.25)
+            zoom = np.clip(0.75 * np.linalg.norm(size) / size.max(), 0.95, 1.2)
             axes.set_box_aspect(size, zoom=zoom)
             axes.view_init(elev=18, azim=-62)
             axes.set_axis_off()
