@@ -39,9 +39,9 @@ def main(arguments):
         )
         return 1
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # springcheck_results
-    import report
-
     try:
+        import report
+
         print(report.make(Path(arguments[0]), Path(arguments[1])))
     except (OSError, ValueError) as error:
         print(f"springcheck: {arguments[0]}: the report failed: {error}", file=sys.stderr)

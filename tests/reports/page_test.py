@@ -396,7 +396,9 @@ class SmallFiles(unittest.TestCase):
         started = subprocess.Popen(
             [os.environ["SPRINGCHECK"], "report", file, "--out", self.folder / "report"],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        time.sleep(1.2)
+        at_work = self.folder / "report" / "data"
+        while started.poll() is None and not list(at_work.glob("tmp*")):
+            time.sleep(0.01)
         started.send_signal(signal.SIGINT)
         _, errors = started.communicate()
         if started.returncode != 0:  # else it was done already

@@ -13,10 +13,10 @@ from study import ANSWERS, counts_text, is_variant
 from surface import edges_in_plane, outside
 
 _TESTS = {
-    "compression": "A cube between two glued plates is pressed: the upper plate moves down.",
-    "tension": "A beam between two glued plates is pulled: the upper plate moves up.",
-    "shearing": "The upper plate of a cube moves sideways, its height kept.",
-    "torsion": "The upper plate of a cube turns about the vertical axis, its height kept.",
+    "compression": "A body between two glued plates is pressed: the upper plate moves down.",
+    "tension": "A body between two glued plates is pulled: the upper plate moves up.",
+    "shearing": "The upper plate on a body moves sideways, its height kept.",
+    "torsion": "The upper plate on a body turns about the vertical axis, its height kept.",
     "bending": "A beam clamped at one end bends under its own weight.",
 }
 
