@@ -3,6 +3,8 @@
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCholesky>
 
+#include "meshing/random_numbers.hpp"
+
 namespace springcheck::fem_reference {
 
 struct DirectSolver::Solvers {
@@ -21,7 +23,10 @@ DirectSolver::~DirectSolver() = default;
 
 bool DirectSolver::factor_definite(const SparseMatrix& matrix) {
   auto& cholesky = solvers_->definite;
-  if (!solvers_->definite_analysed) cholesky.analyzePattern(matrix);
+  if (!solvers_->definite_analysed) {
+    const std::lock_guard lock(random_numbers());  // the ordering is METIS's
+    cholesky.analyzePattern(matrix);
+  }
   solvers_->definite_analysed = true;
   solvers_->last_definite = true;
   cholesky.factorize(matrix);

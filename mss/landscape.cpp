@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "meshing/random_numbers.hpp"
 #include "mss/forces.hpp"
 
 namespace springcheck::mss {
@@ -144,7 +145,10 @@ double Landscape::largest_volume_ratio(const Positions& x) const {
 
 bool Landscape::factor_matrix(const Eigen::SparseMatrix<double>& matrix) {
   if (assembly_.size() == 0) return true;
-  if (!analysed_) cholesky_.analyzePattern(matrix);
+  if (!analysed_) {
+    const std::lock_guard lock(random_numbers());  // the ordering is METIS's
+    cholesky_.analyzePattern(matrix);
+  }
   analysed_ = true;
   cholesky_.factorize(matrix);
   return cholesky_.info() == Eigen::Success;

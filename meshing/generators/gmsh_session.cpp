@@ -2,17 +2,11 @@
 
 #include <gmsh.h>
 
+#include "meshing/random_numbers.hpp"
+
 namespace springcheck {
-namespace {
 
-std::mutex& mutex() {
-  static std::mutex the_only_one;
-  return the_only_one;
-}
-
-}  // namespace
-
-GmshSession::GmshSession(const std::string& model) : lock_(mutex()) {
+GmshSession::GmshSession(const std::string& model) : lock_(random_numbers()) {
   ::gmsh::initialize(0, nullptr, false);
   ::gmsh::option::setNumber("General.Terminal", 0);
   ::gmsh::option::setNumber("General.NumThreads", 1);
