@@ -3,14 +3,14 @@
 import bodies
 import numpy as np
 from content import Figure, Section, Viewer, measured_number, paragraph, table
-from figures import beams, cross_sections
 from figures import bodies as body_figures
 from markupsafe import Markup
-from method_style import NEUTRAL, line, shades
 from numbers_shown import significant
+from sections.beams import beams_against_theory, diagonal_ratio_beams
+from sections.cross_sections import cross_section
 from sections.slices import deformation_panels, nu_panels
-from study import ANSWERS, counts_text, is_variant
-from surface import edges_in_plane, outside
+from study import ANSWERS, is_variant
+from surface import outside
 
 _TESTS = {
     "compression": "A body between two glued plates is pressed: the upper plate moves down.",
@@ -33,19 +33,19 @@ def tension(study):
 
 def shearing(study):
     """Figures 5.11 and 5.12: the vertical plane in the middle, along the motion."""
-    return _test(study, "shearing", _cross_section(study, "shearing", plane=1, across=(0, 2)))
+    return _test(study, "shearing", cross_section(study, "shearing", plane=1, across=(0, 2)))
 
 
 def torsion(study):
     """Figures 5.13 and 5.14: the layer at half height, seen along the axis, and the vertical
     plane in the middle, whose points turn out of it."""
-    blocks = _cross_section(study, "torsion", plane=1, across=(0, 2))
-    return _test(study, "torsion", blocks + _cross_section(study, "torsion", plane=2, across=(0, 1)))
+    blocks = cross_section(study, "torsion", plane=1, across=(0, 2))
+    return _test(study, "torsion", blocks + cross_section(study, "torsion", plane=2, across=(0, 1)))
 
 
 def bending(study):
     """Figures 5.3 and 5.15 to 5.19."""
-    return _test(study, "bending", _beams(study) + _diagonal_ratio_beams(study))
+    return _test(study, "bending", beams_against_theory(study) + diagonal_ratio_beams(study))
 
 
 def other_tests(study):
@@ -201,167 +201,3 @@ def _panel(study, key, surface):
 def _mesh_and_load(case):
     parts = bodies.group_text(case).split(", ")
     return ", ".join(part for part in parts if not part.startswith("nu "))
-
-
-def _cross_section(study, test, plane, across):
-    """Springs over finite elements in the middle plane normal to axis `plane`."""
-    pairs = _pairs_of_bodies(study, test)
-    if not pairs:
-        return []
-    sections = []
-    for springs, elements in pairs:
-        mesh = study.mesh(springs)
-        coordinates = mesh["nodes"][:, plane]
-        position = _layer(coordinates)
-        edges = edges_in_plane(mesh, plane, position, 1e-6 * np.ptp(coordinates))
-        if len(edges) == 0:
-            return []
-        lines = []
-        for key in (elements, springs):
-            deformed = 100 * (mesh["nodes"] + study.field(key, "displacement"))
-            lines.append((study.cases.loc[key, "name"], deformed[edges][:, :, across]))
-        title = f"ν = {study.cases.loc[springs].nu:g}"
-        sections.append(cross_sections.Section(title, lines))
-    axes = "xyz"
-    caption = (
-        f"The layer of nodes at {axes[plane]} = {100 * position:.3g} cm after {test} by "
-        f"{study.cases.loc[pairs[0][0]].load}, springs over finite elements (the pale lines), seen "
-        f"along {axes[plane]}."
-    )
-    labels = [f"{axes[axis]} [cm]" for axis in across]
-    name = f"cross_section_{test}_{axes[plane]}"
-    return [Figure(name, caption, cross_sections.draw, (sections, *labels))]
-
-
-def _pairs_of_bodies(study, test):
-    """(key of springs, key of finite elements) at the test's largest load on the mesh with
-    the most values of nu, for up to three of them; one method and one law for all."""
-    cases = study.with_fields(study.cases[(study.cases.test == test) & (study.cases.body == "block")])
-    usable = cases[(cases.status == "ok") & ~cases["name"].map(is_variant)]
-    springs = usable[usable.kind != "finite elements"]
-    elements = usable[(usable.kind == "finite elements") & usable.problem.isin(springs.problem)]
-    springs = springs[springs.problem.isin(elements.problem)]
-    if springs.empty:
-        return []
-    name = "mss-cf" if "mss-cf" in set(springs["name"]) else springs["name"].iloc[0]
-    springs = springs[springs["name"] == name]
-    loads = springs.groupby(["mesh", "deformation"], dropna=False)
-    springs = max(
-        (group for _, group in loads),
-        key=lambda group: (
-            min(group.nu.nunique(), 3),
-            np.nan_to_num(group.deformation.iloc[0]),
-            len(study.mesh(group.index[0])["nodes"]),
-        ),
-    )
-    laws = elements[elements.problem.isin(springs.problem)].groupby("name").problem.nunique()
-    law = max(laws.index, key=lambda name: (laws[name], name.startswith("fem-hencky"), name))
-    keys = elements[elements["name"] == law].reset_index().set_index("problem").key
-    springs = springs[springs.problem.isin(keys.index)].drop_duplicates("nu").sort_values("nu")
-    if len(springs) > 3:
-        springs = springs.iloc[[0, len(springs) // 2, -1]]
-    return [(key, keys[case.problem]) for key, case in springs.iterrows()]
-
-
-def _layer(coordinates):
-    """The coordinate, among those of nodes, that is nearest to the middle."""
-    values = np.unique(coordinates)
-    return values[np.abs(values - (values[0] + values[-1]) / 2).argmin()]
-
-
-def _centre_line(study, key):
-    """Axial place and drop of the nodes on the middle axis, None where there are none."""
-    displacement = study.field(key, "displacement")
-    if displacement is None:
-        return None
-    mesh, case = study.mesh(key), study.cases.loc[key]
-    nodes = mesh["nodes"]
-    middle = np.array([case["size.x"], case["size.y"]]) / 2
-    on_axis = np.abs(nodes[:, :2] - middle).max(axis=1) < 1e-9 * case["size.z"]
-    if on_axis.sum() < 3:
-        return None
-    order = np.argsort(nodes[on_axis, 2])
-    deformed = (nodes + displacement)[on_axis][order]
-    return deformed[:, 2], -displacement[on_axis][order, 0]
-
-
-def _theory_lines(study, key):
-    """Curves of beam theory for the case's beam."""
-    styles = {
-        "euler_bernoulli": ("Euler-Bernoulli", {"color": NEUTRAL[0], "linestyle": ":"}),
-        "timoshenko": ("Timoshenko", {"color": NEUTRAL[1], "linestyle": "-."}),
-        "elastica": ("elastica", {"color": NEUTRAL[2], "linestyle": "-", "linewidth": 2.5}),
-    }
-    for beam in study.theory.get("beams", []):
-        if key in beam["cases"]:
-            return [
-                beams.CentreLine(
-                    name, np.array(beam[theory]["axial"]), np.array(beam[theory]["drop"]), style
-                )
-                for theory, (name, style) in styles.items()
-            ]
-    return []
-
-
-def _beams(study):
-    """A figure for each size of beam, a panel for each Young's modulus."""
-    cases = study.cases[(study.cases.test == "bending") & (study.cases.body == "block")]
-    cases = cases[~cases["name"].map(is_variant) & (cases["cell-type"] == "hexahedron")]
-    cases = cases[np.isclose(cases.nu, 0.25)]
-    figures = []
-    for length, of_length in cases.groupby("size.z"):
-        panels = []
-        for _, of_modulus in of_length.groupby("young"):
-            lines = []
-            for key, case in of_modulus.sort_values(["method", "cells.z"]).iterrows():
-                curve = _centre_line(study, key)
-                if curve is None:
-                    continue
-                name = f"{case['name']} {counts_text(case)}"
-                style = {**line(case["name"]), "markersize": 0}
-                if case.status != "ok":
-                    name += f" ({case.status.replace('_', ' ')})"
-                    style["linestyle"] = (0, (1, 1))
-                style["alpha"] = 1.0 if case["cells.x"] == of_modulus["cells.x"].max() else 0.45
-                lines.append(beams.CentreLine(name, *curve, style))
-            if lines:
-                theory = _theory_lines(study, of_modulus.index[0])
-                panels.append((f"{of_modulus.iloc[0].load}, nu = 0.25", theory, lines))
-        if panels:
-            panels = sorted(panels, key=lambda panel: -len(panel[2]))[:2]
-            caption = (
-                f"Centre lines of beams {length:g} m long against theory: Euler-Bernoulli is for "
-                "small deflections, the elastica for large ones without shear. Paler lines are "
-                "coarser meshes, dotted ones wrinkled states; at nu = 1/4 mss-baudet and mss-nfd are "
-                "the same springs."
-            )
-            figures.append(Figure(f"beams_{100 * length:.3g}cm", caption, beams.draw, (panels,)))
-    return figures
-
-
-def _diagonal_ratio_beams(study):
-    """Figure 5.3: the ratio A of the diagonals' stiffness."""
-    cases = study.cases[(study.cases.test == "bending") & (study.cases.method == "mss-cf")]
-    cases = study.with_fields(cases)
-    panels = []
-    for _, same in cases.groupby(["mesh", "young", "nu"]):
-        if same["diagonal-ratio"].nunique() < 3:
-            continue
-        same = same.drop_duplicates("diagonal-ratio").sort_values("diagonal-ratio")
-        lines = []
-        for i, (key, case) in enumerate(same.iterrows()):
-            curve = _centre_line(study, key)
-            if curve is not None:
-                shade = {"color": shades(len(same))[i], "linewidth": 1.1}
-                status = "" if case.status == "ok" else f" ({case.status.replace('_', ' ')})"
-                lines.append(beams.CentreLine(f"A = {case['diagonal-ratio']:g}{status}", *curve, shade))
-        case = same.iloc[0]
-        theory = _theory_lines(study, same.index[0])
-        panels.append((f"{case.load}, nu = {case.nu:g}, {counts_text(case)}", theory, lines))
-    if not panels:
-        return []
-    caption = (
-        "The ratio A of face to inner diagonals' stiffness in mss-cf, which its small-strain "
-        "moduli do not depend on. The thesis saw no noticeable influence from 0.01 to 100."
-    )
-    return [Figure("beam_diagonal_ratio", caption, beams.draw, (panels[:2],))]
