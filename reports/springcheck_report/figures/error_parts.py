@@ -13,8 +13,8 @@ def draw(labels, panels):
     places = np.arange(len(labels))
     for axes, (title, unit, law, law_bar, mesh, mesh_bar) in zip(all_axes, panels):
         bars = {"height": 0.36, "error_kw": {"elinewidth": 0.8, "capsize": 1.5}}
-        axes.barh(places - 0.19, law, xerr=law_bar, color=NEUTRAL[0], label="law", **bars)
-        axes.barh(places + 0.19, mesh, xerr=mesh_bar, color=NEUTRAL[2], label="discretisation", **bars)
+        axes.barh(places - 0.19, law, xerr=law_bar, color=NEUTRAL[1], label="law", **bars)
+        axes.barh(places + 0.19, mesh, xerr=mesh_bar, color="#CFCFCF", label="discretisation", **bars)
         axes.axvline(0, color="#444444", linewidth=0.7)
         axes.set(title=title, xlabel=unit, ylim=(len(labels) - 0.4, -0.6))
     all_axes[0].set_yticks(places, labels)
