@@ -7,7 +7,7 @@ import numpy as np
 from study import case_text
 from surface import outside
 
-# Bytes of all views together, as base64; pages stay below 25 MB with script and figures.
+# Bytes of all views together, before base64 makes a third more of them; pages stay below 25 MB with script and figures.
 _BUDGET = 6e6
 _GROUPS = 24  # of one test
 
@@ -16,7 +16,6 @@ _GROUPS = 24  # of one test
 class Group:
     """Cases of the same problem, which stand side by side."""
 
-    problem: str
     label: str
     cases: list  # keys; springs first
 
@@ -26,7 +25,7 @@ def groups(study, test):
     methods, mss-cf among them, large loads. Only cases with an equilibrium's fields."""
     cases = study.with_fields(study.cases[study.cases.test == test])
     found = []
-    for problem, members in cases.groupby("problem", sort=False):
+    for _, members in cases.groupby("problem", sort=False):
         members = members.sort_values(["kind", "name"], key=_order, kind="stable")
         kinds = set(members.kind)
         both = "finite elements" in kinds and len(kinds) > 1
@@ -40,7 +39,7 @@ def groups(study, test):
             -members.method.nunique(),
             abs(members.nu.iloc[0] - 0.25),
         )
-        found.append((rank, Group(problem, group_text(members.iloc[0]), list(members.index))))
+        found.append((rank, Group(group_text(members.iloc[0]), list(members.index))))
     found.sort(key=lambda entry: entry[0])
     return [group for _, group in found[:_GROUPS]]
 

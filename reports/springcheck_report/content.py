@@ -35,9 +35,9 @@ class Section:
     blocks: list = field(default_factory=list)
 
 
-def paragraph(text, *values, **named):
+def paragraph(text, *values):
     """A paragraph; whatever stands for {} in the text is escaped."""
-    return Markup("<p>" + text + "</p>").format(*values, **named)
+    return Markup("<p>" + text + "</p>").format(*values)
 
 
 def bullets(items):
@@ -56,10 +56,9 @@ def file_name(text):
     return re.sub(r"[^A-Za-z0-9.]+", "-", text).strip("-.") or "unnamed"
 
 
-def measured_number(study, key, measure, text, factor=1):
+def measured_number(study, key, measure, text):
     """A case's measure as `text`, with its origin."""
-    value = float(study.cases.loc[key, measure]) * factor
-    return Markup(data(value, text, key, measure, factor))
+    return Markup(data(float(study.cases.loc[key, measure]), text, key, measure))
 
 
 def table(headings, rows, *, name, classes=None, limit=None):

@@ -56,7 +56,7 @@ def shades(count):
     return [matplotlib.colormaps["viridis"](0.9 * i / max(count - 1, 1)) for i in range(count)]
 
 
-ONE_COLUMN, TWO_COLUMNS = 3.5, 7.2  # inches, of a journal's page
+TWO_COLUMNS = 7.2  # inches, of a journal's page
 
 
 def _base(name):

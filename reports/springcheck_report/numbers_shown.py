@@ -35,11 +35,10 @@ def formatted(value, form):
     return form.format(0.0) if not any(c in "123456789" for c in text) else text
 
 
-def data(value, text, key=None, measure=None, factor=1):
+def data(value, text, key=None, measure=None):
     """HTML of a number that says where it comes from: <data> with the full value, and the
-    case and measure of the result file that it is `factor` times of."""
+    case and measure of the result file that it is."""
     source = ""
     if key is not None:
         source = f' data-case="{escape(key)}" data-measure="{escape(measure)}"'
-        source += f' data-factor="{factor!r}"' if factor != 1 else ""
     return f'<data value="{value!r}"{source}>{escape(text)}</data>'

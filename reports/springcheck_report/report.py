@@ -25,8 +25,8 @@ _HERE = Path(__file__).resolve().parent
 def make(file, folder):
     """Writes index.html, figures/ and 3d/ of the result file into the folder, which
     `springcheck report` has put tables/ and data/ in. Files of an earlier report, which
-    data/made.txt lists, go; others stay. Returns a sentence that says where things are. ValueError or OSError, with the path,
-    where the file is no result file or the folder cannot be written."""
+    data/made.txt lists, go; others stay. Returns a sentence that says where things are.
+    ValueError or OSError where the file is no result file or the folder cannot be written."""
     method_style.set_defaults()
     study = read(file, folder)
     makers = [empty_file] if study.cases.empty else SECTIONS

@@ -241,7 +241,7 @@ class Page(unittest.TestCase):
         self.assertEqual({number["table"] for number in printed}, set(PRINTED))
         for number in measured + printed:
             if "measure" in number:
-                measure, factor = number["measure"], float(number.get("factor", 1))
+                measure, factor = number["measure"], 1
             else:
                 measure, factor = PRINTED[number["table"]]
             stored = cases.loc[number["case"], measure] * factor

@@ -39,10 +39,10 @@ class Numbers(unittest.TestCase):
         self.assertEqual(formatted(-0.126, "{:+.2f}"), "-0.13")
 
     def test_numbers_say_where_they_come_from(self):
-        html = data(3.1671, "3.167", "a<b", "volume_error", 100)
+        html = data(3.1671, "3.167", "a<b", "volume_error")
         self.assertIn('value="3.1671"', html)
         self.assertIn('data-case="a&lt;b"', html)
-        self.assertIn('data-factor="100"', html)
+        self.assertIn('data-measure="volume_error"', html)
         self.assertTrue(html.endswith(">3.167</data>"))
 
 

@@ -50,7 +50,7 @@ def files_for_paraview(study):
             len(names),
         )
     )
-    section.blocks.append(Markup("<pre>paraview --script=3d/show.py 3d/{}</pre>").format(names[0]))
+    section.blocks.append(Markup("<pre>pvpython 3d/show.py 3d/{}</pre>").format(names[0]))
     return section
 
 
