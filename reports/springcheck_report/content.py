@@ -95,3 +95,31 @@ def table_links(name):
         for extension in ("csv", "md", "tex", "json")
     ]
     return Markup('<p class="files">Files: {}</p>').format(Markup(" · ").join(links))
+
+
+def document_blocks(document, headings, rows, limit=None):
+    """Blocks of a table of tables/: its rows (cells of `headings`, in the document's order),
+    each with its notes' numbers and its case, without columns that are empty in all; then
+    the notes and the files."""
+    notes = list(dict.fromkeys(note for row in document["rows"] for note in row["notes"]))
+    headings = [*headings, "notes", "case"]
+    whole = [
+        [
+            *cells,
+            " ".join(str(notes.index(note) + 1) for note in row["notes"]),
+            ((row["case"] or "")[:8], "key"),
+        ]
+        for cells, row in zip(rows, document["rows"])
+    ]
+    used = [i for i in range(len(headings)) if any(_text(cells[i]) for cells in whole)]
+    kept = [[cells[i] for i in used] for cells in whole]
+    blocks = [table([headings[i] for i in used], kept, name=document["table"], limit=limit)]
+    blocks += [paragraph('<span class="note">{}</span>', note) for note in document["notes"]]
+    if notes:
+        items = Markup("").join(Markup("<li>{}</li>").format(note) for note in notes)
+        blocks.append(Markup('<ol class="note">{}</ol>').format(items))
+    return [*blocks, table_links(document["table"])]
+
+
+def _text(cell):
+    return cell[0] if isinstance(cell, tuple) else cell

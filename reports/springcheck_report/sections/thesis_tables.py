@@ -2,7 +2,7 @@
 
 import math
 
-from content import Figure, Section, paragraph, table, table_links
+from content import Figure, Section, document_blocks, paragraph
 from figures import agreement
 from markupsafe import Markup
 from numbers_shown import data, formatted, with_bar
@@ -52,10 +52,6 @@ def thesis_tables(study):
 
 def thesis_table(document):
     """Blocks of one table: heading, rows, notes, files."""
-    name = document["table"]
-    notes = []
-    for row in document["rows"]:
-        notes += [note for note in row["notes"] if note not in notes]
     unit = "" if document["unit"] == "-" else f" [{document['unit']}]"
     points = " [points]" if document["unit"] == "%" else unit
     columns = [
@@ -71,29 +67,15 @@ def thesis_table(document):
             (further["key"], lambda row, further=further: _further(further, row))
             for further in document["further"]
         ),
-        ("notes", lambda row: " ".join(str(notes.index(note) + 1) for note in row["notes"])),
-        ("case", lambda row: (row["case"][:8], "key")),
     ]
     rows = [[cell(row) for _, cell in columns] for row in document["rows"]]
-    used = [i for i in range(len(columns)) if any(_text(row[i]) for row in rows)]
-    blocks = [
-        Markup("<h3>{}</h3>").format(document["title"]),
-        table([columns[i][0] for i in used], [[row[i] for i in used] for row in rows], name=name),
-    ]
-    blocks += [paragraph('<span class="note">{}</span>', note) for note in document["notes"]]
-    if notes:
-        items = Markup("").join(Markup("<li>{}</li>").format(note) for note in notes)
-        blocks.append(Markup('<ol class="note">{}</ol>').format(items))
-    return [*blocks, table_links(name)]
+    title = Markup("<h3>{}</h3>").format(document["title"])
+    return [title, *document_blocks(document, [heading for heading, _ in columns], rows)]
 
 
 def _label(value):
     """Numbers of cells come as a list."""
     return "×".join(map(str, value)) if isinstance(value, list) else value
-
-
-def _text(cell):
-    return cell[0] if isinstance(cell, tuple) else cell
 
 
 def _ours(document, row):
