@@ -1,6 +1,6 @@
 """Every case, where it comes from, and the files for ParaView."""
 
-from content import Section, bullets, paragraph, table, table_links
+from content import Section, paragraph, table
 from markupsafe import Markup
 from paraview import vtu_name
 from sections.sheets import sheet_blocks
