@@ -51,6 +51,17 @@ void add_reference_settings(nlohmann::json& json, const CaseSettings& settings) 
     json["diagonal-ratio"] = settings.diagonal_ratio;
 }
 
+void add_dynamics(nlohmann::json& json, const Dynamics& dynamics) {
+  json["duration"] = dynamics.duration;
+  json["damping"] = dynamics.damping_ratio;
+  json["force-dt"] = dynamics.force_time_step;
+  json["precision"] = name_of(dynamics.precision);
+  if (dynamics.time_step)
+    json["dt"] = *dynamics.time_step;
+  else
+    json["dt"] = "auto";
+}
+
 /// Settings of the springs alone.
 void add_spring_settings(nlohmann::json& json, const CaseSettings& settings) {
   switch (std::get<mss::Method>(settings.method.model)) {
@@ -75,18 +86,12 @@ void add_spring_settings(nlohmann::json& json, const CaseSettings& settings) {
     case mss::Method::baudet:
       break;
   }
-  json["solver"] = name_of(settings.solver);
-  if (settings.solver == mss::Solver::static_equilibrium) {
+  json["solver"] = name_of(solver_of(settings));
+  if (solver_of(settings) == Solver::static_equilibrium) {
     json["seed"] = settings.seed;
     return;
   }
-  json["duration"] = settings.dynamics.duration;
-  json["damping"] = settings.dynamics.damping_ratio;
-  json["force-dt"] = settings.dynamics.force_time_step;
-  if (settings.dynamics.time_step)
-    json["dt"] = *settings.dynamics.time_step;
-  else
-    json["dt"] = "auto";
+  add_dynamics(json, settings.dynamics);
 }
 
 /// What stands for a solver's settings where there was none of ours.
@@ -139,8 +144,28 @@ std::string_view name_of(PlateContact contact) {
   return contact == PlateContact::glued ? "glued" : "sliding";
 }
 
-std::string_view name_of(mss::Solver solver) {
-  return solver == mss::Solver::static_equilibrium ? "static" : "semi-implicit";
+std::string_view name_of(Solver solver) {
+  switch (solver) {
+    case Solver::static_equilibrium:
+      return "static";
+    case Solver::explicit_euler:
+      return "explicit";
+    case Solver::semi_implicit_euler:
+      return "semi-implicit";
+    case Solver::verlet:
+      return "verlet";
+    case Solver::implicit_euler:
+      return "implicit";
+  }
+  return {};
+}
+
+std::string_view name_of(mss::Precision precision) {
+  return precision == mss::Precision::double_precision ? "double" : "float";
+}
+
+Solver solver_of(const CaseSettings& settings) {
+  return settings.solver.value_or(Solver::static_equilibrium);
 }
 
 std::string_view name_of(mss::StiffnessForm form) {

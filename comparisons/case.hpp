@@ -25,6 +25,24 @@ enum class Test {
 /// How a body touches its plates: all components held, or the one along the normal.
 enum class PlateContact { glued, sliding };
 
+/// How the deformed state is found: at once, or through time.
+enum class Solver {
+  static_equilibrium,
+  explicit_euler,
+  semi_implicit_euler,
+  verlet,
+  implicit_euler
+};
+
+struct Dynamics {
+  double duration;                  // [s] over which the load grows
+  std::optional<double> time_step;  // [s]; none: .9 of the stability limit
+  bool force_time_step;             // run even above the stability limit
+  double damping_ratio;             // zeta of critical
+  mss::Precision precision;
+  int threads;  // changes no result
+};
+
 const std::vector<Test>& all_tests();
 
 /// Whether the body stands on a plate; whether there is one on it that is moved or
@@ -34,7 +52,8 @@ bool has_upper_plate(Test test);
 
 std::string_view name_of(Test test);
 std::string_view name_of(PlateContact contact);
-std::string_view name_of(mss::Solver solver);
+std::string_view name_of(Solver solver);
+std::string_view name_of(mss::Precision precision);
 std::string_view name_of(mss::StiffnessForm form);
 std::string_view name_of(mss::VolumeCorrection correction);
 std::string_view name_of(fem_reference::LatticeDirection direction);
@@ -64,10 +83,13 @@ struct CaseSettings {
   // Springs:
   std::optional<mss::LatticeConstants> constants;  // of mss-custom, at this cell size
   mss::VolumeCorrection correction;                // of mss-vangelder and mss-lloyd
-  mss::Solver solver;
-  mss::DynamicsSettings dynamics;  // of the semi-implicit solver
-  unsigned seed;                   // of the static solver
+  std::optional<Solver> solver;                    // none: the method's own
+  Dynamics dynamics;                               // of all solvers but the static one
+  unsigned seed;                                   // of the static solver
 };
+
+/// The solver given, or else the static one.
+Solver solver_of(const CaseSettings& settings);
 
 /// The finite elements' part of the settings.
 fem_reference::Settings reference_settings(const CaseSettings& settings);

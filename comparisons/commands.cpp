@@ -34,10 +34,10 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
   if (std::ranges::all_of(run.methods, is_finite_element))
     throw InputError("--split", "method", "at least one of springs",
                      "finite elements only");
-  if (run.common.solver != mss::Solver::static_equilibrium)
+  if (solver_of(run.common) != Solver::static_equilibrium)
     throw InputError("--split", "solver",
                      "static: the end of dynamics has an error of its own",
-                     std::string(name_of(run.common.solver)));
+                     std::string(name_of(solver_of(run.common))));
   const Method law = run.reference ? run.reference->method : *find_method("fem-hencky");
   if (run.reference &&
       (run.reference->grid == ReferenceGrid::converged || !run.reference->cells.empty() ||

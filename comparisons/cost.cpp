@@ -22,7 +22,7 @@ double seconds(const CaseSettings& settings) {
   for (const double cells : equivalent_grid(settings.body))
     nodes *= (halved ? 2. : 1.) * cells + 1;
   const double larger = nodes / nodes_there;
-  if (!is_fem && settings.solver != mss::Solver::static_equilibrium)
+  if (!is_fem && solver_of(settings) != Solver::static_equilibrium)
     return dynamics_per_second * settings.dynamics.duration * larger;
   const bool is_linear = settings.method.name == "fem-hooke";
   const double there = !is_fem ? springs : is_linear ? hooke : other_laws;

@@ -33,8 +33,8 @@ enum class LinearSystems { none, cholesky, multigrid };
 
 LinearSystems linear_systems(const CaseSettings& settings) {
   if (!is_finite_element(settings.method))
-    return settings.solver == mss::Solver::static_equilibrium ? LinearSystems::cholesky
-                                                              : LinearSystems::none;
+    return solver_of(settings) == Solver::static_equilibrium ? LinearSystems::cholesky
+                                                             : LinearSystems::none;
   const auto [nx, ny, nz] = element_nodes(settings);
   const bool multigrid = fem_reference::takes_multigrid(
       reference_settings(settings), settings.material.poisson_ratio,

@@ -165,12 +165,15 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
       .constants = std::nullopt,
       .correction =
           value_or(settings, "correction", mss::VolumeCorrection::on, correction_of),
-      .solver = value_or(settings, "solver", mss::Solver::static_equilibrium, solver_of),
+      .solver = value_or(settings, "solver", std::optional<Solver>{}, solver_named),
       .dynamics =
           {.duration = value_or(settings, "duration", 10., &Given::positive_number),
            .time_step = value_or(settings, "dt", std::optional<double>{}, time_step_of),
            .force_time_step = value_or(settings, "force-dt", false, &Given::truth),
-           .damping_ratio = value_or(settings, "damping", 0.05, not_negative_of)},
+           .damping_ratio = value_or(settings, "damping", 0.05, not_negative_of),
+           .precision = value_or(settings, "precision", mss::Precision::double_precision,
+                                 precision_of),
+           .threads = value_or(settings, "threads", 1, threads_of)},
       .seed = value_or(settings, "seed", 1U, seed_of)};
   if (test == Test::bending)
     common.gravity = load_of(need("gravity", "an acceleration [m/s^2]"), "m/s^2");

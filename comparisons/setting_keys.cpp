@@ -49,14 +49,18 @@ const std::vector<SettingKey>& option_keys() {
        "name of the one on the upper plate, which is moved or loaded (default "
        "top)"},
       {"solver",
-       "of spring methods: static (default) or semi-implicit (dynamics); finite elements "
-       "are always static"},
+       "of spring methods: static (default), or dynamics by explicit (Euler), "
+       "semi-implicit (Euler), verlet or implicit (Euler); finite elements are static"},
       {"linear-solver",
        "of finite elements: auto (default: by size), direct or multigrid"},
-      {"dt", "time step [s], or auto (default): 0.9 of the stability limit"},
+      {"dt",
+       "time step [s], or auto (default): 0.9 of the stability limit, followed as the "
+       "body deforms"},
       {"force-dt", "run even with a time step above the stability limit"},
       {"duration", "time over which the load grows in dynamics [s] (default 10)"},
       {"damping", "dashpots in dynamics, fraction of critical (default 0.05)"},
+      {"precision", "of explicit steps: double (default) or float"},
+      {"threads", "of explicit steps (default 1); the results are the same to the bit"},
       {"seed",
        "of distorted and mixed meshes, and of the choice between equal directions out of "
        "an unstable state (default 1)"},

@@ -140,10 +140,23 @@ mss::VolumeCorrection correction_of(const Given& given) {
   return one_of<mss::VolumeCorrection>(given, given.text(), {on, off});
 }
 
-mss::Solver solver_of(const Given& given) {
-  using enum mss::Solver;
-  return one_of<mss::Solver>(given, given.text(),
-                             {static_equilibrium, semi_implicit_euler});
+std::optional<Solver> solver_named(const Given& given) {
+  using enum Solver;
+  return one_of<Solver>(
+      given, given.text(),
+      {static_equilibrium, explicit_euler, semi_implicit_euler, verlet, implicit_euler});
+}
+
+mss::Precision precision_of(const Given& given) {
+  using enum mss::Precision;
+  return one_of<mss::Precision>(given, given.text(),
+                                {double_precision, single_precision});
+}
+
+int threads_of(const Given& given) {
+  const std::int64_t threads = given.integer();
+  if (threads < 1 || threads > 1024) given.refuse("an integer in [1, 1024]");
+  return static_cast<int>(threads);
 }
 
 std::vector<Status> expect_of(const Given& given) {

@@ -17,6 +17,37 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+dynamics::Integrator integrator_of(Solver solver) {
+  using dynamics::Integrator;
+  switch (solver) {
+    case Solver::explicit_euler:
+      return Integrator::explicit_euler;
+    case Solver::verlet:
+      return Integrator::verlet;
+    case Solver::implicit_euler:
+      return Integrator::implicit_euler;
+    case Solver::semi_implicit_euler:
+    case Solver::static_equilibrium:
+      break;
+  }
+  return Integrator::semi_implicit_euler;
+}
+
+dynamics::Protocol protocol_of(const CaseSettings& settings) {
+  return {.integrator = integrator_of(solver_of(settings)),
+          .duration = settings.dynamics.duration,
+          .time_step = settings.dynamics.time_step,
+          .force_time_step = settings.dynamics.force_time_step};
+}
+
+std::optional<mss::DynamicsSettings> spring_dynamics(const CaseSettings& settings) {
+  if (solver_of(settings) == Solver::static_equilibrium) return std::nullopt;
+  return mss::DynamicsSettings{.protocol = protocol_of(settings),
+                               .damping_ratio = settings.dynamics.damping_ratio,
+                               .precision = settings.dynamics.precision,
+                               .threads = settings.dynamics.threads};
+}
+
 Solution solve(const CaseSettings& settings, const Mesh& mesh) {
   const Scene scene = mechanical_scene(settings, mesh);
   if (is_finite_element(settings.method))
@@ -27,8 +58,7 @@ Solution solve(const CaseSettings& settings, const Mesh& mesh) {
                                  .diagonal_ratio = settings.diagonal_ratio,
                                  .constants = settings.constants,
                                  .volume_correction = settings.correction},
-                     .solver = settings.solver,
-                     .dynamics = settings.dynamics,
+                     .dynamics = spring_dynamics(settings),
                      .seed = settings.seed});
 }
 

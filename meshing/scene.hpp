@@ -112,8 +112,10 @@ struct Solution {
   // [m] int u dA/A over the undeformed face of each of the scene's tractions; empty where
   // the mesh's nodes tell it:
   std::vector<Vector3> loaded_face_displacements{};
-  std::optional<double> dt{};        // [s] dynamics only
-  std::optional<double> dt_limit{};  // [s] dynamics only: largest stable step at rest
+  std::optional<double> kinetic_energy{};  // [J] dynamics only
+  std::optional<double> dt{};              // [s] dynamics only: of the last step
+  std::optional<double>
+      dt_limit{};  // [s] dynamics only: largest stable step looked at last
 };
 
 /// The Solution of a method that does not cover the scene.

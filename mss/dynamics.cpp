@@ -2,129 +2,205 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "dynamics/explicit_motion.hpp"
+#include "dynamics/stable_step.hpp"
 #include "mss/forces.hpp"
-#include "mss/time_step.hpp"
+#include "mss/implicit_motion.hpp"
+#include "mss/lattice_kernel.hpp"
 
 namespace springcheck::mss {
 namespace {
 
-constexpr double safety = 0.9;  // of the stability limit, for time_step = none
-constexpr int steps_between_checks = 100;
-constexpr double lost = 100;  // body sizes
+using dynamics::Block;
+using dynamics::ExplicitBody;
+using dynamics::State;
 
-/// Forces on every node: springs, correction, dashpots and the fraction of the load.
-void total_forces(const Network& network, double damping_ratio, double load_fraction,
-                  const std::vector<Vector3>& load, const std::vector<Vector3>& x,
-                  const std::vector<Vector3>& v, CellStates& states,
-                  std::vector<Vector3>& forces) {
-  nodal_forces(network, x, states, forces);
-  if (damping_ratio > 0) add_dashpot_forces(network, damping_ratio, x, v, forces);
-  for (std::size_t n = 0; n < x.size(); ++n) forces[n] += load_fraction * load[n];
+/// What nodes are moved by to find the tangent, in mean cell edges: their forces keep
+/// half the digits at least, and what is not linear stays in the last.
+constexpr double probe = 1e-4, probe_in_single_precision = 1e-2;
+
+double cell_edge(const Network& network) {
+  double volume = 0;
+  for (std::size_t c = 0; c < network.cells.size(); ++c)
+    volume += network.cells.volume(c);
+  return std::cbrt(volume / static_cast<double>(network.cells.size()));
 }
 
-double body_size(const std::vector<Vector3>& nodes) {
-  Vector3 low = nodes.front(), high = low;
-  for (const Vector3& x : nodes) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  return (high - low).norm();
+void plain_forces(const Network& network, double damping_ratio, const State& state,
+                  std::vector<Vector3>& positions, CellStates& room,
+                  std::span<Vector3> forces) {
+  positions.resize(state.displacements.size());
+  for (std::size_t n = 0; n < positions.size(); ++n)
+    positions[n] = network.rest_positions[n] + state.displacements[n];
+  nodal_forces(network, positions, room, forces);
+  if (damping_ratio > 0)
+    add_dashpot_forces(network, damping_ratio, positions, state.velocities, forces);
 }
 
-std::optional<double> if_finite(double value) {
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+/// The plain loops as the forces of a single block.
+dynamics::BlockForces<double> plain_kernel(const Network& network, double damping_ratio) {
+  struct Room {
+    State state;
+    std::vector<Vector3> positions, forces;
+    CellStates cells;
+  };
+  const std::size_t nodes = network.rest_positions.size();
+  const auto room = std::make_shared<Room>();
+  room->state.displacements.resize(nodes);
+  room->state.velocities.resize(nodes);
+  room->forces.resize(nodes);
+  return [&network, damping_ratio, room](std::size_t,
+                                         const dynamics::BlockArrays<double>& arrays) {
+    for (std::size_t n = 0; n < room->forces.size(); ++n)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto j = static_cast<Eigen::Index>(i);
+        room->state.displacements[n][j] = arrays.displacement[i][n];
+        room->state.velocities[n][j] = arrays.velocity[i][n];
+      }
+    plain_forces(network, damping_ratio, room->state, room->positions, room->cells,
+                 room->forces);
+    for (std::size_t n = 0; n < room->forces.size(); ++n)
+      for (std::size_t i = 0; i < 3; ++i)
+        arrays.force[i][n] = room->forces[n][static_cast<Eigen::Index>(i)];
+  };
+}
+
+std::optional<std::vector<Block>> blocks_for_kernel(const Mesh& mesh,
+                                                    const Network& network) {
+  if (!takes_lattice_kernel(network)) return std::nullopt;
+  const auto grid = dynamics::grid_of(mesh);
+  if (!grid) return std::nullopt;
+  return dynamics::grid_blocks(*grid);
+}
+
+template <class Real>
+std::unique_ptr<dynamics::Motion> by_kernel(const Mesh& mesh, const Scene& scene,
+                                            const Network& network,
+                                            const DynamicsSettings& settings,
+                                            std::vector<Block> blocks,
+                                            dynamics::InstructionSet set) {
+  auto forces = lattice_kernel<Real>(network, blocks, settings.damping_ratio, set);
+  const std::vector<Vector3> load = load_forces(mesh, scene, network);
+  return dynamics::explicit_motion<Real>(
+      {.rest = network.rest_positions,
+       .masses = network.masses,
+       .load = load,
+       .supports = dynamics::supports(scene, prescribed_components(mesh, scene)),
+       .blocks = std::move(blocks),
+       .forces = std::move(forces)},
+      {.integrator = settings.protocol.integrator,
+       .instruction_set = set,
+       .threads = settings.threads});
+}
+
+dynamics::SmallMotions small_motions(const Network& network, double damping_ratio,
+                                     const std::vector<bool>& is_free) {
+  const std::size_t nodes = network.rest_positions.size();
+  return {.forces = {},
+          .state = {.displacements = std::vector<Vector3>(nodes, Vector3::Zero()),
+                    .velocities = std::vector<Vector3>(nodes, Vector3::Zero())},
+          .masses = network.masses,
+          .is_free = is_free,
+          .amplitude = probe * cell_edge(network),
+          .has_dashpots = damping_ratio > 0};
 }
 
 }  // namespace
 
-Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& network,
-                      const DynamicsSettings& settings) {
-  const auto prescribed = prescribed_components(mesh, scene);
-  const std::vector<bool> is_free = free_components(mesh, prescribed);
+std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Network& network,
+                                            const DynamicsSettings& settings) {
+  if (settings.precision == Precision::double_precision) return std::nullopt;
+  if (settings.protocol.integrator == dynamics::Integrator::implicit_euler)
+    return "implicit Euler's equations are solved in double precision";
+  if (!blocks_for_kernel(mesh, network))
+    return "single precision is for springs of constant rest length on hexahedra";
+  return std::nullopt;
+}
+
+std::unique_ptr<dynamics::Motion> motion_of(const Mesh& mesh, const Scene& scene,
+                                            const Network& network,
+                                            const DynamicsSettings& settings,
+                                            dynamics::InstructionSet set) {
+  if (settings.protocol.integrator == dynamics::Integrator::implicit_euler)
+    return implicit_motion(mesh, scene, network, settings.damping_ratio);
+  auto blocks =
+      settings.kernel == Kernel::fast ? blocks_for_kernel(mesh, network) : std::nullopt;
+  if (blocks && settings.precision == Precision::single_precision)
+    return by_kernel<float>(mesh, scene, network, settings, std::move(*blocks), set);
+  if (blocks)
+    return by_kernel<double>(mesh, scene, network, settings, std::move(*blocks), set);
   const std::vector<Vector3> load = load_forces(mesh, scene, network);
+  return dynamics::explicit_motion<double>(
+      {.rest = network.rest_positions,
+       .masses = network.masses,
+       .load = load,
+       .supports = dynamics::supports(scene, prescribed_components(mesh, scene)),
+       .blocks = {dynamics::whole_mesh(mesh)},
+       .forces = plain_kernel(network, settings.damping_ratio)},
+      {.integrator = settings.protocol.integrator, .instruction_set = set, .threads = 1});
+}
 
-  const double limit = largest_stable_step(network, settings.damping_ratio, is_free);
-  const double wanted = settings.time_step.value_or(safety * limit);
-  const double step_count = std::max(1., std::ceil(settings.duration / wanted - 1e-9));
-  std::string reason;
-  if (wanted > limit && !settings.force_time_step)
-    reason = fmt::format(
-        "dt = {:.4g} s is above the stability limit {:.4g} s of this mesh, material and "
-        "damping; force-dt runs it all the same",
-        wanted, limit);
-  if (step_count > std::numeric_limits<int>::max())
-    reason = fmt::format("dt = {:.4g} s needs {:.3g} steps, more than can be counted",
-                         wanted, step_count);
-  if (std::isinf(wanted) && std::ranges::count(is_free, true) > 0)
-    reason =
-        "dt = auto has no swing to go by: no motion about the rest state has a positive "
-        "stiffness";
-  if (!reason.empty()) {
-    Solution solution = refused(reason);
-    solution.dt = if_finite(wanted);
-    solution.dt_limit = if_finite(limit);
-    return solution;
-  }
-  const int steps = static_cast<int>(step_count);
-  const double dt = settings.duration / steps;
-
-  std::vector<Vector3> x = mesh.nodes(), v(x.size(), Vector3::Zero()), forces(x.size());
-  CellStates states;
-  const double far = lost * body_size(mesh.nodes());
-  const auto escaped = [&] {
-    return std::ranges::any_of(
-        x, [&](const Vector3& p) { return !p.allFinite() || p.norm() > far; });
+double largest_stable_step(const Network& network, double damping_ratio,
+                           const std::vector<bool>& is_free,
+                           dynamics::Integrator integrator) {
+  dynamics::SmallMotions system = small_motions(network, damping_ratio, is_free);
+  std::vector<Vector3> positions;
+  CellStates room;
+  system.forces = [&](const State& state) {
+    std::vector<Vector3> forces(state.displacements.size());
+    plain_forces(network, damping_ratio, state, positions, room, forces);
+    return forces;
   };
-  Solution solution{.status = SolveStatus::ok,
-                    .reason = {},
-                    .displacements = {},
-                    .reactions = {},
-                    .lever_arms = LeverArms::deformed,
-                    .strain_energy = 0,
-                    .load_fraction = 0,
-                    .steps = 0,
-                    .force_evaluations = 0,
-                    .dt = dt,
-                    .dt_limit = if_finite(limit)};
-  for (int step = 1; step <= steps; ++step) {
-    const double fraction = static_cast<double>(step) / steps;
-    total_forces(network, settings.damping_ratio, fraction, load, x, v, states, forces);
-    for (const PrescribedComponent& held : prescribed) {
-      const auto& [node, i, plate] = held;
-      const double next =
-          mesh.nodes()[node][i] + prescribed_displacement(mesh, scene, held, fraction);
-      v[node][i] = (next - x[node][i]) / dt;
-      forces[node][i] = 0;
-    }
-    for (std::size_t n = 0; n < x.size(); ++n) {
-      v[n] += dt / network.masses[n] * forces[n];
-      x[n] += dt * v[n];
-    }
-    solution.steps = step;
-    solution.load_fraction = fraction;
-    if ((step % steps_between_checks == 0 || step == steps) && escaped()) {
-      solution.status = SolveStatus::diverged;
-      solution.reason = fmt::format(
-          "positions left all bounds by step {} of {} (t = {:.4g} s, dt = {:.4g} s, "
-          "stability limit at rest {:.4g} s)",
-          step, steps, step * dt, dt, limit);
-      break;
-    }
-  }
-  total_forces(network, settings.damping_ratio, solution.load_fraction, load, x, v,
-               states, forces);
-  solution.force_evaluations = solution.steps + 1;
-  solution.strain_energy = strain_energy(network, x);
-  solution.reactions.assign(x.size(), Vector3::Zero());
-  for (const auto& [node, i, plate] : prescribed)
-    solution.reactions[node][i] = -forces[node][i];
-  for (std::size_t n = 0; n < x.size(); ++n)
-    solution.displacements.push_back(x[n] - mesh.nodes()[n]);
-  return solution;
+  return dynamics::largest_stable_step(system, integrator);
+}
+
+Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& network,
+                      const DynamicsSettings& settings,
+                      const dynamics::Observers& observers) {
+  if (const auto reason = reason_to_refuse(mesh, network, settings))
+    return refused(*reason);
+  const auto motion = motion_of(mesh, scene, network, settings);
+  const std::vector<Vector3> load = load_forces(mesh, scene, network);
+  const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
+  std::vector<Vector3> positions;
+  CellStates room;
+  const auto stable_step = [&](const std::optional<State>& state) {
+    dynamics::SmallMotions system =
+        small_motions(network, settings.damping_ratio, is_free);
+    if (settings.precision == Precision::single_precision)
+      system.amplitude *= probe_in_single_precision / probe;
+    if (state) system.state = *state;
+    system.forces = [&](const State& at) { return motion->forces_at(at); };
+    const double limit =
+        dynamics::largest_stable_step(system, settings.protocol.integrator);
+    motion->restore(system.state);
+    return limit;
+  };
+  return dynamics::march(
+      {.mesh = mesh,
+       .scene = scene,
+       .masses = network.masses,
+       .load = load,
+       .forces = {.internal =
+                      [&](const State& state, std::span<Vector3> forces) {
+                        plain_forces(network, settings.damping_ratio, state, positions,
+                                     room, forces);
+                      },
+                  .strain_energy =
+                      [&](std::span<const Vector3> displacements) {
+                        std::vector<Vector3> x(displacements.size());
+                        for (std::size_t n = 0; n < x.size(); ++n)
+                          x[n] = network.rest_positions[n] + displacements[n];
+                        return strain_energy(network, x);
+                      }},
+       .stable_step = stable_step,
+       .step_setters = fmt::format("set by nu = {:g}, cells of {:.3g} m and a damping "
+                                   "ratio of {:g}",
+                                   scene.material.poisson_ratio, cell_edge(network),
+                                   settings.damping_ratio)},
+      *motion, settings.protocol, observers);
 }
 
 }  // namespace springcheck::mss

@@ -1,30 +1,48 @@
 #pragma once
 
-#include <optional>
+#include <memory>
 
+#include "dynamics/instruction_set.hpp"
+#include "dynamics/march.hpp"
 #include "mss/network.hpp"
 
 namespace springcheck::mss {
 
-/// The thesis's protocol: plates at constant velocity, semi-implicit Euler.
+enum class Precision { double_precision, single_precision };
+
+/// What computes the forces of explicit steps: nodal_forces and add_dashpot_forces, as
+/// they stand, or kernels made for speed where there is one for the network.
+enum class Kernel { plain, fast };
+
 struct DynamicsSettings {
-  double duration;                  // [s] over which the load grows from 0 to 1
-  std::optional<double> time_step;  // [s]; none: 0.9 of the stability limit
-  bool force_time_step;             // run even above the stability limit
-  double damping_ratio;             // zeta of the springs' dashpots
+  dynamics::Protocol protocol;
+  double damping_ratio;  // zeta of the springs' dashpots
+  Precision precision = Precision::double_precision;
+  int threads = 1;
+  Kernel kernel = Kernel::fast;
 };
 
-/// Runs the dynamics and returns the state at the end of `duration`:
-///
-///     v += dt/m f(x, v)     x += dt v
-///
-/// with f of springs, volume correction, dashpots, gravity and tractions (these two
-/// growing with the load fraction).
-/// The step is shortened so that a whole number of them fills the duration. A step above
-/// largest_stable_step is refused unless forced, and so is a step left open where that is
-/// infinite though nodes are free; positions that are no longer finite,
-/// or a hundred body sizes away, end the run as diverged with the step's number.
+/// Why the network does not move so, or nothing when it does: single precision is that
+/// of the kernels, and takes_lattice_kernel.
+std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Network& network,
+                                            const DynamicsSettings& settings);
+
+/// What steps the network through time.
+std::unique_ptr<dynamics::Motion> motion_of(
+    const Mesh& mesh, const Scene& scene, const Network& network,
+    const DynamicsSettings& settings,
+    dynamics::InstructionSet set = dynamics::best_instruction_set());
+
+/// Runs the dynamics and returns the state at the end, with forces of springs, volume
+/// correction, dashpots, gravity and tractions; see dynamics::march.
 Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& network,
-                      const DynamicsSettings& settings);
+                      const DynamicsSettings& settings,
+                      const dynamics::Observers& observers = {});
+
+/// dynamics::largest_stable_step of the network in a state, by plain loops. is_free: one
+/// entry per component, 3 node + component.
+double largest_stable_step(
+    const Network& network, double damping_ratio, const std::vector<bool>& is_free,
+    dynamics::Integrator integrator = dynamics::Integrator::semi_implicit_euler);
 
 }  // namespace springcheck::mss

@@ -13,6 +13,16 @@ namespace {
 
 constexpr Material tissue{.young_modulus = 1e4, .poisson_ratio = 0.25, .density = 1000};
 
+/// Semi-implicit Euler; no step: of its own choice.
+DynamicsSettings steps(double duration, std::optional<double> time_step,
+                       double damping_ratio) {
+  return {.protocol = {.integrator = dynamics::Integrator::semi_implicit_euler,
+                       .duration = duration,
+                       .time_step = time_step,
+                       .force_time_step = false},
+          .damping_ratio = damping_ratio};
+}
+
 }  // namespace
 
 // v += dt g n/N and x += dt v over N steps, summed by hand: g dt^2 (N+1)(N+2)/6. The
@@ -22,11 +32,7 @@ BOOST_AUTO_TEST_CASE(block_without_plates_falls_freely) {
   const Vector3 g(3, 0, -10);
   const Scene scene{.material = tissue, .plates = {}, .gravity = g};
   const Network network = build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
-  const Solution solution = run_dynamics(mesh, scene, network,
-                                         {.duration = 0.1,
-                                          .time_step = 0.001,
-                                          .force_time_step = false,
-                                          .damping_ratio = 0.1});
+  const Solution solution = run_dynamics(mesh, scene, network, steps(0.1, 0.001, 0.1));
   BOOST_TEST((solution.status == SolveStatus::ok));
   BOOST_TEST(solution.steps == 100);
   const Vector3 fallen = g * 0.001 * 0.001 * 101 * 102 / 6;
@@ -47,11 +53,8 @@ BOOST_AUTO_TEST_CASE(slow_damped_dynamics_ends_near_the_equilibrium) {
   const Network network = build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
   const Solution rest = find_equilibrium(mesh, scene, network, 1);
   const auto lag = [&](double duration) {
-    const Solution end = run_dynamics(mesh, scene, network,
-                                      {.duration = duration,
-                                       .time_step = {},
-                                       .force_time_step = false,
-                                       .damping_ratio = 0.2});
+    const Solution end =
+        run_dynamics(mesh, scene, network, steps(duration, std::nullopt, 0.2));
     double squares = 0;
     for (std::size_t n = 0; n < end.displacements.size(); ++n)
       squares += (end.displacements[n] - rest.displacements[n]).squaredNorm();
@@ -84,11 +87,7 @@ BOOST_AUTO_TEST_CASE(slow_dynamics_on_sliding_plates_ends_near_the_equilibrium) 
     const Network network =
         build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
     const Solution rest = find_equilibrium(mesh, scene, network, 1),
-                   end = run_dynamics(mesh, scene, network,
-                                      {.duration = 4,
-                                       .time_step = {},
-                                       .force_time_step = false,
-                                       .damping_ratio = 0.2});
+                   end = run_dynamics(mesh, scene, network, steps(4, std::nullopt, 0.2));
     BOOST_TEST((end.status == SolveStatus::ok), end.reason);
     for (std::size_t n = 0; n < rest.displacements.size(); ++n) {
       BOOST_TEST((end.displacements[n] - rest.displacements[n]).norm() < 5e-4 * 7.5e-4);
@@ -104,8 +103,7 @@ BOOST_AUTO_TEST_CASE(step_above_the_limit_is_refused_unless_forced) {
                     .plates = {{"bottom", translation(Vector3::Zero()), all_components}},
                     .gravity = Vector3::Zero()};
   const Network network = build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
-  DynamicsSettings settings{
-      .duration = 0.1, .time_step = 0.01, .force_time_step = false, .damping_ratio = 0};
+  DynamicsSettings settings = steps(0.1, 0.01, 0);
   const Solution refused = run_dynamics(mesh, scene, network, settings);
   BOOST_TEST((refused.status == SolveStatus::refused));
   BOOST_TEST(refused.steps == 0);
@@ -114,11 +112,11 @@ BOOST_AUTO_TEST_CASE(step_above_the_limit_is_refused_unless_forced) {
   BOOST_TEST(*refused.dt_limit < 0.01);
   BOOST_TEST(refused.reason.find("above the stability limit") != std::string::npos);
 
-  settings.time_step.reset();
+  settings.protocol.time_step.reset();
   const Solution automatic = run_dynamics(mesh, scene, network, settings);
   BOOST_TEST((automatic.status == SolveStatus::ok));
   BOOST_TEST(*automatic.dt <= *automatic.dt_limit);
-  BOOST_TEST(*automatic.dt * automatic.steps == settings.duration,
+  BOOST_TEST(*automatic.dt * automatic.steps == settings.protocol.duration,
              boost::test_tools::tolerance(1e-14));  // a whole number of steps
 }
 
@@ -129,14 +127,13 @@ BOOST_AUTO_TEST_CASE(open_step_is_refused_where_nothing_swings) {
   Scene scene{.material = tissue, .plates = {}, .gravity = Vector3::Zero()};
   scene.boundary_gradient = 0.1 * Eigen::Matrix3d::Identity();
   const Network network = build_network(mesh, tissue, custom({22, 6, 6}, -1e6));
-  DynamicsSettings settings{
-      .duration = 0.1, .time_step = {}, .force_time_step = false, .damping_ratio = 0};
+  DynamicsSettings settings = steps(0.1, std::nullopt, 0);
   const Solution open = run_dynamics(mesh, scene, network, settings);
   BOOST_TEST((open.status == SolveStatus::refused));
   BOOST_TEST(open.reason.find("no swing") != std::string::npos);
   BOOST_TEST(!open.dt.has_value());
   BOOST_TEST(!open.dt_limit.has_value());
-  settings.time_step = 0.001;
+  settings.protocol.time_step = 0.001;
   BOOST_TEST(
       (run_dynamics(mesh, scene, network, settings).status != SolveStatus::refused));
 }

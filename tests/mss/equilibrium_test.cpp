@@ -270,7 +270,7 @@ BOOST_AUTO_TEST_CASE(tension_without_equilibrium_ends_where_it_is_lost) {
 
 BOOST_AUTO_TEST_CASE(method_that_does_not_cover_the_material_is_refused) {
   const Settings settings{.network = in_shear_modulus_form(Method::baudet),
-                          .solver = Solver::static_equilibrium,
+
                           .dynamics = {},
                           .seed = 1};
   const Solution solution = solve(cube(2, edge), compression(-0.3, 0.01), settings);

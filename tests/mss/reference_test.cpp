@@ -42,7 +42,7 @@ Measured measured(const Block& block, StiffnessForm form, double nu,
       .gravity = Vector3::Zero()};
   const Settings settings{
       .network = {.method = Method::cf, .stiffness_form = form, .diagonal_ratio = 1},
-      .solver = Solver::static_equilibrium,
+
       .dynamics = {},
       .seed = 1};
   const Solution solution = solve(mesh, scene, settings);
@@ -154,7 +154,7 @@ double tip_drop(const Beam& beam, int cells_across) {
                     .plates = {{"bottom", translation(Vector3::Zero()), all_components}},
                     .gravity = {-10, 0, 0}};
   const Settings settings{.network = in_shear_modulus_form(beam.method),
-                          .solver = Solver::static_equilibrium,
+
                           .dynamics = {},
                           .seed = 1};
   const Solution solution = solve(mesh, scene, settings);

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "dynamics/supports.hpp"
+
+namespace springcheck::dynamics {
+
+/// Where all nodes are and how they move, in the mesh's order.
+struct State {
+  std::vector<Vector3> displacements;  // [m]
+  std::vector<Vector3> velocities;     // [m/s]; of Verlet half a step behind
+};
+
+/// A step's end. The motions are support_motions at its beginning and end.
+struct StepTo {
+  double dt;    // [s]
+  double kick;  // [s], see step()
+  double load_fraction;
+  std::vector<AffineDisplacement> motions_before, motions;
+};
+
+/// A body on its way in time.
+class Motion {
+ public:
+  virtual ~Motion() = default;
+  virtual void advance(const StepTo& step) = 0;
+  [[nodiscard]] virtual State state() const = 0;
+  /// The internal forces in another state [N]; restore() before going on.
+  [[nodiscard]] virtual std::vector<Vector3> forces_at(const State& state) = 0;
+  /// Goes on from a state, to the bit as if it had been reached just now.
+  virtual void restore(const State& state) = 0;
+};
+
+}  // namespace springcheck::dynamics

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dynamics/block_state.hpp"
+
+namespace springcheck::mss {
+
+/// Steps (x, y, z) in a grid from a node to the one at a spring's other end. Of each pair
+/// of opposite ones that which comes later in a block: 3 edges, 6 face diagonals, 4 inner
+/// diagonals.
+inline constexpr std::array<std::array<int, 3>, 13> lattice_steps{{{1, 0, 0},
+                                                                   {-1, 1, 0},
+                                                                   {0, 1, 0},
+                                                                   {1, 1, 0},
+                                                                   {-1, -1, 1},
+                                                                   {0, -1, 1},
+                                                                   {1, -1, 1},
+                                                                   {-1, 0, 1},
+                                                                   {0, 0, 1},
+                                                                   {1, 0, 1},
+                                                                   {-1, 1, 1},
+                                                                   {0, 1, 1},
+                                                                   {1, 1, 1}}};
+
+enum class SpringKind { edge, face_diagonal, inner_diagonal };
+
+constexpr SpringKind kind_of(const std::array<int, 3>& step) {
+  const int moves = (step[0] != 0) + (step[1] != 0) + (step[2] != 0);
+  return moves == 1   ? SpringKind::edge
+         : moves == 2 ? SpringKind::face_diagonal
+                      : SpringKind::inner_diagonal;
+}
+
+/// The springs and cells of a block of a grid, in the precision of its kernel.
+template <class Real>
+struct LatticeBlock {
+  std::size_t row, layer;  // of dynamics::Block
+
+  // Where all cells are alike: of each step the rest vector [m], the stiffness k of one
+  // share [N/m] and k L [N]; of a cell its mean edges.
+  std::array<std::array<Real, 3>, 13> rest{};
+  std::array<Real, 13> stiffness{}, tension{};
+  std::array<std::array<Real, 3>, 3> mean_edges{};
+  std::array<Real, 3> rest_area{};  // X x Y of the first two [m^2]
+  Real pressure_per_volume{};       // kappa/V0 [Pa/m^3]
+  // How many shares the spring that leaves a slot has; whether a cell is there:
+  std::array<std::vector<std::uint8_t>, 13> shares{};
+  std::vector<std::uint8_t> is_cell{};
+
+  // Where they are not: X of each slot, from `reach` places ahead on, k and k L of each
+  // spring, and of each cell V0 and by component and corner the gradients of F. 0 where
+  // there is none.
+  std::size_t reach = 0;
+  std::array<std::vector<Real>, 3> position{};
+  std::array<std::vector<Real>, 13> stiffnesses{}, tensions{};
+  std::vector<Real> cell_volumes{};
+  std::array<std::array<std::vector<Real>, 8>, 3> gradients{};
+
+  Real volume_modulus{};       // kappa [Pa]
+  Real twice_damping_ratio{};  // 2 zeta
+};
+
+/// What a kernel is compiled for, so that it does nothing a method has no need of.
+struct LatticeKind {
+  bool alike;  // all cells of one size and stiffness
+  bool face_diagonals;
+  bool correction;
+  bool dashpots;
+};
+
+template <class Real>
+using LatticeForces = void (*)(const LatticeBlock<Real>& block,
+                               const dynamics::BlockArrays<Real>& arrays);
+
+}  // namespace springcheck::mss

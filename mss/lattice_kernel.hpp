@@ -1,0 +1,24 @@
+#pragma once
+
+#include "dynamics/block_state.hpp"
+#include "dynamics/instruction_set.hpp"
+#include "mss/network.hpp"
+
+namespace springcheck::mss {
+
+/// Forces of springs of constant rest length, of the cells' volume correction and, with a
+/// damping ratio above 0, of the springs' dashpots on blocks of a grid: those of
+/// nodal_forces and add_dashpot_forces, to 1e-13 (double) and 2e-6 (float) of the largest
+/// k L as long as kappa is at most some 50 mu. Springs that blocks share belong to the
+/// first of them.
+///
+/// The network has no virtual springs, affine springs or stars: takes_lattice_kernel.
+template <class Real>
+dynamics::BlockForces<Real> lattice_kernel(const Network& network,
+                                           const std::vector<dynamics::Block>& blocks,
+                                           double damping_ratio,
+                                           dynamics::InstructionSet set);
+
+bool takes_lattice_kernel(const Network& network);
+
+}  // namespace springcheck::mss
