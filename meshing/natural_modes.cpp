@@ -15,7 +15,7 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-constexpr Index block_size = 8;
+constexpr Index block_size = 12;
 constexpr double shift_of_largest = 1e-6, zero_of_largest = 1e-9;
 
 /// x -> (K + s M)^-1 M x, whose eigenvalues are 1/(omega^2 + s).
@@ -53,8 +53,8 @@ MatrixXd added(MatrixXd block, const MatrixXd& basis, const ShiftedInverse& inve
     const Index kept =
         (gram.eigenvalues().array() > smallest * smallest).count();  // the last ones
     const VectorXd lengths = gram.eigenvalues().tail(kept).cwiseSqrt();
-    block = block * gram.eigenvectors().rightCols(kept) *
-            lengths.cwiseInverse().asDiagonal();
+    block =
+        block * gram.eigenvectors().rightCols(kept) * lengths.cwiseInverse().asDiagonal();
   }
   return block;
 }
@@ -124,7 +124,8 @@ std::optional<NaturalModes> natural_modes(const SparseMatrix& stiffness,
     return NaturalModes{
         .zero_modes = static_cast<int>(zeros),
         .frequencies = squares.segment(zeros, found).cwiseSqrt() / (2 * std::numbers::pi),
-        .shapes = basis * ritz.eigenvectors().rowwise().reverse().middleCols(zeros, found)};
+        .shapes =
+            basis * ritz.eigenvectors().rowwise().reverse().middleCols(zeros, found)};
   }
 }
 

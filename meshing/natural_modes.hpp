@@ -8,7 +8,7 @@ namespace springcheck {
 /// Small free vibrations of a body at rest.
 struct NaturalModes {
   // Shapes that no force resists: six of a free body, fewer where it is held, more where
-  // springs leave other motions free. At most eight are found.
+  // springs leave other motions free. Beyond twelve some may be missed.
   int zero_modes;
   Eigen::VectorXd frequencies;  // f = omega/(2 pi) [Hz] of the others, ascending
   Eigen::MatrixXd shapes;       // their x as columns, x_i . M x_j = delta_ij [1/sqrt(kg)]
@@ -25,7 +25,7 @@ struct NaturalModes {
 /// Block Lanczos with full reorthogonalisation for the inverse of K + s M, M-inner
 /// product; s is 1e-6 of the largest K_ii/M_ii, well below the first omega^2 of any mesh
 /// that can be factored. Eigenvalues within 1e-9 of that largest one count as zero.
-/// Blocks of eight find values of up to that multiplicity, where a single vector finds
+/// Blocks of twelve find values of up to that multiplicity, where a single vector finds
 /// one of each but for rounding: a cube's come in pairs and triples, and six are zero.
 /// From a fixed start: the same bits every time.
 /// Source: Grimes, Lewis and Simon, SIAM J. Matrix Anal. Appl. 15 (1994) 228.

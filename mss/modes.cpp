@@ -15,8 +15,9 @@ std::optional<NaturalModes> rest_modes(const Network& network,
     masses[static_cast<Eigen::Index>(u)] =
         network.masses[static_cast<std::size_t>(components[u]) / 3];
 
-  auto modes = natural_modes(assembly.assemble(tangent_at(network, network.rest_positions)),
-                             Eigen::SparseMatrix<double>(masses.asDiagonal()), count);
+  auto modes =
+      natural_modes(assembly.assemble(tangent_at(network, network.rest_positions)),
+                    Eigen::SparseMatrix<double>(masses.asDiagonal()), count);
   if (!modes) return std::nullopt;
   Eigen::MatrixXd of_all = Eigen::MatrixXd::Zero(
       static_cast<Eigen::Index>(is_free.size()), modes->shapes.cols());

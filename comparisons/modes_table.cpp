@@ -1,0 +1,183 @@
+#include "comparisons/modes_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "comparisons/beam_frequencies.hpp"
+#include "comparisons/beam_motion.hpp"
+#include "comparisons/body_modes.hpp"
+#include "comparisons/mode_pairs.hpp"
+
+namespace springcheck {
+namespace {
+
+constexpr int shown = 10;     // modes of the reference
+constexpr int computed = 60;  // among which other methods' counterparts are looked for
+constexpr double alike = 0.9;
+
+struct SwingingBody {
+  const char* name;
+  const char* scene;
+  Hold hold;
+};
+constexpr SwingingBody bodies[] = {{"free cube", "compression", Hold::free},
+                                   {"cantilever", "bending", Hold::as_in_scene}};
+
+Sheet empty_sheet() {
+  Sheet sheet{
+      .name = "modes",
+      .title = "Lowest natural frequencies of a free cube and of a cantilever",
+      .columns = {{"body", "body"},
+                  {"nu", "nu", "{}"},
+                  {"modes", "modes"},
+                  {"motion", "motion"},
+                  {"euler_bernoulli", "Euler-Bernoulli [Hz]", "{:.4g}"},
+                  {"theory", "theory [Hz]", "{:.4g}"},
+                  {"fem", "FEM [Hz]", "{:.4g}"}},
+      .rows = {},
+      .notes = {
+          "Small undamped vibrations about the rest state; f = omega/(2 pi). Free cube: "
+          "the cube of the scene compression, 5 cm, 10 x 10 x 10 cells, E = 10 kPa, "
+          "held nowhere; its six rigid modes are left out. Cantilever: the beam of the "
+          "scene bending, 0.4 x 0.4 x 2.4 m, 4 x 4 x 24 cells, E = 2 MPa, clamped at one "
+          "end, without gravity. 1000 kg/m^3 both.",
+          "FEM: fem-hooke:q1-sri with consistent masses, from which percentages are "
+          "counted; lumped FEM: the same stiffness with row-sum masses, which on these "
+          "cells are the springs' own. What springs differ by from it is stiffness.",
+          "Modes of equal frequency share a row, such as a square beam's two bendings "
+          "or a cube's threes. Another method's modes are those whose shapes are most "
+          "alike by the modal assurance criterion (MAC, against all mixtures of the "
+          "row's modes), wherever they stand in its own order; of several the mean. MAC: "
+          "the least of the row. Where a method's is below 0.9 a note says so.",
+          "Theory: Timoshenko's beam (shear factor 5/6), Saint-Venant's torsion (J = "
+          "0.1406 a^4) and the bar, for a slender beam that may contract and warp at the "
+          "clamp; the 24 cells of finite elements and springs do neither. Lumped masses "
+          "on 4 x 4 cells have 9/8 of the section's polar moment, which lowers torsion "
+          "by 5.7 %."}};
+  for (const auto& [key, heading] : {std::pair{"lumped", "lumped FEM"},
+                                     {"cf", "mss-cf"},
+                                     {"affine", "mss-affine"},
+                                     {"nfd", "mss-nfd"}}) {
+    sheet.columns.push_back({key, fmt::format("{} [Hz]", heading), "{:.4g}"});
+    sheet.columns.push_back({fmt::format("{}_off", key), "off [%]", "{:.2f}"});
+  }
+  sheet.columns.push_back({"mac", "MAC", "{:.3f}"});
+  sheet.columns.push_back({"status", "status"});
+  return sheet;
+}
+
+std::string numbers(const Multiplet& multiplet) {
+  const auto first = multiplet.first + 1, last = multiplet.first + multiplet.count;
+  return first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
+}
+
+/// Motion and theory of the cantilever's multiplets; modes of one motion are counted.
+class BeamCells {
+ public:
+  BeamCells(const CaseSettings& settings, const Mesh& mesh)
+      : mesh_(mesh),
+        beam_{.length = settings.body.block.size[2],
+              .edge = settings.body.block.size[0],
+              .material = settings.material} {}
+
+  /// motion, Euler-Bernoulli, theory.
+  std::vector<Cell> next(const Eigen::VectorXd& shape) {
+    const BeamMotion motion = beam_motion(mesh_, shape);
+    const int n = ++count_[motion];
+    const Cell name{.text = fmt::format("{} {}", name_of(motion), n)};
+    switch (motion) {
+      case BeamMotion::bending:
+        return {name,
+                {.number = euler_bernoulli_frequency(beam_, n)},
+                {.number = timoshenko_frequency(beam_, n)}};
+      case BeamMotion::torsion:
+        return {name, {}, {.number = torsion_frequency(beam_, n)}};
+      case BeamMotion::stretching:
+        return {name, {}, {.number = stretching_frequency(beam_, n)}};
+      case BeamMotion::other:
+        break;
+    }
+    return {name, {}, {}};
+  }
+
+ private:
+  const Mesh& mesh_;
+  SquareCantilever beam_;
+  std::map<BeamMotion, int> count_;
+};
+
+/// What is to be said of a method's modes in every row of a body.
+std::vector<std::string> zero_mode_notes(const MethodModes& method, Hold hold) {
+  const int rigid = hold == Hold::free ? 6 : 0;
+  const int more = method.modes ? method.modes->zero_modes - rigid : 0;
+  if (more == 0) return {};
+  return {fmt::format("{} has {} modes of zero frequency beside the {} rigid ones.",
+                      method.method, more, rigid)};
+}
+
+void add_rows(Sheet& sheet, const SwingingBody& body, const char* nu, MeshStore& meshes) {
+  const CaseSettings settings =
+      case_of_scene(body.scene, {{"nu", nu}, {"method", "fem-hooke"}});
+  const Mesh& mesh = meshes.mesh(settings.body);
+  const auto all = body_modes(settings, mesh, body.hold, computed);
+  const NaturalModes& reference = all.front().modes.value();  // Hooke's law is stable
+  const auto groups = multiplets(reference, shown);
+  BeamCells beam(settings, mesh);
+
+  std::vector<SheetRow> rows;
+  for (const Multiplet& group : groups) {
+    SheetRow row{.cells = {{.text = body.name},
+                           {.number = settings.material.poisson_ratio},
+                           {.text = numbers(group)}}};
+    const std::vector<Cell> theory = body.hold == Hold::free
+                                         ? std::vector<Cell>(3)
+                                         : beam.next(reference.shapes.col(group.first));
+    row.cells.insert(row.cells.end(), theory.begin(), theory.end());
+    row.cells.push_back({.number = reference.frequencies[group.first]});
+    rows.push_back(std::move(row));
+  }
+
+  std::vector<double> least_mac(groups.size(), 1);
+  std::string status;
+  for (const MethodModes& method : std::span(all).subspan(1)) {
+    if (!method.modes) {
+      for (SheetRow& row : rows)
+        row.cells.insert(row.cells.end(), {{.text = method.reason}, {}});
+      status += (status.empty() ? "" : ", ") + method.method + " " + method.reason;
+      continue;
+    }
+    const auto pairs = counterparts(reference, groups, *method.modes);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double f = *rows[i].cells[6].number;
+      rows[i].cells.push_back({.number = pairs[i].frequency});
+      rows[i].cells.push_back({.number = 100 * (pairs[i].frequency / f - 1)});
+      least_mac[i] = std::min(least_mac[i], pairs[i].mac);
+      std::ranges::copy(zero_mode_notes(method, body.hold),
+                        std::back_inserter(rows[i].notes));
+      if (pairs[i].mac < alike)
+        rows[i].notes.push_back(fmt::format(
+            "No mode of {} is quite like it (MAC {:.2f}).", method.method, pairs[i].mac));
+    }
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].cells.push_back({.number = least_mac[i]});
+    rows[i].cells.push_back({.text = status.empty() ? "ok" : status});
+    sheet.rows.push_back(std::move(rows[i]));
+  }
+}
+
+}  // namespace
+
+SheetPlan plan_modes_table() {
+  return {.requests = {}, .make = [](std::span<const CaseResult>, MeshStore& meshes) {
+            Sheet sheet = empty_sheet();
+            for (const SwingingBody& body : bodies)
+              for (const char* nu : {"0", "0.25", "0.4"})
+                add_rows(sheet, body, nu, meshes);
+            return sheet;
+          }};
+}
+
+}  // namespace springcheck
