@@ -1,62 +1,70 @@
 #include "comparisons/mode_pairs.hpp"
 
 #include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
-#include <ranges>
+#include <functional>
 
 namespace springcheck {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd;
 
-/// MAC of every other shape.
-Eigen::VectorXd likeness(const MatrixXd& shapes, const MatrixXd& others) {
-  const Eigen::HouseholderQR<MatrixXd> factors(shapes);
-  const MatrixXd basis =
-      factors.householderQ() * MatrixXd::Identity(shapes.rows(), shapes.cols());
-  return (basis.transpose() * others)
-      .colwise()
-      .squaredNorm()
-      .cwiseQuotient(others.colwise().squaredNorm());
+MatrixXd orthonormal_shapes(const NaturalModes& modes, const Multiplet& multiplet) {
+  const MatrixXd shapes = modes.shapes.middleCols(multiplet.first, multiplet.count);
+  return Eigen::HouseholderQR<MatrixXd>(shapes).householderQ() *
+         MatrixXd::Identity(shapes.rows(), shapes.cols());
 }
+
+/// A direction in the space of one of the others' multiplets.
+struct Candidate {
+  std::size_t group;
+  double mac;
+};
 
 }  // namespace
 
-std::vector<Multiplet> multiplets(const NaturalModes& modes, int up_to) {
+std::vector<Multiplet> multiplets(const NaturalModes& modes) {
   constexpr double equal = 1e-6;  // of a frequency: far above rounding, far below gaps
   std::vector<Multiplet> groups;
   const Eigen::VectorXd& f = modes.frequencies;
   for (Index i = 0; i < f.size(); ++i)
     if (i > 0 && f[i] - f[i - 1] <= equal * f[i])
       ++groups.back().count;
-    else if (i < up_to)
-      groups.push_back({.first = i, .count = 1});
     else
-      break;
+      groups.push_back({.first = i, .count = 1});
   return groups;
 }
 
 std::vector<Counterpart> counterparts(const NaturalModes& modes,
-                                      const std::vector<Multiplet>& multiplets,
+                                      std::span<const Multiplet> multiplets,
                                       const NaturalModes& others) {
+  const std::vector<Multiplet> groups = springcheck::multiplets(others);
+  std::vector<MatrixXd> bases;
+  std::vector<Index> left;  // of each group, modes that are not taken yet
+  for (const Multiplet& group : groups) {
+    bases.push_back(orthonormal_shapes(others, group));
+    left.push_back(group.count);
+  }
   std::vector<Counterpart> found;
-  std::vector<Index> left;  // others that are not taken yet
-  for (Index i = 0; i < others.frequencies.size(); ++i) left.push_back(i);
-  for (const auto& [first, count] : multiplets) {
-    const Eigen::VectorXd mac =
-        likeness(modes.shapes.middleCols(first, count), others.shapes);
-    std::ranges::stable_sort(left, std::ranges::greater{},
-                             [&](Index i) { return mac[i]; });
-    const auto taken = left | std::views::take(count);
-    const auto frequency = [&](Index i) { return others.frequencies[i]; };
-    const auto [low, high] =
-        std::ranges::minmax(taken | std::views::transform(frequency));
+  for (const Multiplet& multiplet : multiplets) {
+    const MatrixXd own = orthonormal_shapes(modes, multiplet);
+    std::vector<Candidate> candidates;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const Eigen::VectorXd cosines =
+          Eigen::JacobiSVD<MatrixXd>(own.transpose() * bases[g]).singularValues();
+      for (Index i = 0; i < std::min(left[g], cosines.size()); ++i)
+        candidates.push_back({.group = g, .mac = cosines[i] * cosines[i]});
+    }
+    std::ranges::stable_sort(candidates, std::greater{}, &Candidate::mac);
+    candidates.resize(static_cast<std::size_t>(multiplet.count));
     double sum = 0;
-    for (const Index i : taken) sum += frequency(i);
-    found.push_back({.frequency = sum / static_cast<double>(count),
-                     .spread = high - low,
-                     .mac = mac[taken.back()]});
-    left.erase(left.begin(), left.begin() + count);
+    for (const Candidate& taken : candidates) {
+      sum += others.frequencies[groups[taken.group].first];
+      --left[taken.group];
+    }
+    found.push_back({.frequency = sum / static_cast<double>(multiplet.count),
+                     .mac = candidates.back().mac});
   }
   return found;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "meshing/natural_modes.hpp"
@@ -12,27 +13,27 @@ struct Multiplet {
   Eigen::Index count;
 };
 
-/// The modes in groups of frequencies equal to 1e-6, the last of which holds the mode of
-/// number `up_to`, from 1. The modes must reach beyond it, or the last group may be cut.
-std::vector<Multiplet> multiplets(const NaturalModes& modes, int up_to);
+/// The modes in groups of frequencies equal to 1e-6.
+std::vector<Multiplet> multiplets(const NaturalModes& modes);
 
 /// A multiplet's counterpart among another method's modes.
 struct Counterpart {
   double frequency;  // mean of its modes' [Hz]
-  double spread;     // their largest less their smallest [Hz]
   double mac;        // the least of its modes' in [0, 1]
 };
 
-/// Of each multiplet the other method's modes that look most like it, each mode taken
-/// once, by the modal assurance criterion against all the multiplet's mixtures:
+/// Of each of the multiplets those of the other method's modes that look most like it,
+/// each taken once, by the modal assurance criterion of single modes, (u.v)^2/(u.u v.v),
+/// generalised to mixtures on both sides: with Q and R orthonormal bases of a multiplet's
+/// shapes and of the others', as nodal displacements,
 ///
-///     MAC(v) = |Q^T v|^2/|v|^2
+///     MAC = squares of the singular values of Q^T R,
 ///
-/// Q an orthonormal basis of the multiplet's shapes, v a shape, both as nodal
-/// displacements; for a single mode u, (u.v)^2/(u.u v.v).
-/// Source: Allemang and Brown, Proc. 1st Int. Modal Analysis Conf. (1982) 110.
+/// the squared cosines of the angles between the two spaces.
+/// Source: Allemang and Brown, Proc. 1st Int. Modal Analysis Conf. (1982) 110; Golub and
+/// Van Loan, Matrix Computations (1996), section 12.4.3.
 std::vector<Counterpart> counterparts(const NaturalModes& modes,
-                                      const std::vector<Multiplet>& multiplets,
+                                      std::span<const Multiplet> multiplets,
                                       const NaturalModes& others);
 
 }  // namespace springcheck

@@ -80,52 +80,50 @@ double largest_ratio(const SparseMatrix& stiffness, const SparseMatrix& masses) 
 std::optional<NaturalModes> natural_modes(const SparseMatrix& stiffness,
                                           const SparseMatrix& masses, int count) {
   constexpr double tolerance = 1e-9;  // of residuals; eigenvalues are better by a square
+  constexpr double negligible = 1e-12;  // of a block: rounding
   const double largest = largest_ratio(stiffness, masses);
   const double shift = shift_of_largest * largest, zero = zero_of_largest * largest;
   const ShiftedInverse inverse(stiffness, masses, shift);
   if (!inverse.exists()) return std::nullopt;
 
   // Motions of massless unknowns are no modes: the inverse has none of them.
-  MatrixXd basis(stiffness.rows(), 0), images(stiffness.rows(), 0);
   MatrixXd block = inverse.apply(start(stiffness.rows()));
-  block = added(block, basis, inverse, 1e-12 * block.norm());
+  block = added(block, MatrixXd(block.rows(), 0), inverse, negligible * block.norm());
+  MatrixXd basis(block.rows(), 0);  // M-orthonormal
+  MatrixXd projected;               // basis^T M (K + s M)^-1 M basis
   for (;;) {
-    const Index before = basis.cols(), size = before + block.cols();
+    const Index size = basis.cols() + block.cols();
     basis.conservativeResize(Eigen::NoChange, size);
-    images.conservativeResize(Eigen::NoChange, size);
     basis.rightCols(block.cols()) = block;
-    images.rightCols(block.cols()) = inverse.apply(block);
-    const MatrixXd projected = basis.transpose() * inverse.weighed(images);
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> ritz(
-        (projected + projected.transpose()) / 2);
+    const MatrixXd image = inverse.apply(block), weighed = inverse.weighed(image);
+    const MatrixXd columns = basis.transpose() * weighed;
+    projected.conservativeResize(size, size);
+    projected.rightCols(block.cols()) = columns;
+    projected.bottomRows(block.cols()) = columns.transpose();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> ritz(projected);
     // Ascending inverses: the lowest modes are the last.
+    const MatrixXd vectors = ritz.eigenvectors().rowwise().reverse();
     const VectorXd values = ritz.eigenvalues().reverse();
     const VectorXd squares = values.cwiseInverse().array() - shift;
-    const auto zeros = (squares.array().abs() <= zero).count();
-    const Index wanted = std::min<Index>(zeros + count, size);
+    const Index zeros = (squares.array().abs() <= zero).count();
+    const Index found = std::min<Index>(count, size - zeros);
 
-    const double rounding = 1e-12 * values[0];
-    const MatrixXd next = added(images.rightCols(block.cols()), basis, inverse, rounding);
-    const MatrixXd coupling =
-        next.transpose() * inverse.weighed(images.rightCols(block.cols()));
-    const MatrixXd residuals =
-        coupling * ritz.eigenvectors().bottomRows(block.cols()).rowwise().reverse();
+    const MatrixXd next = added(image, basis, inverse, negligible * values[0]);
+    const MatrixXd residuals = next.transpose() * weighed *
+                               vectors.bottomRows(block.cols()).leftCols(zeros + found);
     const bool has_converged =
-        size >= zeros + count &&
-        (residuals.leftCols(wanted).colwise().norm().transpose().array() <=
-         tolerance * values.head(wanted).array())
-            .all();
+        found == count && (residuals.colwise().norm().transpose().array() <=
+                           tolerance * values.head(zeros + found).array())
+                              .all();
     if (!has_converged && next.cols() > 0) {
       block = next;
       continue;
     }
     if (squares[0] < -zero) return std::nullopt;
-    const Index found = wanted - zeros;
     return NaturalModes{
         .zero_modes = static_cast<int>(zeros),
         .frequencies = squares.segment(zeros, found).cwiseSqrt() / (2 * std::numbers::pi),
-        .shapes =
-            basis * ritz.eigenvectors().rowwise().reverse().middleCols(zeros, found)};
+        .shapes = basis * vectors.middleCols(zeros, found)};
   }
 }
 
