@@ -4,10 +4,8 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <map>
 
-#include "comparisons/beam_frequencies.hpp"
-#include "comparisons/beam_motion.hpp"
+#include "comparisons/beam_cells.hpp"
 #include "comparisons/body_modes.hpp"
 #include "comparisons/free_block_modes.hpp"
 #include "comparisons/mode_pairs.hpp"
@@ -83,41 +81,6 @@ std::string numbers(const Multiplet& multiplet) {
   const auto first = multiplet.first + 1, last = multiplet.first + multiplet.count;
   return first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
 }
-
-/// Motion and theory of the cantilever's multiplets; modes of one motion are counted.
-class BeamCells {
- public:
-  BeamCells(const CaseSettings& settings, const Mesh& mesh)
-      : mesh_(mesh),
-        beam_{.length = settings.body.block.size[2],
-              .edge = settings.body.block.size[0],
-              .material = settings.material} {}
-
-  /// motion, Euler-Bernoulli, theory.
-  std::vector<Cell> next(const Eigen::VectorXd& shape) {
-    const BeamMotion motion = beam_motion(mesh_, shape);
-    const int n = ++count_[motion];
-    const Cell name{.text = fmt::format("{} {}", name_of(motion), n)};
-    switch (motion) {
-      case BeamMotion::bending:
-        return {name,
-                {.number = euler_bernoulli_frequency(beam_, n)},
-                {.number = timoshenko_frequency(beam_, n)}};
-      case BeamMotion::torsion:
-        return {name, {}, {.number = torsion_frequency(beam_, n)}};
-      case BeamMotion::stretching:
-        return {name, {}, {.number = stretching_frequency(beam_, n)}};
-      case BeamMotion::other:
-        break;
-    }
-    return {name, {}, {}};
-  }
-
- private:
-  const Mesh& mesh_;
-  SquareCantilever beam_;
-  std::map<BeamMotion, int> count_;
-};
 
 /// What is to be said of a method's modes in every row of a body.
 std::vector<std::string> zero_mode_notes(const MethodModes& method, Hold hold) {

@@ -38,8 +38,8 @@ BOOST_AUTO_TEST_CASE(lame_s_modes_are_among_a_cube_s) {
   }
 }
 
-// Bounds fall with the degree. What two more degrees still change: 6e-4 from
-// the eighth on, 3e-5 from the tenth.
+// Bounds fall with the degree; two more change 6e-4 from the eighth on, 3e-5 from the
+// tenth.
 BOOST_AUTO_TEST_CASE(frequencies_fall_to_a_limit) {
   for (const double nu : {0., 0.25, 0.4}) {
     const auto coarse = cube_modes(nu, 8, 10).frequencies,

@@ -65,3 +65,15 @@ BOOST_AUTO_TEST_CASE(mixtures_are_sought_on_both_sides, *utf::tolerance(1e-12)) 
   BOOST_TEST(found[1].frequency == 4.);
   BOOST_TEST(found[1].mac == 0.36);
 }
+
+// Two modes look like the same one of the others: the first has it, the second the next.
+BOOST_AUTO_TEST_CASE(a_mode_is_taken_once, *utf::tolerance(1e-12)) {
+  Eigen::MatrixXd shapes(3, 2), others = Eigen::MatrixXd::Identity(3, 2);
+  shapes << 1, 0.8, 0, 0.6, 0, 0;
+  const NaturalModes own = modes(Eigen::Vector2d(1, 2), shapes);
+  const auto found =
+      counterparts(own, multiplets(own), modes(Eigen::Vector2d(3, 4), others));
+  BOOST_TEST(found[0].frequency == 3.);
+  BOOST_TEST(found[1].frequency == 4.);
+  BOOST_TEST(found[1].mac == 0.36);
+}
