@@ -69,4 +69,18 @@ std::vector<Counterpart> counterparts(const NaturalModes& modes,
   return found;
 }
 
+std::vector<double> strangers(const NaturalModes& modes, const NaturalModes& others,
+                              double highest) {
+  const MatrixXd known =
+      orthonormal_shapes(modes, {.first = 0, .count = modes.shapes.cols()});
+  std::vector<double> found;
+  for (Index i = 0; i < others.shapes.cols(); ++i) {
+    const auto shape = others.shapes.col(i);
+    const double part = (known.transpose() * shape).squaredNorm() / shape.squaredNorm();
+    if (others.frequencies[i] <= highest && part < 0.5)
+      found.push_back(others.frequencies[i]);
+  }
+  return found;
+}
+
 }  // namespace springcheck

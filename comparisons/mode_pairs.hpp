@@ -36,4 +36,9 @@ std::vector<Counterpart> counterparts(const NaturalModes& modes,
                                       std::span<const Multiplet> multiplets,
                                       const NaturalModes& others);
 
+/// Frequencies of the other method's modes up to a highest one [Hz] that less than half
+/// belong to the space of all the modes: |Q^T v|^2 < |v|^2/2.
+std::vector<double> strangers(const NaturalModes& modes, const NaturalModes& others,
+                              double highest);
+
 }  // namespace springcheck

@@ -82,13 +82,25 @@ std::string numbers(const Multiplet& multiplet) {
   return first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
 }
 
-/// What is to be said of a method's modes in every row of a body.
-std::vector<std::string> zero_mode_notes(const MethodModes& method, Hold hold) {
+/// What is to be said of a method's modes in every row of a body, up to the last row's
+/// frequency.
+std::vector<std::string> body_notes(const MethodModes& method,
+                                    const NaturalModes& reference, double last,
+                                    Hold hold) {
+  std::vector<std::string> notes;
   const int rigid = hold == Hold::free ? 6 : 0;
-  const int more = method.modes ? method.modes->zero_modes - rigid : 0;
-  if (more == 0) return {};
-  return {fmt::format("{} has {} modes of zero frequency beside the {} rigid ones.",
-                      method.method, more, rigid)};
+  if (const int more = method.modes->zero_modes - rigid; more != 0)
+    notes.push_back(
+        fmt::format("{} has {} modes of zero frequency beside the {} rigid "
+                    "ones.",
+                    method.method, more, rigid));
+  const auto own = strangers(reference, *method.modes, last);
+  if (!own.empty())
+    notes.push_back(fmt::format(
+        "{} has {} modes of its own up to {:.3f} Hz, from {:.3f} Hz on, in no row: less "
+        "than half of each belongs to the first {} of FEM.",
+        method.method, own.size(), last, own.front(), computed));
+  return notes;
 }
 
 void add_rows(Sheet& sheet, const SwingingBody& body, const char* nu, MeshStore& meshes) {
@@ -133,13 +145,14 @@ void add_rows(Sheet& sheet, const SwingingBody& body, const char* nu, MeshStore&
       continue;
     }
     const auto pairs = counterparts(reference, groups, *method.modes);
+    const auto notes =
+        body_notes(method, reference, *rows.back().cells[fem_column].number, body.hold);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const double f = *rows[i].cells[fem_column].number;
       rows[i].cells.push_back({.number = pairs[i].frequency});
       rows[i].cells.push_back({.number = 100 * (pairs[i].frequency / f - 1)});
       least_mac[i] = std::min(least_mac[i], pairs[i].mac);
-      std::ranges::copy(zero_mode_notes(method, body.hold),
-                        std::back_inserter(rows[i].notes));
+      std::ranges::copy(notes, std::back_inserter(rows[i].notes));
       if (pairs[i].mac < alike)
         rows[i].notes.push_back(fmt::format(
             "No mode of {} is quite like it (MAC {:.2f}).", method.method, pairs[i].mac));

@@ -77,3 +77,16 @@ BOOST_AUTO_TEST_CASE(a_mode_is_taken_once, *utf::tolerance(1e-12)) {
   BOOST_TEST(found[1].frequency == 4.);
   BOOST_TEST(found[1].mac == 0.36);
 }
+
+// 30 and 60 degrees off the plane of the modes: 3/4 and 1/4 belong to it. The third,
+// wholly strange, swings faster than what is asked for.
+BOOST_AUTO_TEST_CASE(strangers_lie_outside_the_modes_space) {
+  const NaturalModes own = modes(Eigen::Vector2d(1, 2), Eigen::MatrixXd::Identity(4, 2));
+  Eigen::MatrixXd others = Eigen::MatrixXd::Zero(4, 3);
+  others.col(0) << std::sqrt(0.75), 0, 0.5, 0;
+  others.col(1) << 0, 0.5, 0, std::sqrt(0.75);
+  others.col(2) << 0, 0, 1, 0;
+  const auto found = strangers(own, modes(Eigen::Vector3d(1, 1.5, 4), others), 2);
+  BOOST_TEST_REQUIRE(found.size() == 1U);
+  BOOST_TEST(found[0] == 1.5);
+}
