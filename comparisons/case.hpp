@@ -40,7 +40,6 @@ struct Dynamics {
   bool force_time_step;             // run even above the stability limit
   double damping_ratio;             // zeta of critical
   mss::Precision precision;
-  int threads;  // changes no result
 };
 
 const std::vector<Test>& all_tests();

@@ -134,7 +134,7 @@ int command_line(int argc, char** argv) {
   table
       ->add_option("name", name,
                    "5.1, 5.2, 5.3, 5.4, 5.5, deviation, bending, subdivision, locking, "
-                   "orientation; split, elements and convergence take minutes")
+                   "orientation, modes; split, elements and convergence take minutes")
       ->required();
   table->add_option("--from", from, "result files to take cases from; computes the rest")
       ->check(check_not_empty);

@@ -172,8 +172,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
            .force_time_step = value_or(settings, "force-dt", false, &Given::truth),
            .damping_ratio = value_or(settings, "damping", 0.05, not_negative_of),
            .precision = value_or(settings, "precision", mss::Precision::double_precision,
-                                 precision_of),
-           .threads = value_or(settings, "threads", 1, threads_of)},
+                                 precision_of)},
       .seed = value_or(settings, "seed", 1U, seed_of)};
   if (test == Test::bending)
     common.gravity = load_of(need("gravity", "an acceleration [m/s^2]"), "m/s^2");

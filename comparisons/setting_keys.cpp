@@ -60,7 +60,6 @@ const std::vector<SettingKey>& option_keys() {
       {"duration", "time over which the load grows in dynamics [s] (default 10)"},
       {"damping", "dashpots in dynamics, fraction of critical (default 0.05)"},
       {"precision", "of explicit steps: double (default) or float"},
-      {"threads", "of explicit steps (default 1); the results are the same to the bit"},
       {"seed",
        "of distorted and mixed meshes, and of the choice between equal directions out of "
        "an unstable state (default 1)"},

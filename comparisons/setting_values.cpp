@@ -153,12 +153,6 @@ mss::Precision precision_of(const Given& given) {
                                 {double_precision, single_precision});
 }
 
-int threads_of(const Given& given) {
-  const std::int64_t threads = given.integer();
-  if (threads < 1 || threads > 1024) given.refuse("an integer in [1, 1024]");
-  return static_cast<int>(threads);
-}
-
 std::vector<Status> expect_of(const Given& given) {
   std::vector<Status> expected;
   for (const std::string& name : given.texts()) {

@@ -1,6 +1,7 @@
 #include "comparisons/simulate.hpp"
 
 #include <omp.h>
+#include <tbb/task_arena.h>
 
 #include <chrono>
 #include <stdexcept>
@@ -45,7 +46,7 @@ std::optional<mss::DynamicsSettings> spring_dynamics(const CaseSettings& setting
   return mss::DynamicsSettings{.protocol = protocol_of(settings),
                                .damping_ratio = settings.dynamics.damping_ratio,
                                .precision = settings.dynamics.precision,
-                               .threads = settings.dynamics.threads};
+                               .threads = tbb::this_task_arena::max_concurrency()};
 }
 
 Solution solve(const CaseSettings& settings, const Mesh& mesh) {
