@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mss/linear_solver.hpp"
 #include "mss/network.hpp"
 
 namespace springcheck::mss {
@@ -22,6 +23,7 @@ namespace springcheck::mss {
 /// Converged: residual below 1e-10 of the norm of the nodal forces, or below what the
 /// rounding of the positions does to them.
 Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
-                          unsigned seed);
+                          unsigned seed,
+                          LinearSolver linear_solver = LinearSolver::by_size);
 
 }  // namespace springcheck::mss
