@@ -32,7 +32,8 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
   landscape.linearise(x);
   // The chord of the whole path, or its length where that is longer: supports that turn.
   constexpr double little = 1. / 64;
-  const double chord = landscape.gradient(x, landscape.predicted(x, 1));
+  const Positions whole = landscape.predicted(x, 1);
+  const double chord = landscape.gradient(x, whole);
   const double path = landscape.gradient(x, landscape.predicted(x, little)) / little;
   const double whole_gradient = path > 1.01 * chord ? path : chord;
   const double largest_step =
@@ -45,7 +46,7 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
     const double to = reached + 1.05 * step > 1 ? 1 : reached + step;
     if (!definite) landscape.linearise(x);
     landscape.set_load(reached);
-    Positions start = landscape.predicted(x, to);
+    Positions start = reached == 0 && to == 1 ? whole : landscape.predicted(x, to);
     landscape.set_load(to);
     Minimum minimum = minimise(landscape, std::move(start), random);
     spdlog::debug("load {:.5f}: {}, residual {:.2e}", to,
