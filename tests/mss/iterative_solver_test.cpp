@@ -1,7 +1,12 @@
 #define BOOST_TEST_MODULE iterative_solver
 #include "mss/iterative_solver.hpp"
 
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+
 #include <boost/test/unit_test.hpp>
+#include <memory>
+#include <sstream>
 
 #include "any_cells.hpp"
 #include "mss/assembly.hpp"
@@ -178,6 +183,42 @@ BOOST_AUTO_TEST_CASE(random_right_hand_side_tells_whether_the_tangent_is_definit
     BOOST_TEST(v.dot(dense * v) < 0);
   }
   BOOST_TEST(!was_definite);
+}
+
+// As the log prints it, to ten digits: more than the 1e-13 of round-off allowed.
+BOOST_AUTO_TEST_CASE(energy_never_rises_from_one_iterate_to_the_next) {
+  std::ostringstream text;
+  const auto before = spdlog::default_logger();
+  auto logger = std::make_shared<spdlog::logger>(
+      "captured", std::make_shared<spdlog::sinks::ostream_sink_st>(text));
+  logger->set_pattern("%v");
+  logger->set_level(spdlog::level::debug);
+  spdlog::set_default_logger(std::move(logger));
+  const Mesh mesh = cube(6, h);
+  for (const double nu : {0., 0.25, 0.499})
+    for (const Method method : {Method::cf, Method::nfd}) {
+      const Scene scene = compression(nu, 0.1, 6);
+      (void)find_equilibrium(
+          mesh, scene, build_network(mesh, scene.material, in_shear_modulus_form(method)),
+          1, LinearSolver::iterative);
+    }
+  spdlog::set_default_logger(before);
+
+  int compared = 0;
+  double last = INFINITY;
+  std::istringstream lines(text.str());
+  const std::string label = "energy ";
+  for (std::string line; std::getline(lines, line);) {
+    const auto at = line.find(label);
+    if (at == std::string::npos) continue;
+    const double energy = std::stod(line.substr(at + label.size()));
+    if (line.find("newton 0:") == std::string::npos) {
+      BOOST_TEST(energy <= last, line);
+      ++compared;
+    }
+    last = energy;
+  }
+  BOOST_TEST(compared > 20);
 }
 
 BOOST_AUTO_TEST_CASE(same_bits_each_time) {
