@@ -8,8 +8,8 @@
 using namespace springcheck;
 using namespace springcheck::mss;
 
-// 30^3 cells, 84,000 unknowns. The force on the plate falls with refinement towards a
-// limit: at nu = 1/4 that is 1.27135963545 N at 15^3 cells, directly and iteratively.
+// 30^3 cells, 84,000 unknowns: solved iteratively. The plate's force is the direct
+// solver's, printed to ten digits; residuals of 1e-10 leave it about eight.
 BOOST_AUTO_TEST_CASE(large_block_is_in_balance) {
   constexpr double side = 0.05, strain = 0.05;  // [m]
   const Mesh mesh = cube(30, side / 30);
@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(large_block_is_in_balance) {
     double force = 0;
     for (const NodeIndex node : mesh.region("top").nodes)
       force -= solution.reactions[node].z();
-    // The direct solver's, printed to ten digits.
-    if (nu == 0.25) BOOST_TEST(force == 1.268763156, boost::test_tools::tolerance(1e-8));
+    BOOST_TEST(force == (nu == 0.25 ? 1.268763156 : 1.602229129),
+               boost::test_tools::tolerance(1e-8));
   }
 }
