@@ -40,6 +40,7 @@ struct Dynamics {
   bool force_time_step;             // run even above the stability limit
   double damping_ratio;             // zeta of critical
   mss::Precision precision;
+  int history;  // samples on the way
 };
 
 const std::vector<Test>& all_tests();
@@ -87,7 +88,7 @@ struct CaseSettings {
   unsigned seed;                                   // of the static solver
 };
 
-/// The solver given, or else the static one.
+/// The solver given, or else the static one, which is that of finite elements anyway.
 Solver solver_of(const CaseSettings& settings);
 
 /// The finite elements' part of the settings.

@@ -60,6 +60,9 @@ const std::vector<SettingKey>& option_keys() {
       {"duration", "time over which the load grows in dynamics [s] (default 10)"},
       {"damping", "dashpots in dynamics, fraction of critical (default 0.05)"},
       {"precision", "of explicit steps: double (default) or float"},
+      {"history",
+       "samples of deformation, volume, plate force and torque, and energies at equal "
+       "distances in time, in dynamics (default: none)"},
       {"seed",
        "of distorted and mixed meshes, and of the choice between equal directions out of "
        "an unstable state (default 1)"},

@@ -153,6 +153,12 @@ mss::Precision precision_of(const Given& given) {
                                 {double_precision, single_precision});
 }
 
+int sample_count_of(const Given& given) {
+  const std::int64_t count = given.integer();
+  if (count < 1 || count > 1'000'000) given.refuse("an integer in [1, 1000000]");
+  return static_cast<int>(count);
+}
+
 std::vector<Status> expect_of(const Given& given) {
   std::vector<Status> expected;
   for (const std::string& name : given.texts()) {
