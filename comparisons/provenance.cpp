@@ -13,13 +13,6 @@
 namespace springcheck {
 namespace {
 
-std::string cpu_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
 std::string utc_now() {
   const std::time_t now = std::time(nullptr);
   std::array<char, 32> text{};
@@ -33,6 +26,13 @@ std::vector<double> number(std::size_t value) {
 
 }  // namespace
 
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
 Row provenance() {
   using tbb::global_control;
   return {{"springcheck", std::string(build_info::version)},
@@ -42,7 +42,7 @@ Row provenance() {
           {"gmsh", gmsh_version()},
           {"Eigen", std::string(build_info::eigen_version)},
           {"HDF5", std::string(build_info::hdf5_version)},
-          {"cpu", cpu_name()},
+          {"cpu", processor_name()},
           {"cores", number(std::thread::hardware_concurrency())},
           {"threads",
            number(global_control::active_value(global_control::max_allowed_parallelism))},

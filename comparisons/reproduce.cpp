@@ -76,8 +76,10 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
     write_whole_stream(summary_file, [&](std::ostream& out) {
       out << summary(computed, elapsed.count());
     });
-    std::ranges::copy_if(computed.set.sheets, std::back_inserter(not_stored),
-                         [](const Sheet& sheet) { return sheet.name == "modes"; });
+    std::ranges::copy_if(
+        computed.set.sheets, std::back_inserter(not_stored), [](const Sheet& sheet) {
+          return std::ranges::count(caseless_sheet_names(), sheet.name) > 0;
+        });
     std::set<std::string> done;
     for (const CaseResult& result : computed.results) done.insert(result.key);
     sweep_into(file, result_file, std::move(done), meshes, parallel);

@@ -14,6 +14,7 @@
 #include "comparisons/meshes_table.hpp"
 #include "comparisons/modes_table.hpp"
 #include "comparisons/orientation_table.hpp"
+#include "comparisons/performance_table.hpp"
 #include "comparisons/scene_file.hpp"
 #include "comparisons/split_table.hpp"
 #include "comparisons/subdivision_table.hpp"
@@ -124,9 +125,14 @@ std::string format_sheet(const Sheet& sheet, TableFormat format) {
 }
 
 const std::vector<std::string>& sheet_names() {
-  static const std::vector<std::string> names{"5.5",         "split",       "elements",
-                                              "convergence", "subdivision", "locking",
-                                              "orientation", "modes"};
+  static const std::vector<std::string> names{
+      "5.5",     "split",       "elements", "convergence", "subdivision",
+      "locking", "orientation", "modes",    "performance"};
+  return names;
+}
+
+const std::vector<std::string>& caseless_sheet_names() {
+  static const std::vector<std::string> names{"modes", "performance"};
   return names;
 }
 
@@ -144,6 +150,7 @@ SheetPlan plan_sheet(const std::string& name) {
   if (name == "locking") return plan_locking_table();
   if (name == "orientation") return plan_orientation_table();
   if (name == "modes") return plan_modes_table();
+  if (name == "performance") return plan_performance_table();
   throw InputError("table", "", fmt::format("one of {}", fmt::join(sheet_names(), ", ")),
                    "'" + name + "'");
 }

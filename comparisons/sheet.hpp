@@ -52,11 +52,15 @@ struct SheetPlan {
 };
 
 /// "5.5", "split", "elements", "convergence", "subdivision", "locking", "orientation",
-/// "modes".
+/// "modes", "performance".
 const std::vector<std::string>& sheet_names();
 
 /// Those that take many minutes; `reproduce` leaves them out unless asked for all.
 const std::vector<std::string>& long_sheet_names();
+
+/// Those computed when they are printed, with no case behind them: result files cannot
+/// give them back.
+const std::vector<std::string>& caseless_sheet_names();
 
 /// Throws InputError for an unknown name.
 SheetPlan plan_sheet(const std::string& name);

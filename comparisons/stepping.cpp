@@ -1,5 +1,10 @@
 #include "comparisons/stepping.hpp"
 
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
 #include <memory>
 #include <random>
 
@@ -13,14 +18,19 @@ namespace {
 constexpr double edge = 0.005;      // [m] of a cell
 constexpr double time_step = 5e-5;  // [s] below half of mss-cf's limit up to nu = .499
 
-Scene scene_of(const Material& material) {
+Scene scene_of(const Material& material, SteppedLoad load) {
   const RigidMotion still{.translation = Vector3::Zero(),
                           .axis = Vector3::UnitZ(),
                           .centre = Vector3::Zero(),
                           .angle = 0};
-  return {.material = material,
-          .plates = {{"bottom", still, all_components}, {"top", still, all_components}},
-          .gravity = Vector3::Zero()};
+  Scene scene{.material = material,
+              .plates = {{"bottom", still, all_components}},
+              .gravity = Vector3::Zero()};
+  if (load == SteppedLoad::plates)
+    scene.plates.push_back({"top", still, all_components});
+  else
+    scene.gravity = {-10, 0, 0};
+  return scene;
 }
 
 std::vector<Vector3> disturbance(std::size_t nodes) {
@@ -46,12 +56,12 @@ std::function<void()> stepping(const SteppedBody& body) {
   const Material material{
       .young_modulus = 1e4, .poisson_ratio = body.poisson_ratio, .density = 1000};
   const bool is_naive = body.method == "naive";
-  const int n = body.cells;
-  const auto stepped = std::make_shared<Stepped>(Stepped{
-      .mesh =
-          generate_block({.size = {n * edge, n * edge, n * edge}, .cells = {n, n, n}}),
-      .scene = scene_of(material),
-      .network = {}});
+  std::array<double, 3> size{};
+  std::ranges::transform(body.cells, size.begin(), [](int n) { return n * edge; });
+  const auto stepped = std::make_shared<Stepped>(
+      Stepped{.mesh = generate_block({.size = size, .cells = body.cells}),
+              .scene = scene_of(material, body.load),
+              .network = {}});
   const auto method =
       std::get<mss::Method>(find_method(is_naive ? "mss-cf" : body.method)->model);
   stepped->network =
@@ -77,14 +87,46 @@ std::function<void()> stepping(const SteppedBody& body) {
   stepped->motion->restore(
       {.displacements = moves,
        .velocities = std::vector<Vector3>(moves.size(), Vector3::Zero())});
-  const auto still = dynamics::support_motions(stepped->scene, 0);
+  const auto still = dynamics::support_motions(stepped->scene, 1);
   return [stepped, step = dynamics::StepTo{.dt = time_step,
                                            .kick = time_step,
-                                           .load_fraction = 0,
+                                           .load_fraction = 1,
                                            .motions_before = still,
                                            .motions = still}] {
     stepped->motion->advance(step);
   };
+}
+
+StepTime time_of_steps(const std::function<void()>& advance) {
+  constexpr int measurements = 5;
+  constexpr double seconds = 0.1;  // of each
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  const auto processor_time = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_utime.tv_sec) +
+           1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+  };
+  advance();  // into the caches
+  StepTime time{.real = std::numeric_limits<double>::infinity(), .user_over_real = 0};
+  double real = 0;
+  const double user = processor_time();
+  for (int i = 0; i < measurements; ++i) {
+    const auto start = Clock::now();
+    int steps = 0;
+    do {
+      advance();
+      ++steps;
+    } while (since(start) < seconds);
+    const double passed = since(start);
+    real += passed;
+    time.real = std::min(time.real, passed / steps);
+  }
+  time.user_over_real = (processor_time() - user) / real;
+  return time;
 }
 
 }  // namespace springcheck

@@ -7,11 +7,16 @@
 
 namespace springcheck {
 
-/// A cube of cells^3 cells of 5 mm between glued plates at rest, its nodes inside off
-/// their places, that is stepped through time to see how fast.
+/// What acts on a stepped body: glued plates above and below, or its weight on one
+/// clamped end.
+enum class SteppedLoad { plates, weight };
+
+/// A block of cells of 5 mm, its nodes inside off their places, that is stepped through
+/// time to see how fast.
 struct SteppedBody {
   std::string method;  // by its name; "naive" is NaiveSprings of mss-cf's network
-  int cells;           // along each edge
+  std::array<int, 3> cells;
+  SteppedLoad load;
   double poisson_ratio;
   double damping_ratio;
   mss::Precision precision;
@@ -19,7 +24,17 @@ struct SteppedBody {
   int threads;
 };
 
-/// Makes one step per call. Semi-implicit Euler, half the stable step of mss-cf.
+/// Makes one step per call: semi-implicit Euler, 0.05 ms, which is less than half the
+/// stable step of mss-cf up to nu = .499. The naive ones know neither plates nor weight,
+/// and double precision alone.
 std::function<void()> stepping(const SteppedBody& body);
+
+struct StepTime {
+  double real;            // [s] per step, the shortest of a few measurements
+  double user_over_real;  // processor time over real time: how many threads worked
+};
+
+/// Steps for about half a second.
+StepTime time_of_steps(const std::function<void()>& advance);
 
 }  // namespace springcheck
