@@ -140,11 +140,11 @@ int command_line(int argc, char** argv) {
                          "Print one of the thesis's tables beside ours, or one "
                          "of our own");
   table
-      ->add_option(
-          "name", name,
-          "5.1, 5.2, 5.3, 5.4, 5.5, deviation, bending, subdivision, locking, "
-          "orientation, modes, performance; split, elements and convergence take "
-          "minutes")
+      ->add_option("name", name,
+                   "5.1, 5.2, 5.3, 5.4, 5.5, deviation, bending, subdivision, locking, "
+                   "orientation, modes, dynamics, performance; split, elements and "
+                   "convergence take "
+                   "minutes")
       ->required();
   table->add_option("--from", from, "result files to take cases from; computes the rest")
       ->check(check_not_empty);

@@ -8,6 +8,7 @@
 
 #include "comparisons/build_info.hpp"
 #include "comparisons/convergence_table.hpp"
+#include "comparisons/dynamics_table.hpp"
 #include "comparisons/elements_table.hpp"
 #include "comparisons/latex_table.hpp"
 #include "comparisons/locking_table.hpp"
@@ -127,7 +128,7 @@ std::string format_sheet(const Sheet& sheet, TableFormat format) {
 const std::vector<std::string>& sheet_names() {
   static const std::vector<std::string> names{
       "5.5",     "split",       "elements", "convergence", "subdivision",
-      "locking", "orientation", "modes",    "performance"};
+      "locking", "orientation", "modes",    "performance", "dynamics"};
   return names;
 }
 
@@ -150,6 +151,7 @@ SheetPlan plan_sheet(const std::string& name) {
   if (name == "locking") return plan_locking_table();
   if (name == "orientation") return plan_orientation_table();
   if (name == "modes") return plan_modes_table();
+  if (name == "dynamics") return plan_dynamics_table();
   if (name == "performance") return plan_performance_table();
   throw InputError("table", "", fmt::format("one of {}", fmt::join(sheet_names(), ", ")),
                    "'" + name + "'");
