@@ -10,35 +10,29 @@ using namespace dynamics::SPRINGCHECK_PATH;
 template <class Real>
 using Pack3 = std::array<Pack<Real>, 3>;
 
-/// A vector per corner, or per mode.
-template <class Real>
-using Pack83 = CornerPacks<Real>;
-
 /// m_s = sum_a phi_s(a) u_a of all modes s (hexahedra.hpp), coordinate by coordinate.
 template <class Real>
-[[gnu::always_inline]] inline Pack83<Real> modes_of(Pack83<Real> u) {
+[[gnu::always_inline]] inline CornerPacks<Real> modes_of(CornerPacks<Real> u) {
   for (std::size_t bit = 1; bit < 8; bit *= 2)
     for (std::size_t c = 0; c < 8; ++c)
-      if ((c & bit) == 0)
-        for (std::size_t i = 0; i < 3; ++i) {
-          const Pack<Real> low = u[c][i], high = u[c + bit][i];
-          u[c][i] = high + low;
-          u[c + bit][i] = high - low;
-        }
+      if ((c & bit) == 0) {
+        const Pack<Real> low = u[c], high = u[c + bit];
+        u[c] = high + low;
+        u[c + bit] = high - low;
+      }
   return u;
 }
 
 /// f_a = sum_s phi_s(a) g_s.
 template <class Real>
-[[gnu::always_inline]] inline Pack83<Real> corners_of(Pack83<Real> g) {
+[[gnu::always_inline]] inline CornerPacks<Real> corners_of(CornerPacks<Real> g) {
   for (std::size_t bit = 1; bit < 8; bit *= 2)
     for (std::size_t s = 0; s < 8; ++s)
-      if ((s & bit) == 0)
-        for (std::size_t i = 0; i < 3; ++i) {
-          const Pack<Real> even = g[s][i], odd = g[s + bit][i];
-          g[s][i] = even - odd;
-          g[s + bit][i] = even + odd;
-        }
+      if ((s & bit) == 0) {
+        const Pack<Real> even = g[s], odd = g[s + bit];
+        g[s] = even - odd;
+        g[s + bit] = even + odd;
+      }
   return g;
 }
 
@@ -51,8 +45,8 @@ template <class Real>
   std::array<Pack3<Real>, 3> s;
   for (std::size_t j = 0; j < 3; ++j)
     for (std::size_t k = j; k < 3; ++k)
-      s[j][k] = (h[j][k] + h[k][j]) +
-                (h[j][0] * h[k][0] + h[j][1] * h[k][1] + h[j][2] * h[k][2]);
+      s[j][k] =
+          h[j][k] + h[k][j] + h[j][0] * h[k][0] + h[j][1] * h[k][1] + h[j][2] * h[k][2];
   const Pack<Real> pressure = -half_lambda * (s[0][0] + s[1][1] + s[2][2]);
   for (std::size_t j = 0; j < 3; ++j)
     for (std::size_t k = j; k < 3; ++k) s[j][k] *= -mu;
@@ -63,7 +57,7 @@ template <class Real>
   std::array<Pack3<Real>, 3> p;
   for (std::size_t j = 0; j < 3; ++j)
     for (std::size_t i = 0; i < 3; ++i)
-      p[j][i] = s[j][i] + (h[0][i] * s[0][j] + h[1][i] * s[1][j] + h[2][i] * s[2][j]);
+      p[j][i] = s[j][i] + h[0][i] * s[0][j] + h[1][i] * s[1][j] + h[2][i] * s[2][j];
   return p;
 }
 
@@ -101,41 +95,35 @@ class OnePoint {
   explicit OnePoint(const HexahedronBlock<Real>& block)
       : block_(block), constant_(block) {}
 
-  [[gnu::always_inline]] void operator()(std::size_t cell, const Pack83<Real>& u,
-                                         Pack83<Real>& forces) const {
-    const Pack83<Real> m = modes_of<Real>(u);
-    const std::array<P3, 3> h = mean_gradient(cell, m);
+  /// Component by component where the cells let it, so that registers hold what is
+  /// needed.
+  template <class Cells>
+  [[gnu::always_inline]] void operator()(std::size_t cell, Cells& cells) const {
+    std::array<P3, 3> h{};  // columns of H = sum_s m_s (x) b_s
+    std::array<std::array<P, 4>, 3> q;
+#pragma GCC unroll 3
+    for (std::size_t i = 0; i < 3; ++i) {
+      const CornerPacks<Real> m = modes_of<Real>(cells.displacements(i));
+      for_each_b(cell, [&](std::size_t s, std::size_t j, P b) { h[j][i] += m[s] * b; });
+      for (std::size_t n = 0; n < 4; ++n) q[i][n] = m[hourglass_modes[n]];
+    }
     const P is_cell = constant_.is_cell(cell);
     const P volume = is_cell * constant_(0, cell);
     std::array<P3, 3> p =
         minus_stress<Real>(h, volume * block_.half_lambda, volume * block_.mu);
-    Pack83<Real> g{};
-    for (std::size_t n = 0; n < 4; ++n) hourglass(cell, n, is_cell, m, h, g, p);
-    add_conjugate(cell, p, g);
-    forces = corners_of<Real>(g);
+#pragma GCC unroll 3
+    for (std::size_t i = 0; i < 3; ++i) {
+      hourglass(cell, i, is_cell, h, q[i], p);
+      CornerPacks<Real> g{};
+      for (std::size_t n = 0; n < 4; ++n) g[hourglass_modes[n]] = -q[i][n];
+      for_each_b(cell, [&](std::size_t s, std::size_t j, P b) { g[s] += p[j][i] * b; });
+      cells.add_forces(i, corners_of<Real>(g));
+    }
   }
 
  private:
   static constexpr std::size_t after_stiffness = 5, after_positions = 17;
   static constexpr std::array<std::size_t, 4> hourglass_modes{3, 5, 6, 7};
-
-  /// Columns of H = sum_s m_s (x) b_s.
-  [[gnu::always_inline]] std::array<P3, 3> mean_gradient(std::size_t cell,
-                                                         const Pack83<Real>& m) const {
-    std::array<P3, 3> h{};
-    for_each_b(cell, [&](std::size_t s, std::size_t j, P b) {
-      for (std::size_t i = 0; i < 3; ++i) h[j][i] += m[s][i] * b;
-    });
-    return h;
-  }
-
-  /// g_s += P b_s.
-  [[gnu::always_inline]] void add_conjugate(std::size_t cell, const std::array<P3, 3>& p,
-                                            Pack83<Real>& g) const {
-    for_each_b(cell, [&](std::size_t s, std::size_t j, P b) {
-      for (std::size_t i = 0; i < 3; ++i) g[s][i] += p[j][i] * b;
-    });
-  }
 
   /// Calls visit(s, j, b_s,j).
   template <class Visit>
@@ -151,27 +139,21 @@ class OnePoint {
           visit(s, j, constant_(after_positions + 3 * (s - 1) + j, cell));
   }
 
-  /// With 8 q = m_s - H Y_s and k = mu k_s/64: g_s -= k 8 q, and of H P += k 8 q (x) Y_s.
-  [[gnu::always_inline]] void hourglass(std::size_t cell, std::size_t n, P is_cell,
-                                        const Pack83<Real>& m, const std::array<P3, 3>& h,
-                                        Pack83<Real>& g, std::array<P3, 3>& p) const {
-    const std::size_t s = hourglass_modes[n];
-    const P k = is_cell * constant_(1 + n, cell);
-    P3 q = m[s];
-    if constexpr (shapes == CellShapes::hexahedra)
-      for (std::size_t j = 0; j < 3; ++j) {
-        const P y = constant_(after_stiffness + 3 * n + j, cell);
-        for (std::size_t i = 0; i < 3; ++i) q[i] -= h[j][i] * y;
-      }
-    for (std::size_t i = 0; i < 3; ++i) {
-      q[i] *= k;
-      g[s][i] -= q[i];
+  /// Makes of the modes m_s the forces k 8 q, 8 q = m_s - H Y_s and k = mu k_s/64, which
+  /// act on the mode the other way round, and of H on P: P += k 8 q (x) Y_s.
+  [[gnu::always_inline]] void hourglass(std::size_t cell, std::size_t i, P is_cell,
+                                        const std::array<P3, 3>& h, std::array<P, 4>& q,
+                                        std::array<P3, 3>& p) const {
+    for (std::size_t n = 0; n < 4; ++n) {
+      const auto y = [&](std::size_t j) {
+        return constant_(after_stiffness + 3 * n + j, cell);
+      };
+      if constexpr (shapes == CellShapes::hexahedra)
+        q[n] -= h[0][i] * y(0) + h[1][i] * y(1) + h[2][i] * y(2);
+      q[n] *= is_cell * constant_(1 + n, cell);
+      if constexpr (shapes == CellShapes::hexahedra)
+        for (std::size_t j = 0; j < 3; ++j) p[j][i] += q[n] * y(j);
     }
-    if constexpr (shapes == CellShapes::hexahedra)
-      for (std::size_t j = 0; j < 3; ++j) {
-        const P y = constant_(after_stiffness + 3 * n + j, cell);
-        for (std::size_t i = 0; i < 3; ++i) p[j][i] += q[i] * y;
-      }
   }
 
   const HexahedronBlock<Real>& block_;
@@ -191,11 +173,13 @@ class EightPoints {
   explicit EightPoints(const HexahedronBlock<Real>& block)
       : block_(block), constant_(block) {}
 
-  [[gnu::always_inline]] void operator()(std::size_t cell, const Pack83<Real>& u,
-                                         Pack83<Real>& forces) const {
-    const Pack83<Real> m = modes_of<Real>(u);
+  template <class Cells>
+  [[gnu::always_inline]] void operator()(std::size_t cell, Cells& cells) const {
     Derivatives d;
-    for (std::size_t k = 0; k < 3; ++k) d[k] = derivatives(cell, k, m);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const CornerPacks<Real> m = modes_of<Real>(cells.displacements(i));
+      for (std::size_t k = 0; k < 3; ++k) find_derivatives(cell, k, i, m, d[k]);
+    }
     const P is_cell = constant_.is_cell(cell);
     Derivatives sums{};
     for (std::size_t point = 0; point < 8; ++point) {
@@ -211,9 +195,11 @@ class EightPoints {
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t i = 0; i < 3; ++i) sums[k][place[k]][i] += p[k][i];
     }
-    Pack83<Real> g{};
-    for (std::size_t k = 0; k < 3; ++k) add_conjugate(cell, k, sums[k], g);
-    forces = corners_of<Real>(g);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CornerPacks<Real> g{};
+      for (std::size_t k = 0; k < 3; ++k) add_conjugate(cell, k, i, sums[k], g);
+      cells.add_forces(i, corners_of<Real>(g));
+    }
   }
 
  private:
@@ -233,36 +219,29 @@ class EightPoints {
             {scale, root * scale, root * scale, root * root * scale}};
   }
 
-  [[gnu::always_inline]] std::array<P3, 4> derivatives(std::size_t cell, std::size_t k,
-                                                       const Pack83<Real>& m) const {
+  [[gnu::always_inline]] void find_derivatives(std::size_t cell, std::size_t k,
+                                               std::size_t i, const CornerPacks<Real>& m,
+                                               std::array<P3, 4>& values) const {
     const Terms by = terms(cell, k);
-    std::array<P3, 4> values;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const P a = by.factors[0] * m[by.modes[0]][i],
-              b = by.factors[1] * m[by.modes[1]][i],
-              c = by.factors[2] * m[by.modes[2]][i],
-              d = by.factors[3] * m[by.modes[3]][i];
-      values[0][i] = (a - b) - (c - d);
-      values[1][i] = (a + b) - (c + d);
-      values[2][i] = (a - b) + (c - d);
-      values[3][i] = (a + b) + (c + d);
-    }
-    return values;
+    const P a = by.factors[0] * m[by.modes[0]], b = by.factors[1] * m[by.modes[1]],
+            c = by.factors[2] * m[by.modes[2]], d = by.factors[3] * m[by.modes[3]];
+    values[0][i] = (a - b) - (c - d);
+    values[1][i] = (a + b) - (c + d);
+    values[2][i] = (a - b) + (c - d);
+    values[3][i] = (a + b) + (c + d);
   }
 
   /// The same the other way round.
   [[gnu::always_inline]] void add_conjugate(std::size_t cell, std::size_t k,
-                                            const std::array<P3, 4>& sums,
-                                            Pack83<Real>& g) const {
+                                            std::size_t i, const std::array<P3, 4>& sums,
+                                            CornerPacks<Real>& g) const {
     const Terms by = terms(cell, k);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const P a = sums[1][i] + sums[0][i], b = sums[1][i] - sums[0][i],
-              c = sums[3][i] + sums[2][i], d = sums[3][i] - sums[2][i];
-      g[by.modes[0]][i] += by.factors[0] * (c + a);
-      g[by.modes[1]][i] += by.factors[1] * (d + b);
-      g[by.modes[2]][i] += by.factors[2] * (c - a);
-      g[by.modes[3]][i] += by.factors[3] * (d - b);
-    }
+    const P a = sums[1][i] + sums[0][i], b = sums[1][i] - sums[0][i],
+            c = sums[3][i] + sums[2][i], d = sums[3][i] - sums[2][i];
+    g[by.modes[0]] += by.factors[0] * (c + a);
+    g[by.modes[1]] += by.factors[1] * (d + b);
+    g[by.modes[2]] += by.factors[2] * (c - a);
+    g[by.modes[3]] += by.factors[3] * (d - b);
   }
 
   /// Derivatives by X_j from those by xi_k; those of boxes have been multiplied before.
@@ -316,10 +295,13 @@ void forces(const HexahedronBlock<Real>& block,
     turned.displacement[i] = arrays.displacement[block.axes[i]];
     turned.force[i] = arrays.force[block.axes[i]];
   }
+  const Cells forces_of(block);
   if constexpr (kind.in_grid)
-    for_each_grid_cell_pack(block.row, block.layer, turned, Cells(block));
+    for_each_cell_pack<Real>(GridCells<Real>(block.row, block.layer, turned), block.cells,
+                             forces_of);
   else
-    for_each_free_cell_pack<Real>(block.corners, turned, Cells(block));
+    for_each_cell_pack<Real>(FreeCells<Real>(block.corners, turned), block.cells,
+                             forces_of);
 }
 
 template <class Real, bool one_point>
