@@ -80,7 +80,7 @@ struct CaseSettings {
   fem_reference::LinearSolver linear_solver;
   LatticeName lattice;  // of fem-cauchy-born
   fem_reference::LatticeDirection lattice_direction;
-  // Springs:
+  // Springs, from `solver` on explicit elements too:
   std::optional<mss::LatticeConstants> constants;  // of mss-custom, at this cell size
   mss::VolumeCorrection correction;                // of mss-vangelder and mss-lloyd
   std::optional<Solver> solver;                    // none: the method's own
@@ -88,7 +88,8 @@ struct CaseSettings {
   unsigned seed;                                   // of the static solver
 };
 
-/// The solver given, or else the static one.
+/// The solver given, or else the static one, and of explicit elements semi-implicit
+/// Euler.
 Solver solver_of(const CaseSettings& settings);
 
 /// The finite elements' part of the settings.

@@ -95,8 +95,8 @@ class OnePoint {
   explicit OnePoint(const HexahedronBlock<Real>& block)
       : block_(block), constant_(block) {}
 
-  /// Component by component where the cells let it, so that registers hold what is
-  /// needed.
+  /// Component by component, and unrolled, so that registers hold what the next lines
+  /// need.
   template <class Cells>
   [[gnu::always_inline]] void operator()(std::size_t cell, Cells& cells) const {
     std::array<P3, 3> h{};  // columns of H = sum_s m_s (x) b_s
@@ -185,7 +185,9 @@ class EightPoints {
     for (std::size_t point = 0; point < 8; ++point) {
       const std::array<std::size_t, 3> place{
           point >> 1U, (point & 1U) + (point >> 2U) * 2, point & 3U};
-      const std::array<P3, 3> at{d[0][place[0]], d[1][place[1]], d[2][place[2]]};
+      std::array<P3, 3> at;  // filled one by one: whole ones would be copied in memory
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 3; ++i) at[k][i] = d[k][place[k]][i];
       const std::size_t first = shapes == CellShapes::hexahedra ? 10 * point : 0;
       const P volume = is_cell * constant_(first, cell);
       const std::array<P3, 3> p = by_coordinates(

@@ -131,8 +131,8 @@ BOOST_AUTO_TEST_CASE(only_rigid_motions_cost_nothing) {
     }
 }
 
-// u_x = c xi eta bends a cube of edge h, u_x = c eta zeta shears it: W = mu/2 8/3 h c^2,
-// which is exact for the latter, as of the full integration's first order.
+// u_x = c xi eta bends a cube of edge h, u_x = c eta zeta shears it: W = mu/2 8/3 h c^2.
+// For the latter it is the integral over the cube, which eight points have too.
 BOOST_AUTO_TEST_CASE(hourglass_modes_of_a_cube_have_their_energies,
                      *boost::unit_test::tolerance(1e-10)) {
   const Mesh mesh = cube(1);
