@@ -60,6 +60,7 @@ void add_dynamics(nlohmann::json& json, const Dynamics& dynamics) {
     json["dt"] = *dynamics.time_step;
   else
     json["dt"] = "auto";
+  if (dynamics.history > 0) json["history"] = dynamics.history;
 }
 
 /// Settings of the springs alone.
@@ -171,6 +172,7 @@ std::string_view name_of(mss::Precision precision) {
 }
 
 Solver solver_of(const CaseSettings& settings) {
+  if (is_finite_element(settings.method)) return Solver::static_equilibrium;
   return settings.solver.value_or(is_explicit_element(settings.method)
                                       ? Solver::semi_implicit_euler
                                       : Solver::static_equilibrium);

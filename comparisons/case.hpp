@@ -40,7 +40,7 @@ struct Dynamics {
   bool force_time_step;             // run even above the stability limit
   double damping_ratio;             // zeta of critical
   mss::Precision precision;
-  int threads;  // changes no result
+  int history;  // samples on the way
 };
 
 const std::vector<Test>& all_tests();
@@ -89,7 +89,7 @@ struct CaseSettings {
 };
 
 /// The solver given, or else the static one, and of explicit elements semi-implicit
-/// Euler.
+/// Euler; the other finite elements are static anyway.
 Solver solver_of(const CaseSettings& settings);
 
 /// The finite elements' part of the settings.

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "comparisons/case.hpp"
+#include "comparisons/history.hpp"
 #include "comparisons/measures.hpp"
 
 namespace springcheck {
@@ -53,6 +53,7 @@ struct CaseResult {
   Solution solution;
   // [m] displacement less the reference's, of each node; empty without a reference:
   std::vector<Vector3> deviation{};
+  History history{};    // of dynamics, where samples were asked for
   double wall_s;        // solution and measures
   double solve_wall_s;  // solution alone
 };

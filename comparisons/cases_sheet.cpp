@@ -41,8 +41,7 @@ std::optional<double> number(const Columns& cases, const std::string& column,
                              std::size_t row, std::size_t component = 0) {
   const auto found = cases.numbers.find(column);
   if (found == cases.numbers.end()) return std::nullopt;
-  const double value =
-      found->second.values[found->second.width * row + component];
+  const double value = found->second.values[found->second.width * row + component];
   if (std::isnan(value)) return std::nullopt;
   return value;
 }
@@ -63,10 +62,10 @@ std::string method_of(const Columns& cases, std::size_t row) {
 std::string mesh_of(const Columns& cases, std::size_t row) {
   const std::string body = text(cases, "body", row);
   if (body != "block" || !number(cases, "cells", row)) return body;
-  std::string mesh = fmt::format("{:.0f}x{:.0f}x{:.0f} {}", *number(cases, "cells", row),
-                                 *number(cases, "cells", row, 1),
-                                 *number(cases, "cells", row, 2),
-                                 text(cases, "cell-type", row));
+  std::string mesh =
+      fmt::format("{:.0f}x{:.0f}x{:.0f} {}", *number(cases, "cells", row),
+                  *number(cases, "cells", row, 1), *number(cases, "cells", row, 2),
+                  text(cases, "cell-type", row));
   if (const auto distortion = number(cases, "distortion", row); distortion > 0)
     mesh += fmt::format(", distorted by {:g}", *distortion);
   return mesh;
@@ -96,18 +95,19 @@ SheetRow row_of(const Columns& cases, std::size_t row) {
 }  // namespace
 
 Sheet cases_sheet(const Columns& cases) {
-  Sheet sheet{.name = "cases",
-              .title = "All cases",
-              .columns = {{"scene", "scene"},
-                          {"method", "method"},
-                          {"mesh", "mesh"},
-                          {"nu", "nu", "{:g}"},
-                          {"young", "E [Pa]", "{:g}"},
-                          {"deformation", "deformation [-, rad]", "{:.4g}"},
-                          {"status", "status"}},
-              .rows = {},
-              .notes = {"Deviation: volume-weighted root mean square over the free nodes, "
-                        "from the reference, over the largest imposed displacement."}};
+  Sheet sheet{
+      .name = "cases",
+      .title = "All cases",
+      .columns = {{"scene", "scene"},
+                  {"method", "method"},
+                  {"mesh", "mesh"},
+                  {"nu", "nu", "{:g}"},
+                  {"young", "E [Pa]", "{:g}"},
+                  {"deformation", "deformation [-, rad]", "{:.4g}"},
+                  {"status", "status"}},
+      .rows = {},
+      .notes = {"Deviation: volume-weighted root mean square over the free nodes, "
+                "from the reference, over the largest imposed displacement."}};
   for (const Measure& measure : shown_measures()) sheet.columns.push_back(measure.shown);
   sheet.columns.push_back({"reference", "reference"});
 

@@ -63,12 +63,26 @@ std::string cell_counts(const Mesh& mesh) {
   return text;
 }
 
+/// A checkpoint belongs to a single simulation through time.
+void check_checkpoint(const RunSettings& run, const std::filesystem::path& file) {
+  if (run.methods.size() != 1)
+    throw InputError("--checkpoint", "", "one method",
+                     fmt::to_string(run.methods.size()));
+  CaseSettings settings = run.common;
+  settings.method = run.methods.front();
+  if (solver_of(settings) == Solver::static_equilibrium)
+    throw InputError("--checkpoint", "", "a solver that goes through time", "static");
+  check_writable(file);
+}
+
 }  // namespace
 
 ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
                        const std::optional<std::filesystem::path>& result_file,
-                       Output output, ErrorSplit error_split, int parallel) {
+                       Output output, ErrorSplit error_split, int parallel,
+                       const Watch& watch) {
   const RunSettings run = read_run(scene, options);
+  if (watch.checkpoint) check_checkpoint(run, *watch.checkpoint);
   std::vector<Request> all = requests(run);
   const std::size_t asked = all.size();
   std::vector<std::optional<SplitPlan>> plans(asked);
@@ -87,9 +101,10 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
   std::vector<CaseResult> results;
   {
     Progress progress("simulations");
-    results = run_study(all, meshes, at_once, [&](std::size_t done, std::size_t of) {
-      progress.show(done, of);
-    });
+    const Finished show = [&](std::size_t done, std::size_t of) {
+      if (all.size() > 1) progress.show(done, of);
+    };
+    results = run_study(all, meshes, at_once, show, {}, watch);
   }
   if (result_file) write_results(*result_file, results, meshes);
   std::vector<std::optional<Split>> splits(asked);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comparisons/run_settings.hpp"
+#include "comparisons/simulate.hpp"
 #include "comparisons/table_format.hpp"
 
 namespace springcheck {
@@ -18,10 +19,12 @@ enum class Output { text, json };
 enum class ErrorSplit { not_wanted, wanted };
 
 /// `springcheck run`: prints the results, writes them to `result_file` when given. The
-/// simulations that split the error are run `parallel` at a time.
+/// simulations that split the error are run `parallel` at a time. A checkpoint is of one
+/// method in dynamics, or InputError is thrown.
 ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
                        const std::optional<std::filesystem::path>& result_file,
-                       Output output, ErrorSplit error_split, int parallel);
+                       Output output, ErrorSplit error_split, int parallel,
+                       const Watch& watch);
 
 /// Result files of a table: what to take cases from, where to write all of them.
 struct TableFiles {

@@ -89,8 +89,8 @@ Condensed condensed(TextLines lines) {
       for (std::size_t row = 1; row < rows.size(); ++row)
         shorter.cases[row - 1] = rows[row][column];
     else
-      shorter.constants =
-          head + " " + value + (shorter.constants.empty() ? "" : ", ") + shorter.constants;
+      shorter.constants = head + " " + value + (shorter.constants.empty() ? "" : ", ") +
+                          shorter.constants;
     for (auto& row : rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
   }
   return shorter;
@@ -138,7 +138,8 @@ std::string notes_below(const TableText& text) {
 std::string latex_text(const TextLines& table, const TableText& table_text) {
   const auto [lines, cases, constants] = condensed(table);
   TableText text = table_text;
-  if (!constants.empty()) text.notes.insert(text.notes.begin(), "In all rows: " + constants + ".");
+  if (!constants.empty())
+    text.notes.insert(text.notes.begin(), "In all rows: " + constants + ".");
   std::string all = "% needs \\usepackage{booktabs,adjustbox}\n";
   const std::size_t rows = lines.size() - 1;
   const std::size_t floats =
@@ -154,7 +155,8 @@ std::string latex_text(const TextLines& table, const TableText& table_text) {
         "\\begin{{minipage}}{{\\textwidth}}\n\\footnotesize\n\\centering\n\\setlength{{"
         "\\tabcolsep}}{{3pt}}\n{}{}"
         "\\end{{minipage}}\n\\end{{adjustbox}}\n\\end{{table}}\n{}",
-        caption, tabular(lines, cases, 1 + rows * part / floats, 1 + rows * (part + 1) / floats),
+        caption,
+        tabular(lines, cases, 1 + rows * part / floats, 1 + rows * (part + 1) / floats),
         part + 1 == floats ? notes_below(text) : "",
         // LaTeX keeps few floats that found no place yet.
         part + 1 == floats ? "" : "\\clearpage\n");

@@ -104,7 +104,8 @@ int command_line(int argc, char** argv) {
 
   std::vector<std::filesystem::path> from;
   std::string scene, out, name, reference, format = "md", what, results, junit;
-  std::string displacements, forces;
+  std::string displacements, forces, checkpoint;
+  Watch watch{.shows_progress = true};
   std::string shard = "1/1";
   SweepOptions sweep_options{.jobs = cores};
   bool json = false, split = false, all = false, bless = false, quality = false;
@@ -125,6 +126,13 @@ int command_line(int argc, char** argv) {
                 "split the errors of spring methods into law and discretisation; runs "
                 "finite elements on up to 4 times as many cells along each axis");
   run->add_flag("--json", json, "print one JSON document");
+  run->add_option("--checkpoint", checkpoint,
+                  "HDF5 file to which dynamics is saved on the way, and from which it "
+                  "goes on if it is there")
+      ->check(check_not_empty);
+  run->add_option("--checkpoint-every", watch.seconds_between_checkpoints,
+                  "seconds between two savings (default 60)")
+      ->check(CLI::NonNegativeNumber);
   add_threads(run);
 
   CLI::App* table =
@@ -134,7 +142,7 @@ int command_line(int argc, char** argv) {
   table
       ->add_option("name", name,
                    "5.1, 5.2, 5.3, 5.4, 5.5, deviation, bending, subdivision, locking, "
-                   "orientation; split, elements and convergence take minutes")
+                   "orientation, modes; split, elements and convergence take minutes")
       ->required();
   table->add_option("--from", from, "result files to take cases from; computes the rest")
       ->check(check_not_empty);
@@ -245,10 +253,12 @@ int command_line(int argc, char** argv) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
 
-  if (*run)
-    status = run_command(scene, run_options.given(), path_or_none(out), output(),
-                         split ? ErrorSplit::wanted : ErrorSplit::not_wanted, threads);
-  else if (*measure)
+  if (*run) {
+    watch.checkpoint = path_or_none(checkpoint);
+    status =
+        run_command(scene, run_options.given(), path_or_none(out), output(),
+                    split ? ErrorSplit::wanted : ErrorSplit::not_wanted, threads, watch);
+  } else if (*measure)
     status = measure_command(scene, measure_options.given(),
                              {displacements, path_or_none(forces), name},
                              path_or_none(out), output());

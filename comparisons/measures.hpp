@@ -84,6 +84,12 @@ struct Measures {
   Value centre_line_elastica{};
 
   Value strain_energy{};  // [J]; empty of a measured result
+
+  // Dynamics: kinetic energy at the end [J], and how often a pressure wave runs through
+  // the body's height meanwhile, duration sqrt((lambda + 2 mu)/rho)/H. With few of them
+  // the end is not what rest would be.
+  Value kinetic_energy{};
+  Value transit_count{};
 };
 
 /// Calls visit(name, value) for every measure, in the order they are reported; names as
@@ -122,6 +128,8 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
   visit("centre_line_timoshenko", measures.centre_line_timoshenko);
   visit("centre_line_elastica", measures.centre_line_elastica);
   visit("strain_energy", measures.strain_energy);
+  visit("kinetic_energy", measures.kinetic_energy);
+  visit("transit_count", measures.transit_count);
 }
 
 /// The name of a measure that is not a finite number; none if all are that are known.

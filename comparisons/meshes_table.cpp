@@ -74,8 +74,8 @@ Sheet meshes_sheet() {
                         "spring of mss-fd and mss-cf once."}};
   for (const PrintedMesh& printed : printed_meshes) {
     const auto [nx, ny, nz] = printed.cells;
-    const Mesh mesh = generate_block(
-        {.size = {0.05, 0.05, 0.05 * nz / nx}, .cells = printed.cells});
+    const Mesh mesh =
+        generate_block({.size = {0.05, 0.05, 0.05 * nz / nx}, .cells = printed.cells});
     const SpringCounts springs = count_springs(mesh);
     const auto count = [](std::size_t n) { return static_cast<double>(n); };
     sheet.rows.push_back({.cells = {{.text = fmt::format("{}x{}x{}", nx, ny, nz)},
@@ -95,9 +95,8 @@ Sheet meshes_sheet() {
 }  // namespace
 
 SheetPlan plan_meshes_table() {
-  return {.requests = {}, .make = [](std::span<const CaseResult>, MeshStore&) {
-            return meshes_sheet();
-          }};
+  return {.requests = {},
+          .make = [](std::span<const CaseResult>, MeshStore&) { return meshes_sheet(); }};
 }
 
 }  // namespace springcheck

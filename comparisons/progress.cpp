@@ -30,4 +30,28 @@ void Progress::show(std::size_t done, std::size_t all) {
   std::fflush(stderr);
 }
 
+MarchProgress::MarchProgress(double duration)
+    : duration_(duration),
+      on_terminal_(isatty(STDERR_FILENO) != 0),
+      last_(std::chrono::steady_clock::now()) {}
+
+MarchProgress::~MarchProgress() {
+  if (on_terminal_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void MarchProgress::show(double time, int step) {
+  if (!on_terminal_) return;
+  const auto now = std::chrono::steady_clock::now();
+  const double seconds = std::chrono::duration<double>(now - last_).count();
+  if (last_step_ >= 0 && time > last_time_) {
+    fmt::print(stderr, "\r\x1b[K{:.4g} of {:.4g} s, {:.3g} steps a second, {:.0f} s left",
+               time, duration_, (step - last_step_) / seconds,
+               (duration_ - time) * seconds / (time - last_time_));
+    std::fflush(stderr);
+  }
+  last_ = now;
+  last_time_ = time;
+  last_step_ = step;
+}
+
 }  // namespace springcheck

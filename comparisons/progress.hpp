@@ -23,4 +23,23 @@ class Progress {
   std::chrono::steady_clock::time_point start_;
 };
 
+/// A line on stderr with the simulated time, steps per second and the remaining time of
+/// one simulation; silent unless stderr is a terminal.
+class MarchProgress {
+ public:
+  explicit MarchProgress(double duration);  // [s] simulated
+  ~MarchProgress();                         // clears the line
+  MarchProgress(const MarchProgress&) = delete;
+  MarchProgress& operator=(const MarchProgress&) = delete;
+
+  void show(double time, int step);
+
+ private:
+  double duration_;
+  bool on_terminal_;
+  std::chrono::steady_clock::time_point last_;
+  double last_time_ = 0;
+  int last_step_ = -1;  // none shown
+};
+
 }  // namespace springcheck

@@ -46,9 +46,12 @@ void prepare_report(const std::filesystem::path& folder) {
 }
 
 ExitStatus make_report(const std::filesystem::path& file,
-                       const std::filesystem::path& folder) {
+                       const std::filesystem::path& folder,
+                       const std::vector<Sheet>& further) {
   MeshStore meshes;
-  write_tables(folder / "tables", stored_tables(file, meshes));
+  TableSet tables = stored_tables(file, meshes);
+  tables.sheets.insert(tables.sheets.end(), further.begin(), further.end());
+  write_tables(folder / "tables", tables);
   const std::string theory = theory_curves(read_cases(file)).dump() + "\n";
   write_whole_stream(folder / "data" / "theory.json",
                      [&](std::ostream& out) { out << theory; });
@@ -68,7 +71,7 @@ ExitStatus report_command(const std::filesystem::path& file,
     throw InputError(file.string(), "", "a result file", "what is no file");
   read_results(file);  // whatever is wrong with it is said before a folder is made
   prepare_report(folder);
-  return make_report(file, folder);
+  return make_report(file, folder, {});
 }
 
 }  // namespace springcheck

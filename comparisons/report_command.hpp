@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "comparisons/commands.hpp"
+#include "comparisons/sheet.hpp"
 
 namespace springcheck {
 
@@ -12,7 +13,9 @@ void prepare_report(const std::filesystem::path& folder);
 
 /// Writes into a folder that is prepared
 ///
-///     tables/NAME.md .csv .json .tex   what the file's cases fill, see stored_tables
+///     tables/NAME.md .csv .json .tex   what the file's cases fill, see stored_tables,
+///     and
+///                                      the further sheets
 ///     data/theory.json                 see theory_curves
 ///     index.html, figures/, 3d/        by the program of reports/
 ///     3d/cases.xdmf                    for ParaView, all cases with fields
@@ -20,7 +23,8 @@ void prepare_report(const std::filesystem::path& folder);
 /// Computes no case. Says where to start, or returns fell_short where the program of
 /// reports/ did.
 ExitStatus make_report(const std::filesystem::path& file,
-                       const std::filesystem::path& folder);
+                       const std::filesystem::path& folder,
+                       const std::vector<Sheet>& further);
 
 /// `springcheck report`. Throws InputError before anything is written.
 ExitStatus report_command(const std::filesystem::path& file,

@@ -66,6 +66,7 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
   check_writable(summary_file);
 
   MeshStore meshes;
+  std::vector<Sheet> not_stored;
   {
     ResultFile file(result_file);
     const ComputedTables computed =
@@ -75,12 +76,14 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
     write_whole_stream(summary_file, [&](std::ostream& out) {
       out << summary(computed, elapsed.count());
     });
+    std::ranges::copy_if(computed.set.sheets, std::back_inserter(not_stored),
+                         [](const Sheet& sheet) { return sheet.name == "modes"; });
     std::set<std::string> done;
     for (const CaseResult& result : computed.results) done.insert(result.key);
     sweep_into(file, result_file, std::move(done), meshes, parallel);
   }
   write_xdmf_beside(result_file);
-  return make_report(result_file, directory);
+  return make_report(result_file, directory, not_stored);
 }
 
 }  // namespace springcheck

@@ -35,6 +35,12 @@ void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
   std::vector<double> ratios = deformed_volumes(mesh, solution);
   for (std::size_t c = 0; c < ratios.size(); ++c) ratios[c] /= mesh.cell_volumes()[c];
   hdf5::write_table(group, partial + "cell_volume_ratio", ratios, 1);
+  if (!result.history.empty()) {
+    std::vector<double> rows;
+    for (const HistorySample& sample : result.history)
+      rows.insert(rows.end(), sample.begin(), sample.end());
+    hdf5::write_table(group, "history", rows, history_columns.size());
+  }
   if (!solution.spring_strains.empty())
     hdf5::write_table(group, partial + "spring_strain", solution.spring_strains, 1);
   if (!result.deviation.empty())

@@ -1,5 +1,7 @@
 #include "comparisons/result_json.hpp"
 
+#include <cmath>
+
 #include "comparisons/build_info.hpp"
 #include "comparisons/split_output.hpp"
 
@@ -27,6 +29,18 @@ Json types_json(const Mesh& mesh) {
     if (const std::size_t count = mesh.count(type); count > 0)
       types[std::string(name_of(type))] = count;
   return types;
+}
+
+/// A list of numbers for each column; null without samples.
+Json history_json(const History& history) {
+  if (history.empty()) return {};
+  Json columns = Json::object();
+  for (std::size_t i = 0; i < history_columns.size(); ++i) {
+    Json& column = columns[std::string(history_columns[i])] = Json::array();
+    for (const HistorySample& sample : history)
+      column.push_back(std::isfinite(sample[i]) ? Json(sample[i]) : Json());
+  }
+  return columns;
 }
 
 Json case_json(const CaseResult& result, const Mesh& mesh) {
@@ -71,6 +85,7 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
       solution.linear_iterations ? Json(*solution.linear_iterations) : Json();
   out["dt"] = json(solution.dt);
   out["dt_limit"] = json(solution.dt_limit);
+  out["history"] = history_json(result.history);
   out["force_evaluations"] = ran ? Json(solution.force_evaluations) : Json();
   out["wall_s"] = is_ours ? Json(result.wall_s) : Json();
   out["solve_wall_s"] = is_ours ? Json(result.solve_wall_s) : Json();

@@ -12,6 +12,22 @@ std::string shown(const std::optional<double>& value, const char* format,
   return value ? fmt::format(fmt::runtime(format), factor * *value) : "-";
 }
 
+/// How a case went through time, if it did.
+std::string dynamics_text(const CaseResult& result) {
+  const Measures& m = result.measures;
+  const Solution& solution = result.solution;
+  if (!m.kinetic_energy || !solution.dt) return {};
+  const CaseSettings& settings = result.request.settings;
+  return fmt::format(
+      "{}: {} steps of {:.4g} s to {:g} s{}, {:.3g} runs of a pressure wave through the "
+      "height, damping {:g}, kinetic energy {:.2g} of the strain energy.\n",
+      label(settings), solution.steps, *solution.dt, settings.dynamics.duration,
+      solution.dt_limit ? fmt::format(" (stable up to {:.4g} s)", *solution.dt_limit)
+                        : "",
+      m.transit_count.value_or(0), settings.dynamics.damping_ratio,
+      *m.kinetic_energy / m.strain_energy.value_or(0));
+}
+
 }  // namespace
 
 std::string results_text(const std::vector<CaseResult>& results) {
@@ -41,6 +57,7 @@ std::string results_text(const std::vector<CaseResult>& results) {
   for (const CaseResult& result : results)
     if (!result.reason.empty())
       text += fmt::format("{}: {}\n", label(result.request.settings), result.reason);
+  for (const CaseResult& result : results) text += dynamics_text(result);
   for (const CaseResult& result : results)
     if (result.request.reference) {
       const std::string reference = reference_label(result.request);

@@ -56,6 +56,19 @@ void check_method_runs(const RunSettings& run, const Settings& settings,
                                        fmt::join(methods, " or ")));
 }
 
+/// Samples where no method goes through time.
+void check_history(const RunSettings& run, const Settings& settings) {
+  const auto found = settings.find(std::string_view("history"));
+  if (found == settings.end()) return;
+  const auto goes_through_time = [&](const Method& method) {
+    CaseSettings with = run.common;
+    with.method = method;
+    return solver_of(with) != Solver::static_equilibrium;
+  };
+  if (std::ranges::none_of(run.methods, goes_through_time))
+    found->second.refuse("no history without a solver that goes through time");
+}
+
 /// "N" or "NX,NY,NZ" behind a reference's '@'.
 std::vector<int> reference_cells_of(const Given& given, const std::string& text) {
   const std::string expected =
@@ -173,7 +186,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
            .damping_ratio = value_or(settings, "damping", 0.05, not_negative_of),
            .precision = value_or(settings, "precision", mss::Precision::double_precision,
                                  precision_of),
-           .threads = value_or(settings, "threads", 1, threads_of)},
+           .history = value_or(settings, "history", 0, sample_count_of)},
       .seed = value_or(settings, "seed", 1U, seed_of)};
   if (test == Test::bending)
     common.gravity = load_of(need("gravity", "an acceleration [m/s^2]"), "m/s^2");
@@ -195,6 +208,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   if (const auto reference = settings.find(std::string_view("reference"));
       reference != settings.end())
     run.reference = reference_named(reference->second);
+  check_history(run, settings);
   check_method_runs(run, settings, {"fem-cauchy-born"}, {"lattice", "lattice-direction"});
   check_method_runs(run, settings, {"mss-custom"}, {"stiffness", "kappa"});
   check_method_runs(run, settings, {"mss-vangelder", "mss-lloyd"}, {"correction"});

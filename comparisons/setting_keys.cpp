@@ -64,7 +64,9 @@ const std::vector<SettingKey>& option_keys() {
        "in dynamics, fraction of critical (default 0.05): dashpots of springs, drag of "
        "fem-explicit methods"},
       {"precision", "of explicit steps: double (default) or float"},
-      {"threads", "of explicit steps (default 1); the results are the same to the bit"},
+      {"history",
+       "samples of deformation, volume, plate force and torque, and energies at equal "
+       "distances in time, in dynamics (default: none)"},
       {"seed",
        "of distorted and mixed meshes, and of the choice between equal directions out of "
        "an unstable state (default 1)"},

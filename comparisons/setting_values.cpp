@@ -153,10 +153,10 @@ mss::Precision precision_of(const Given& given) {
                                 {double_precision, single_precision});
 }
 
-int threads_of(const Given& given) {
-  const std::int64_t threads = given.integer();
-  if (threads < 1 || threads > 1024) given.refuse("an integer in [1, 1024]");
-  return static_cast<int>(threads);
+int sample_count_of(const Given& given) {
+  const std::int64_t count = given.integer();
+  if (count < 1 || count > 1'000'000) given.refuse("an integer in [1, 1000000]");
+  return static_cast<int>(count);
 }
 
 std::vector<Status> expect_of(const Given& given) {

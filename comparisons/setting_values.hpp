@@ -27,7 +27,7 @@ mss::StiffnessForm stiffness_form_of(const Given& given);
 mss::VolumeCorrection correction_of(const Given& given);
 std::optional<Solver> solver_named(const Given& given);
 mss::Precision precision_of(const Given& given);
-int threads_of(const Given& given);
+int sample_count_of(const Given& given);
 fem_reference::LinearSolver linear_solver_of(const Given& given);
 fem_reference::LatticeDirection lattice_direction_of(const Given& given);
 

@@ -12,6 +12,7 @@
 #include "comparisons/latex_table.hpp"
 #include "comparisons/locking_table.hpp"
 #include "comparisons/meshes_table.hpp"
+#include "comparisons/modes_table.hpp"
 #include "comparisons/orientation_table.hpp"
 #include "comparisons/scene_file.hpp"
 #include "comparisons/split_table.hpp"
@@ -123,8 +124,9 @@ std::string format_sheet(const Sheet& sheet, TableFormat format) {
 }
 
 const std::vector<std::string>& sheet_names() {
-  static const std::vector<std::string> names{
-      "5.5", "split", "elements", "convergence", "subdivision", "locking", "orientation"};
+  static const std::vector<std::string> names{"5.5",         "split",       "elements",
+                                              "convergence", "subdivision", "locking",
+                                              "orientation", "modes"};
   return names;
 }
 
@@ -141,6 +143,7 @@ SheetPlan plan_sheet(const std::string& name) {
   if (name == "subdivision") return plan_subdivision_table();
   if (name == "locking") return plan_locking_table();
   if (name == "orientation") return plan_orientation_table();
+  if (name == "modes") return plan_modes_table();
   throw InputError("table", "", fmt::format("one of {}", fmt::join(sheet_names(), ", ")),
                    "'" + name + "'");
 }

@@ -51,7 +51,8 @@ struct SheetPlan {
   std::function<Sheet(std::span<const CaseResult>, MeshStore&)> make;
 };
 
-/// "5.5", "split", "elements", "convergence", "subdivision", "locking", "orientation".
+/// "5.5", "split", "elements", "convergence", "subdivision", "locking", "orientation",
+/// "modes".
 const std::vector<std::string>& sheet_names();
 
 /// Those that take many minutes; `reproduce` leaves them out unless asked for all.

@@ -1,12 +1,20 @@
 #include "comparisons/simulate.hpp"
 
 #include <omp.h>
+#include <spdlog/spdlog.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "comparisons/checkpoint_file.hpp"
 #include "comparisons/mechanical_scene.hpp"
+#include "comparisons/progress.hpp"
 #include "comparisons/wrinkles.hpp"
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "meshing/input_error.hpp"
@@ -41,16 +49,23 @@ dynamics::Protocol protocol_of(const CaseSettings& settings) {
           .force_time_step = settings.dynamics.force_time_step};
 }
 
+/// Threads for one simulation, of those that the program may have.
+int threads_per_simulation() {
+  const auto all = static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  return std::max(1, all / tbb::this_task_arena::max_concurrency());
+}
+
 std::optional<mss::DynamicsSettings> spring_dynamics(const CaseSettings& settings) {
   if (solver_of(settings) == Solver::static_equilibrium) return std::nullopt;
   return mss::DynamicsSettings{.protocol = protocol_of(settings),
                                .damping_ratio = settings.dynamics.damping_ratio,
                                .precision = settings.dynamics.precision,
-                               .threads = settings.dynamics.threads};
+                               .threads = threads_per_simulation()};
 }
 
 Solution solve_explicitly(const CaseSettings& settings, const Mesh& mesh,
-                          const Scene& scene) {
+                          const Scene& scene, const dynamics::Observers& observers) {
   if (solver_of(settings) == Solver::static_equilibrium)
     return refused("fem-explicit steps explicitly; fem-stvk has the static solver");
   return fem_reference::run_dynamics(
@@ -59,15 +74,17 @@ Solution solve_explicitly(const CaseSettings& settings, const Mesh& mesh,
        .protocol = protocol_of(settings),
        .damping_ratio = settings.dynamics.damping_ratio,
        .precision = settings.dynamics.precision,
-       .threads = settings.dynamics.threads});
+       .threads = threads_per_simulation()},
+      observers);
 }
 
-Solution solve(const CaseSettings& settings, const Mesh& mesh) {
+Solution solve(const CaseSettings& settings, const Mesh& mesh,
+               const dynamics::Observers& observers) {
   const Scene scene = mechanical_scene(settings, mesh);
   if (is_finite_element(settings.method))
     return fem_reference::solve(mesh, scene, reference_settings(settings));
   if (is_explicit_element(settings.method))
-    return solve_explicitly(settings, mesh, scene);
+    return solve_explicitly(settings, mesh, scene, observers);
   return mss::solve(mesh, scene,
                     {.network = {.method = std::get<mss::Method>(settings.method.model),
                                  .stiffness_form = settings.stiffness_form,
@@ -75,13 +92,15 @@ Solution solve(const CaseSettings& settings, const Mesh& mesh) {
                                  .constants = settings.constants,
                                  .volume_correction = settings.correction},
                      .dynamics = spring_dynamics(settings),
-                     .seed = settings.seed});
+                     .seed = settings.seed},
+                    observers);
 }
 
 /// A breakdown is a result: one case must not end a study of thousands.
-Solution solve_or_break_down(const CaseSettings& settings, const Mesh& mesh) {
+Solution solve_or_break_down(const CaseSettings& settings, const Mesh& mesh,
+                             const dynamics::Observers& observers) {
   try {
-    return solve(settings, mesh);
+    return solve(settings, mesh, observers);
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
@@ -94,6 +113,54 @@ Solution solve_or_break_down(const CaseSettings& settings, const Mesh& mesh) {
 
 bool has_equilibrium(const Solution& solution) {
   return solution.status == SolveStatus::ok || solution.status == SolveStatus::indefinite;
+}
+
+double transit_count(const CaseSettings& settings, const Mesh& mesh) {
+  const auto [lambda, mu] = lame_constants(settings.material);
+  const auto [low, high] =
+      std::ranges::minmax(mesh.nodes(), {}, [](const Vector3& x) { return x.z(); });
+  const double wave_speed = std::sqrt((lambda + 2 * mu) / settings.material.density);
+  return settings.dynamics.duration * wave_speed / (high.z() - low.z());
+}
+
+/// Writes checkpoints as long as they can be written: what was computed is worth more.
+void try_checkpoint(const std::filesystem::path& file, const std::string& key,
+                    const CaseCheckpoint& checkpoint) {
+  try {
+    write_checkpoint(file, key, checkpoint);
+  } catch (const std::exception& error) {
+    spdlog::error("no checkpoint at {:.4g} s, an earlier one stays: {}",
+                  checkpoint.march.time, error.what());
+  }
+}
+
+dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
+                                 const Watch& watch, History& history) {
+  dynamics::Observers observers;
+  observers.samples = settings.dynamics.history;
+  if (observers.samples > 0)
+    observers.sample = [&](const dynamics::Moment& moment) {
+      history.push_back(history_sample(settings, mesh, moment));
+    };
+  if (watch.shows_progress) {
+    const auto progress = std::make_shared<MarchProgress>(settings.dynamics.duration);
+    observers.progress = [progress](const dynamics::Checkpoint& now) {
+      progress->show(now.time, now.step);
+    };
+  }
+  if (!watch.checkpoint || solver_of(settings) == Solver::static_equilibrium)
+    return observers;
+  const std::string key =
+      case_key({.settings = settings, .reference = std::nullopt}, mesh);
+  if (auto from = read_checkpoint(*watch.checkpoint, key, mesh.nodes().size())) {
+    history = std::move(from->history);
+    observers.from = std::move(from->march);
+  }
+  observers.seconds_between_checkpoints = watch.seconds_between_checkpoints;
+  observers.checkpoint = [&, key](const dynamics::Checkpoint& now) {
+    try_checkpoint(*watch.checkpoint, key, {.march = now, .history = history});
+  };
+  return observers;
 }
 
 }  // namespace
@@ -117,6 +184,8 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
   if (has_equilibrium(solution)) {
     Measures& measures = result.measures;
     measures = measure(settings, mesh, solution);
+    measures.kinetic_energy = solution.kinetic_energy;
+    if (solution.kinetic_energy) measures.transit_count = transit_count(settings, mesh);
     const auto wrinkling =
         is_grid_of_hexahedra(settings.body)
             ? measure_wrinkling(mesh, mechanical_scene(settings, mesh),
@@ -146,12 +215,15 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
   return result;
 }
 
-CaseResult simulate(const CaseSettings& settings, const Mesh& mesh) {
+CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, const Watch& watch) {
   omp_set_num_threads(1);  // this thread's: CHOLMOD's small loops only wait otherwise
   const auto start = std::chrono::steady_clock::now();
-  Solution solution = solve_or_break_down(settings, mesh);
+  History history;
+  const dynamics::Observers observers = observers_of(settings, mesh, watch, history);
+  Solution solution = solve_or_break_down(settings, mesh, observers);
   const double solve_wall_s = seconds_since(start);
   CaseResult result = judged(settings, mesh, std::move(solution));
+  result.history = std::move(history);
   result.solve_wall_s = solve_wall_s;
   result.wall_s = seconds_since(start);
   return result;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
+
 #include "comparisons/case_result.hpp"
 
 namespace springcheck {
@@ -8,9 +11,18 @@ namespace springcheck {
 /// times.
 CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found);
 
+/// How a case in dynamics is watched over.
+struct Watch {
+  std::optional<std::filesystem::path>
+      checkpoint{};  // written now and then, gone on from
+  double seconds_between_checkpoints = 60;
+  bool shows_progress = false;  // on stderr, where that is a terminal
+};
+
 /// Runs one case, without its reference: solution, measures, verdict and times; no key.
 /// A solver that breaks down (out of memory, say) leaves status not_converged and its
 /// words as reason; only InputError is thrown.
-CaseResult simulate(const CaseSettings& settings, const Mesh& mesh);
+CaseResult simulate(const CaseSettings& settings, const Mesh& mesh,
+                    const Watch& watch = {});
 
 }  // namespace springcheck

@@ -71,8 +71,12 @@ std::vector<Vector3> difference(std::vector<Vector3> a, const std::vector<Vector
 class Study {
  public:
   Study(const std::vector<Request>& requests, MeshStore& meshes, const KnownResult& known,
-        const Deliver& deliver)
-      : requests_(requests), meshes_(meshes), known_(known), deliver_(deliver) {
+        const Deliver& deliver, const Watch& watch)
+      : requests_(requests),
+        meshes_(meshes),
+        known_(known),
+        deliver_(deliver),
+        watch_(watch) {
     for (std::size_t i = 0; i < requests.size(); ++i) plan(i);
   }
 
@@ -152,7 +156,7 @@ class Study {
       // Isolated: a thread that waits for its own inner loops must not start another
       // simulation meanwhile, whose time would count twice.
       result = tbb::this_task_arena::isolate(
-          [&] { return simulate(simulation.settings, *simulation.mesh); });
+          [&] { return simulate(simulation.settings, *simulation.mesh, watch_); });
     } catch (...) {
       budget.give(bytes);
       throw;
@@ -202,6 +206,7 @@ class Study {
   MeshStore& meshes_;
   const KnownResult& known_;
   const Deliver& deliver_;
+  const Watch& watch_;
   std::vector<Simulation> simulations_;
   std::vector<Parts> parts_;  // of the requests
   std::map<std::string, std::size_t> places_;
@@ -214,19 +219,19 @@ class Study {
 }  // namespace
 
 void run_study(const std::vector<Request>& requests, MeshStore& meshes, int parallel,
-               const Finished& finished, const KnownResult& known,
-               const Deliver& deliver) {
-  Study(requests, meshes, known, deliver).run(parallel, finished);
+               const Finished& finished, const KnownResult& known, const Deliver& deliver,
+               const Watch& watch) {
+  Study(requests, meshes, known, deliver, watch).run(parallel, finished);
 }
 
 std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStore& meshes,
                                   int parallel, const Finished& finished,
-                                  const KnownResult& known) {
+                                  const KnownResult& known, const Watch& watch) {
   std::vector<CaseResult> results(requests.size());
-  run_study(requests, meshes, parallel, finished, known,
-            [&](std::size_t request, CaseResult&& result) {
-              results[request] = std::move(result);
-            });
+  const Deliver keep = [&](std::size_t request, CaseResult&& result) {
+    results[request] = std::move(result);
+  };
+  run_study(requests, meshes, parallel, finished, known, keep, watch);
   return results;
 }
 

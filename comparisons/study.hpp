@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/case_result.hpp"
+#include "comparisons/simulate.hpp"
 
 namespace springcheck {
 
@@ -29,12 +29,12 @@ using Deliver = std::function<void(std::size_t request, CaseResult&& result)>;
 /// Results are let go as soon as no request needs them. What `deliver` throws ends the
 /// study.
 void run_study(const std::vector<Request>& requests, MeshStore& meshes, int parallel,
-               const Finished& finished, const KnownResult& known,
-               const Deliver& deliver);
+               const Finished& finished, const KnownResult& known, const Deliver& deliver,
+               const Watch& watch = {});
 
 /// The same, with all results at the end, in the requests' order.
 std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStore& meshes,
                                   int parallel, const Finished& finished,
-                                  const KnownResult& known = {});
+                                  const KnownResult& known = {}, const Watch& watch = {});
 
 }  // namespace springcheck

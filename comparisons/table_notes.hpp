@@ -65,7 +65,8 @@ inline constexpr const char* torsion_angle =
     "The thesis calls 1 and 45 degrees 5 % and 20 %; the angles are inferred from its "
     "torques.";
 inline constexpr const char* exact_volume =
-    "The volume error e uses the exact trilinear volume. The mean-edge volume of Eq. 5.19, which drives "
+    "The volume error e uses the exact trilinear volume. The mean-edge volume of Eq. "
+    "5.19, which drives "
     "the "
     "correction, differs by up to 0.02 points.";
 inline constexpr const char* units =

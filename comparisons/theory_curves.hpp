@@ -10,7 +10,8 @@ namespace springcheck {
 /// forms for its figures.
 ///
 ///     methods          description by name
-///     volume_modulus   nu, kappa_over_young: volume_correction_modulus over E; cases: the
+///     volume_modulus   nu, kappa_over_young: volume_correction_modulus over E; cases:
+///     the
 ///                      same of every nu in the file
 ///     beams            of every distinct beam among the cases of bending: cases (keys),
 ///                      length, width, height [m], young [Pa], nu, density [kg/m^3],

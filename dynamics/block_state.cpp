@@ -16,26 +16,27 @@ void BlockState<Real>::Free::operator()(void* memory) const {
 }
 
 template <class Real>
-std::size_t BlockState<Real>::reach(const Block& block) {
-  const std::size_t furthest = block.is_grid() ? block.layer + block.row + 1 : 0;
-  return (furthest / block_granularity + 2) * block_granularity;
-}
-
-template <class Real>
-BlockState<Real>::BlockState(const Block& block, Load load) : reach_(reach(block)) {
-  const std::size_t slots = block.nodes.size();
-  stride_ = slots + 2 * reach_;
+BlockState<Real>::BlockState(const Block& block, Load load, std::size_t lanes) {
+  const std::size_t rows = block.nodes.size() / lanes;
+  const std::size_t ghosts = block.is_grid() ? block.layer + block.row + 2 : 0;
+  // An odd number of cache lines, so that the arrays do not share places in the cache;
+  // one spare line behind the last row, where unaligned reads end.
+  constexpr std::size_t line = alignment / sizeof(Real);
+  stride_ = ((rows + ghosts) * lanes / line + 2) * line;
+  if (stride_ / line % 2 == 0) stride_ += line;
   const std::size_t count = load == Load::some ? 13 : 10;
   bytes_ = count * stride_ * sizeof(Real);
   memory_.reset(::operator new (bytes_, std::align_val_t{alignment}));
   std::memset(memory_.get(), 0, bytes_);
-  Real* next = static_cast<Real*>(memory_.get()) + reach_;
+  Real* next = static_cast<Real*>(memory_.get());
   const auto take = [&] {
     Real* const array = next;
     next += stride_;
     return array;
   };
-  arrays_ = {.slots = slots,
+  arrays_ = {.rows = rows,
+             .lanes = lanes,
+             .ghosts = ghosts,
              .displacement = {take(), take(), take()},
              .velocity = {take(), take(), take()},
              .force = {take(), take(), take()},
@@ -47,7 +48,7 @@ BlockState<Real>::BlockState(const Block& block, Load load) : reach_(reach(block
 template <class Real>
 void BlockState<Real>::clear_forces() {
   // The three lie one behind the other.
-  std::memset(arrays_.force[0] - reach_, 0, 3 * stride_ * sizeof(Real));
+  std::memset(arrays_.force[0], 0, 3 * stride_ * sizeof(Real));
 }
 
 template class BlockState<float>;

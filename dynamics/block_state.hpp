@@ -9,17 +9,24 @@
 
 namespace springcheck::dynamics {
 
-/// Where a block's numbers are: one array per component, an entry per slot. Every array
-/// may be read for reach() entries before and after it, where there are zeros; forces may
-/// be written there, and mean nothing.
+/// Where a block's numbers are: one array per component. The slots are dealt out to lanes
+/// in consecutive runs of `rows`, and the lanes stand side by side: slot s is the element
+/// (s mod rows) lanes + s / rows. A step of n slots thus is a step of n rows for all
+/// lanes at once, from registers to registers, whatever n; only at the end of the runs it
+/// leads into the next lane. There every array goes on for `ghosts` rows more, in which
+/// each lane finds again what the next lanes have: see fill_ghosts and fold_ghosts.
 template <class Real>
 struct BlockArrays {
-  std::size_t slots;
+  std::size_t rows, lanes, ghosts;
   std::array<Real*, 3> displacement;  // u [m]; 0 in empty slots
   std::array<Real*, 3> velocity;      // [m/s]
   std::array<Real*, 3> force;         // [N]
   std::array<Real*, 3> load;          // [N] at the full load; null where there is none
   Real* inverse_mass;                 // [1/kg]; 0 in empty slots
+
+  [[nodiscard]] std::size_t element(std::size_t slot) const {
+    return slot % rows * lanes + slot / rows;
+  }
 };
 
 enum class Load { none, some };
@@ -28,10 +35,7 @@ enum class Load { none, some };
 template <class Real>
 class BlockState {
  public:
-  BlockState(const Block& block, Load load);
-
-  /// Slots between the furthest corners of a cell, in any direction, and a register more.
-  static std::size_t reach(const Block& block);
+  BlockState(const Block& block, Load load, std::size_t lanes);
 
   [[nodiscard]] const BlockArrays<Real>& arrays() const { return arrays_; }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -41,7 +45,7 @@ class BlockState {
   struct Free {
     void operator()(void* memory) const;
   };
-  std::size_t bytes_, stride_, reach_;
+  std::size_t bytes_, stride_;
   std::unique_ptr<void, Free> memory_;
   BlockArrays<Real> arrays_;
 };
@@ -53,7 +57,9 @@ extern template class BlockState<double>;
 /// and velocities; the forces are zero before. Called for different blocks at the same
 /// time.
 template <class Real>
-using BlockForces =
-    std::function<void(std::size_t block, const BlockArrays<Real>& arrays)>;
+struct BlockForces {
+  std::size_t lanes;  // of the arrays it takes
+  std::function<void(std::size_t block, const BlockArrays<Real>& arrays)> add;
+};
 
 }  // namespace springcheck::dynamics

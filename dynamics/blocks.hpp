@@ -12,8 +12,8 @@ namespace springcheck::dynamics {
 inline constexpr NodeIndex no_node = ~NodeIndex{0};
 inline constexpr std::uint32_t no_cell = ~std::uint32_t{0};
 
-/// Every list over a block's slots or cells is that many long, rounded up: whole
-/// registers of the widest kind.
+/// Every list over a block's slots or cells is a multiple of this long: whole registers
+/// of the widest kind.
 inline constexpr std::size_t block_granularity = 16;
 
 /// A part of the mesh small enough for a core's cache. Nodes on its border have a slot in

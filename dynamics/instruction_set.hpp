@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace springcheck::dynamics {
@@ -16,6 +17,13 @@ std::string_view name_of(InstructionSet set);
 
 /// Whether this processor and this build have it.
 bool is_available(InstructionSet set);
+
+/// How many numbers its registers hold.
+template <class Real>
+std::size_t lane_count(InstructionSet set) {
+  constexpr std::array<std::size_t, 3> bytes{16, 32, 64};
+  return bytes[static_cast<std::size_t>(set)] / sizeof(Real);
+}
 
 /// The widest there is.
 InstructionSet best_instruction_set();

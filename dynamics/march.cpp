@@ -103,7 +103,6 @@ class March {
     auto last_progress = std::chrono::steady_clock::now(),
          last_checkpoint = last_progress;
     std::vector<AffineDisplacement> motions = support_motions(body_.scene, fraction());
-    const int first = now_.step;
     while (now_.steps_left > 0) {
       std::vector<AffineDisplacement> before = std::move(motions);
       const bool halved = protocol_.integrator == Integrator::verlet;
@@ -149,7 +148,7 @@ class March {
     }
     Moment end = moment();
     solution.steps = now_.step;
-    solution.force_evaluations = now_.step - first + 1;
+    solution.force_evaluations = now_.step + 1;
     solution.dt = now_.dt;
     solution.dt_limit = if_finite(now_.limit);
     solution.load_fraction = end.load_fraction;

@@ -9,7 +9,8 @@ template <class Real>
 void update(const BlockArrays<Real>& arrays, const NodalStep& now) {
   const auto dt = static_cast<Real>(now.dt), kick = static_cast<Real>(now.kick),
              fraction = static_cast<Real>(now.load_fraction);
-  for (std::size_t s = 0; s < arrays.slots; s += width<Real>) {
+  const std::size_t slots = arrays.rows * arrays.lanes;
+  for (std::size_t s = 0; s < slots; s += width<Real>) {
     const Pack<Real> inverse_mass = load(arrays.inverse_mass + s);
     for (std::size_t i = 0; i < 3; ++i) {
       Pack<Real> force = load(arrays.force[i] + s);

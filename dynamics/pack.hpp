@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -105,27 +104,6 @@ inline Pack<Real> reciprocal_root(Pack<Real> x) {
   for (std::size_t i = 0; i < width<Real>; ++i) x[i] = 1 / std::sqrt(x[i]);
   return x;
 #endif
-}
-
-namespace detail {
-template <std::size_t start, class Real, std::size_t... lane>
-inline Pack<Real> window(Pack<Real> first, Pack<Real> second,
-                         std::index_sequence<lane...>) {
-  return __builtin_shufflevector(first, second, static_cast<int>(start + lane)...);
-}
-}  // namespace detail
-
-/// Of the numbers of `before` and `now` in a row those one place earlier than `now`.
-template <class Real>
-inline Pack<Real> one_earlier(Pack<Real> before, Pack<Real> now) {
-  return detail::window<width<Real> - 1, Real>(before, now,
-                                               std::make_index_sequence<width<Real>>{});
-}
-
-/// Those one place later than `before`.
-template <class Real>
-inline Pack<Real> one_later(Pack<Real> before, Pack<Real> now) {
-  return detail::window<1, Real>(before, now, std::make_index_sequence<width<Real>>{});
 }
 
 }  // namespace springcheck::dynamics::SPRINGCHECK_PATH

@@ -51,8 +51,8 @@ dynamics::BlockForces<double> plain_kernel(const Network& network, double dampin
   room->state.displacements.resize(nodes);
   room->state.velocities.resize(nodes);
   room->forces.resize(nodes);
-  return [&network, damping_ratio, room](std::size_t,
-                                         const dynamics::BlockArrays<double>& arrays) {
+  const auto add = [&network, damping_ratio, room](
+                       std::size_t, const dynamics::BlockArrays<double>& arrays) {
     for (std::size_t n = 0; n < room->forces.size(); ++n)
       for (std::size_t i = 0; i < 3; ++i) {
         const auto j = static_cast<Eigen::Index>(i);
@@ -65,6 +65,7 @@ dynamics::BlockForces<double> plain_kernel(const Network& network, double dampin
       for (std::size_t i = 0; i < 3; ++i)
         arrays.force[i][n] = room->forces[n][static_cast<Eigen::Index>(i)];
   };
+  return {.lanes = 1, .add = add};
 }
 
 std::optional<std::vector<Block>> blocks_for_kernel(const Mesh& mesh,

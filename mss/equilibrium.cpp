@@ -18,8 +18,8 @@ constexpr double gradient_per_step = 0.06;  // see Landscape::gradient
 }  // namespace
 
 Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
-                          unsigned seed) {
-  Landscape landscape(mesh, scene, network);
+                          unsigned seed, LinearSolver linear_solver) {
+  Landscape landscape(mesh, scene, network, linear_solver);
   std::mt19937_64 random(seed);
   Positions x = mesh.nodes();
   double reached = 0;
@@ -28,11 +28,12 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
   std::string reason;
   std::optional<double> definite_up_to;
 
-  bool definite = landscape.factor(x);
-  if (!definite) landscape.factor_clamped();
+  bool definite = true;
+  landscape.linearise(x);
   // The chord of the whole path, or its length where that is longer: supports that turn.
   constexpr double little = 1. / 64;
-  const double chord = landscape.gradient(x, landscape.predicted(x, 1));
+  const Positions whole = landscape.predicted(x, 1);
+  const double chord = landscape.gradient(x, whole);
   const double path = landscape.gradient(x, landscape.predicted(x, little)) / little;
   const double whole_gradient = path > 1.01 * chord ? path : chord;
   const double largest_step =
@@ -43,12 +44,9 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
   while (reached < 1) {
     // The last step may be a little longer, not a sliver.
     const double to = reached + 1.05 * step > 1 ? 1 : reached + step;
-    if (!definite) {
-      landscape.factor(x);
-      landscape.factor_clamped();
-    }
+    if (!definite) landscape.linearise(x);
     landscape.set_load(reached);
-    Positions start = landscape.predicted(x, to);
+    Positions start = reached == 0 && to == 1 ? whole : landscape.predicted(x, to);
     landscape.set_load(to);
     Minimum minimum = minimise(landscape, std::move(start), random);
     spdlog::debug("load {:.5f}: {}, residual {:.2e}", to,
@@ -76,7 +74,7 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
                            : fmt::format("relative residual {:.1e}", minimum.residual));
       break;
     }
-    definite = landscape.factor(x);
+    landscape.linearise(x);
   }
   if (status == SolveStatus::ok && !definite) {
     status = SolveStatus::indefinite;
@@ -97,7 +95,8 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
                     .load_fraction = reached,
                     .steps = steps,
                     .force_evaluations = landscape.evaluations(),
-                    .definite_up_to = definite_up_to};
+                    .definite_up_to = definite_up_to,
+                    .linear_iterations = landscape.linear_iterations()};
   for (std::size_t n = 0; n < x.size(); ++n)
     solution.displacements.push_back(x[n] - mesh.nodes()[n]);
   for (const auto& [node, i, plate] : landscape.prescribed())

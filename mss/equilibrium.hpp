@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mss/linear_solver.hpp"
 #include "mss/network.hpp"
 
 namespace springcheck::mss {
@@ -11,17 +12,19 @@ namespace springcheck::mss {
 /// predictor through the tangent from the prescribed increments, then Newton's method
 /// with an energy line search. Where the tangent is not positive definite the step uses
 /// the patches' matrices with negative eigenvalues set to zero. A state counts as a
-/// minimum when its true tangent has a Cholesky factor; near a saddle the search leaves
-/// along the direction of most negative curvature (`seed` starts its inverse iteration,
-/// and so decides between equal directions). A step that finds no minimum is halved, down
-/// to 1/1024 of the load; then the status is no_equilibrium if the energy fell without
-/// end, and not_converged otherwise. The solution's definite_up_to is about the states
-/// that the path keeps: a saddle that it left for a minimum, wrinkled perhaps, does not
-/// count.
+/// minimum when its true tangent has a Cholesky factor, or passes the iterative solver's
+/// test (IterativeSolver::is_definite); near a saddle the search leaves along negative
+/// curvature, the most negative where the solver is direct (`seed` starts the iteration
+/// that finds it, and so decides between equal directions). A step that finds no minimum
+/// is halved, down to 1/1024 of the load; then the status is no_equilibrium if the energy
+/// fell without end, and not_converged otherwise. The solution's definite_up_to is about
+/// the states that the path keeps: a saddle that it left for a minimum, wrinkled perhaps,
+/// does not count.
 ///
 /// Converged: residual below 1e-10 of the norm of the nodal forces, or below what the
 /// rounding of the positions does to them.
 Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
-                          unsigned seed);
+                          unsigned seed,
+                          LinearSolver linear_solver = LinearSolver::by_size);
 
 }  // namespace springcheck::mss

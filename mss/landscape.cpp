@@ -3,31 +3,55 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
-#include "meshing/random_numbers.hpp"
 #include "mss/forces.hpp"
 
 namespace springcheck::mss {
 namespace {
 
-constexpr int inverse_iterations = 12;
+// Up to here a factor costs seconds at most, however ill-conditioned the body is.
+constexpr std::size_t most_unknowns_solved_directly = 10'000;
+// At 60^3 cells and nu = .499 less, 1e-3, leaves so much volume change that the load has
+// to be cut in two.
+constexpr double predictor_accuracy = 1e-4;
+
+std::vector<std::size_t> unknowns(const std::vector<bool>& is_free) {
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < is_free.size(); ++i)
+    if (is_free[i]) free.push_back(i);
+  return free;
+}
+
+std::variant<DirectSolver, IterativeSolver> solver(LinearSolver choice,
+                                                   const Network& network,
+                                                   const std::vector<bool>& is_free,
+                                                   std::size_t unknowns) {
+  const bool direct =
+      choice == LinearSolver::direct ||
+      (choice == LinearSolver::by_size && unknowns <= most_unknowns_solved_directly);
+  if (direct)
+    return std::variant<DirectSolver, IterativeSolver>(std::in_place_type<DirectSolver>,
+                                                       network, is_free);
+  return std::variant<DirectSolver, IterativeSolver>(std::in_place_type<IterativeSolver>,
+                                                     network, is_free);
+}
 
 }  // namespace
 
-Landscape::Landscape(const Mesh& mesh, const Scene& scene, const Network& network)
+Landscape::Landscape(const Mesh& mesh, const Scene& scene, const Network& network,
+                     LinearSolver linear_solver)
     : mesh_(mesh),
       scene_(scene),
       network_(network),
       prescribed_(prescribed_components(mesh, scene)),
       load_(load_forces(mesh, scene, network)),
-      assembly_(network, free_components(mesh, prescribed_)),
+      free_(unknowns(free_components(mesh, prescribed_))),
       cell_edge_(std::cbrt(mesh.volume() / static_cast<double>(mesh.cells().size()))),
-      stiffness_(assembly_.assemble(tangent_at(network, network.rest_positions))
-                     .diagonal()
-                     .norm()),
-      forces_(mesh.nodes().size()) {
-  cholesky_.cholmod().print = 0;  // a failed factorisation is an answer, not a warning
+      forces_(mesh.nodes().size()),
+      tangent_(tangent_at(network, network.rest_positions)),
+      solver_(solver(linear_solver, network, free_components(mesh, prescribed_),
+                     free_.size())) {
+  stiffness_ = on_free(diagonal(network, tangent_)).norm();
 }
 
 double Landscape::energy(const Positions& x) const {
@@ -51,59 +75,74 @@ double Landscape::force_round_off(const Positions& x) const {
 }
 
 double Landscape::energy_round_off(const Positions& x, double energy) const {
-  return 1e-13 * std::abs(energy) +
+  // Errors of a sum add up like a random walk; 1e-13 is ample for 10^4 unknowns.
+  const double terms = std::max(1., static_cast<double>(free_.size()) / 1e4);
+  return 1e-13 * std::sqrt(terms) * std::abs(energy) +
          force_round_off(x) * std::sqrt(2 * std::abs(energy) / stiffness_);
 }
 
 Eigen::VectorXd Landscape::on_free(const std::vector<Vector3>& all) const {
-  Eigen::VectorXd values(assembly_.size());
-  for_each_free([&](NodeIndex n, int i, Eigen::Index unknown) {  //
-    values[unknown] = all[n][i];
-  });
+  Eigen::VectorXd values(static_cast<Eigen::Index>(free_.size()));
+  for (std::size_t k = 0; k < free_.size(); ++k)
+    values[static_cast<Eigen::Index>(k)] =
+        all[free_[k] / 3][static_cast<Eigen::Index>(free_[k] % 3)];
   return values;
 }
 
 Positions Landscape::moved(const Positions& x, const Eigen::VectorXd& by,
                            double factor) const {
   Positions y = x;
-  for_each_free(
-      [&](NodeIndex n, int i, Eigen::Index unknown) { y[n][i] += factor * by[unknown]; });
+  for (std::size_t k = 0; k < free_.size(); ++k)
+    y[free_[k] / 3][static_cast<Eigen::Index>(free_[k] % 3)] +=
+        factor * by[static_cast<Eigen::Index>(k)];
   return y;
 }
 
 double Landscape::longest_move(const Eigen::VectorXd& step) const {
-  std::vector<Vector3> moves(forces_.size(), Vector3::Zero());
-  for_each_free([&](NodeIndex n, int i, Eigen::Index unknown) {  //
-    moves[n][i] = step[unknown];
-  });
+  const Positions moves = moved(Positions(forces_.size(), Vector3::Zero()), step, 1);
   double longest = 0;
   for (const Vector3& move : moves) longest = std::max(longest, move.norm());
   return longest;
 }
 
-bool Landscape::factor(const Positions& x) {
+void Landscape::linearise(const Positions& x) {
   tangent_ = tangent_at(network_, x);
-  return factor_matrix(assembly_.assemble(tangent_));
+  std::visit([&](auto& solver) { solver.prepare(tangent_); }, solver_);
 }
 
-void Landscape::factor_clamped() {
+void Landscape::clamp() {
   clamp_to_positive(tangent_);
-  factor_shifted(assembly_.assemble(tangent_));
+  std::visit([&](auto& solver) { solver.prepare_clamped(tangent_); }, solver_);
+}
+
+bool Landscape::is_definite(std::mt19937_64& random) {
+  if (auto* iterative = std::get_if<IterativeSolver>(&solver_))
+    return iterative->is_definite(random);
+  return std::get<DirectSolver>(solver_).is_definite();
+}
+
+std::optional<Eigen::VectorXd> Landscape::solve(const Eigen::VectorXd& right,
+                                                double accuracy) {
+  if (auto* iterative = std::get_if<IterativeSolver>(&solver_))
+    return iterative->solve(right, accuracy);
+  return std::get<DirectSolver>(solver_).solve(right);
 }
 
 Eigen::VectorXd Landscape::negative_curvature(const Eigen::VectorXd& downhill,
                                               std::mt19937_64& random) {
-  factor_shifted(assembly_.assemble(tangent_));
-  Eigen::VectorXd v(assembly_.size());
-  for (double& component : v)
-    component = 2 * static_cast<double>(random() >> 11U) * 0x1p-53 - 1;
-  for (int i = 0; i < inverse_iterations; ++i) v = solve(v).normalized();
-  return downhill.dot(v) < 0 ? Eigen::VectorXd(-v) : v;
+  auto* iterative = std::get_if<IterativeSolver>(&solver_);
+  Eigen::VectorXd v =
+      iterative != nullptr
+          ? iterative->negative_curvature(random)
+          : std::get<DirectSolver>(solver_).negative_curvature(tangent_, random);
+  if (downhill.dot(v) < 0) v = -v;
+  return v;
 }
 
-Eigen::VectorXd Landscape::solve(const Eigen::VectorXd& right) {
-  if (assembly_.size() == 0) return right;
-  return cholesky_.solve(right);
+std::optional<int> Landscape::linear_iterations() const {
+  if (const auto* iterative = std::get_if<IterativeSolver>(&solver_))
+    return iterative->iterations();
+  return std::nullopt;
 }
 
 Positions Landscape::predicted(const Positions& x, double to) {
@@ -113,10 +152,18 @@ Positions Landscape::predicted(const Positions& x, double to) {
     increment[node][i] = mesh_.nodes()[node][i] +
                          prescribed_displacement(mesh_, scene_, held, to) - x[node][i];
   }
-  std::vector<Vector3> push = product(network_, tangent_, increment);
-  for (std::size_t n = 0; n < x.size(); ++n)
-    push[n] = (to - load_fraction_) * load_[n] - push[n];
-  Positions y = moved(x, solve(on_free(push)), 1);
+  const auto answer = [&] {
+    std::vector<Vector3> push = product(network_, tangent_, increment);
+    for (std::size_t n = 0; n < x.size(); ++n)
+      push[n] = (to - load_fraction_) * load_[n] - push[n];
+    return solve(on_free(push), predictor_accuracy);
+  };
+  std::optional<Eigen::VectorXd> step = answer();
+  if (!step) {
+    clamp();
+    step = answer();
+  }
+  Positions y = moved(x, step.value(), 1);
   for (const auto& [node, i, plate] : prescribed_) y[node][i] += increment[node][i];
   return y;
 }
@@ -141,31 +188,6 @@ double Landscape::largest_volume_ratio(const Positions& x) const {
     largest =
         std::max(largest, 1 + volume_change(network_.cells.displacement_gradient(c, u)));
   return largest;
-}
-
-bool Landscape::factor_matrix(const Eigen::SparseMatrix<double>& matrix) {
-  if (assembly_.size() == 0) return true;
-  if (!analysed_) {
-    const std::lock_guard lock(random_numbers());  // the ordering is METIS's
-    cholesky_.analyzePattern(matrix);
-  }
-  analysed_ = true;
-  cholesky_.factorize(matrix);
-  return cholesky_.info() == Eigen::Success;
-}
-
-/// Factors the matrix plus the smallest of a series of multiples of the identity that
-/// makes it positive definite.
-void Landscape::factor_shifted(Eigen::SparseMatrix<double> matrix) {
-  const double scale = matrix.diagonal().cwiseAbs().maxCoeff();
-  double shift = 0;
-  while (!factor_matrix(matrix)) {
-    const double next = shift == 0 ? 1e-8 * scale : 4 * shift;
-    if (!(next > shift && next < 1e8 * scale))
-      throw std::logic_error("a tangent that no shift makes positive definite");
-    matrix.diagonal().array() += next - shift;
-    shift = next;
-  }
 }
 
 }  // namespace springcheck::mss

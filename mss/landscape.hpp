@@ -1,22 +1,27 @@
 #pragma once
 
-#include <Eigen/CholmodSupport>
+#include <optional>
 #include <random>
+#include <variant>
 #include <vector>
 
-#include "mss/assembly.hpp"
 #include "mss/cell_forces.hpp"
+#include "mss/direct_solver.hpp"
+#include "mss/iterative_solver.hpp"
+#include "mss/linear_solver.hpp"
 
 namespace springcheck::mss {
 
 using Positions = std::vector<Vector3>;  // [m], one per node
 
 /// The total energy of a body at a load fraction, over its free displacement components:
-/// values, forces, and the Cholesky factor of its tangent. Refers to the mesh, scene and
-/// network it was made from. Vectors of unknowns hold one entry per free component.
+/// values, forces, and its tangent, solved with directly or iteratively. Refers to the
+/// mesh, scene and network it was made from. Vectors of unknowns hold one entry per free
+/// component.
 class Landscape {
  public:
-  Landscape(const Mesh& mesh, const Scene& scene, const Network& network);
+  Landscape(const Mesh& mesh, const Scene& scene, const Network& network,
+            LinearSolver linear_solver);
 
   [[nodiscard]] double cell_edge() const { return cell_edge_; }  // mean [m]
   [[nodiscard]] int evaluations() const { return evaluations_; }
@@ -44,25 +49,32 @@ class Landscape {
                                 double factor) const;
   [[nodiscard]] double longest_move(const Eigen::VectorXd& step) const;
 
-  /// Factors the true tangent at x; false when it is not positive definite.
-  bool factor(const Positions& x);
+  /// Takes the true tangent at x.
+  void linearise(const Positions& x);
 
-  /// Factors the tangent of the last factor() with the negative eigenvalues of each patch
-  /// set to zero; shifted when that is singular.
-  void factor_clamped();
+  /// Whether the tangent taken last is positive definite.
+  [[nodiscard]] bool is_definite(std::mt19937_64& random);
 
-  /// Solves with the matrix factored last.
-  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right);
+  /// Sets the negative eigenvalues of each patch of that tangent to zero.
+  void clamp();
 
-  /// Unit vector of the most negative curvature of the last factor()'s tangent, which
-  /// must not be positive definite, by inverse iteration on the tangent shifted just far
-  /// enough. Points downhill.
+  /// Solves with that tangent; iteratively to the accuracy, relative to the right-hand
+  /// side. None where it was found not to be positive definite.
+  [[nodiscard]] std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& right,
+                                                     double accuracy);
+
+  /// Unit vector of negative curvature of that tangent, which must not be positive
+  /// definite. Points downhill.
   [[nodiscard]] Eigen::VectorXd negative_curvature(const Eigen::VectorXd& downhill,
                                                    std::mt19937_64& random);
 
   /// x with the supports at load fraction `to`, the free components answering their
-  /// increments and the load's to first order through the tangent factored last.
+  /// increments and the load's to first order through that tangent, clamped where it is
+  /// not positive definite.
   [[nodiscard]] Positions predicted(const Positions& x, double to);
+
+  /// Iterations of the linear solver so far; none if it is direct.
+  [[nodiscard]] std::optional<int> linear_iterations() const;
 
   /// Root mean square over springs and damped edges of |change of d|/L: about the
   /// displacement gradient between two states.
@@ -72,30 +84,18 @@ class Landscape {
   [[nodiscard]] double largest_volume_ratio(const Positions& x) const;
 
  private:
-  /// visit(node, component, unknown) of every free component.
-  template <class Visit>
-  void for_each_free(Visit&& visit) const {
-    for (NodeIndex n = 0; n < forces_.size(); ++n)
-      for (int i = 0; i < 3; ++i)
-        if (const Eigen::Index unknown = assembly_.unknown(n, i); unknown >= 0)
-          visit(n, i, unknown);
-  }
-  bool factor_matrix(const Eigen::SparseMatrix<double>& matrix);
-  void factor_shifted(Eigen::SparseMatrix<double> matrix);
-
   const Mesh& mesh_;
   const Scene& scene_;
   const Network& network_;
   std::vector<PrescribedComponent> prescribed_;
-  std::vector<Vector3> load_;  // [N] of the full load, on every node
-  FreeAssembly assembly_;
+  std::vector<Vector3> load_;      // [N] of the full load, on every node
+  std::vector<std::size_t> free_;  // component 3 node + i of each unknown, ascending
   double cell_edge_;
   double stiffness_;  // norm of the tangent's diagonal at rest [N/m]
   std::vector<Vector3> forces_;
   CellStates states_;  // room for forces()
   Tangent tangent_;
-  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky_;
-  bool analysed_ = false;
+  std::variant<DirectSolver, IterativeSolver> solver_;
   double load_fraction_ = 0;
   int evaluations_ = 0;
 };

@@ -37,23 +37,22 @@ constexpr SpringKind kind_of(const std::array<int, 3>& step) {
 /// The springs and cells of a block of a grid, in the precision of its kernel.
 template <class Real>
 struct LatticeBlock {
-  std::size_t row, layer;  // of dynamics::Block
+  std::size_t row, layer;   // of dynamics::Block
+  std::size_t rows, lanes;  // of dynamics::BlockArrays
 
   // Where all cells are alike: of each step the rest vector [m], the stiffness k of one
   // share [N/m] and k L [N]; of a cell its mean edges.
   std::array<std::array<Real, 3>, 13> rest{};
   std::array<Real, 13> stiffness{}, tension{};
-  std::array<std::array<Real, 3>, 3> mean_edges{};
-  std::array<Real, 3> rest_area{};  // X x Y of the first two [m^2]
-  Real pressure_per_volume{};       // kappa/V0 [Pa/m^3]
+  std::array<std::array<Real, 3>, 3> fourfold_edges{};  // 4 X, 4 Y, 4 Z
+  std::array<Real, 3> sixteenfold_area{};               // 16 X x Y [m^2]
+  Real push_per_change{};  // -kappa/V0/4/16/64: force over 16-fold areas and 64-fold V
   // How many shares the spring that leaves a slot has; whether a cell is there:
   std::array<std::vector<std::uint8_t>, 13> shares{};
   std::vector<std::uint8_t> is_cell{};
 
-  // Where they are not: X of each slot, from `reach` places ahead on, k and k L of each
-  // spring, and of each cell V0 and by component and corner the gradients of F. 0 where
-  // there is none.
-  std::size_t reach = 0;
+  // Where they are not: X of each slot, with ghosts, k and k L of each spring, and of
+  // each cell V0 and by component and corner the gradients of F. 0 where there is none.
   std::array<std::vector<Real>, 3> position{};
   std::array<std::vector<Real>, 13> stiffnesses{}, tensions{};
   std::vector<Real> cell_volumes{};
@@ -61,6 +60,11 @@ struct LatticeBlock {
 
   Real volume_modulus{};       // kappa [Pa]
   Real twice_damping_ratio{};  // 2 zeta
+
+  // Lists are in the order of dynamics::BlockArrays.
+  [[nodiscard]] std::size_t element(std::size_t slot) const {
+    return slot % rows * lanes + slot / rows;
+  }
 };
 
 /// What a kernel is compiled for, so that it does nothing a method has no need of.

@@ -1,7 +1,7 @@
 // Compiled once per instruction set.
 #include <limits>
 
-#include "dynamics/pack.hpp"
+#include "dynamics/ghosts.hpp"
 #include "mss/lattice_forces_paths.hpp"
 
 namespace springcheck::mss::SPRINGCHECK_PATH {
@@ -9,16 +9,17 @@ namespace {
 
 using namespace dynamics::SPRINGCHECK_PATH;
 
-/// Below this a spring has no direction, and pulls nowhere [m^2].
+/// Added to a spring's square: nothing beside any length, and a length of zero is no
+/// division by zero and pulls nowhere [m^2].
 template <class Real>
-inline constexpr Real smallest_square = Real(1e-30);
+inline constexpr Real tiny_square = Real(1e-36);
 
 template <class Real>
 using Pack3 = std::array<Pack<Real>, 3>;
 
 template <class Real>
 [[gnu::always_inline]] inline Pack3<Real> load3(const std::array<Real*, 3>& field,
-                                                std::ptrdiff_t at) {
+                                                std::size_t at) {
   return {load(field[0] + at), load(field[1] + at), load(field[2] + at)};
 }
 
@@ -34,10 +35,10 @@ template <class Real>
           a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The forces of `width` slots in a row, a register of lanes at a time, along the block.
-/// A step that also goes one place sideways is summed one place off: the lanes that cross
-/// into the next or the last register are kept until it is there, so that nothing is read
-/// back from memory just written.
+/// The forces on a block, a row of its lanes at a time. Springs and cells lead from a row
+/// to the next one and to those about a row, a layer and their sum of the grid further
+/// on. What they do to three neighbouring rows there is kept in registers until the last
+/// of their sources is reached, and then written once.
 template <class Real, LatticeKind kind>
 class Stencil {
   using P = Pack<Real>;
@@ -47,29 +48,40 @@ class Stencil {
   Stencil(const LatticeBlock<Real>& block, const dynamics::BlockArrays<Real>& arrays)
       : block_(block),
         arrays_(arrays),
-        row_{0, signed_of(block.row), signed_of(block.layer) - signed_of(block.row),
-             signed_of(block.layer), signed_of(block.layer + block.row)} {}
+        far_{0, block.row * lanes, (block.layer - block.row) * lanes, block.layer * lanes,
+             (block.layer + block.row) * lanes} {}
 
   void run() {
-    const auto slots = signed_of(arrays_.slots);
-    for (std::ptrdiff_t at = 0; at < slots; at += lanes) step_to(at);
-    for (std::size_t r = 1; r < 5; ++r)  // what the last register kept
-      for (std::size_t i = 0; i < 3; ++i)
-        add(arrays_.force[i] + slots - lanes + row_[r],
-            -(row_sum_[r][i] + one_later<Real>(backward_[r][i], P{})));
+    fill_ghosts(arrays_, arrays_.displacement);
+    if constexpr (kind.dashpots) {
+      fill_ghosts(arrays_, arrays_.velocity);
+      fill_ghosts(arrays_,
+                  {arrays_.inverse_mass, arrays_.inverse_mass, arrays_.inverse_mass});
+    }
+    const std::size_t end = block_.rows * lanes;
+    for (std::size_t at = 0; at < end; at += lanes) forces_from(at);
+    subtract(end, next_[0]);
+    for (std::size_t r = 1; r < 5; ++r) {
+      subtract(end + far_[r] - lanes, now_[r]);
+      subtract(end + far_[r], next_[r]);
+    }
+    fold_ghosts(arrays_, arrays_.force);
   }
 
  private:
-  static constexpr auto lanes = static_cast<std::ptrdiff_t>(width<Real>);
-  static constexpr std::ptrdiff_t signed_of(std::size_t n) {
-    return static_cast<std::ptrdiff_t>(n);
+  static constexpr std::size_t lanes = width<Real>;
+
+  [[gnu::always_inline]] void subtract(std::size_t at, const P3& forces) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      Real* const to = arrays_.force[i] + at;
+      store(to, load(to) - forces[i]);
+    }
   }
 
-  static void add(Real* to, P values) { store(to, load(to) + values); }
-
-  /// Pull of the springs that leave the slots from `at` by step s; added to own_.
+  /// Pull of the springs that leave the row `at` by step s to the row `to`; added to
+  /// own_.
   template <std::size_t s>
-  [[gnu::always_inline]] P3 pull(std::ptrdiff_t at, std::ptrdiff_t to) {
+  [[gnu::always_inline]] P3 pull(std::size_t at, std::size_t to) {
     if constexpr (!kind.face_diagonals &&
                   kind_of(lattice_steps[s]) == SpringKind::face_diagonal) {
       return {};
@@ -81,18 +93,18 @@ class Stencil {
         if constexpr (kind.alike)
           d[i] += block_.rest[s][i];
         else
-          d[i] += load(block_.position[i].data() + block_.reach + to) - position_[i];
+          d[i] += load(block_.position[i].data() + to) - position_[i];
       }
-      const P length = reciprocal_root<Real>(
-          larger<Real>(dot<Real>(d, d), all(smallest_square<Real>)));
+      const P square = (d[0] * d[0] + tiny_square<Real>)+d[1] * d[1] + d[2] * d[2];
+      const P inverse_length = reciprocal_root<Real>(square);
       P k, factor;
       if constexpr (kind.alike) {
         const P shares = from_bytes<Real>(block_.shares[s].data() + at);
         k = shares * block_.stiffness[s];
-        factor = shares * (block_.stiffness[s] - block_.tension[s] * length);
+        factor = shares * (block_.stiffness[s] - block_.tension[s] * inverse_length);
       } else {
         k = load(block_.stiffnesses[s].data() + at);
-        factor = k - load(block_.tensions[s].data() + at) * length;
+        factor = k - load(block_.tensions[s].data() + at) * inverse_length;
       }
       if constexpr (kind.dashpots) {
         const P3 v = load3(arrays_.velocity, to);
@@ -104,7 +116,7 @@ class Stencil {
         const P c = block_.twice_damping_ratio * k *
                     reciprocal_root<Real>(
                         larger<Real>(k * inverse, all(std::numeric_limits<Real>::min())));
-        factor += c * approach * length * length;
+        factor += c * approach * inverse_length * inverse_length;
       }
       for (std::size_t i = 0; i < 3; ++i) {
         d[i] *= factor;
@@ -114,55 +126,53 @@ class Stencil {
     }
   }
 
-  [[gnu::always_inline]] void step_to(std::ptrdiff_t at) {
+  [[gnu::always_inline]] void forces_from(std::size_t at) {
     here_ = load3(arrays_.displacement, at);
     if constexpr (kind.dashpots) moving_ = load3(arrays_.velocity, at);
     if constexpr (!kind.alike)
       for (std::size_t i = 0; i < 3; ++i)
-        position_[i] = load(block_.position[i].data() + block_.reach + at);
+        position_[i] = load(block_.position[i].data() + at);
     own_ = {};
     std::array<P3, 4> near{}, far{};  // of the cells: corners without, with a step in x
     if constexpr (kind.correction) correct(at, near, far);
 
-    P3 forward = pull<0>(at, at + 1);
+    const P3 forward = pull<0>(at, at + lanes);
+    around<1>(at, near[1], far[1]);
+    around<2>(at, {}, {});
+    around<3>(at, near[2], far[2]);
+    around<4>(at, near[3], far[3]);
+    P3 all_of_it;
     for (std::size_t i = 0; i < 3; ++i) {
-      forward[i] -= far[0][i];
-      own_[i] += near[0][i] - one_earlier<Real>(forward_[0][i], forward[i]);
+      all_of_it[i] = next_[0][i] - own_[i] - near[0][i];
+      next_[0][i] = forward[i] - far[0][i];
     }
-    forward_[0] = forward;
-    row<1>(at, near[1], far[1]);
-    row<2>(at, {}, {});
-    row<3>(at, near[2], far[2]);
-    row<4>(at, near[3], far[3]);
-    for (std::size_t i = 0; i < 3; ++i) add(arrays_.force[i] + at, own_[i]);
+    subtract(at, all_of_it);
   }
 
-  /// The three springs to a row of nodes, and what the cells push there.
+  /// The three springs to the rows about the r-th of far_, and what the cells push there.
   template <std::size_t r>
-  [[gnu::always_inline]] void row(std::ptrdiff_t at, const P3& near, const P3& far) {
-    const std::ptrdiff_t to = at + row_[r];
-    const P3 backward = pull<3 * r - 2>(at, to - 1);
-    P3 straight = pull<3 * r - 1>(at, to);
-    P3 forward = pull<3 * r>(at, to + 1);
+  [[gnu::always_inline]] void around(std::size_t at, const P3& near, const P3& far) {
+    const std::size_t to = at + far_[r];
+    const P3 backward = pull<3 * r - 2>(at, to - lanes);
+    const P3 straight = pull<3 * r - 1>(at, to);
+    const P3 forward = pull<3 * r>(at, to + lanes);
+    P3 done;
     for (std::size_t i = 0; i < 3; ++i) {
-      straight[i] -= near[i];
-      forward[i] -= far[i];
-      add(arrays_.force[i] + to - lanes,
-          -(row_sum_[r][i] + one_later<Real>(backward_[r][i], backward[i])));
-      row_sum_[r][i] = straight[i] + one_earlier<Real>(forward_[r][i], forward[i]);
+      done[i] = now_[r][i] + backward[i];
+      now_[r][i] = next_[r][i] + straight[i] - near[i];
+      next_[r][i] = forward[i] - far[i];
     }
-    backward_[r] = backward;
-    forward_[r] = forward;
+    subtract(to - lanes, done);
   }
 
   /// Forces of the cells' volume correction on their corners, by row and step in x.
-  [[gnu::always_inline]] void correct(std::ptrdiff_t at, std::array<P3, 4>& near,
+  [[gnu::always_inline]] void correct(std::size_t at, std::array<P3, 4>& near,
                                       std::array<P3, 4>& far) {
     constexpr std::array<std::size_t, 4> rows{0, 1, 3, 4};
     std::array<P3, 4> u, w;
     for (std::size_t r = 0; r < 4; ++r) {
-      u[r] = r == 0 ? here_ : load3(arrays_.displacement, at + row_[rows[r]]);
-      w[r] = load3(arrays_.displacement, at + row_[rows[r]] + 1);
+      u[r] = r == 0 ? here_ : load3(arrays_.displacement, at + far_[rows[r]]);
+      w[r] = load3(arrays_.displacement, at + far_[rows[r]] + lanes);
     }
     if constexpr (kind.alike)
       correct_alike(at, u, w, near, far);
@@ -173,29 +183,29 @@ class Stencil {
   /// With the mean edges x, y, z = rest + change: V - V0 = dx.(y x z) + dy.(z x X) +
   /// dz.(X x Y), X and Y at rest, which keeps the digits of small changes. dV/dx_a is
   /// (+-y x z +-z x x +-x x y)/4 (Golec 2018, Eq. 5.20 with the right signs).
-  [[gnu::always_inline]] void correct_alike(std::ptrdiff_t at, const std::array<P3, 4>& u,
+  [[gnu::always_inline]] void correct_alike(std::size_t at, const std::array<P3, 4>& u,
                                             const std::array<P3, 4>& w,
                                             std::array<P3, 4>& near,
                                             std::array<P3, 4>& far) {
-    P3 dx, dy, dz, x, y, z, rest_x, rest_xy;
+    P3 dx, dy, dz, x, y, z, rest_x, rest_xy;  // four times the mean edges
     for (std::size_t i = 0; i < 3; ++i) {
-      dx[i] = Real(.25) * ((w[0][i] - u[0][i]) + (w[1][i] - u[1][i]) +
-                           (w[2][i] - u[2][i]) + (w[3][i] - u[3][i]));
-      dy[i] = Real(.25) * ((u[1][i] - u[0][i]) + (w[1][i] - w[0][i]) +
-                           (u[3][i] - u[2][i]) + (w[3][i] - w[2][i]));
-      dz[i] = Real(.25) * ((u[2][i] - u[0][i]) + (w[2][i] - w[0][i]) +
-                           (u[3][i] - u[1][i]) + (w[3][i] - w[1][i]));
-      rest_x[i] = all(block_.mean_edges[0][i]);
-      x[i] = dx[i] + block_.mean_edges[0][i];
-      y[i] = dy[i] + block_.mean_edges[1][i];
-      z[i] = dz[i] + block_.mean_edges[2][i];
-      rest_xy[i] = all(block_.rest_area[i]);
+      const P low_0 = u[0][i] + w[0][i], low_1 = u[1][i] + w[1][i],
+              high_0 = u[2][i] + w[2][i], high_1 = u[3][i] + w[3][i];
+      dx[i] = (w[0][i] - u[0][i]) + (w[1][i] - u[1][i]) + (w[2][i] - u[2][i]) +
+              (w[3][i] - u[3][i]);
+      dy[i] = (low_1 - low_0) + (high_1 - high_0);
+      dz[i] = (high_0 - low_0) + (high_1 - low_1);
+      rest_x[i] = all(block_.fourfold_edges[0][i]);
+      x[i] = dx[i] + block_.fourfold_edges[0][i];
+      y[i] = dy[i] + block_.fourfold_edges[1][i];
+      z[i] = dz[i] + block_.fourfold_edges[2][i];
+      rest_xy[i] = all(block_.sixteenfold_area[i]);
     }
     P3 yz = cross<Real>(y, z), zx = cross<Real>(z, x), xy = cross<Real>(x, y);
     const P change = dot<Real>(dx, yz) + dot<Real>(dy, cross<Real>(z, rest_x)) +
                      dot<Real>(dz, rest_xy);
-    const P push = from_bytes<Real>(block_.is_cell.data() + at) *
-                   (Real(-.25) * block_.pressure_per_volume) * change;
+    const P push =
+        from_bytes<Real>(block_.is_cell.data() + at) * block_.push_per_change * change;
     for (std::size_t i = 0; i < 3; ++i) {
       const P a = push * yz[i], sum = push * (zx[i] + xy[i]),
               difference = push * (zx[i] - xy[i]);
@@ -211,8 +221,7 @@ class Stencil {
   }
 
   /// H = sum u_a (x) G_a, f_a = -V kappa (det F - 1) cof F G_a.
-  [[gnu::always_inline]] void correct_varied(std::ptrdiff_t at,
-                                             const std::array<P3, 4>& u,
+  [[gnu::always_inline]] void correct_varied(std::size_t at, const std::array<P3, 4>& u,
                                              const std::array<P3, 4>& w,
                                              std::array<P3, 4>& near,
                                              std::array<P3, 4>& far) {
@@ -245,9 +254,10 @@ class Stencil {
 
   const LatticeBlock<Real>& block_;
   const dynamics::BlockArrays<Real>& arrays_;
-  const std::array<std::ptrdiff_t, 5> row_;  // offsets; the rows after the slot's own
+  const std::array<std::size_t, 5> far_;  // elements to the rows that springs lead to
   P3 here_, moving_, position_, own_;
-  std::array<P3, 5> forward_{}, backward_{}, row_sum_{};
+  // Not yet written: of the rows just before `at` + far_ and of those there.
+  std::array<P3, 5> now_{}, next_{};
 };
 
 template <class Real, LatticeKind kind>

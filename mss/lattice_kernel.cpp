@@ -95,26 +95,27 @@ struct Common {
   std::array<double, 13> share{};
   std::array<Vector3, 3> edges;
   double volume = 0;
+  double relative_rounding = 0;
   bool alike = true;
 };
 
-/// Positions differ from those of a perfect grid by their rounding.
-bool equal_vectors(const Vector3& a, const Vector3& b, double reach) {
-  return (a - b).cwiseAbs().maxCoeff() <=
-         8 * std::numeric_limits<double>::epsilon() * reach;
+/// Positions differ from those of a perfect grid by their rounding, `rounding` in units
+/// of length; volumes and stiffnesses by a few times that over the cells' edge.
+bool equal_vectors(const Vector3& a, const Vector3& b, double rounding) {
+  return (a - b).cwiseAbs().maxCoeff() <= rounding;
 }
-bool equal_numbers(double a, double b) {
-  return std::abs(a - b) <= 1e-14 * std::abs(b);
+bool equal_numbers(double a, double b, double relative_rounding) {
+  return std::abs(a - b) <= relative_rounding * std::abs(b);
 }
 
-double reach_of(const Network& network) {
+double rounding_of(const Network& network) {
   double reach = 0;
   for (const Vector3& x : network.rest_positions)
     reach = std::max(reach, x.cwiseAbs().maxCoeff());
-  return reach;
+  return 8 * std::numeric_limits<double>::epsilon() * reach;
 }
 
-Common common_of(const Network& network, const Block& block, double reach) {
+Common common_of(const Network& network, const Block& block, double rounding) {
   Common common;
   for_each_cell(
       network, block, [&](std::size_t cell, std::uint32_t c, const auto& corner) {
@@ -123,22 +124,24 @@ Common common_of(const Network& network, const Block& block, double reach) {
         if (common.volume == 0) {
           common.edges = edges;
           common.volume = volume;
+          common.relative_rounding = 4 * rounding / std::cbrt(volume);
           for (std::size_t i = 0; i < 13; ++i) {
             common.rest[i] = Vector3::Zero();
             for (std::size_t j = 0; j < 3; ++j)
               common.rest[i] += lattice_steps[i][j] * edges[j];
           }
         }
-        bool alike = equal_numbers(volume, common.volume);
+        bool alike = equal_numbers(volume, common.volume, common.relative_rounding);
         for (std::size_t i = 0; i < 3; ++i)
-          alike = alike && equal_vectors(edges[i], common.edges[i], reach);
+          alike = alike && equal_vectors(edges[i], common.edges[i], rounding);
         for (const CellSpring& spring : network.cells.springs(c)) {
           const PlacedSpring place =
               placed(block, cell, corner[spring.ends[0]], corner[spring.ends[1]], spring);
           double& share = common.share[place.step];
           if (share == 0) share = place.stiffness;
-          alike = alike && equal_numbers(place.stiffness, share) &&
-                  equal_vectors(place.rest, common.rest[place.step], reach);
+          alike = alike &&
+                  equal_numbers(place.stiffness, share, common.relative_rounding) &&
+                  equal_vectors(place.rest, common.rest[place.step], rounding);
         }
         common.alike = common.alike && alike;
       });
@@ -180,7 +183,9 @@ class BorderSprings {
         sum.stiffness += spring.stiffness;
         ++sum.shares;
         Common& owner = common[sum.block];
-        if (!equal_numbers(spring.stiffness, owner.share[sum.step])) owner.alike = false;
+        if (!equal_numbers(spring.stiffness, owner.share[sum.step],
+                           owner.relative_rounding))
+          owner.alike = false;
       });
   }
 
@@ -199,8 +204,11 @@ class BorderSprings {
 
 template <class Real>
 LatticeBlock<Real> with_common(const Block& block, const Common& common,
-                               const Network& network) {
-  LatticeBlock<Real> lattice{.row = block.row, .layer = block.layer};
+                               const Network& network, std::size_t lanes) {
+  LatticeBlock<Real> lattice{.row = block.row,
+                             .layer = block.layer,
+                             .rows = block.nodes.size() / lanes,
+                             .lanes = lanes};
   const auto rounded = [](const Vector3& v) {
     return std::array{static_cast<Real>(v[0]), static_cast<Real>(v[1]),
                       static_cast<Real>(v[2])};
@@ -215,20 +223,25 @@ LatticeBlock<Real> with_common(const Block& block, const Common& common,
       lattice.tension[i] = static_cast<Real>(common.share[i] * common.rest[i].norm());
       lattice.shares[i].resize(slots);
     }
-    for (std::size_t i = 0; i < 3; ++i) lattice.mean_edges[i] = rounded(common.edges[i]);
-    lattice.rest_area = rounded(common.edges[0].cross(common.edges[1]));
-    lattice.pressure_per_volume = static_cast<Real>(kappa / common.volume);
-    for (const std::uint32_t c : block.cells)
-      lattice.is_cell.push_back(c == dynamics::no_cell ? 0 : 1);
+    for (std::size_t i = 0; i < 3; ++i)
+      lattice.fourfold_edges[i] = rounded(4 * common.edges[i]);
+    lattice.sixteenfold_area = rounded(16 * common.edges[0].cross(common.edges[1]));
+    lattice.push_per_change = static_cast<Real>(-kappa / common.volume / (4. * 16 * 64));
+    lattice.is_cell.resize(slots);
+    for (std::size_t s = 0; s < slots; ++s)
+      lattice.is_cell[lattice.element(s)] = block.cells[s] == dynamics::no_cell ? 0 : 1;
     return lattice;
   }
-  lattice.reach = dynamics::BlockState<Real>::reach(block);
+  // Ghosts as in dynamics::BlockArrays, but of what never moves.
+  const std::size_t rows = lattice.rows + block.layer + block.row + 2;
   for (std::size_t i = 0; i < 3; ++i) {
-    lattice.position[i].resize(slots + 2 * lattice.reach);
-    for (std::size_t s = 0; s < slots; ++s)
-      if (block.nodes[s] != dynamics::no_node)
-        lattice.position[i][lattice.reach + s] = static_cast<Real>(
-            network.rest_positions[block.nodes[s]][static_cast<Eigen::Index>(i)]);
+    lattice.position[i].resize(rows * lanes);
+    for (std::size_t at = 0; at < rows * lanes; ++at) {
+      const std::size_t slot = at / lanes + at % lanes * lattice.rows;
+      if (slot < slots && block.nodes[slot] != dynamics::no_node)
+        lattice.position[i][at] = static_cast<Real>(
+            network.rest_positions[block.nodes[slot]][static_cast<Eigen::Index>(i)]);
+    }
   }
   for (auto& list : lattice.stiffnesses) list.resize(slots);
   for (auto& list : lattice.tensions) list.resize(slots);
@@ -236,14 +249,15 @@ LatticeBlock<Real> with_common(const Block& block, const Common& common,
   lattice.cell_volumes.resize(slots);
   for (auto& component : lattice.gradients)
     for (auto& list : component) list.resize(slots);
-  for_each_cell(network, block,
-                [&](std::size_t cell, std::uint32_t c, const auto& corner) {
-                  lattice.cell_volumes[cell] = static_cast<Real>(network.cells.volume(c));
-                  for (std::size_t n = 0; n < 8; ++n)
-                    for (std::size_t i = 0; i < 3; ++i)
-                      lattice.gradients[i][corner[n]][cell] = static_cast<Real>(
-                          network.cells.gradients(c)[n][static_cast<Eigen::Index>(i)]);
-                });
+  for_each_cell(
+      network, block, [&](std::size_t cell, std::uint32_t c, const auto& corner) {
+        lattice.cell_volumes[lattice.element(cell)] =
+            static_cast<Real>(network.cells.volume(c));
+        for (std::size_t n = 0; n < 8; ++n)
+          for (std::size_t i = 0; i < 3; ++i)
+            lattice.gradients[i][corner[n]][lattice.element(cell)] = static_cast<Real>(
+                network.cells.gradients(c)[n][static_cast<Eigen::Index>(i)]);
+      });
   return lattice;
 }
 
@@ -251,12 +265,12 @@ template <class Real>
 void add_spring(LatticeBlock<Real>& lattice, bool alike, std::size_t step,
                 std::size_t slot, std::uint8_t shares, double stiffness, double length) {
   if (alike) {
-    lattice.shares[step][slot] =
-        static_cast<std::uint8_t>(lattice.shares[step][slot] + shares);
+    std::uint8_t& count = lattice.shares[step][lattice.element(slot)];
+    count = static_cast<std::uint8_t>(count + shares);
     return;
   }
-  lattice.stiffnesses[step][slot] += static_cast<Real>(stiffness);
-  lattice.tensions[step][slot] += static_cast<Real>(stiffness * length);
+  lattice.stiffnesses[step][lattice.element(slot)] += static_cast<Real>(stiffness);
+  lattice.tensions[step][lattice.element(slot)] += static_cast<Real>(stiffness * length);
 }
 
 template <class Real>
@@ -287,13 +301,14 @@ dynamics::BlockForces<Real> lattice_kernel(const Network& network,
                                            const std::vector<Block>& blocks,
                                            double damping_ratio,
                                            dynamics::InstructionSet set) {
-  const double reach = reach_of(network);
+  const double rounding = rounding_of(network);
   std::vector<Common> common;
-  for (const Block& block : blocks) common.push_back(common_of(network, block, reach));
+  for (const Block& block : blocks) common.push_back(common_of(network, block, rounding));
   const BorderSprings border(network, blocks, common);
+  const std::size_t lanes = dynamics::lane_count<Real>(set);
   const auto kernels = std::make_shared<std::vector<Kernel<Real>>>();
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    LatticeBlock<Real> lattice = with_common<Real>(blocks[b], common[b], network);
+    LatticeBlock<Real> lattice = with_common<Real>(blocks[b], common[b], network, lanes);
     lattice.twice_damping_ratio = static_cast<Real>(2 * damping_ratio);
     bool has_face_diagonals = false;
     for_each_placed(network, blocks[b], [&](const PlacedSpring& spring) {
@@ -313,9 +328,10 @@ dynamics::BlockForces<Real> lattice_kernel(const Network& network,
     add_spring((*kernels)[sum.block].block, common[sum.block].alike, sum.step, sum.slot,
                sum.shares, sum.stiffness, sum.length);
   });
-  return [kernels](std::size_t b, const dynamics::BlockArrays<Real>& arrays) {
-    (*kernels)[b].forces((*kernels)[b].block, arrays);
-  };
+  return {.lanes = lanes,
+          .add = [kernels](std::size_t b, const dynamics::BlockArrays<Real>& arrays) {
+            (*kernels)[b].forces((*kernels)[b].block, arrays);
+          }};
 }
 
 template dynamics::BlockForces<double> lattice_kernel(const Network& network,

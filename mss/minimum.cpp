@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace springcheck::mss {
 namespace {
@@ -14,6 +15,12 @@ constexpr double largest_move = 0.5;   // of a node in one iteration, in cell ed
 constexpr double runaway_growth = 4;   // of the largest cell: there is no way back
 constexpr double near_saddle = 1e-3;   // relative residual
 constexpr double first_escape = 1e-3;  // along negative curvature, in cell edges
+
+/// Newton's method is quadratic near the minimum: more digits than the next residual can
+/// show are lost work.
+double solver_accuracy(double residual) {
+  return std::max(std::min(residual, 0.1), 0.2 * relative_residual / residual);
+}
 
 double norm(const std::vector<Vector3>& vectors) {
   double sum = 0;
@@ -60,10 +67,17 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
     if (!std::isfinite(minimum.residual)) return minimum;
     minimum.ran_away = landscape.largest_volume_ratio(now) > runaway_ratio;
     if (minimum.ran_away) return minimum;
-    minimum.definite = landscape.factor(now);
+    landscape.linearise(now);
+    minimum.found = minimum.residual < relative_residual;
+    std::optional<Eigen::VectorXd> direction;
+    if (minimum.found)
+      minimum.definite = landscape.is_definite(random);
+    else {
+      direction = landscape.solve(downhill, solver_accuracy(minimum.residual));
+      minimum.definite = direction.has_value();
+    }
     spdlog::debug("  newton {}: energy {:.9e}, residual {:.2e}{}", iteration, energy,
                   minimum.residual, minimum.definite ? "" : ", indefinite");
-    minimum.found = minimum.residual < relative_residual;
     if (minimum.found && minimum.definite) return minimum;
 
     // Near a saddle the clamped tangent hardly moves along the unstable direction.
@@ -71,22 +85,24 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
       const bool left = leave_saddle(landscape, now, energy, downhill, random);
       if (left) continue;
       if (minimum.found) return minimum;
-      landscape.factor(now);
     }
-    if (!minimum.definite) landscape.factor_clamped();
-    Eigen::VectorXd direction = landscape.solve(downhill);
-    direction *= std::min(
-        1., largest_move * landscape.cell_edge() / landscape.longest_move(direction));
-    const double slope = downhill.dot(direction);
+    if (!direction) {
+      landscape.clamp();
+      direction = landscape.solve(downhill, solver_accuracy(minimum.residual));
+    }
+    Eigen::VectorXd& step = direction.value();
+    step *=
+        std::min(1., largest_move * landscape.cell_edge() / landscape.longest_move(step));
+    const double slope = downhill.dot(step);
     // Energy differences below round-off cannot be judged; the residual then decides.
     const double round_off = landscape.energy_round_off(now, energy);
     double factor = 1;
-    Positions trial = landscape.moved(now, direction, factor);
+    Positions trial = landscape.moved(now, step, factor);
     double trial_energy = landscape.energy(trial);
     while (!(trial_energy <= energy - 1e-4 * factor * slope + round_off)) {
       factor /= 2;
       if (factor < 1e-8) return minimum;
-      trial = landscape.moved(now, direction, factor);
+      trial = landscape.moved(now, step, factor);
       trial_energy = landscape.energy(trial);
     }
     now = std::move(trial);

@@ -177,6 +177,17 @@ Eigen::MatrixXd matrix(const StarTangent& star) {
   return sum;
 }
 
+Matrix3 star_block(const StarTangent& star, Eigen::Index a, Eigen::Index b) {
+  Matrix3 block = star.volume * star.volume_gradients.col(a) *
+                  star.volume_gradients.col(b).transpose();
+  if (star.shape.isZero(0)) return block;
+  for (Eigen::Index J = 0; J < 3; ++J)
+    for (Eigen::Index L = 0; L < 3; ++L)
+      block += star.gradients(J, a) * star.gradients(L, b) *
+               star.shape.block<3, 3>(3 * J, 3 * L);
+  return block;
+}
+
 Tangent tangent_at(const Network& network, std::span<const Vector3> positions) {
   CellStates states;
   if (cells_act(network)) update_deformations(network, positions, states);
@@ -229,6 +240,21 @@ std::vector<Vector3> product(const Network& network, const Tangent& tangent,
                                star.volume * volume * star.volume_gradients.col(column);
     }
   }
+  return result;
+}
+
+std::vector<Vector3> diagonal(const Network& network, const Tangent& tangent) {
+  std::vector<Vector3> result(network.rest_positions.size(), Vector3::Zero());
+  for (std::size_t c = 0; c < tangent.cells.size(); ++c) {
+    const auto nodes = network.cells.nodes(c);
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      result[nodes[a]] += tangent.cells[c].diagonal().segment<3>(row(a));
+  }
+  for (const StarTangent& star : tangent.stars)
+    for (std::size_t a = 0; a < star.nodes.size(); ++a)
+      result[star.nodes[a]] +=
+          star_block(star, static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(a))
+              .diagonal();
   return result;
 }
 

@@ -20,6 +20,8 @@ struct StarTangent {
   double volume;                      // kappa V_n [J], not negative
 };
 Eigen::MatrixXd matrix(const StarTangent& star);
+/// Its 3x3 block between two of the star's nodes.
+Matrix3 star_block(const StarTangent& star, Eigen::Index a, Eigen::Index b);
 
 /// Second derivative of the energy [N/m] as a sum of patches, each over a few nodes. 3x3
 /// blocks in the order of the patch's nodes.
@@ -43,6 +45,9 @@ void clamp_to_positive(Tangent& tangent);
 /// The tangent times one vector per node.
 std::vector<Vector3> product(const Network& network, const Tangent& tangent,
                              std::span<const Vector3> vectors);
+
+/// The tangent's diagonal [N/m], one vector per node.
+std::vector<Vector3> diagonal(const Network& network, const Tangent& tangent);
 
 /// Nodes of the tangent's patches: cells first, then stars.
 std::vector<std::vector<NodeIndex>> patches(const Network& network);

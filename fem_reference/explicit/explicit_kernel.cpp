@@ -13,6 +13,12 @@ namespace {
 
 using dynamics::Block;
 
+/// The element of dynamics::BlockArrays that a slot of the block is.
+std::size_t element(const Block& block, std::size_t slot, std::size_t lanes) {
+  const std::size_t rows = block.nodes.size() / lanes;
+  return slot % rows * lanes + slot / rows;
+}
+
 /// Calls visit(cell number, rest positions of its corners in the block's order).
 template <class Visit>
 void for_each_cell(const Mesh& mesh, const Block& block, const Visit& visit) {
@@ -131,12 +137,12 @@ std::vector<double> eight_point_constants(const CornerVectors& rest,
 
 template <class Real>
 HexahedronBlock<Real> hexahedron_block(const Mesh& mesh, const Block& block,
-                                       const Material& material, ExplicitElement element,
-                                       const Likeness& like) {
+                                       const Material& material, ExplicitElement points,
+                                       const Likeness& like, std::size_t lanes) {
   const auto [lambda, mu] = lame_constants(material);
   const auto constants_of = [&, mu = mu](const CornerVectors& rest) {
-    return element == ExplicitElement::one_point ? one_point_constants(rest, mu, like)
-                                                 : eight_point_constants(rest, like);
+    return points == ExplicitElement::one_point ? one_point_constants(rest, mu, like)
+                                                : eight_point_constants(rest, like);
   };
   HexahedronBlock<Real> cells{.row = block.row,
                               .layer = block.layer,
@@ -146,30 +152,38 @@ HexahedronBlock<Real> hexahedron_block(const Mesh& mesh, const Block& block,
                               .constants = {},
                               .half_lambda = static_cast<Real>(lambda / 2),
                               .mu = static_cast<Real>(mu)};
+  for (auto& corners : cells.corners)
+    for (std::uint32_t& corner : corners)
+      corner = static_cast<std::uint32_t>(element(block, corner, lanes));
+  const auto number = [&](std::size_t cell) {
+    return block.is_grid() ? element(block, cell, lanes) : cell;
+  };
   if (like.shapes != CellShapes::hexahedra) {
     for (const double constant : constants_of(like.cell))
       cells.constants.push_back(static_cast<Real>(constant));
-    for (const std::uint32_t c : block.cells)
-      cells.is_cell.push_back(c == dynamics::no_cell ? 0 : 1);
+    cells.is_cell.resize(cells.cells);
+    for (std::size_t cell = 0; cell < cells.cells; ++cell)
+      cells.is_cell[number(cell)] = block.cells[cell] == dynamics::no_cell ? 0 : 1;
     return cells;
   }
   for_each_cell(mesh, block, [&](std::size_t cell, const CornerVectors& rest) {
     const std::vector<double> constants = constants_of(rest);
     cells.constants.resize(constants.size() * cells.cells);
     for (std::size_t n = 0; n < constants.size(); ++n)
-      cells.constants[n * cells.cells + cell] = static_cast<Real>(constants[n]);
+      cells.constants[n * cells.cells + number(cell)] = static_cast<Real>(constants[n]);
   });
   return cells;
 }
 
 template <class Real>
-std::vector<Real> drag(const Mesh& mesh, const Block& block, double density,
-                       double rate) {
+std::vector<Real> drag(const Mesh& mesh, const Block& block, double density, double rate,
+                       std::size_t lanes) {
   std::vector<double> drag(block.nodes.size(), 0);
   for_each_cell(mesh, block, [&](std::size_t cell, const CornerVectors& rest) {
     const auto slots = block.corner_slots(cell);
     const auto volumes = corner_volumes(rest);
-    for (std::size_t c = 0; c < 8; ++c) drag[slots[c]] += rate * density * volumes[c];
+    for (std::size_t c = 0; c < 8; ++c)
+      drag[element(block, slots[c], lanes)] += rate * density * volumes[c];
   });
   return {drag.begin(), drag.end()};
 }
@@ -199,12 +213,14 @@ dynamics::BlockForces<Real> explicit_kernel(const Mesh& mesh, const Material& ma
                                             const std::vector<Block>& blocks,
                                             double drag_rate,
                                             dynamics::InstructionSet set) {
+  const std::size_t lanes = dynamics::lane_count<Real>(set);
   const auto kernels = std::make_shared<std::vector<Kernel<Real>>>();
   for (const Block& block : blocks) {
     const Likeness like = likeness(mesh, block);
     HexahedronBlock<Real> cells =
-        hexahedron_block<Real>(mesh, block, material, element, like);
-    if (drag_rate > 0) cells.drag = drag<Real>(mesh, block, material.density, drag_rate);
+        hexahedron_block<Real>(mesh, block, material, element, like, lanes);
+    if (drag_rate > 0)
+      cells.drag = drag<Real>(mesh, block, material.density, drag_rate, lanes);
     kernels->push_back(
         {std::move(cells),
          compiled<Real>({.one_point = element == ExplicitElement::one_point,
@@ -212,9 +228,10 @@ dynamics::BlockForces<Real> explicit_kernel(const Mesh& mesh, const Material& ma
                          .shapes = like.shapes},
                         set)});
   }
-  return [kernels](std::size_t b, const dynamics::BlockArrays<Real>& arrays) {
-    (*kernels)[b].forces((*kernels)[b].block, arrays);
-  };
+  return {.lanes = lanes,
+          .add = [kernels](std::size_t b, const dynamics::BlockArrays<Real>& arrays) {
+            (*kernels)[b].forces((*kernels)[b].block, arrays);
+          }};
 }
 
 template dynamics::BlockForces<double> explicit_kernel(

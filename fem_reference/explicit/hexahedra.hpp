@@ -56,9 +56,9 @@ CornerVectors shape_gradients(const GaussPoint& at, std::size_t point);
 ///
 /// by 2 x 2 x 2 points: mu/2 times the square of the gradient of each mode. |q_s| does
 /// not change when the body turns, so that W_hg is the same in any frame, at any rotation
-/// and strain. On a cube of edge h, k_s = 8/3 h for two coordinates. For eta zeta along x,
-/// which shears, that is exact. For xi eta along x or y, which bend, it is 1/(1 + nu) of
-/// the stiffness 4/3 E h of a beam in pure bending, without the shear by which full
+/// and strain. On a cube of edge h, k_s = 8/3 h for two coordinates. For eta zeta along
+/// x, which shears, that is exact. For xi eta along x or y, which bend, it is 1/(1 + nu)
+/// of the stiffness 4/3 E h of a beam in pure bending, without the shear by which full
 /// integration locks. Torsion about z, eta zeta along -x and xi zeta along y at once, it
 /// makes twice too stiff, a part of the cell's energy that vanishes under refinement. It
 /// is free of lambda and does not lock near nu = 1/2. In cells longer than wide the mean

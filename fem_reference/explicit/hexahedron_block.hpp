@@ -38,17 +38,19 @@ struct HexahedronKind {
 /// row by row.
 template <class Real>
 struct HexahedronBlock {
-  std::size_t row, layer;                             // of dynamics::Block
-  std::vector<std::array<std::uint32_t, 8>> corners;  // likewise
-  std::size_t cells;                                  // with those that do not exist
+  std::size_t row, layer;  // of dynamics::Block
+  // Without a grid, elements of dynamics::BlockArrays:
+  std::vector<std::array<std::uint32_t, 8>> corners;
+  std::size_t cells;  // with those that do not exist
   // Where the cells are boxes, the component along each direction of the block:
   std::array<std::size_t, 3> axes{0, 1, 2};
   // The n-th of a cell is constants[n] where cells are alike, and else
-  // constants[n cells + cell], 0 where there is no cell.
+  // constants[n cells + cell], 0 where there is no cell. In a grid a cell's number is the
+  // element of its corner 0.
   std::vector<Real> constants;
   std::vector<std::uint8_t> is_cell{};  // where cells are alike
   Real half_lambda, mu;                 // [Pa]
-  std::vector<Real> drag{};             // of each slot [kg/s]; empty without
+  std::vector<Real> drag{};             // of each element [kg/s]; empty without
 };
 
 template <class Real>

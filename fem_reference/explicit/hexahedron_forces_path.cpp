@@ -279,7 +279,7 @@ class EightPoints {
 template <class Real>
 void add_drag(const HexahedronBlock<Real>& block,
               const dynamics::BlockArrays<Real>& arrays) {
-  for (std::size_t s = 0; s < arrays.slots; s += width<Real>)
+  for (std::size_t s = 0; s < arrays.rows * arrays.lanes; s += width<Real>)
     for (std::size_t i = 0; i < 3; ++i)
       store(arrays.force[i] + s,
             load(arrays.force[i] + s) -
@@ -299,11 +299,11 @@ void forces(const HexahedronBlock<Real>& block,
   }
   const Cells forces_of(block);
   if constexpr (kind.in_grid)
-    for_each_cell_pack<Real>(GridCells<Real>(block.row, block.layer, turned), block.cells,
-                             forces_of);
+    for_each_cell_pack(GridCells<Real>(block.row, block.layer, turned), width<Real>,
+                       block.cells, forces_of);
   else
-    for_each_cell_pack<Real>(FreeCells<Real>(block.corners, turned), block.cells,
-                             forces_of);
+    for_each_cell_pack(FreeCells<Real>(block.corners, turned), width<Real>, block.cells,
+                       forces_of);
 }
 
 template <class Real, bool one_point>

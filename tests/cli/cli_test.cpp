@@ -1,5 +1,6 @@
 #define BOOST_TEST_MODULE cli
 #include <cmath>
+#include <set>
 
 #include "program.hpp"
 
@@ -528,4 +529,34 @@ BOOST_AUTO_TEST_CASE(a_table_s_cases_can_be_written_and_taken_again) {
   const Run again = springcheck("table orientation --from orientation.h5 --out two.h5");
   BOOST_TEST(again.out == first.out);
   BOOST_TEST(fs::file_size(folder / "two.h5") > 0U);
+}
+
+// Frequencies of the cube at nu = .25 to the digits of the other tests' oracle, Rayleigh
+// and Ritz; that springs differ is what the table is for.
+BOOST_AUTO_TEST_CASE(the_table_of_modes_needs_no_simulation) {
+  const Json table = json_of("table modes --format json");
+  BOOST_TEST(table["table"] == "modes");
+  std::set<double> ratios;
+  for (const Json& row : table["rows"]) {
+    ratios.insert(row["nu"].get<double>());
+    BOOST_TEST(row["status"] == "ok");
+    BOOST_TEST(row["cases"].empty());
+    BOOST_TEST(row["mac"].get<double>() > 0.9);
+    for (const char* method : {"fem", "lumped", "cf", "affine", "nfd"})
+      BOOST_TEST(row[method].get<double>() > 0, method);
+  }
+  BOOST_TEST(ratios.size() == 3U);
+  const auto find = [&](const std::string& body, double nu, const std::string& modes) {
+    for (const Json& row : table["rows"])
+      if (row["body"] == body && row["nu"] == nu && row["modes"] == modes) return row;
+    return Json();
+  };
+  const Json cube = find("free cube", 0.25, "1-2");
+  BOOST_TEST(std::abs(cube["theory"].get<double>() - 18.1815) < 1e-3);
+  BOOST_TEST(std::abs(cube["fem"].get<double>() - 18.356) < 1e-3);
+  const double fem = cube["fem"], springs = cube["cf"];
+  BOOST_TEST(std::abs(cube["cf_off"].get<double>() - 100 * (springs / fem - 1)) < 1e-9);
+  BOOST_TEST(cube["notes"].size() == 2U);  // mss-nfd's zero and strange modes
+  BOOST_TEST(find("cantilever", 0.25, "3")["motion"] == "torsion 1");
+  BOOST_TEST(springcheck("table modes --reference fem-hooke").status == 2);
 }

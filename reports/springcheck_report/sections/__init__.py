@@ -10,7 +10,7 @@ from sections.cases import all_cases, empty_file, files_for_paraview, provenance
 from sections.cells import any_cells, convergence, subdivision
 from sections.cost import cost
 from sections.failures import failures
-from sections.laws import error_parts, locking, orientation, spring_constants
+from sections.laws import error_parts, locking, modes, orientation, spring_constants
 from sections.summary import summary
 from sections.thesis_tables import thesis_tables
 
@@ -33,6 +33,7 @@ SECTIONS = [
     subdivision,
     locking,
     orientation,
+    modes,
     cost,
     files_for_paraview,
     all_cases,

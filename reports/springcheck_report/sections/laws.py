@@ -1,4 +1,5 @@
-"""What the springs' constants and laws do: from the tables split, locking, orientation."""
+"""What the springs' constants and laws do: from the tables split, locking, orientation,
+modes."""
 
 import numpy as np
 from content import Figure, Section, paragraph
@@ -169,5 +170,14 @@ def orientation(study):
     if document is None:
         return None
     section = Section("orientation", "The lattice's directions")
+    section.blocks += [paragraph("{}.", document["title"]), *sheet_blocks(document)]
+    return section
+
+
+def modes(study):
+    document = study.tables.get("modes")
+    if document is None:
+        return None
+    section = Section("modes", "Natural frequencies")
     section.blocks += [paragraph("{}.", document["title"]), *sheet_blocks(document)]
     return section

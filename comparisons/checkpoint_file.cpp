@@ -1,0 +1,123 @@
+#include "comparisons/checkpoint_file.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "comparisons/store/hdf5.hpp"
+#include "comparisons/store/overlay_file.hpp"
+#include "meshing/input_error.hpp"
+#include "meshing/output_file.hpp"
+
+namespace springcheck {
+namespace {
+
+constexpr long long layout = 1;
+
+std::vector<double> numbers(const std::vector<Vector3>& vectors) {
+  std::vector<double> all;
+  all.reserve(3 * vectors.size());
+  for (const Vector3& v : vectors) all.insert(all.end(), {v.x(), v.y(), v.z()});
+  return all;
+}
+
+std::vector<Vector3> vectors(const std::vector<double>& numbers) {
+  std::vector<Vector3> all;
+  for (std::size_t i = 0; i < numbers.size(); i += 3)
+    all.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  return all;
+}
+
+CaseCheckpoint read(const std::filesystem::path& file, const std::string& key,
+                    std::size_t nodes) {
+  const auto refuse = [&](const std::string& entity, const std::string& expected,
+                          const std::string& got) {
+    throw InputError(file.string(), entity, expected, got);
+  };
+  const auto root = hdf5::open_file(file);
+  const auto stored = hdf5::read_text(root, "case");
+  if (!stored) refuse("attribute 'case'", "a checkpoint of springcheck", "none");
+  if (*stored != key)
+    refuse("attribute 'case'",
+           fmt::format("{}, the key of this scene, mesh and program version", key),
+           fmt::format("{}, another's", *stored));
+  const auto number = [&](const char* name) {
+    const auto values = hdf5::read_numbers(root, name);
+    if (!values || values->size() != 1)
+      refuse(fmt::format("attribute '{}'", name), "a number", "none");
+    return values->front();
+  };
+  const auto table = [&](const char* name, std::optional<std::size_t> count) {
+    const auto values = hdf5::read_table(root, name);
+    if (!values || (count && values->size() != *count))
+      refuse(fmt::format("table '{}'", name),
+             fmt::format("{} numbers", count.value_or(0)),
+             fmt::to_string(values ? values->size() : 0));
+    return *values;
+  };
+  CaseCheckpoint checkpoint{
+      .march = {.state = {.displacements = vectors(table("displacement", 3 * nodes)),
+                          .velocities = vectors(table("velocity", 3 * nodes))},
+                .step = static_cast<int>(number("step")),
+                .time = number("time"),
+                .dt = number("dt"),
+                .last_dt = number("last_dt"),
+                .steps_left = static_cast<int>(number("steps_left")),
+                .limit = number("limit")},
+      .history = {}};
+  if (hdf5::has_link(root, "history")) {
+    const std::vector<double> rows = table("history", std::nullopt);
+    for (std::size_t i = 0; i + 12 <= rows.size(); i += 12) {
+      HistorySample& sample = checkpoint.history.emplace_back();
+      std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(i), 12, sample.begin());
+    }
+  }
+  return checkpoint;
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& file, const std::string& key,
+                      const CaseCheckpoint& checkpoint) {
+  write_whole(file, [&](const std::filesystem::path& unfinished) {
+    if (!std::ofstream(unfinished).flush())
+      throw std::runtime_error(unfinished.string() + " cannot be written");
+    OverlayFile overlay(unfinished);
+    {
+      const hdf5::Handle root(overlay.create(), H5Fclose, unfinished.string());
+      const auto& [state, step, time, dt, last_dt, steps_left, limit] = checkpoint.march;
+      hdf5::write_attribute(root, "layout", layout);
+      hdf5::write_attribute(root, "case", key);
+      hdf5::write_attribute(root, "step", static_cast<double>(step));
+      hdf5::write_attribute(root, "time", time);
+      hdf5::write_attribute(root, "dt", dt);
+      hdf5::write_attribute(root, "last_dt", last_dt);
+      hdf5::write_attribute(root, "steps_left", static_cast<double>(steps_left));
+      hdf5::write_attribute(root, "limit", limit);
+      hdf5::write_table(root, "displacement", numbers(state.displacements), 3);
+      hdf5::write_table(root, "velocity", numbers(state.velocities), 3);
+      if (!checkpoint.history.empty()) {
+        std::vector<double> rows;
+        for (const HistorySample& sample : checkpoint.history)
+          rows.insert(rows.end(), sample.begin(), sample.end());
+        hdf5::write_table(root, "history", rows, history_columns.size());
+      }
+    }
+    write_pages(unfinished, overlay.writes());
+  });
+}
+
+std::optional<CaseCheckpoint> read_checkpoint(const std::filesystem::path& file,
+                                              const std::string& key, std::size_t nodes) {
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  try {
+    return read(file, key, nodes);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {  // HDF5's
+    throw InputError(file.string(), "", "a checkpoint of springcheck", error.what());
+  }
+}
+
+}  // namespace springcheck

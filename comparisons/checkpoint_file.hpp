@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "comparisons/history.hpp"
+
+namespace springcheck {
+
+/// Where a case in dynamics is, and what was sampled on the way there.
+struct CaseCheckpoint {
+  dynamics::Checkpoint march;
+  History history;
+};
+
+/// Writes it as an HDF5 file that appears whole or not at all: what was there before
+/// stays until then. key: case_key of the case. Throws std::runtime_error when not all
+/// could be written.
+void write_checkpoint(const std::filesystem::path& file, const std::string& key,
+                      const CaseCheckpoint& checkpoint);
+
+/// Nothing where there is no such file. Throws InputError where it is no checkpoint, or
+/// one of another scene, mesh or program version.
+std::optional<CaseCheckpoint> read_checkpoint(const std::filesystem::path& file,
+                                              const std::string& key, std::size_t nodes);
+
+}  // namespace springcheck

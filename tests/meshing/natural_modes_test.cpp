@@ -1,0 +1,125 @@
+#define BOOST_TEST_MODULE natural_modes
+#include <boost/test/unit_test.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "meshing/natural_modes.hpp"
+
+using namespace springcheck;
+
+namespace {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// Masses m [kg] in a row, springs k [N/m] between neighbours, free at both ends.
+SparseMatrix chain(int masses, double k) {
+  SparseMatrix K(masses, masses);
+  for (int i = 0; i + 1 < masses; ++i) {
+    K.coeffRef(i, i) += k;
+    K.coeffRef(i + 1, i + 1) += k;
+    K.coeffRef(i + 1, i) -= k;
+  }
+  return K;
+}
+
+SparseMatrix diagonal(const Eigen::VectorXd& entries) {
+  return SparseMatrix(entries.asDiagonal());
+}
+
+double square(double frequency) {
+  return std::pow(2 * std::numbers::pi * frequency, 2);
+}
+
+}  // namespace
+
+// On paper: omega^2 = k (1/m1 + 1/m2), the masses moving against each other, x as 1/m.
+// Round-off of six digits: the shift is 1e-6 of the largest eigenvalue.
+BOOST_AUTO_TEST_CASE(two_masses_swing_against_each_other,
+                     *boost::unit_test::tolerance(1e-9)) {
+  const double k = 3, m1 = 2, m2 = 5;  // N/m, kg
+  const auto modes =
+      natural_modes(chain(2, k), diagonal(Eigen::Vector2d(m1, m2)), 10).value();
+  BOOST_TEST(modes.zero_modes == 1);
+  BOOST_TEST_REQUIRE(modes.frequencies.size() == 1);
+  BOOST_TEST(square(modes.frequencies[0]) == k * (1 / m1 + 1 / m2));
+  const auto x = modes.shapes.col(0);
+  BOOST_TEST(x[0] * m1 == -x[1] * m2);
+  BOOST_TEST(m1 * x[0] * x[0] + m2 * x[1] * x[1] == 1.);
+}
+
+// On paper: omega_j = 2 sqrt(k/m) sin(pi j/(2 n)).
+BOOST_AUTO_TEST_CASE(a_chain_s_lowest_modes_come_in_order,
+                     *boost::unit_test::tolerance(1e-9)) {
+  constexpr int n = 500;
+  const double k = 7, m = 0.3;
+  const auto modes =
+      natural_modes(chain(n, k), diagonal(Eigen::VectorXd::Constant(n, m)), 10).value();
+  BOOST_TEST(modes.zero_modes == 1);
+  BOOST_TEST_REQUIRE(modes.frequencies.size() == 10);
+  for (int j = 1; j <= 10; ++j)
+    BOOST_TEST(std::sqrt(square(modes.frequencies[j - 1])) ==
+                   2 * std::sqrt(k / m) * std::sin(std::numbers::pi * j / (2 * n)),
+               boost::test_tools::tolerance(1e-7));
+}
+
+// Six equal chains side by side: every value six times, as many zeros.
+BOOST_AUTO_TEST_CASE(equal_modes_are_all_found) {
+  constexpr int n = 40, chains = 6;
+  std::vector<Eigen::Triplet<double>> entries;
+  const SparseMatrix one = chain(n, 1);
+  for (int c = 0; c < chains; ++c)
+    for (int j = 0; j < n; ++j)
+      for (SparseMatrix::InnerIterator at(one, j); at; ++at)
+        entries.emplace_back(n * c + static_cast<int>(at.row()), n * c + j, at.value());
+  SparseMatrix K(n * chains, n * chains);
+  K.setFromTriplets(entries.begin(), entries.end());
+  const auto masses = diagonal(Eigen::VectorXd::Ones(n * chains));
+  const auto modes = natural_modes(K, masses, 3 * chains).value();
+  BOOST_TEST(modes.zero_modes == chains);
+  for (int j = 1; j <= 3; ++j)
+    for (int c = 0; c < chains; ++c)
+      BOOST_TEST(square(modes.frequencies[chains * (j - 1) + c]) ==
+                     4 * std::pow(std::sin(std::numbers::pi * j / (2 * n)), 2),
+                 boost::test_tools::tolerance(1e-8));
+  const Eigen::MatrixXd gram = modes.shapes.transpose() * modes.shapes;
+  BOOST_TEST((gram - Eigen::MatrixXd::Identity(gram.rows(), gram.cols())).norm() < 1e-10);
+  const auto again = natural_modes(K, masses, 3 * chains).value();
+  BOOST_TEST(bool(again.shapes == modes.shapes));  // the same bits
+}
+
+// Against Eigen's dense solver: a mass matrix that is not diagonal, and an unknown
+// without mass that the others' springs do not reach.
+BOOST_AUTO_TEST_CASE(masses_need_be_neither_diagonal_nor_definite) {
+  constexpr int n = 60;
+  SparseMatrix K = chain(n, 2), M(n, n);
+  for (int i = 0; i + 1 < n; ++i) {
+    M.coeffRef(i, i) += 2. / 6;
+    M.coeffRef(i + 1, i + 1) += 2. / 6;
+    M.coeffRef(i + 1, i) += 1. / 6;
+  }
+  const auto full = [](const SparseMatrix& lower) {
+    return Eigen::MatrixXd(Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>());
+  };
+  const Eigen::VectorXd expected =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(full(K), full(M))
+          .eigenvalues();
+  K.conservativeResize(n + 1, n + 1);
+  M.conservativeResize(n + 1, n + 1);
+  K.coeffRef(n, n) = 1;
+  const auto modes = natural_modes(K, M, 12).value();
+  BOOST_TEST(modes.zero_modes == 1);
+  for (int j = 0; j < 12; ++j)
+    BOOST_TEST(square(modes.frequencies[j]) == expected[j + 1],
+               boost::test_tools::tolerance(1e-8));
+  BOOST_TEST(modes.shapes.row(n).norm() < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(an_unstable_body_has_no_modes) {
+  SparseMatrix K = chain(20, 1);
+  K.coeffRef(0, 0) -= 1.5;
+  const auto masses = diagonal(Eigen::VectorXd::Ones(20));
+  BOOST_TEST(!natural_modes(K, masses, 3).has_value());
+}
