@@ -95,6 +95,12 @@ void add_spring_settings(nlohmann::json& json, const CaseSettings& settings) {
   add_dynamics(json, settings.dynamics);
 }
 
+void add_explicit_settings(nlohmann::json& json, const CaseSettings& settings) {
+  json["solver"] = name_of(solver_of(settings));
+  if (solver_of(settings) != Solver::static_equilibrium)
+    add_dynamics(json, settings.dynamics);
+}
+
 /// What stands for a solver's settings where there was none of ours.
 void add_measured_settings(nlohmann::json& json, const Measured& measured) {
   json["source"] = "measured";
@@ -167,7 +173,9 @@ std::string_view name_of(mss::Precision precision) {
 
 Solver solver_of(const CaseSettings& settings) {
   if (is_finite_element(settings.method)) return Solver::static_equilibrium;
-  return settings.solver.value_or(Solver::static_equilibrium);
+  return settings.solver.value_or(is_explicit_element(settings.method)
+                                      ? Solver::semi_implicit_euler
+                                      : Solver::static_equilibrium);
 }
 
 std::string_view name_of(mss::StiffnessForm form) {
@@ -237,6 +245,8 @@ nlohmann::json settings_json(const CaseSettings& settings) {
   if (settings.test == Test::affine) json["gradient"] = row_by_row(settings.gradient);
   if (is_finite_element(settings.method))
     add_reference_settings(json, settings);
+  else if (is_explicit_element(settings.method))
+    add_explicit_settings(json, settings);
   else if (const auto* measured = std::get_if<Measured>(&settings.method.model))
     add_measured_settings(json, *measured);
   else

@@ -80,7 +80,7 @@ struct CaseSettings {
   fem_reference::LinearSolver linear_solver;
   LatticeName lattice;  // of fem-cauchy-born
   fem_reference::LatticeDirection lattice_direction;
-  // Springs:
+  // Springs, from `solver` on explicit elements too:
   std::optional<mss::LatticeConstants> constants;  // of mss-custom, at this cell size
   mss::VolumeCorrection correction;                // of mss-vangelder and mss-lloyd
   std::optional<Solver> solver;                    // none: the method's own
@@ -88,7 +88,8 @@ struct CaseSettings {
   unsigned seed;                                   // of the static solver
 };
 
-/// The solver given, or else the static one, which is that of finite elements anyway.
+/// The solver given, or else the static one, and of explicit elements semi-implicit
+/// Euler; the other finite elements are static anyway.
 Solver solver_of(const CaseSettings& settings);
 
 /// The finite elements' part of the settings.

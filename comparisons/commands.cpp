@@ -31,7 +31,7 @@ using Json = nlohmann::ordered_json;
 /// split as asked.
 std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
                                                   const std::vector<Request>& requests) {
-  if (std::ranges::all_of(run.methods, is_finite_element))
+  if (std::ranges::none_of(run.methods, is_springs))
     throw InputError("--split", "method", "at least one of springs",
                      "finite elements only");
   if (solver_of(run.common) != Solver::static_equilibrium)
@@ -47,9 +47,9 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
                      "'" + run.reference->text + "'");
   std::vector<std::optional<SplitPlan>> plans;
   for (const Request& request : requests)
-    plans.push_back(is_finite_element(request.settings.method)
-                        ? std::nullopt
-                        : std::optional(plan_split(request.settings, law)));
+    plans.push_back(is_springs(request.settings.method)
+                        ? std::optional(plan_split(request.settings, law))
+                        : std::nullopt);
   return plans;
 }
 

@@ -32,6 +32,7 @@ std::array<double, 3> element_nodes(const CaseSettings& settings) {
 enum class LinearSystems { none, cholesky, multigrid };
 
 LinearSystems linear_systems(const CaseSettings& settings) {
+  if (is_explicit_element(settings.method)) return LinearSystems::none;
   if (!is_finite_element(settings.method))
     return solver_of(settings) == Solver::static_equilibrium ? LinearSystems::cholesky
                                                              : LinearSystems::none;

@@ -15,6 +15,7 @@ auto find(const Entries& entries, std::string_view name) {
 }  // namespace
 
 const std::vector<Method>& methods() {
+  using fem_reference::ExplicitElement;
   using fem_reference::Law;
   static const std::vector<Method> all{
       {"mss-baudet", mss::Method::baudet, "edge and inner-diagonal springs after Baudet"},
@@ -34,7 +35,12 @@ const std::vector<Method>& methods() {
       {"fem-stvk", Law::st_venant_kirchhoff, "finite elements, St-Venant-Kirchhoff"},
       {"fem-hencky", Law::hencky, "finite elements, Hencky (logarithmic strain)"},
       {"fem-cauchy-born", Law::cauchy_born,
-       "finite elements, the continuum of a spring lattice (option --lattice)"}};
+       "finite elements, the continuum of a spring lattice (option --lattice)"},
+      {"fem-explicit-1p", ExplicitElement::one_point,
+       "finite elements stepped explicitly, St-Venant-Kirchhoff at one point with "
+       "hourglass control; hexahedra only"},
+      {"fem-explicit-8p", ExplicitElement::eight_points,
+       "the same at 2x2x2 points: locks near nu = 0.5"}};
   return all;
 }
 

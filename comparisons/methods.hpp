@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "fem_reference/explicit/explicit_element.hpp"
 #include "fem_reference/solve.hpp"
 #include "mss/network.hpp"
 
@@ -17,11 +18,12 @@ struct Measured {
   std::string forces;  // empty without
 };
 
-/// A method by its name on the command line: springs, or a law for finite elements; or by
-/// the user's name for what is measured.
+/// A method by its name on the command line: springs, a law for finite elements, or an
+/// element that steps explicitly; or by the user's name for what is measured.
 struct Method {
   std::string name;
-  std::variant<mss::Method, fem_reference::Law, Measured> model;
+  std::variant<mss::Method, fem_reference::Law, fem_reference::ExplicitElement, Measured>
+      model;
   std::string_view description;
 };
 
@@ -46,8 +48,18 @@ const Method* find_method(std::string_view name);
 const ElementName* find_element(std::string_view name);
 const LatticeName* find_lattice(std::string_view name);
 
+inline bool is_springs(const Method& method) {
+  return std::holds_alternative<mss::Method>(method.model);
+}
+
+/// Whether it is a law for the static solver's finite elements, which have options of
+/// their own.
 inline bool is_finite_element(const Method& method) {
   return std::holds_alternative<fem_reference::Law>(method.model);
+}
+
+inline bool is_explicit_element(const Method& method) {
+  return std::holds_alternative<fem_reference::ExplicitElement>(method.model);
 }
 
 inline bool is_measured(const Method& method) {

@@ -126,7 +126,7 @@ ReferenceMethod reference_named(const Given& given) {
                             .text = text};
   if (colon != std::string::npos) {
     if (!is_finite_element(reference.method))
-      given.refuse("an element for fem- methods only");
+      given.refuse("an element for fem- methods only, and none for fem-explicit-");
     reference.element = element_named(given, what.substr(colon + 1));
   }
   if (at == std::string::npos) return reference;

@@ -50,7 +50,9 @@ const std::vector<SettingKey>& option_keys() {
        "top)"},
       {"solver",
        "of spring methods: static (default), or dynamics by explicit (Euler), "
-       "semi-implicit (Euler), verlet or implicit (Euler); finite elements are static"},
+       "semi-implicit (Euler), verlet or implicit (Euler); fem-explicit methods are "
+       "never static or implicit (default semi-implicit), other finite elements always "
+       "static"},
       {"linear-solver",
        "of finite elements: auto (default: by size), direct or multigrid"},
       {"dt",
@@ -58,7 +60,9 @@ const std::vector<SettingKey>& option_keys() {
        "body deforms"},
       {"force-dt", "run even with a time step above the stability limit"},
       {"duration", "time over which the load grows in dynamics [s] (default 10)"},
-      {"damping", "dashpots in dynamics, fraction of critical (default 0.05)"},
+      {"damping",
+       "in dynamics, fraction of critical (default 0.05): dashpots of springs, drag of "
+       "fem-explicit methods"},
       {"precision", "of explicit steps: double (default) or float"},
       {"history",
        "samples of deformation, volume, plate force and torque, and energies at equal "

@@ -16,6 +16,7 @@
 #include "comparisons/mechanical_scene.hpp"
 #include "comparisons/progress.hpp"
 #include "comparisons/wrinkles.hpp"
+#include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -63,11 +64,27 @@ std::optional<mss::DynamicsSettings> spring_dynamics(const CaseSettings& setting
                                .threads = threads_per_simulation()};
 }
 
+Solution solve_explicitly(const CaseSettings& settings, const Mesh& mesh,
+                          const Scene& scene, const dynamics::Observers& observers) {
+  if (solver_of(settings) == Solver::static_equilibrium)
+    return refused("fem-explicit steps explicitly; fem-stvk has the static solver");
+  return fem_reference::run_dynamics(
+      mesh, scene,
+      {.element = std::get<fem_reference::ExplicitElement>(settings.method.model),
+       .protocol = protocol_of(settings),
+       .damping_ratio = settings.dynamics.damping_ratio,
+       .precision = settings.dynamics.precision,
+       .threads = threads_per_simulation()},
+      observers);
+}
+
 Solution solve(const CaseSettings& settings, const Mesh& mesh,
                const dynamics::Observers& observers) {
   const Scene scene = mechanical_scene(settings, mesh);
   if (is_finite_element(settings.method))
     return fem_reference::solve(mesh, scene, reference_settings(settings));
+  if (is_explicit_element(settings.method))
+    return solve_explicitly(settings, mesh, scene, observers);
   return mss::solve(mesh, scene,
                     {.network = {.method = std::get<mss::Method>(settings.method.model),
                                  .stiffness_form = settings.stiffness_form,

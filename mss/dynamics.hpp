@@ -4,11 +4,12 @@
 
 #include "dynamics/instruction_set.hpp"
 #include "dynamics/march.hpp"
+#include "dynamics/precision.hpp"
 #include "mss/network.hpp"
 
 namespace springcheck::mss {
 
-enum class Precision { double_precision, single_precision };
+using dynamics::Precision;
 
 /// What computes the forces of explicit steps: nodal_forces and add_dashpot_forces, as
 /// they stand, or kernels made for speed where there is one for the network.

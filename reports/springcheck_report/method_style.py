@@ -15,6 +15,8 @@ _COLOURS = {
     "fem-stvk": "#D55E00",
     "fem-hooke": "#7F7F7F",
     "fem-cauchy-born": "#8C6BB1",
+    "fem-explicit-1p": "#1B7F8C",
+    "fem-explicit-8p": "#A50F5A",
     "mss-vangelder": "#B8A600",
     "mss-lloyd": "#8B5A2B",
     "mss-custom": "#5E81AC",
@@ -29,6 +31,8 @@ _MARKERS = {
     "fem-stvk": "P",
     "fem-hooke": "X",
     "fem-cauchy-born": "h",
+    "fem-explicit-1p": "8",
+    "fem-explicit-8p": "H",
     "mss-vangelder": ">",
     "mss-lloyd": "p",
     "mss-custom": "d",
@@ -78,8 +82,9 @@ def line(name):
     base = _base(name)
     element = name.split(":")[1].split(",")[0].split(" ")[0] if ":" in name else ""
     dashes = {"q1": ":", "q2": "-."}.get(element, "--")
+    locks = element == "q1" or base == "fem-explicit-8p"
     return {
-        "markerfacecolor": "white" if element == "q1" else colour(name),
+        "markerfacecolor": "white" if locks else colour(name),
         "color": colour(name),
         "marker": "*" if ", " in name else _MARKERS.get(base, "*"),  # variants, others' methods
         "linestyle": dashes if base.startswith("fem-") else "-",

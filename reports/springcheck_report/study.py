@@ -162,6 +162,11 @@ def _kind(case):
     return "finite elements" if case.method.startswith("fem-") else "springs"
 
 
+def _own_solver(method):
+    """The solver of a method when none is named."""
+    return "semi-implicit" if method.startswith("fem-explicit") else "static"
+
+
 def is_variant(name):
     """Whether a name is of a method with other than its usual settings."""
     return ", " in name
@@ -184,7 +189,7 @@ def method_name(case):
     if np.isfinite(stiffness).all():
         name += ", k = " + "/".join(f"{k:.4g}" for k in stiffness)
     solver = case.get("solver")
-    if solver and solver != "static":
+    if solver and solver != _own_solver(case.method):
         name += f", {solver}"
     if case.get("correction") == "off":
         name += ", no correction"

@@ -144,7 +144,8 @@ const std::vector<Bad> bad_scenes{
     {good + "reference = \"fem-stvk@fine\"\n",
      "scene.toml:9:13: reference: expected METHOD[:ELEMENT] and behind it @NX,NY,NZ"},
     {good + "reference = \"mss-cf:q1@4\"\n",
-     "scene.toml:9:13: reference: expected an element for fem- methods only"},
+     "scene.toml:9:13: reference: expected an element for fem- methods only, and "
+     "none for fem-explicit-"},
     {good + "reference = \"fem@converged\"\n",
      "scene.toml:9:13: reference: expected one of mss-baudet, mss-nfd"},
     {good + "traction = [0, 0, 1]\n",

@@ -8,9 +8,11 @@ REPORTS = Path(__file__).parents[2] / "reports"
 sys.path[:0] = [str(REPORTS), str(REPORTS / "springcheck_report")]
 import method_style  # noqa: E402
 import numpy as np  # noqa: E402
+import pandas as pd  # noqa: E402
 from content import file_name, paragraph, table  # noqa: E402
 from figures.cost import pareto_front  # noqa: E402
 from numbers_shown import data, formatted, significant, with_bar  # noqa: E402
+from study import method_name  # noqa: E402
 from surface import edges_in_plane, outside  # noqa: E402
 
 
@@ -121,6 +123,18 @@ class Figures(unittest.TestCase):
         self.assertEqual(method_style.line("fem-stvk:q1")["markerfacecolor"], "white")
         self.assertEqual(
             method_style.line("fem-stvk:q1-sri")["markerfacecolor"], method_style.colour("fem-stvk"))
+        self.assertEqual(method_style.line("fem-explicit-8p")["markerfacecolor"], "white")
+
+    def test_a_name_holds_the_solver_only_where_it_is_not_the_methods_own(self):
+        case = {"element": None, "stiffness-form": None, "diagonal-ratio": None}
+        for method, solver, name in (
+            ("fem-explicit-1p", "semi-implicit", "fem-explicit-1p"),
+            ("fem-explicit-1p", "verlet", "fem-explicit-1p, verlet"),
+            ("mss-cf", "semi-implicit", "mss-cf, semi-implicit"),
+            ("mss-cf", "static", "mss-cf"),
+        ):
+            row = pd.Series({**case, "method": method, "solver": solver})
+            self.assertEqual(method_name(row), name)
 
     def test_pareto_front(self):
         times, errors = np.array([1, 2, 3, 4, 1.0]), np.array([5, 6, 2, 2, 7.0])

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace springcheck::dynamics {
+
+/// Of the numbers that explicit steps are made in.
+enum class Precision { double_precision, single_precision };
+
+}  // namespace springcheck::dynamics
