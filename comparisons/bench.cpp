@@ -60,7 +60,8 @@ int main(int count, char** arguments) {
                      .instruction_set = best,
                      .threads = 1};
     add(body);
-    for (const char* method : {"mss-cf", "mss-nfd", "mss-fd", "mss-baudet"}) {
+    for (const char* method : {"mss-cf", "mss-nfd", "mss-fd", "mss-baudet",
+                               "fem-explicit-1p", "fem-explicit-8p"}) {
       body.method = method;
       for (const Precision precision :
            {Precision::double_precision, Precision::single_precision})

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "comparisons/naive_springs.hpp"
+#include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "meshing/generators/block.hpp"
 #include "mss/dynamics.hpp"
 
@@ -46,44 +47,59 @@ std::vector<Vector3> disturbance(std::size_t nodes) {
 struct Stepped {
   Mesh mesh;
   Scene scene;
-  mss::Network network;
+  mss::Network network{};  // of springs
   std::unique_ptr<dynamics::Motion> motion{};
 };
+
+mss::Network network_of(const Mesh& mesh, const Material& material, mss::Method method) {
+  return mss::build_network(mesh, material,
+                            {.method = method,
+                             .stiffness_form = mss::StiffnessForm::shear_modulus,
+                             .diagonal_ratio = 1});
+}
+
+std::unique_ptr<dynamics::Motion> motion_of(Stepped& stepped, const SteppedBody& body) {
+  const dynamics::Protocol protocol{
+      .integrator = dynamics::Integrator::semi_implicit_euler,
+      .duration = 1,
+      .time_step = time_step,
+      .force_time_step = true};
+  const Method& method = *find_method(body.method);
+  if (const auto* element = std::get_if<fem_reference::ExplicitElement>(&method.model))
+    return fem_reference::motion_of(stepped.mesh, stepped.scene,
+                                    {.element = *element,
+                                     .protocol = protocol,
+                                     .damping_ratio = body.damping_ratio,
+                                     .precision = body.precision,
+                                     .threads = body.threads},
+                                    body.instruction_set);
+  stepped.network = network_of(stepped.mesh, stepped.scene.material,
+                               std::get<mss::Method>(method.model));
+  return mss::motion_of(stepped.mesh, stepped.scene, stepped.network,
+                        {.protocol = protocol,
+                         .damping_ratio = body.damping_ratio,
+                         .precision = body.precision,
+                         .threads = body.threads},
+                        body.instruction_set);
+}
 
 }  // namespace
 
 std::function<void()> stepping(const SteppedBody& body) {
   const Material material{
       .young_modulus = 1e4, .poisson_ratio = body.poisson_ratio, .density = 1000};
-  const bool is_naive = body.method == "naive";
   std::array<double, 3> size{};
   std::ranges::transform(body.cells, size.begin(), [](int n) { return n * edge; });
   const auto stepped = std::make_shared<Stepped>(
       Stepped{.mesh = generate_block({.size = size, .cells = body.cells}),
-              .scene = scene_of(material, body.load),
-              .network = {}});
-  const auto method =
-      std::get<mss::Method>(find_method(is_naive ? "mss-cf" : body.method)->model);
-  stepped->network =
-      mss::build_network(stepped->mesh, material,
-                         {.method = method,
-                          .stiffness_form = mss::StiffnessForm::shear_modulus,
-                          .diagonal_ratio = 1});
+              .scene = scene_of(material, body.load)});
   const std::vector<Vector3> moves = disturbance(stepped->mesh.nodes().size());
-  if (is_naive) {
-    const auto naive = std::make_shared<NaiveSprings>(stepped->network, moves);
+  if (body.method == "naive") {
+    const auto naive = std::make_shared<NaiveSprings>(
+        network_of(stepped->mesh, material, mss::Method::cf), moves);
     return [naive] { naive->advance(time_step); };
   }
-  const dynamics::Integrator semi_implicit = dynamics::Integrator::semi_implicit_euler;
-  stepped->motion = mss::motion_of(stepped->mesh, stepped->scene, stepped->network,
-                                   {.protocol = {.integrator = semi_implicit,
-                                                 .duration = 1,
-                                                 .time_step = time_step,
-                                                 .force_time_step = true},
-                                    .damping_ratio = body.damping_ratio,
-                                    .precision = body.precision,
-                                    .threads = body.threads},
-                                   body.instruction_set);
+  stepped->motion = motion_of(*stepped, body);
   stepped->motion->restore(
       {.displacements = moves,
        .velocities = std::vector<Vector3>(moves.size(), Vector3::Zero())});

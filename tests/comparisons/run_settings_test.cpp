@@ -131,7 +131,7 @@ const std::vector<Bad> bad_scenes{
      "scene.toml:1:8: test: expected one of compression, tension"},
     {good + "element = \"q9\"\n", "scene.toml:9:11: element: expected one of q1, q1-sri"},
     {good + "solver = \"magic\"\n",
-     "scene.toml:9:10: solver: expected one of static, semi-implicit"},
+     "scene.toml:9:10: solver: expected one of static, explicit, semi-implicit, verlet, implicit"},
     {good + "dt = 0\n", "scene.toml:9:6: dt: expected a positive finite number, got 0"},
     {good + "dt = \"soon\"\n",
      "scene.toml:9:6: dt: expected a positive time [s] or 'auto', got 'soon'"},
@@ -244,7 +244,7 @@ BOOST_AUTO_TEST_CASE(a_scene_that_cannot_be_read_is_named) {
         "no/such.toml:1:1: expected a readable scene");
   });
   BOOST_CHECK_EXCEPTION(read_scene("compresion"), InputError, [](const InputError& e) {
-    return std::string(e.what()).find("compression, kidney") != std::string::npos;
+    return std::string(e.what()).find("compression-thesis-raw, kidney") != std::string::npos;
   });
 }
 
