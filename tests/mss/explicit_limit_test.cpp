@@ -54,27 +54,79 @@ double limit_by_dense_rates(const Network& network, double zeta,
   return limit;
 }
 
+/// A body that stands on a plate.
+Scene standing(double nu) {
+  Scene scene = between_plates(tissue_of(nu), Vector3::Zero());
+  scene.plates.pop_back();
+  return scene;
+}
+
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(probe) {
-  for (int n : {2, 3})
-    for (const auto& [name, method] : methods_on_cubes)
-      for (const double nu : {0., .25, .4, .499})
-        for (const double zeta : {0.05, 0.2, 1., 3.}) {
-          const Mesh mesh = cube(n, h);
-          const Scene scene = between_plates(tissue_of(nu), Vector3::Zero());
-          if (reason_to_refuse(mesh, scene.material, method)) continue;
-          const Network network =
-              build_network(mesh, scene.material, in_shear_modulus_form(method));
-          auto is_free = free_components(mesh, prescribed_components(mesh, scene));
-          if (n == 3)
-            for (const NodeIndex node : mesh.region("top").nodes)
-              for (int i = 0; i < 3; ++i) is_free[3 * node + i] = true;
-          const double dense = limit_by_dense_rates(network, zeta, is_free);
-          const double found =
-              largest_stable_step(network, zeta, is_free, Integrator::explicit_euler);
-          printf("%d %s nu %g zeta %g: dense %.6g found %.6g ratio %.5f semi %.6g\n", n,
-                 name, nu, zeta, dense, found, found / dense,
-                 largest_stable_step(network, zeta, is_free));
-        }
+// On the safe side where damping and stiffness do not share their modes, and by no more
+// than a fifth (measured: 3 to 13 %). 1e-3: both are found by differences of forces.
+BOOST_AUTO_TEST_CASE(the_limit_is_at_most_that_of_all_rates_and_close_to_it) {
+  const Mesh mesh = cube(3, h);
+  for (const auto& [name, method] : methods)
+    for (const double nu : {0., .25, .4, .499})
+      for (const double zeta : {0.05, 0.2, 1.}) {
+        const Scene scene = standing(nu);
+        if (reason_to_refuse(mesh, scene.material, method)) continue;
+        const Network network =
+            build_network(mesh, scene.material, in_shear_modulus_form(method));
+        const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
+        const double exact = limit_by_dense_rates(network, zeta, is_free),
+                     found = largest_stable_step(network, zeta, is_free,
+                                                 Integrator::explicit_euler);
+        BOOST_TEST(found < 1.001 * exact, name << ", nu " << nu << ", zeta " << zeta);
+        BOOST_TEST(found > 0.8 * exact, name << ", nu " << nu << ", zeta " << zeta);
+      }
+}
+
+// The affine springs of mss-affine have dashpots on the cells' edges only, which leave
+// motions that swing undamped.
+BOOST_AUTO_TEST_CASE(no_step_is_stable_where_a_motion_is_not_damped) {
+  const Mesh mesh = cube(2, h);
+  const Scene scene = between_plates(tissue_of(.25), Vector3::Zero());
+  const Network network =
+      build_network(mesh, scene.material, in_shear_modulus_form(Method::affine));
+  const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
+  for (const double zeta : {0., 0.05, 1.})
+    BOOST_TEST(largest_stable_step(network, zeta, is_free, Integrator::explicit_euler) ==
+               0);
+  const Solution open =
+      run_dynamics(mesh, scene, network,
+                   settings_of(Integrator::explicit_euler, 1, std::nullopt, .05));
+  BOOST_TEST((open.status == SolveStatus::refused));
+  BOOST_TEST(open.reason.find("stable with no step") != std::string::npos, open.reason);
+}
+
+// Two thousand steps just below the limit do not grow; far above it they do.
+BOOST_AUTO_TEST_CASE(explicit_euler_is_stable_below_its_limit) {
+  const Mesh mesh = cube(3, h);
+  const std::size_t nodes = mesh.nodes().size();
+  for (const double nu : {0., .25, .4}) {
+    const Scene scene = standing(nu);
+    const Network network =
+        build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
+    const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
+    for (const double zeta : {0.05, 0.5}) {
+      const double limit =
+          largest_stable_step(network, zeta, is_free, Integrator::explicit_euler);
+      const auto growth_after = [&](double dt) {
+        const auto motion =
+            motion_of(mesh, scene, network,
+                      settings_of(Integrator::explicit_euler, 1, std::nullopt, zeta));
+        motion->restore({.displacements = random_field(nodes, 1e-4 * h, 1),
+                         .velocities = std::vector<Vector3>(nodes, Vector3::Zero())});
+        let_go(*motion, scene, Integrator::explicit_euler, dt, 2000);
+        return norm(motion->state().displacements) /
+               norm(random_field(nodes, 1e-4 * h, 1));
+      };
+      BOOST_TEST_CONTEXT("nu " << nu << ", zeta " << zeta) {
+        BOOST_TEST(growth_after(0.98 * limit) < 1);
+        BOOST_TEST(!(growth_after(1.6 * limit) < 10));
+      }
+    }
+  }
 }
