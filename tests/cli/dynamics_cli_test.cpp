@@ -123,13 +123,21 @@ BOOST_AUTO_TEST_CASE(a_killed_run_goes_on_to_the_bit) {
 
 BOOST_AUTO_TEST_CASE(a_checkpoint_belongs_to_one_case_in_dynamics) {
   const std::string saved =
-      short_run + "--solver verlet --checkpoint case.h5 --checkpoint-every 0 ";
-  BOOST_TEST(springcheck(saved).status == 0);
+      "run compression --method mss-cf --duration 0.2 --checkpoint case.h5 "
+      "--checkpoint-every 0 ";
+  BOOST_TEST(springcheck(saved + "--cells 4,4,4 --solver verlet").status == 0);
   for (const char* change :
-       {"--nu 0.3", "--deformation 6%", "--cells 4,4,5", "--dt 1e-4", "--precision float",
-        "--solver semi-implicit", "--history 3"})
+       {"--cells 4,4,4 --solver semi-implicit", "--cells 4,4,5 --solver verlet",
+        "--cells 4,4,4 --solver verlet --nu 0.3",
+        "--cells 4,4,4 --solver verlet --deformation 6%",
+        "--cells 4,4,4 --solver verlet --dt 1e-4",
+        "--cells 4,4,4 --solver verlet --precision float",
+        "--cells 4,4,4 --solver verlet --history 3"})
     expect_bad_input(saved + change, "key of this scene, mesh and program version");
-  expect_bad_input(pressed + "--checkpoint static.h5", "goes through time");
+  expect_bad_input(short_run + "--solver verlet --checkpoint same.h5 --out ./same.h5",
+                   "another file than that of --out");
+  expect_bad_input(pressed + "--method mss-cf --checkpoint static.h5",
+                   "goes through time");
   expect_bad_input(pressed + "--solver verlet --method mss-cf,mss-fd --checkpoint two.h5",
                    "one method");
   expect_bad_input(short_run + "--solver verlet --checkpoint nowhere/x.h5",
