@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 
 #include "comparisons/store/hdf5.hpp"
@@ -48,22 +49,28 @@ CaseCheckpoint read(const std::filesystem::path& file, const std::string& key,
       refuse(fmt::format("attribute '{}'", name), "a number", "none");
     return values->front();
   };
-  const auto table = [&](const char* name, std::optional<std::size_t> count) {
+  const auto count = [&](const char* name) {
+    const double value = number(name);
+    if (!(value >= 0 && value <= std::numeric_limits<int>::max()))
+      refuse(fmt::format("attribute '{}'", name), "a number of steps",
+             fmt::to_string(value));
+    return static_cast<int>(value);
+  };
+  const auto table = [&](const char* name, std::optional<std::size_t> size) {
     const auto values = hdf5::read_table(root, name);
-    if (!values || (count && values->size() != *count))
-      refuse(fmt::format("table '{}'", name),
-             fmt::format("{} numbers", count.value_or(0)),
+    if (!values || (size && values->size() != *size))
+      refuse(fmt::format("table '{}'", name), fmt::format("{} numbers", size.value_or(0)),
              fmt::to_string(values ? values->size() : 0));
     return *values;
   };
   CaseCheckpoint checkpoint{
       .march = {.state = {.displacements = vectors(table("displacement", 3 * nodes)),
                           .velocities = vectors(table("velocity", 3 * nodes))},
-                .step = static_cast<int>(number("step")),
+                .step = count("step"),
                 .time = number("time"),
                 .dt = number("dt"),
                 .last_dt = number("last_dt"),
-                .steps_left = static_cast<int>(number("steps_left")),
+                .steps_left = count("steps_left"),
                 .limit = number("limit")},
       .history = {}};
   if (hdf5::has_link(root, "history")) {

@@ -63,8 +63,15 @@ std::string cell_counts(const Mesh& mesh) {
   return text;
 }
 
-/// A checkpoint belongs to a single simulation through time.
-void check_checkpoint(const RunSettings& run, const std::filesystem::path& file) {
+/// A checkpoint belongs to a single simulation through time, and is no result file.
+void check_checkpoint(const RunSettings& run, const std::filesystem::path& file,
+                      const std::optional<std::filesystem::path>& result_file) {
+  const auto place = [](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+  };
+  if (result_file && place(file) == place(*result_file))
+    throw InputError("--checkpoint", "", "another file than that of --out",
+                     "'" + file.string() + "'");
   if (run.methods.size() != 1)
     throw InputError("--checkpoint", "", "one method",
                      fmt::to_string(run.methods.size()));
@@ -82,7 +89,7 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
                        Output output, ErrorSplit error_split, int parallel,
                        const Watch& watch) {
   const RunSettings run = read_run(scene, options);
-  if (watch.checkpoint) check_checkpoint(run, *watch.checkpoint);
+  if (watch.checkpoint) check_checkpoint(run, *watch.checkpoint, result_file);
   std::vector<Request> all = requests(run);
   const std::size_t asked = all.size();
   std::vector<std::optional<SplitPlan>> plans(asked);

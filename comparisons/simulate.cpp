@@ -129,7 +129,7 @@ void try_checkpoint(const std::filesystem::path& file, const std::string& key,
   try {
     write_checkpoint(file, key, checkpoint);
   } catch (const std::exception& error) {
-    spdlog::error("no checkpoint at {:.4g} s, an earlier one stays: {}",
+    spdlog::error("no checkpoint at {:.4g} s; an earlier one, if any, stays: {}",
                   checkpoint.march.time, error.what());
   }
 }

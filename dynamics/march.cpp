@@ -55,8 +55,10 @@ std::string reason_to_refuse(const MarchedBody& body, const Protocol& protocol,
         "the same",
         wanted, limit, body.step_setters);
   if (!protocol.time_step && limit == 0)
-    return "explicit Euler is stable with no step where nothing damps the motion; "
-           "--damping gives it one, and --dt with --force-dt runs it all the same";
+    return "explicit Euler is stable with no step where a motion is not damped; dashpots "
+           "(--damping) damp what stretches springs, and --dt with --force-dt runs it "
+           "all "
+           "the same";
   if (std::isinf(wanted) && is_anything_free)
     return protocol.integrator == Integrator::implicit_euler
                ? "implicit Euler is stable with every step: dt = auto has none to choose"
@@ -175,7 +177,10 @@ class March {
     const double limit = body_.stable_step(here);
     now_.limit = limit;
     const double left = protocol_.duration - now_.time;
-    if (!std::isfinite(limit)) return;
+    // Where no countable number of steps is stable, going on shows what becomes of it.
+    if (!std::isfinite(limit) ||
+        !(left / (safety * limit) < std::numeric_limits<int>::max() - now_.step))
+      return;
     const int steps = step_count(left, safety * limit);
     if (std::abs(left / steps - now_.dt) < worth_a_change * now_.dt) return;
     now_.steps_left = steps;

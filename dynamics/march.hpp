@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "dynamics/integrators.hpp"
 #include "dynamics/motion.hpp"

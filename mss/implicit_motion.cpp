@@ -57,11 +57,11 @@ class ImplicitMotion final : public dynamics::Motion {
       for (;; factor /= 2) {
         move(before, step.dt, factor * change);
         residual = residual_of(before, step, scale);
-        if (residual.norm() < norm) break;
+        if (residual.norm() < norm && i < most_iterations) break;
         // The rounding of positions, of which forces keep a part, ends all progress.
         const double round_off = 1e-15 * stiffness_ * step.dt * network_reach();
         if (norm < round_off) return;
-        if (factor < shortest_factor || i == most_iterations)
+        if (factor < shortest_factor || i >= most_iterations)
           throw std::runtime_error(fmt::format(
               "implicit Euler's step of {:.4g} s at load fraction {:.4g} did not "
               "converge: relative residual {:.2g}",

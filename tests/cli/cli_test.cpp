@@ -265,7 +265,8 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
   expect_bad_input("run compression --method mss-custom --stiffness 1,2,3 --split",
                    "whose continuum fem-cauchy-born is");
   expect_bad_input("table 5.1 --reference mss-custom", "constants of its own");
-  expect_bad_input("run compression --solver magic", "static, semi-implicit");
+  expect_bad_input("run compression --solver magic",
+                   "static, explicit, semi-implicit, verlet, implicit");
   expect_bad_input("run compression --nu 0.5", "--nu: expected a number in (-1, 0.5)");
   expect_bad_input("run compression --young -1", "--young");
   expect_bad_input("run compression --density nan", "--density");

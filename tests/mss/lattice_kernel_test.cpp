@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "../dynamics/block_forces.hpp"
-#include "../dynamics/grid_cells.hpp"
+#include "../dynamics/shuffled_cells.hpp"
 #include "blocks.hpp"
 #include "mss/forces.hpp"
 

@@ -5,7 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "../../dynamics/block_forces.hpp"
-#include "../../dynamics/grid_cells.hpp"
+#include "../../dynamics/shuffled_cells.hpp"
 #include "../laws.hpp"
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "fem_reference/explicit/plain_forces.hpp"

@@ -60,12 +60,14 @@ inline Mesh shuffled_cells(const std::array<std::vector<double>, 3>& planes, dou
   return Mesh("shuffled", std::move(nodes), std::move(cells), {});
 }
 
+/// Planes at distances of h [m].
 inline std::vector<double> even(int cells, double h) {
   std::vector<double> planes;
   for (int i = 0; i <= cells; ++i) planes.push_back(i * h);
   return planes;
 }
 
+/// At distances that grow from h on.
 inline std::vector<double> graded(int cells, double h) {
   std::vector<double> planes;
   for (int i = 0; i <= cells; ++i) planes.push_back(i * h * (1 + 0.02 * i));

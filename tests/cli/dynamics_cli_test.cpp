@@ -1,0 +1,188 @@
+#define BOOST_TEST_MODULE dynamics_cli
+#include <cmath>
+
+#include "program.hpp"
+
+namespace {
+
+const std::string pressed = "run compression --cells 4,4,4 --json ";
+const std::string short_run = pressed + "--method mss-cf --duration 0.2 ";
+
+Json result_of(const std::string& arguments) {
+  return json_of(arguments)["results"][0];
+}
+
+/// The measures of a run, as they are printed.
+std::string figures(const Json& result) {
+  std::string text;
+  for (const char* measure :
+       {"volume_error", "plate_force", "force", "kinetic_energy", "strain_energy",
+        "mean_deviation", "steps", "dt", "dt_limit", "history"})
+    text += std::string(measure) + " " + result.at(measure).dump() + "\n";
+  return text;
+}
+
+std::size_t files_named(const std::string& stem) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(fs::directory_iterator(folder), [&](const auto& entry) {
+        return entry.path().filename().string().starts_with(stem);
+      }));
+}
+
+}  // namespace
+
+// All ways through time end near each other: the load has grown over 100 swings of a
+// cell.
+BOOST_AUTO_TEST_CASE(every_solver_goes_by_its_name) {
+  const std::string run = short_run + "--damping 0.2 --dt ";
+  const Json semi = result_of(run + "1e-4 --solver semi-implicit");
+  for (const auto& [solver, dt] : {std::pair("explicit", "1e-4"),
+                                   {"semi-implicit", "auto"},
+                                   {"verlet", "auto"},
+                                   {"implicit", "5e-4"}}) {
+    const Json result = result_of(run + dt + " --solver " + solver);
+    BOOST_TEST(result["solver"] == solver);
+    BOOST_TEST(result["status"] == "ok", result["reason"]);
+    BOOST_TEST(result["steps"].get<int>() > 0);
+    BOOST_TEST(result["dt_limit"].is_null() == (result["solver"] == "implicit"));
+    BOOST_TEST(result["plate_force"].get<double>() == semi["plate_force"].get<double>(),
+               boost::test_tools::tolerance(0.01));
+  }
+}
+
+// 1e-5 of the deformations' size, as in march_test.
+BOOST_AUTO_TEST_CASE(single_precision_is_near_double_and_not_it) {
+  const std::string run = pressed + "--duration 0.2 --solver semi-implicit --method ";
+  const Json fine = result_of(run + "mss-cf"),
+             rough = result_of(run + "mss-cf --precision float");
+  BOOST_TEST(rough["status"] == "ok");
+  BOOST_TEST(rough["plate_force"] != fine["plate_force"]);
+  BOOST_TEST(rough["plate_force"].get<double>() == fine["plate_force"].get<double>(),
+             boost::test_tools::tolerance(1e-4));
+  const Run refused = springcheck(run + "mss-affine --precision float");
+  BOOST_TEST(refused.status == 3);
+  BOOST_TEST(Json::parse(refused.out)["results"][0]["status"] == "refused");
+}
+
+BOOST_AUTO_TEST_CASE(the_history_is_in_the_json_and_in_the_result_file) {
+  const Json result =
+      result_of(short_run + "--solver verlet --damping 0.2 --history 5 --out history.h5");
+  const Json& history = result["history"];
+  for (const char* column :
+       {"time", "load_fraction", "deformation", "volume_change", "force_x", "force_z",
+        "torque_z", "kinetic_energy", "strain_energy"})
+    BOOST_TEST(history[column].size() == 5U, column);
+  BOOST_TEST(history["time"][4] == 0.2);
+  BOOST_TEST(history["deformation"][4] == 0.05);
+  BOOST_TEST(history["force_z"][4] == result["force"][2]);
+  BOOST_TEST(history["kinetic_energy"][4] == result["kinetic_energy"]);
+  std::ofstream(folder / "read.py")
+      << "import h5py, json\n"
+         "tables = []\n"
+         "def visit(name, item):\n"
+         "    if name.startswith('fields/') and name.endswith('/history'): "
+         "tables.append(item[...].tolist())\n"
+         "h5py.File('history.h5').visititems(visit)\n"
+         "print(json.dumps(tables))\n";
+  const std::string command =
+      "cd " + folder.string() + " && /usr/bin/python3 read.py >read.json";
+  BOOST_TEST_REQUIRE(std::system(command.c_str()) == 0);
+  const Json tables = Json::parse(text_of(folder / "read.json"));
+  BOOST_TEST_REQUIRE(tables.size() == 1U);
+  BOOST_TEST_REQUIRE(tables[0].size() == 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    BOOST_TEST(tables[0][i].size() == 12U);
+    BOOST_TEST(tables[0][i][0] == history["time"][i]);
+    BOOST_TEST(tables[0][i][6] == history["force_z"][i]);
+    BOOST_TEST(tables[0][i][11] == history["strain_energy"][i]);
+  }
+}
+
+// Killed at no particular moment, again and again, until a run comes to its end.
+BOOST_AUTO_TEST_CASE(a_killed_run_goes_on_to_the_bit) {
+  for (const std::string precision : {"double", "float"}) {
+    const std::string run =
+        pressed +
+        "--method mss-cf --solver verlet --duration 600 --damping 0.1 --history 7 "
+        "--precision " +
+        precision + " ";
+    const std::string saved =
+        run + "--checkpoint " + precision + ".h5 --checkpoint-every 0.05 ";
+    const std::string whole = figures(result_of(run));
+    int killed = 0;
+    for (; killed < 3; ++killed) {
+      const Run cut = springcheck(saved, "timeout -s KILL 0.5 ");
+      if (cut.status == 0) break;
+    }
+    BOOST_TEST(killed > 0);
+    BOOST_TEST(fs::exists(folder / (precision + ".h5")));
+    BOOST_TEST(figures(result_of(saved)) == whole);
+    BOOST_TEST(figures(result_of(saved)) == whole);  // again, from the last one saved
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_checkpoint_belongs_to_one_case_in_dynamics) {
+  const std::string saved =
+      "run compression --method mss-cf --duration 0.2 --checkpoint case.h5 "
+      "--checkpoint-every 0 ";
+  BOOST_TEST(springcheck(saved + "--cells 4,4,4 --solver verlet").status == 0);
+  for (const char* change :
+       {"--cells 4,4,4 --solver semi-implicit", "--cells 4,4,5 --solver verlet",
+        "--cells 4,4,4 --solver verlet --nu 0.3",
+        "--cells 4,4,4 --solver verlet --deformation 6%",
+        "--cells 4,4,4 --solver verlet --dt 1e-4",
+        "--cells 4,4,4 --solver verlet --precision float",
+        "--cells 4,4,4 --solver verlet --history 3"})
+    expect_bad_input(saved + change, "key of this scene, mesh and program version");
+  expect_bad_input(short_run + "--solver verlet --checkpoint same.h5 --out ./same.h5",
+                   "another file than that of --out");
+  expect_bad_input(pressed + "--method mss-cf --checkpoint static.h5",
+                   "goes through time");
+  expect_bad_input(pressed + "--solver verlet --method mss-cf,mss-fd --checkpoint two.h5",
+                   "one method");
+  expect_bad_input(short_run + "--solver verlet --checkpoint nowhere/x.h5",
+                   "nowhere/x.h5");
+  expect_bad_input(short_run + "--solver verlet --checkpoint .", "a directory");
+  std::ofstream(folder / "text.h5") << "no HDF5\n";
+  expect_bad_input(short_run + "--solver verlet --checkpoint text.h5",
+                   "a checkpoint of springcheck");
+  BOOST_TEST(text_of(folder / "text.h5") == "no HDF5\n");
+  BOOST_TEST(!fs::exists(folder / "static.h5"));
+  BOOST_TEST(!fs::exists(folder / "two.h5"));
+}
+
+// The file cannot hold what is to be saved: said on stderr, and the run goes on.
+BOOST_AUTO_TEST_CASE(a_full_disk_for_the_checkpoint_does_not_lose_the_run) {
+  // 10 kB hold what is printed, and not 729 nodes.
+  const Run full = springcheck(
+      "run compression --cells 8,8,8 --json --method mss-cf --solver verlet --dt 1e-3 "
+      "--duration 0.02 --checkpoint full.h5 --checkpoint-every 0",
+      "ulimit -f 20 && ");
+  BOOST_TEST(full.status == 0);
+  BOOST_TEST(full.err.find("no checkpoint at") != std::string::npos, full.err);
+  BOOST_TEST(files_named("full") == 0U);
+  BOOST_TEST(Json::parse(full.out)["results"][0]["status"] == "ok");
+}
+
+BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_with_what_sets_it) {
+  for (const char* solver : {"explicit", "semi-implicit", "verlet"}) {
+    const std::string run = short_run + "--nu 0.4 --dt 0.01 --solver " + solver + " ";
+    const Run refused = springcheck(run);
+    BOOST_TEST(refused.status == 3);
+    const Json result = Json::parse(refused.out)["results"][0];
+    const std::string reason = result["reason"];
+    for (const char* part : {"dt = 0.01 s", "stability limit", "nu = 0.4",
+                             "cells of 0.0125 m", "damping ratio of 0.05"})
+      BOOST_TEST(reason.find(part) != std::string::npos, reason);
+    BOOST_TEST(result["dt_limit"].get<double>() < 0.01);
+    const Run forced = springcheck(run + "--force-dt");
+    BOOST_TEST(forced.status == 3);
+    const Json broken = Json::parse(forced.out)["results"][0];
+    BOOST_TEST(broken["status"] == "diverged");
+    BOOST_TEST(broken["volume_error"].is_null());
+    BOOST_TEST(
+        broken["reason"].get<std::string>().find(
+            "by step " + std::to_string(broken["steps"].get<int>())) != std::string::npos,
+        broken["reason"]);
+  }
+}
