@@ -1,6 +1,7 @@
 #include "comparisons/checkpoint_file.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <fstream>
 #include <limits>
@@ -8,6 +9,7 @@
 
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/overlay_file.hpp"
+#include "dynamics/instruction_set.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
 
@@ -43,12 +45,22 @@ CaseCheckpoint read(const std::filesystem::path& file, const std::string& key,
     refuse("attribute 'case'",
            fmt::format("{}, the key of this scene, mesh and program version", key),
            fmt::format("{}, another's", *stored));
+  const std::string set = hdf5::read_text(root, "instruction_set").value_or("unknown"),
+                    ours(name_of(dynamics::best_instruction_set()));
+  if (set != ours)
+    spdlog::warn(
+        "{}: computed with instruction set {}, here it is {}: the digits of an "
+        "uninterrupted run come back only to rounding",
+        file.string(), set, ours);
   const auto number = [&](const char* name) {
     const auto values = hdf5::read_numbers(root, name);
     if (!values || values->size() != 1)
       refuse(fmt::format("attribute '{}'", name), "a number", "none");
     return values->front();
   };
+  if (number("layout") != static_cast<double>(layout))
+    refuse("attribute 'layout'", fmt::to_string(layout),
+           fmt::to_string(number("layout")));
   const auto count = [&](const char* name) {
     const double value = number(name);
     if (!(value >= 0 && value <= std::numeric_limits<int>::max()))
@@ -96,6 +108,8 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& key,
       const auto& [state, step, time, dt, last_dt, steps_left, limit] = checkpoint.march;
       hdf5::write_attribute(root, "layout", layout);
       hdf5::write_attribute(root, "case", key);
+      hdf5::write_attribute(root, "instruction_set",
+                            std::string(name_of(dynamics::best_instruction_set())));
       hdf5::write_attribute(root, "step", static_cast<double>(step));
       hdf5::write_attribute(root, "time", time);
       hdf5::write_attribute(root, "dt", dt);
