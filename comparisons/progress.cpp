@@ -39,14 +39,17 @@ MarchProgress::~MarchProgress() {
   if (on_terminal_) fmt::print(stderr, "\r\x1b[K");
 }
 
-void MarchProgress::show(double time, int step) {
+void MarchProgress::show(double time, int step, double dt, double limit) {
   if (!on_terminal_) return;
   const auto now = std::chrono::steady_clock::now();
   const double seconds = std::chrono::duration<double>(now - last_).count();
   if (last_step_ >= 0 && time > last_time_) {
-    fmt::print(stderr, "\r\x1b[K{:.4g} of {:.4g} s, {:.3g} steps a second, {:.0f} s left",
-               time, duration_, (step - last_step_) / seconds,
-               (duration_ - time) * seconds / (time - last_time_));
+    fmt::print(
+        stderr,
+        "\r\x1b[K{:.4g} of {:.4g} s in steps of {:.3g} s (stable up to {:.3g} s), {:.3g} "
+        "steps a second, {:.0f} s left",
+        time, duration_, dt, limit, (step - last_step_) / seconds,
+        (duration_ - time) * seconds / (time - last_time_));
     std::fflush(stderr);
   }
   last_ = now;

@@ -23,8 +23,8 @@ class Progress {
   std::chrono::steady_clock::time_point start_;
 };
 
-/// A line on stderr with the simulated time, steps per second and the remaining time of
-/// one simulation; silent unless stderr is a terminal.
+/// A line on stderr with the simulated time, the step and its limit, steps per second and
+/// the remaining time of one simulation; silent unless stderr is a terminal.
 class MarchProgress {
  public:
   explicit MarchProgress(double duration);  // [s] simulated
@@ -32,7 +32,8 @@ class MarchProgress {
   MarchProgress(const MarchProgress&) = delete;
   MarchProgress& operator=(const MarchProgress&) = delete;
 
-  void show(double time, int step);
+  /// dt and limit: of the steps now [s].
+  void show(double time, int step, double dt, double limit);
 
  private:
   double duration_;

@@ -145,7 +145,7 @@ dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
   if (watch.shows_progress) {
     const auto progress = std::make_shared<MarchProgress>(settings.dynamics.duration);
     observers.progress = [progress](const dynamics::Checkpoint& now) {
-      progress->show(now.time, now.step);
+      progress->show(now.time, now.step, now.dt, now.limit);
     };
   }
   if (!watch.checkpoint || solver_of(settings) == Solver::static_equilibrium)
