@@ -25,9 +25,9 @@ BlockState<Real>::BlockState(const Block& block, Load load, std::size_t lanes) {
   stride_ = ((rows + ghosts) * lanes / line + 2) * line;
   if (stride_ / line % 2 == 0) stride_ += line;
   const std::size_t count = load == Load::some ? 13 : 10;
-  bytes_ = count * stride_ * sizeof(Real);
-  memory_.reset(::operator new (bytes_, std::align_val_t{alignment}));
-  std::memset(memory_.get(), 0, bytes_);
+  const std::size_t bytes = count * stride_ * sizeof(Real);
+  memory_.reset(::operator new (bytes, std::align_val_t{alignment}));
+  std::memset(memory_.get(), 0, bytes);
   Real* next = static_cast<Real*>(memory_.get());
   const auto take = [&] {
     Real* const array = next;

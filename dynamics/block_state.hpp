@@ -38,14 +38,13 @@ class BlockState {
   BlockState(const Block& block, Load load, std::size_t lanes);
 
   [[nodiscard]] const BlockArrays<Real>& arrays() const { return arrays_; }
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }
   void clear_forces();
 
  private:
   struct Free {
     void operator()(void* memory) const;
   };
-  std::size_t bytes_, stride_;
+  std::size_t stride_;
   std::unique_ptr<void, Free> memory_;
   BlockArrays<Real> arrays_;
 };

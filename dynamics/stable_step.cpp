@@ -168,4 +168,15 @@ double largest_stable_step(const SmallMotions& system, Integrator integrator) {
   return system.has_dashpots ? semi_implicit_limit(system, undamped) : undamped;
 }
 
+double largest_stable_step(SmallMotions system, Motion& motion, Precision precision,
+                           const std::optional<State>& state, Integrator integrator) {
+  constexpr double single_over_double = 100;  // what a float can tell from rounding
+  if (precision == Precision::single_precision) system.amplitude *= single_over_double;
+  if (state) system.state = *state;
+  system.forces = [&](const State& at) { return motion.forces_at(at); };
+  const double limit = largest_stable_step(system, integrator);
+  motion.restore(system.state);
+  return limit;
+}
+
 }  // namespace springcheck::dynamics

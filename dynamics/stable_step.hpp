@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "dynamics/integrators.hpp"
 #include "dynamics/motion.hpp"
+#include "dynamics/precision.hpp"
 
 namespace springcheck::dynamics {
 
@@ -40,5 +42,15 @@ struct SmallMotions {
 /// dt C (z-1) + dt^2 K of the explicit scheme, whose roots have the product
 /// 1 - dt c + dt^2 k.
 double largest_stable_step(const SmallMotions& system, Integrator integrator);
+
+/// The same about a state of the motion, or about rest, by the motion's own forces in
+/// place of the system's, and with an amplitude for their precision. Leaves the motion in
+/// that state.
+double largest_stable_step(SmallMotions system, Motion& motion, Precision precision,
+                           const std::optional<State>& state, Integrator integrator);
+
+/// SmallMotions::amplitude in mean cell edges, in double precision: forces keep half
+/// their digits at least, and what is not linear stays in the last.
+inline constexpr double probe = 1e-4;
 
 }  // namespace springcheck::dynamics

@@ -17,10 +17,6 @@ using dynamics::Block;
 using dynamics::ExplicitBody;
 using dynamics::State;
 
-/// What nodes are moved by to find the tangent, in mean cell edges: their forces keep
-/// half the digits at least, and what is not linear stays in the last.
-constexpr double probe = 1e-4, probe_in_single_precision = 1e-2;
-
 double cell_edge(const Network& network) {
   double volume = 0;
   for (std::size_t c = 0; c < network.cells.size(); ++c)
@@ -104,7 +100,7 @@ dynamics::SmallMotions small_motions(const Network& network, double damping_rati
                     .velocities = std::vector<Vector3>(nodes, Vector3::Zero())},
           .masses = network.masses,
           .is_free = is_free,
-          .amplitude = probe * cell_edge(network),
+          .amplitude = dynamics::probe * cell_edge(network),
           .has_dashpots = damping_ratio > 0};
 }
 
@@ -168,16 +164,9 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
   std::vector<Vector3> positions;
   CellStates room;
   const auto stable_step = [&](const std::optional<State>& state) {
-    dynamics::SmallMotions system =
-        small_motions(network, settings.damping_ratio, is_free);
-    if (settings.precision == Precision::single_precision)
-      system.amplitude *= probe_in_single_precision / probe;
-    if (state) system.state = *state;
-    system.forces = [&](const State& at) { return motion->forces_at(at); };
-    const double limit =
-        dynamics::largest_stable_step(system, settings.protocol.integrator);
-    motion->restore(system.state);
-    return limit;
+    return dynamics::largest_stable_step(
+        small_motions(network, settings.damping_ratio, is_free), *motion,
+        settings.precision, state, settings.protocol.integrator);
   };
   return dynamics::march(
       {.mesh = mesh,

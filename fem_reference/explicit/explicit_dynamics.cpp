@@ -17,10 +17,6 @@ namespace {
 
 using dynamics::State;
 
-/// What nodes are moved by to find the tangent, in mean cell edges: their forces keep
-/// half the digits at least, and what is not linear stays in the last.
-constexpr double probe = 1e-4, probe_in_single_precision = 1e-2;
-
 double cell_edge(const Mesh& mesh) {
   return std::cbrt(mesh.volume() / static_cast<double>(mesh.cells().size()));
 }
@@ -92,7 +88,7 @@ class PlainBody {
                       .velocities = std::vector<Vector3>(nodes, Vector3::Zero())},
             .masses = masses_,
             .is_free = free_components(mesh_, prescribed_components(mesh_, scene_)),
-            .amplitude = probe * cell_edge(mesh_),
+            .amplitude = dynamics::probe * cell_edge(mesh_),
             .has_dashpots = settings_.damping_ratio > 0};
   }
 
@@ -143,15 +139,9 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene,
   const PlainBody body(mesh, scene, settings);
   const std::vector<Vector3> load = load_forces(mesh, scene, body.masses());
   const auto stable_step = [&](const std::optional<State>& state) {
-    dynamics::SmallMotions system = body.small_motions();
-    if (settings.precision == dynamics::Precision::single_precision)
-      system.amplitude *= probe_in_single_precision / probe;
-    if (state) system.state = *state;
-    system.forces = [&](const State& at) { return motion->forces_at(at); };
-    const double limit =
-        dynamics::largest_stable_step(system, settings.protocol.integrator);
-    motion->restore(system.state);
-    return limit;
+    return dynamics::largest_stable_step(body.small_motions(), *motion,
+                                         settings.precision, state,
+                                         settings.protocol.integrator);
   };
   return dynamics::march(
       {.mesh = mesh,
