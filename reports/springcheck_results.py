@@ -23,6 +23,10 @@ LAYOUT = 2
 _PAGE = 4096
 _MAGIC = b"springcheck journal 1\n".ljust(32, b"\0")
 CELLS = ["tetrahedra", "pyramids", "prisms", "hexahedra"]
+# Columns of a history, those of comparisons/history.hpp.
+HISTORY = ["time", "load_fraction", "deformation", "volume_change"]
+HISTORY += [f"{name}_{axis}" for name in ("force", "torque") for axis in "xyz"]
+HISTORY += ["kinetic_energy", "strain_energy"]
 _COMPONENTS = {3: ["x", "y", "z"], 9: ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"]}
 
 
@@ -43,8 +47,8 @@ class Results:
     def fields(self, key):
         """Arrays of a case by name: displacement, deviation (from the reference) and
         reaction (nodes x 3) [m, m, N], cell_volume_ratio, spring_strain (one per cell);
-        "partial_" before each when the case ended without an equilibrium. Empty where the
-        file holds none. KeyError for an unknown case."""
+        "partial_" before each when the case ended without an equilibrium; history (see
+        there). Empty where the file holds none. KeyError for an unknown case."""
         if key not in self.cases.index:
             raise KeyError(f"no case {key!r}")
 
@@ -53,6 +57,14 @@ class Results:
             return {name: group[name][()] for name in group}
 
         return _at_rest(self.path, arrays)
+
+    def history(self, key):
+        """What a case in dynamics sampled on its way, a row per moment: time [s],
+        load_fraction, deformation, volume_change, force and torque on the moved plate by
+        axis ("force_x") [N, N m], kinetic_energy and strain_energy [J]. None where the file
+        holds none. KeyError for an unknown case."""
+        samples = self.fields(key).get("history")
+        return None if samples is None else pd.DataFrame(samples, columns=HISTORY)
 
     def field_names(self):
         """Names of the arrays that each case has, by key; without those that have none."""

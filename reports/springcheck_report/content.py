@@ -61,6 +61,15 @@ def measured_number(study, key, measure, text):
     return Markup(data(float(study.cases.loc[key, measure]), text, key, measure))
 
 
+def tabled_number(document, value, text, case=None):
+    """A number of a table of tables/ as `text`, with its origin: that table, and the case
+    behind it if there is one."""
+    origin = Markup(' data-case="{}"').format(case) if case else ""
+    return Markup('<data value="{!r}" data-table="{}"{}>{}</data>').format(
+        value, document["table"], origin, text
+    )
+
+
 def table(headings, rows, *, name, classes=None, limit=None):
     """rows: lists of cells, Markup or text, or (cell, class). Wide tables scroll. Beyond
     `limit` rows the rest is left to the table's files."""

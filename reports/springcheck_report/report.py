@@ -16,7 +16,7 @@ import paraview
 from content import Figure, Viewer
 from markupsafe import Markup
 from plotly.offline import get_plotlyjs
-from sections import SECTIONS, empty_file
+from sections import SECTIONS, empty_file, stability_limits
 from study import read
 
 _HERE = Path(__file__).resolve().parent
@@ -29,7 +29,9 @@ def make(file, folder):
     ValueError or OSError where the file is no result file or the folder cannot be written."""
     method_style.set_defaults()
     study = read(file, folder)
-    makers = [empty_file] if study.cases.empty else SECTIONS
+    makers = SECTIONS
+    if study.cases.empty:
+        makers = [empty_file if study.limits.empty else stability_limits]
     sections = [section for section in (maker(study) for maker in makers) if section]
     figures = [block for section in sections for block in section.blocks if isinstance(block, Figure)]
     (folder / "data").mkdir(parents=True, exist_ok=True)

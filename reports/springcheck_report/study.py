@@ -16,12 +16,14 @@ _PROBLEM += [f"gradient.{row}{column}" for row in "xyz" for column in "xyz"]
 
 # Columns that a report reads; a file lacks those that none of its cases has.
 _TEXTS = ["scene", "test", "method", "element", "status", "reason", "body", "cell-type", "mesh"]
-_TEXTS += ["solver", "stiffness-form", "source", "reference"]
+_TEXTS += ["solver", "stiffness-form", "source", "reference", "precision"]
 _NUMBERS = ["nu", "young", "density", "deformation", "diagonal-ratio", "distortion"]
 _NUMBERS += [f"{name}.{axis}" for name in ("cells", "size") for axis in "xyz"]
 _NUMBERS += ["volume_error", "volume_change", "plate_force", "plate_force_norm", "plate_torque"]
 _NUMBERS += ["tip_deflection", "cell_volume_ratio_min", "load_fraction", "solve_wall_s"]
-_NUMBERS += ["provenance"]
+_NUMBERS += ["deviation_l2_relative"]
+_NUMBERS += ["damping", "duration", "steps", "transit_count", "kinetic_energy", "strain_energy"]
+_NUMBERS += ["definite_up_to_deformation", "critical_wavelength", "provenance"]
 
 # What a body answers to each test with: column, name, unit.
 ANSWERS = {
@@ -58,11 +60,14 @@ class Study:
         deformation (of a beam its tip's drop over its length).
         `is_judged`: whether that counterpart is good enough to judge by. `is_repeated`: the
         same simulation is there already, with another reference.
+    limits: cases of solver limit, which end where a path does and not at their load, apart
+        from all others.
     tables: JSON documents of tables/ by name. theory: data/theory.json.
     """
 
     results: springcheck_results.Results
     cases: pd.DataFrame
+    limits: pd.DataFrame
     tables: dict
     theory: dict
 
@@ -98,6 +103,10 @@ class Study:
         """A stored field of a case, None where the file holds none."""
         return self._fields(key)[name] if self.has(key, name) else None
 
+    def history(self, key):
+        """What a case sampled on its way through time, as springcheck_results gives it."""
+        return self.results.history(key) if self.has(key, "history") else None
+
     def mesh(self, key):
         """The mesh of a case, as springcheck_results gives it."""
         return self._meshes(self.cases.loc[key, "mesh"])
@@ -120,7 +129,10 @@ def read(file, folder):
         results.cases = results.cases[results.cases.index.isin(known)]
     theory_file = folder / "data" / "theory.json"
     theory = json.loads(theory_file.read_text(encoding="utf-8")) if theory_file.exists() else {}
-    return Study(results, _prepared(results.cases), tables, theory)
+    cases = results.cases
+    is_limit = _mask(cases["solver"] == "limit") if "solver" in cases else np.zeros(len(cases), bool)
+    limits = _prepared(cases[is_limit]) if is_limit.any() else pd.DataFrame()
+    return Study(results, _prepared(cases[~is_limit]), limits, tables, theory)
 
 
 def _mask(truths):
@@ -165,6 +177,11 @@ def _kind(case):
 def _own_solver(method):
     """The solver of a method when none is named."""
     return "semi-implicit" if method.startswith("fem-explicit") else "static"
+
+
+def is_through_time(case):
+    """Whether a case ends a motion instead of being an equilibrium."""
+    return case.kind != "measured" and case.solver not in (None, "static")
 
 
 def is_variant(name):

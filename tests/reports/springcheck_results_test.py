@@ -1,5 +1,6 @@
 """Reads what the real program writes: SPRINGCHECK names it."""
 
+import json
 import os
 import shutil
 import struct
@@ -78,6 +79,19 @@ class Reading(unittest.TestCase):
         change = (ratios * volumes).sum() / volumes.sum() - 1
         self.assertAlmostEqual(volumes.sum(), 0.05**3, 15)
         self.assertAlmostEqual(change, read.cases.volume_change.iloc[0], 12)
+
+    def test_a_history_has_the_columns_of_the_json(self):
+        file = self.folder / "motion.h5"
+        run = "run compression --method mss-cf --cells 2,2,2 --solver verlet --duration 0.1 --history 5"
+        ended = subprocess.run(
+            [os.environ["SPRINGCHECK"], *run.split(), "--json", "--out", file],
+            check=True, capture_output=True, text=True,
+        )
+        (result,) = json.loads(ended.stdout)["results"]
+        read = results.read(file)
+        history = read.history(result["key"])
+        self.assertEqual(history.to_dict("list"), result["history"])
+        self.assertIsNone(results.read(self.file).history(results.read(self.file).cases.index[0]))
 
     def test_provenance_is_of_the_writing(self):
         read = results.read(self.file)

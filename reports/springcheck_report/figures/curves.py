@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import LogLocator
 from method_style import STATUS_COLOURS, TWO_COLUMNS, legend_below, line, plain_numbers
 
 
@@ -29,6 +30,7 @@ class Panel:
     log_x: bool = False
     log_y: bool = False
     symmetric_log_y: bool = False  # linear within 1
+    from_zero: bool = False  # the axis of y
 
 
 def draw(panels):
@@ -44,11 +46,16 @@ def draw(panels):
             _log_axis_of_values(axes, panel.curves)
         if panel.log_y:
             axes.set_yscale("log")
+            low, high = axes.get_ylim()
+            if high < 100 * low:  # powers of ten alone would leave one tick or two
+                axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
             plain_numbers(axes.yaxis)
         if panel.symmetric_log_y:
             axes.set_yscale("symlog", linthresh=1)
             plain_numbers(axes.yaxis)
         axes.set(title=panel.title, xlabel=panel.x_label, ylabel=panel.y_label)
+        if panel.from_zero:
+            axes.set_ylim(0, 1.08 * max(np.nanmax(curve.y) for curve in panel.curves))
         for curve in panel.curves:
             statuses |= _mark_statuses(axes, curve)
     legend_below(figure, further=[_status_entry(*status) for status in sorted(statuses)])
@@ -61,7 +68,7 @@ def _log_axis_of_values(axes, curves):
     plain_numbers(axes.xaxis)
     values = np.unique(np.concatenate([curve.x for curve in curves]))
     if len(values) <= 8:
-        axes.set_xticks(values, [f"{value:.3g}" for value in values])
+        axes.set_xticks(values, [f"{value:.0f}" if value >= 1000 else f"{value:.3g}" for value in values])
         axes.set_xticks([], minor=True)
 
 

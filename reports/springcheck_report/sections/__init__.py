@@ -11,10 +11,13 @@ from sections.cells import any_cells, convergence, subdivision
 from sections.cost import cost
 from sections.failures import failures
 from sections.laws import error_parts, locking, modes, orientation, spring_constants
+from sections.speed import speed
+from sections.stability_limits import stability_limits
 from sections.summary import summary
 from sections.thesis_tables import thesis_tables
+from sections.through_time import through_time
 
-__all__ = ["SECTIONS", "empty_file"]
+__all__ = ["SECTIONS", "empty_file", "stability_limits"]
 
 SECTIONS = [
     summary,
@@ -26,6 +29,7 @@ SECTIONS = [
     bending,
     other_tests,
     failures,
+    stability_limits,
     spring_constants,
     error_parts,
     any_cells,
@@ -34,6 +38,8 @@ SECTIONS = [
     locking,
     orientation,
     modes,
+    through_time,
+    speed,
     cost,
     files_for_paraview,
     all_cases,

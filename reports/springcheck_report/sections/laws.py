@@ -4,7 +4,8 @@ modes."""
 import numpy as np
 from content import Figure, Section, paragraph
 from figures import curves, error_parts as error_figures
-from method_style import NEUTRAL, shades
+from figures import rows as row_figures
+from method_style import NEUTRAL, line, shades
 from sections.sheets import sheet_blocks
 from study import ANSWERS
 
@@ -179,5 +180,29 @@ def modes(study):
     if document is None:
         return None
     section = Section("modes", "Natural frequencies")
-    section.blocks += [paragraph("{}.", document["title"]), *sheet_blocks(document)]
+    section.blocks.append(paragraph("{}.", document["title"]))
+    panels = [
+        _off_elements(document, body)
+        for body in dict.fromkeys(row["body"] for row in document["rows"])
+    ]
+    styles = {name: line(name) for name in _SWINGING.values()}
+    styles["lumped FEM"] = {"color": NEUTRAL[1], "marker": "x", "markersize": 4}
+    caption = (
+        "Frequencies off finite elements with consistent masses, at nu = 0.25. Lumped FEM has the "
+        "springs' own masses: what springs differ by from it is stiffness."
+    )
+    section.blocks += [Figure("modes", caption, row_figures.draw, (panels, styles)), *sheet_blocks(document)]
     return section
+
+
+# Columns of the table modes by the names they have in figures.
+_SWINGING = {"lumped": "lumped FEM", "cf": "mss-cf", "affine": "mss-affine", "nfd": "mss-nfd"}
+
+
+def _off_elements(document, body):
+    rows = [row for row in document["rows"] if (row["body"], row["nu"]) == (body, 0.25)]
+    labels = [f"{row['modes']} {row['motion'] or ''}" for row in rows]
+    series = {
+        name: np.array([row[f"{key}_off"] for row in rows], dtype=float) for key, name in _SWINGING.items()
+    }
+    return body.capitalize(), labels, "frequency off finite elements [%]", series

@@ -16,11 +16,18 @@ def sheet_blocks(document, limit=80):
     return document_blocks(document, headings, rows, limit)
 
 
+def titled_sheet(document, limit=80):
+    """The same below its title, where there is a table."""
+    if document is None:
+        return []
+    return [Markup("<h3>{}</h3>").format(document["title"]), *sheet_blocks(document, limit)]
+
+
 def _cell(column, row, bars):
     key = column["key"]
     value = row[key]
     if value is None:
-        status = row.get("status", "")
+        status = row.get("status", "ok")
         is_number = column["format"] is not None
         return (status.replace("_", " "), "failed") if is_number and status != "ok" else ""
     if column["format"] is None:

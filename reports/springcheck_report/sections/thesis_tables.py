@@ -2,11 +2,11 @@
 
 import math
 
-from content import Figure, Section, document_blocks, paragraph
+from content import Figure, Section, document_blocks, paragraph, tabled_number
 from figures import agreement
 from markupsafe import Markup
 from numbers_shown import data, formatted, with_bar
-from sections.sheets import sheet_blocks
+from sections.sheets import titled_sheet
 
 _NAMES = ["5.1", "5.2", "5.3", "5.4", "deviation", "bending"]
 _SHORT = {"5.1": "compression", "5.2": "tension", "5.3": "shearing", "5.4": "torsion"}
@@ -44,9 +44,8 @@ def thesis_tables(study):
         )
     for document in tables:
         section.blocks += thesis_table(document)
-    if "5.5" in study.tables:
-        document = study.tables["5.5"]
-        section.blocks += [Markup("<h3>{}</h3>").format(document["title"]), *sheet_blocks(document)]
+    if "performance" not in study.tables:  # else it stands there
+        section.blocks += titled_sheet(study.tables.get("5.5"))
     return section
 
 
@@ -82,9 +81,7 @@ def _ours(document, row):
     if row["ours"] is None:
         return row["status"].replace("_", " "), "failed"
     text = formatted(row["ours"], document["format"])
-    return Markup(
-        '<data value="{!r}" data-table="{}" data-case="{}">{}</data>'
-    ).format(row["ours"], document["table"], row["case"], text)
+    return tabled_number(document, row["ours"], text, row["case"])
 
 
 def relative_size(document, row):

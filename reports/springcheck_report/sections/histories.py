@@ -1,0 +1,129 @@
+"""Force and energies on the way through time, of cases that stored a history."""
+
+import json
+
+import numpy as np
+from content import Figure
+from figures import curves
+from method_style import colour, shades
+from study import ANSWERS, case_text, counts_text, method_name
+
+_MOST_CURVES = 8
+_DASHES = ["-", "--", ":", "-."]
+
+
+def histories(study):
+    """For each test a figure of the problem with the most histories, of nu nearest 1/4."""
+    cases = study.cases[[study.has(key, "history") for key in study.cases.index]]
+    figures = []
+    for test, of_test in cases.groupby("test", sort=False):
+        groups = [group for _, group in of_test.groupby(of_test.apply(_shape, axis=1), sort=False)]
+        best = min(
+            groups, key=lambda group: (-len(group), abs(group.nu.iloc[0] - 0.25), -group.strain.max())
+        )
+        figures.append(_figure(study, f"history_{test}", best, len(of_test)))
+    return figures
+
+
+def _shape(case):
+    """What bodies of different size share that are deformed alike: blocks of the thesis are
+    a hundred times larger in its raw units."""
+    if case.body != "block" or not np.isfinite(case.deformation):
+        return case.problem
+    sides = [round(case[f"size.{axis}"] / case["size.z"], 9) for axis in "xy"]
+    settings = [case["cell-type"], case.get("distortion", 0), case.nu, case.deformation]
+    return json.dumps([counts_text(case), sides, *settings])
+
+
+def _figure(study, name, cases, of_test):
+    """Over E and the size where bodies differ in them, so that one equilibrium is one."""
+    group = cases.sort_values(["scene", "method", "solver", "damping"]).iloc[:_MOST_CURVES]
+    test, is_scaled = group.test.iloc[0], group.problem.nunique() > 1
+    force, strain, ratio = [], [], []
+    for (key, case), style in zip(group.iterrows(), _styles(group)):
+        history = study.history(key)
+        label, time = _label(case, group), history.time.to_numpy()
+        force_unit, energy_unit = _units(case) if is_scaled else (1, 1e-3)
+        answer = answer_along(test, history, case.deformation)
+        if answer is not None:
+            force.append(curves.Curve(label, time, answer / force_unit, style=style))
+        energy = history.strain_energy.to_numpy()
+        with np.errstate(divide="ignore", invalid="ignore"):
+            share = history.kinetic_energy.to_numpy() / energy
+        strain.append(curves.Curve(label, time, energy / energy_unit, style=style))
+        ratio.append(curves.Curve(label, time, share, style=style))
+    energy_label = "energy / (E V)" if is_scaled else "energy [mJ]"
+    panels = [
+        curves.Panel("Strain energy", "time [s]", energy_label, strain),
+        curves.Panel("Kinetic over strain energy", "time [s]", "ratio", ratio, log_y=True),
+    ]
+    if force:
+        _, answer, unit = ANSWERS[test]
+        scale = ("E V" if test == "torsion" else "E A") if is_scaled else None
+        y_label = f"{answer} / ({scale})" if scale else f"{answer} [{unit}]"
+        force += _statics(study, group, is_scaled)
+        panels.insert(0, curves.Panel(answer.capitalize(), "time [s]", y_label, force))
+    text = case_text(group.iloc[0]).removeprefix(f"{group.iloc[0].scene}, ")
+    caption = f"On the way through time: {test}, {text}. Hollow rings are static equilibria at the full load."
+    if is_scaled:
+        caption += " Bodies of different size, over Young's modulus and section (A) or volume (V)."
+    if of_test > len(group):
+        caption += f" {len(group)} of the {of_test} histories of this test in the result file."
+    return Figure(name, caption, curves.draw, (panels,))
+
+
+def answer_along(test, history, deformation):
+    """The test's measure (ANSWERS) at every moment as an array, None of tests without a
+    plate."""
+    along = {
+        "compression": -history.force_z,
+        "tension": history.force_z,
+        "uniaxial": np.sign(deformation) * history.force_z,
+        "shearing": np.sqrt(history.force_x**2 + history.force_y**2 + history.force_z**2),
+        "torsion": history.torque_z,
+    }
+    return along[test].to_numpy() if test in along else None
+
+
+def _units(case):
+    """What force (torque) and energy are divided by: E A (E V) and E V."""
+    area = case["size.x"] * case["size.y"]
+    volume = area * case["size.z"]
+    return case.young * (volume if case.test == "torsion" else area), case.young * volume
+
+
+def _styles(group):
+    """A colour for each method and dashes for its cases; of one method alone a colour for
+    each case."""
+    if group.method.nunique() == 1:
+        darker = shades(len(group) + 1)[:-1]  # the last is pale on white
+        return [{"color": shade, "linewidth": 1.1} for shade in darker]
+    places = group.groupby("method").cumcount()
+    return [
+        {"color": colour(method), "linestyle": _DASHES[place % len(_DASHES)], "linewidth": 1.1}
+        for method, place in zip(group.method, places)
+    ]
+
+
+def _label(case, group):
+    """Method and solver, and what else the cases differ in."""
+    label = f"{method_name(case.drop('solver'))}, {case.solver}"
+    if group.scene.nunique() > 1:
+        label = f"{case.scene}: {label}"
+    if group.damping.nunique() > 1:
+        label += f", damping {case.damping:g}"
+    return f"{label}, single precision" if case.precision == "float" else label
+
+
+def _statics(study, group, is_scaled):
+    """Equilibria of the same methods on the same problems, at the end of time."""
+    same = study.cases[study.cases.problem.isin(group.problem) & study.cases.method.isin(group.method)]
+    same = same[(same.solver == "static") & (same.status == "ok") & ~same.is_repeated]
+    end = np.array([group.duration.max()])
+    found = []
+    for _, case in same.iterrows():
+        ring = {"linestyle": "none", "marker": "o", "markersize": 5, "markerfacecolor": "none"}
+        ring["color"] = colour(case["name"])
+        answer = np.array([case.answer / (_units(case)[0] if is_scaled else 1)])
+        found.append(curves.Curve(f"{case['name']}, static", end, answer, style=ring))
+    return found

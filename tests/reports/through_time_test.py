@@ -1,0 +1,147 @@
+"""The page's section of dynamics, from what the real program writes."""
+
+import shutil
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+REPORTS = Path(__file__).parents[2] / "reports"
+sys.path[:0] = [str(Path(__file__).parent), str(REPORTS), str(REPORTS / "springcheck_report")]
+import json  # noqa: E402
+
+import page_text  # noqa: E402
+import study as study_module  # noqa: E402
+from program import springcheck  # noqa: E402
+from sections.histories import answer_along, histories  # noqa: E402
+
+SMALL = "--nu 0.25 --cells 4,4,4"
+MOTION = "--solver verlet --damping 0.1 --duration 0.5 --history 40"
+DEFORMED = {
+    "compression": "5% --cells 4,4,4",
+    "tension": "5% --cells 2,2,12",
+    "shearing": "5% --cells 4,4,4",
+    "torsion": "10deg --cells 4,4,4",
+    "uniaxial": "-5% --cells 4,4,4",
+}
+
+
+def page_in(folder):
+    return (folder / "index.html").read_text(encoding="utf-8")
+
+
+class Cases(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.file = cls.folder / "small.h5"
+        for scene, amount in DEFORMED.items():
+            for more in (f"--method mss-cf,mss-nfd {MOTION}", "--method mss-cf"):
+                run = f"run {scene} --nu 0.25 --deformation {amount} {more} --out"
+                springcheck(*run.split(), cls.file)
+        explicit = f"run compression --deformation 5% {SMALL} --method"
+        springcheck(*f"{explicit} fem-explicit-8p --duration 0.5 --out".split(), cls.file)
+        springcheck(*f"{explicit} fem-stvk --element q1 --out".split(), cls.file)
+        raw = f"run compression-thesis-raw --deformation 5% {SMALL} --history 40 --out"
+        springcheck(*raw.split(), cls.file)
+        springcheck("report", cls.file, "--out", cls.folder)
+        cls.section = page_text.section(page_in(cls.folder), "through-time")
+        cls.study = study_module.read(cls.file, cls.folder)
+
+    def through_time(self):
+        return self.study.cases[self.study.cases.apply(study_module.is_through_time, axis=1)]
+
+    def test_a_history_ends_at_the_measures_of_its_case(self):
+        """Read by the columns' names: exact, the last sample is the end."""
+        cases = self.through_time()
+        seen = set()
+        for key, case in cases[cases.method == "mss-cf"].iterrows():
+            history = self.study.history(key)
+            seen.add(case.test)
+            self.assertEqual(len(history), 40)
+            self.assertEqual(history.time.iloc[-1], case.duration)
+            self.assertEqual(history.kinetic_energy.iloc[-1], case.kinetic_energy)
+            self.assertEqual(history.volume_change.iloc[-1], case.volume_change)
+            end = answer_along(case.test, history, case.deformation)[-1]
+            self.assertAlmostEqual(end, case.answer, delta=1e-12 * abs(case.answer), msg=case.test)
+        self.assertEqual(seen, set(DEFORMED))
+
+    def test_every_case_through_time_stands_beside_its_statics(self):
+        rows = page_text.rows(self.section, "solvers")
+        cases = self.through_time()
+        self.assertEqual(len(rows), len(cases))
+        statics = self.study.cases[self.study.cases.solver == "static"]
+        beside = 0
+        for _, method, solver, end, still, off, *_, key in rows:
+            (place,) = (k for k in cases.index if k.startswith(key))
+            case = cases.loc[place]
+            self.assertEqual((method, solver), (case.method, case.solver))
+            self.assertAlmostEqual(float(end.split()[0]), case.answer, delta=1e-4 * abs(case.answer))
+            law = {"mss-cf": "mss-cf", "fem-explicit-8p": "fem-stvk"}.get(method)
+            same = statics[(statics.problem == case.problem) & (statics.method == law)]
+            self.assertEqual(bool(still), len(same) > 0)
+            if still:
+                beside += 1
+                difference = 100 * (case.answer / same.answer.iloc[0] - 1)
+                self.assertAlmostEqual(float(off), difference, delta=0.00051)
+        self.assertEqual(beside, len(DEFORMED) + 1)
+
+    def test_numbers_are_those_of_the_file(self):
+        numbers = [n for n in page_text.numbers(self.section) if "data-measure" in n]
+        self.assertGreater(len(numbers), 50)
+        for number in numbers:
+            stored = self.study.cases.loc[number["data-case"], number["data-measure"]]
+            self.assertEqual(float(number["value"]), stored)
+
+    def test_histories_have_figures(self):
+        drawn = [name for name in page_text.figures(self.section) if name.startswith("history_")]
+        self.assertEqual(sorted(drawn), sorted(f"history_{test}" for test in DEFORMED))
+        for name in drawn:
+            self.assertGreater((self.folder / "figures" / f"{name}.svg").stat().st_size, 10_000)
+
+    def test_bodies_of_the_thesis_s_units_are_drawn_over_their_size(self):
+        """A hundred times larger, yet at the end of a slow motion the same body: to the few
+        percent of the waves in it."""
+        (figure,) = (f for f in histories(self.study) if f.name == "history_compression")
+        force, *_ = figure.arguments[0]
+        self.assertIn("E A", force.y_label)
+        ends = {curve.name: curve.y[-1] for curve in force.curves}
+        (raw,) = (value for name, value in ends.items() if "thesis-raw" in name)
+        self.assertAlmostEqual(raw / ends["mss-cf, static"], 1, delta=0.1)
+
+    def test_what_the_file_lacks_has_no_section(self):
+        page = page_in(self.folder)
+        self.assertIsNone(page_text.section(page, "speed"))
+        self.assertIsNone(page_text.section(page, "modes"))
+        still = self.folder / "still"
+        springcheck("run", "compression", "--method", "mss-cf", "--cells", "2,2,2", "--out", f"{still}.h5")
+        springcheck("report", f"{still}.h5", "--out", still)
+        self.assertIsNone(page_text.section(page_in(still), "through-time"))
+
+
+class Table(unittest.TestCase):
+    def test_the_table_dynamics_has_its_figure_and_rows(self):
+        folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        springcheck("table", "dynamics", "--out", folder / "dynamics.h5")
+        springcheck("report", folder / "dynamics.h5", "--out", folder)
+        section = page_text.section(page_in(folder), "through-time")
+        document = json.loads((folder / "tables" / "dynamics.json").read_text(encoding="utf-8"))
+        rows = page_text.rows(section, "dynamics")
+        self.assertEqual(len(rows), len(document["rows"]))
+        self.assertIn("protocols", page_text.figures(section))
+        self.assertIn("history_torsion", page_text.figures(section))
+        shown = {(n["value"], n.get("data-case")) for n in page_text.numbers(section)}
+        for cells, row in zip(rows, document["rows"]):
+            for key, case in zip(("static", "dynamic", "raw"), row["cases"]):
+                if row[key] is not None:
+                    self.assertIn((repr(row[key]), case), shown)
+        unstable = rows[[row["static"] for row in document["rows"]].index(None)]
+        self.assertIn("no equilibrium", unstable)
+        self.assertIn("diverged", unstable)
+        self.assertNotIn('id="table-solvers"', section)  # each case once
+
+
+if __name__ == "__main__":
+    unittest.main()
