@@ -3,8 +3,11 @@
 //
 //     springcheck_bench [--benchmark_filter=REGEX] [other options of Google Benchmark]
 //
-// Names are method/cells/precision/instruction set/threads; the time per_cell_step is
-// what counts. Sizes up to 10^6 cells: the largest take minutes to prepare.
+// Names are method/cells/precision/instruction set/threads, the method with -damped for
+// dashpots of zeta = .05 and -distorted for cells of all shapes. Baselines: "naive" and
+// mss-affine-plain. The time per_cell_step is what counts; bytes_per_cell is the memory
+// of what moves, without mesh and network. Sizes up to 10^6 cells: the largest take
+// minutes to prepare.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -21,29 +24,53 @@ double cell_count(const SteppedBody& body) {
 }
 
 /// One body at a time is kept: benchmarks are repeated to find how many steps to time.
-std::function<void()>& prepared(const std::string& name, const SteppedBody& body) {
+Stepping& prepared(const std::string& name, const SteppedBody& body) {
   static std::string last;
-  static std::function<void()> advance;
+  static Stepping now;
   if (name != last) {
-    advance = {};  // its memory first
-    advance = stepping(body);
+    now = {};  // its memory first
+    now = stepping(body);
     last = name;
   }
-  return advance;
+  return now;
 }
 
 void add(const SteppedBody& body) {
-  const std::string name =
-      fmt::format("{}/{:.0f}/{}/{}/{}", body.method, cell_count(body),
-                  name_of(body.precision), name_of(body.instruction_set), body.threads);
+  const std::string name = fmt::format(
+      "{}{}{}/{:.0f}/{}/{}/{}", body.method, body.damping_ratio > 0 ? "-damped" : "",
+      body.distortion > 0 ? "-distorted" : "", cell_count(body), name_of(body.precision),
+      name_of(body.instruction_set), body.threads);
   benchmark::RegisterBenchmark(name.c_str(), [name, body](benchmark::State& state) {
-    const std::function<void()>& advance = prepared(name, body);
+    const auto& [advance, bytes] = prepared(name, body);
     for (auto _ : state) advance();
+    if (bytes > 0) state.counters["bytes_per_cell"] = bytes / cell_count(body);
     state.counters["per_cell_step"] = benchmark::Counter(
         cell_count(body),
         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   })->UseRealTime();
 }
+
+/// In every precision, by every instruction set, and by the best on several threads.
+void add_all(SteppedBody body) {
+  const dynamics::InstructionSet best = dynamics::best_instruction_set();
+  for (const mss::Precision precision :
+       {mss::Precision::double_precision, mss::Precision::single_precision})
+    for (const dynamics::InstructionSet set : dynamics::all_instruction_sets)
+      for (const int threads : {1, 2, 4}) {
+        if (!dynamics::is_available(set) || (set != best && threads > 1)) continue;
+        body.precision = precision;
+        body.instruction_set = set;
+        body.threads = threads;
+        add(body);
+      }
+}
+
+struct Variant {
+  const char* method;
+  double damping_ratio = 0;
+  double distortion = 0;  // in cell edges
+};
+constexpr double zeta = 0.05;
 
 }  // namespace
 
@@ -60,19 +87,17 @@ int main(int count, char** arguments) {
                      .instruction_set = best,
                      .threads = 1};
     add(body);
-    for (const char* method : {"mss-cf", "mss-nfd", "mss-fd", "mss-baudet",
-                               "fem-explicit-1p", "fem-explicit-8p"}) {
+    body.method = "mss-affine-plain";
+    add(body);
+    for (const auto& [method, damping_ratio, distortion] :
+         {Variant{"mss-cf"}, Variant{"mss-cf", zeta}, Variant{"mss-nfd"},
+          Variant{"mss-fd"}, Variant{"mss-baudet"}, Variant{"mss-affine"},
+          Variant{"mss-affine", zeta}, Variant{"mss-affine", 0, 0.2},
+          Variant{"fem-explicit-1p"}, Variant{"fem-explicit-8p"}}) {
       body.method = method;
-      for (const Precision precision :
-           {Precision::double_precision, Precision::single_precision})
-        for (const dynamics::InstructionSet set : dynamics::all_instruction_sets)
-          for (const int threads : {1, 2, 4}) {
-            if (!dynamics::is_available(set) || (set != best && threads > 1)) continue;
-            body.precision = precision;
-            body.instruction_set = set;
-            body.threads = threads;
-            add(body);
-          }
+      body.damping_ratio = damping_ratio;
+      body.distortion = distortion;
+      add_all(body);
     }
   }
   benchmark::Initialize(&count, arguments);

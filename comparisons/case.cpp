@@ -56,10 +56,12 @@ void add_dynamics(nlohmann::json& json, const Dynamics& dynamics) {
   json["damping"] = dynamics.damping_ratio;
   json["force-dt"] = dynamics.force_time_step;
   json["precision"] = name_of(dynamics.precision);
-  if (dynamics.time_step)
+  if (dynamics.time_step) {
     json["dt"] = *dynamics.time_step;
-  else
+  } else {
     json["dt"] = "auto";
+    json["dt-ratio"] = dynamics.step_ratio;
+  }
   if (dynamics.history > 0) json["history"] = dynamics.history;
 }
 
@@ -88,17 +90,17 @@ void add_spring_settings(nlohmann::json& json, const CaseSettings& settings) {
       break;
   }
   json["solver"] = name_of(solver_of(settings));
-  if (solver_of(settings) == Solver::static_equilibrium) {
+  if (goes_through_time(settings)) {
+    add_dynamics(json, settings.dynamics);
+  } else if (solver_of(settings) == Solver::static_equilibrium) {
     json["seed"] = settings.seed;
-    return;
+    json["noise"] = settings.noise;
   }
-  add_dynamics(json, settings.dynamics);
 }
 
 void add_explicit_settings(nlohmann::json& json, const CaseSettings& settings) {
   json["solver"] = name_of(solver_of(settings));
-  if (solver_of(settings) != Solver::static_equilibrium)
-    add_dynamics(json, settings.dynamics);
+  if (goes_through_time(settings)) add_dynamics(json, settings.dynamics);
 }
 
 /// What stands for a solver's settings where there was none of ours.
@@ -155,6 +157,8 @@ std::string_view name_of(Solver solver) {
   switch (solver) {
     case Solver::static_equilibrium:
       return "static";
+    case Solver::path_limit:
+      return "limit";
     case Solver::explicit_euler:
       return "explicit";
     case Solver::semi_implicit_euler:
@@ -176,6 +180,11 @@ Solver solver_of(const CaseSettings& settings) {
   return settings.solver.value_or(is_explicit_element(settings.method)
                                       ? Solver::semi_implicit_euler
                                       : Solver::static_equilibrium);
+}
+
+bool goes_through_time(const CaseSettings& settings) {
+  const Solver solver = solver_of(settings);
+  return solver != Solver::static_equilibrium && solver != Solver::path_limit;
 }
 
 std::string_view name_of(mss::StiffnessForm form) {

@@ -28,6 +28,7 @@ enum class PlateContact { glued, sliding };
 /// How the deformed state is found: at once, or through time.
 enum class Solver {
   static_equilibrium,
+  path_limit,  // static too: to where the path loses its stability
   explicit_euler,
   semi_implicit_euler,
   verlet,
@@ -36,9 +37,10 @@ enum class Solver {
 
 struct Dynamics {
   double duration;                  // [s] over which the load grows
-  std::optional<double> time_step;  // [s]; none: .9 of the stability limit
-  bool force_time_step;             // run even above the stability limit
-  double damping_ratio;             // zeta of critical
+  std::optional<double> time_step;  // [s]; none: step_ratio of the stability limit
+  double step_ratio;
+  bool force_time_step;  // run even above the stability limit
+  double damping_ratio;  // zeta of critical
   mss::Precision precision;
   int history;  // samples on the way
 };
@@ -84,13 +86,16 @@ struct CaseSettings {
   std::optional<mss::LatticeConstants> constants;  // of mss-custom, at this cell size
   mss::VolumeCorrection correction;                // of mss-vangelder and mss-lloyd
   std::optional<Solver> solver;                    // none: the method's own
-  Dynamics dynamics;                               // of all solvers but the static one
+  Dynamics dynamics;                               // of solvers through time
   unsigned seed;                                   // of the static solver
+  double noise;  // [cell edges] of a static solution, which is solved again from there
 };
 
 /// The solver given, or else the static one, and of explicit elements semi-implicit
 /// Euler; the other finite elements are static anyway.
 Solver solver_of(const CaseSettings& settings);
+
+bool goes_through_time(const CaseSettings& settings);
 
 /// The finite elements' part of the settings.
 fem_reference::Settings reference_settings(const CaseSettings& settings);

@@ -77,6 +77,9 @@ Verdict judge(SolveStatus solved, bool inverted, bool wrinkled) {
     case SolveStatus::no_equilibrium:
       verdict.status = Status::no_equilibrium;
       break;
+    case SolveStatus::inverted:
+      verdict.status = Status::inverted;
+      break;
     case SolveStatus::diverged:
       verdict.status = Status::diverged;
       break;

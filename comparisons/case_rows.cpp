@@ -101,9 +101,12 @@ std::optional<Effort> effort_of(const Reader& reader) {
 void check_measures(const StoredCase& stored, const Reader& reader) {
   if (const auto name = not_finite(stored.measures))
     reader.refuse(*name, "finite numbers", "others");
+  // Of solver limit, short of the load.
+  const bool is_limit = stored.measures.critical_wavelength.has_value();
   const bool has_equilibrium =
-      stored.status == Status::ok || stored.status == Status::indefinite ||
-      stored.status == Status::wrinkled || stored.status == Status::inverted;
+      !is_limit &&
+      (stored.status == Status::ok || stored.status == Status::indefinite ||
+       stored.status == Status::wrinkled || stored.status == Status::inverted);
   if (stored.measures.volume_error.has_value() != has_equilibrium)
     reader.refuse("volume_error", has_equilibrium ? "a number" : "none",
                   fmt::format("{} with status {}", has_equilibrium ? "none" : "one",

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <limits>
 #include <stdexcept>
+#include <system_error>
 
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/overlay_file.hpp"
@@ -16,7 +17,7 @@
 namespace springcheck {
 namespace {
 
-constexpr long long layout = 1;
+constexpr long long layout = 2;
 
 std::vector<double> numbers(const std::vector<Vector3>& vectors) {
   std::vector<double> all;
@@ -83,8 +84,17 @@ CaseCheckpoint read(const std::filesystem::path& file, const std::string& key,
                 .dt = number("dt"),
                 .last_dt = number("last_dt"),
                 .steps_left = count("steps_left"),
-                .limit = number("limit")},
+                .limit = number("limit"),
+                .stiffest = {},
+                .look_evaluations = count("look_evaluations"),
+                .excess = {}},
       .history = {}};
+  if (hdf5::has_link(root, "stiffest"))
+    checkpoint.march.stiffest = table("stiffest", 3 * nodes);
+  if (hdf5::read_numbers(root, "excess_limit"))
+    checkpoint.march.excess = {.step = count("excess_step"),
+                               .dt = number("excess_dt"),
+                               .limit = number("excess_limit")};
   if (hdf5::has_link(root, "history")) {
     const std::vector<double> rows = table("history", std::nullopt);
     for (std::size_t i = 0; i + 12 <= rows.size(); i += 12) {
@@ -95,38 +105,60 @@ CaseCheckpoint read(const std::filesystem::path& file, const std::string& key,
   return checkpoint;
 }
 
+void write_content(OverlayFile& overlay, const std::filesystem::path& file,
+                   const std::string& key, const CaseCheckpoint& checkpoint) {
+  const hdf5::Handle root(overlay.create(), H5Fclose, file.string());
+  const auto& [state, step, time, dt, last_dt, steps_left, limit, stiffest,
+               look_evaluations, excess] = checkpoint.march;
+  hdf5::write_attribute(root, "layout", layout);
+  hdf5::write_attribute(root, "case", key);
+  hdf5::write_attribute(root, "instruction_set",
+                        std::string(name_of(dynamics::best_instruction_set())));
+  hdf5::write_attribute(root, "step", static_cast<double>(step));
+  hdf5::write_attribute(root, "time", time);
+  hdf5::write_attribute(root, "dt", dt);
+  hdf5::write_attribute(root, "last_dt", last_dt);
+  hdf5::write_attribute(root, "steps_left", static_cast<double>(steps_left));
+  hdf5::write_attribute(root, "limit", limit);
+  hdf5::write_attribute(root, "look_evaluations", static_cast<double>(look_evaluations));
+  if (excess) {
+    hdf5::write_attribute(root, "excess_step", static_cast<double>(excess->step));
+    hdf5::write_attribute(root, "excess_dt", excess->dt);
+    hdf5::write_attribute(root, "excess_limit", excess->limit);
+  }
+  hdf5::write_table(root, "displacement", numbers(state.displacements), 3);
+  hdf5::write_table(root, "velocity", numbers(state.velocities), 3);
+  if (!stiffest.empty()) hdf5::write_table(root, "stiffest", stiffest, 3);
+  if (!checkpoint.history.empty()) {
+    std::vector<double> rows;
+    for (const HistorySample& sample : checkpoint.history)
+      rows.insert(rows.end(), sample.begin(), sample.end());
+    hdf5::write_table(root, "history", rows, history_columns.size());
+  }
+}
+
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& file, const std::string& key,
                       const CaseCheckpoint& checkpoint) {
-  write_whole(file, [&](const std::filesystem::path& unfinished) {
-    if (!std::ofstream(unfinished).flush())
+  const std::filesystem::path place = link_target(file);
+  const std::filesystem::path unfinished = place.string() + ".unfinished";
+  try {
+    if (!std::ofstream(unfinished, std::ios::trunc).flush())
       throw std::runtime_error(unfinished.string() + " cannot be written");
+    if (std::filesystem::exists(place))
+      std::filesystem::permissions(unfinished,
+                                   std::filesystem::status(place).permissions());
     OverlayFile overlay(unfinished);
-    {
-      const hdf5::Handle root(overlay.create(), H5Fclose, unfinished.string());
-      const auto& [state, step, time, dt, last_dt, steps_left, limit] = checkpoint.march;
-      hdf5::write_attribute(root, "layout", layout);
-      hdf5::write_attribute(root, "case", key);
-      hdf5::write_attribute(root, "instruction_set",
-                            std::string(name_of(dynamics::best_instruction_set())));
-      hdf5::write_attribute(root, "step", static_cast<double>(step));
-      hdf5::write_attribute(root, "time", time);
-      hdf5::write_attribute(root, "dt", dt);
-      hdf5::write_attribute(root, "last_dt", last_dt);
-      hdf5::write_attribute(root, "steps_left", static_cast<double>(steps_left));
-      hdf5::write_attribute(root, "limit", limit);
-      hdf5::write_table(root, "displacement", numbers(state.displacements), 3);
-      hdf5::write_table(root, "velocity", numbers(state.velocities), 3);
-      if (!checkpoint.history.empty()) {
-        std::vector<double> rows;
-        for (const HistorySample& sample : checkpoint.history)
-          rows.insert(rows.end(), sample.begin(), sample.end());
-        hdf5::write_table(root, "history", rows, history_columns.size());
-      }
-    }
-    write_pages(unfinished, overlay.writes());
-  });
+    write_content(overlay, unfinished, key, checkpoint);
+    write_pages_of_new_file(unfinished, overlay.writes());
+    std::filesystem::rename(unfinished, place);
+    sync_folder_of(place);
+  } catch (...) {
+    std::error_code ignored;  // the first failure is the one to report
+    std::filesystem::remove(unfinished, ignored);
+    throw;
+  }
 }
 
 std::optional<CaseCheckpoint> read_checkpoint(const std::filesystem::path& file,

@@ -15,7 +15,8 @@ struct CaseCheckpoint {
 };
 
 /// Writes it as an HDF5 file that appears whole or not at all: what was there before
-/// stays until then. key: case_key of the case. Throws std::runtime_error when not all
+/// stays until then. A program that is killed meanwhile leaves FILE.unfinished, which the
+/// next one writes over. key: case_key of the case. Throws std::runtime_error when not all
 /// could be written.
 void write_checkpoint(const std::filesystem::path& file, const std::string& key,
                       const CaseCheckpoint& checkpoint);

@@ -36,7 +36,7 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
                      "finite elements only");
   if (solver_of(run.common) != Solver::static_equilibrium)
     throw InputError("--split", "solver",
-                     "static: the end of dynamics has an error of its own",
+                     "static: the end of dynamics and a limit have errors of their own",
                      std::string(name_of(solver_of(run.common))));
   const Method law = run.reference ? run.reference->method : *find_method("fem-hencky");
   if (run.reference &&
@@ -77,8 +77,9 @@ void check_checkpoint(const RunSettings& run, const std::filesystem::path& file,
                      fmt::to_string(run.methods.size()));
   CaseSettings settings = run.common;
   settings.method = run.methods.front();
-  if (solver_of(settings) == Solver::static_equilibrium)
-    throw InputError("--checkpoint", "", "a solver that goes through time", "static");
+  if (!goes_through_time(settings))
+    throw InputError("--checkpoint", "", "a solver that goes through time",
+                     std::string(name_of(solver_of(settings))));
   check_writable(file);
 }
 

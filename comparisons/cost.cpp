@@ -14,22 +14,33 @@ constexpr double nodes_there = 1331;
 constexpr double growth = 1.3;  // with the nodes, between 10^3 and 30^3 cells
 
 // And of a simulated second at nu = .25 with steps of .9 of the limit: .037 and .042 by
-// kernels, .66 by plain loops; measured with what is done once, about half of the first.
-constexpr double by_kernels = 0.03, by_plain_loops = 0.6;
+// kernels, .1 by mss-affine's, .66 by plain loops; measured with what is done once, about
+// half of the first.
+constexpr double by_kernels = 0.03, by_affine_kernel = 0.1, by_plain_loops = 0.6;
+
+double per_simulated_second(const CaseSettings& settings) {
+  const auto* springs_of = std::get_if<mss::Method>(&settings.method.model);
+  if (springs_of == nullptr) return by_kernels;
+  switch (*springs_of) {
+    case mss::Method::affine:  // of a mesh file nothing is known
+      return is_grid_of_hexahedra(settings.body) ? by_affine_kernel : by_plain_loops;
+    case mss::Method::vangelder:
+    case mss::Method::lloyd:
+      return by_plain_loops;
+    default:
+      return by_kernels;
+  }
+}
 
 /// Steps get shorter as pressure waves get faster; a step that is given replaces them.
 double seconds_of_dynamics(const CaseSettings& settings) {
-  const auto* springs_of = std::get_if<mss::Method>(&settings.method.model);
-  const bool is_plain = springs_of != nullptr && (*springs_of == mss::Method::affine ||
-                                                  *springs_of == mss::Method::vangelder ||
-                                                  *springs_of == mss::Method::lloyd);
   constexpr double step_there = 1.14e-3;  // [s] cells of 5 mm, E = 10 kPa, nu = .25
   const auto [lambda, mu] = lame_constants(settings.material);
   const double stiffer = (lambda + 2 * mu) / 1.2e4;
   const double shorter = settings.dynamics.time_step
                              ? step_there / *settings.dynamics.time_step
                              : std::sqrt(stiffer);
-  return (is_plain ? by_plain_loops : by_kernels) * shorter * settings.dynamics.duration;
+  return per_simulated_second(settings) * shorter * settings.dynamics.duration;
 }
 
 double seconds(const CaseSettings& settings) {
@@ -40,8 +51,7 @@ double seconds(const CaseSettings& settings) {
   for (const double cells : equivalent_grid(settings.body))
     nodes *= (halved ? 2. : 1.) * cells + 1;
   const double larger = nodes / nodes_there;
-  if (!is_fem && solver_of(settings) != Solver::static_equilibrium)
-    return seconds_of_dynamics(settings) * larger;
+  if (goes_through_time(settings)) return seconds_of_dynamics(settings) * larger;
   const bool is_linear = settings.method.name == "fem-hooke";
   const double there = !is_fem ? springs : is_linear ? hooke : other_laws;
   return there * std::pow(larger, growth);

@@ -46,9 +46,11 @@ std::vector<CaseSettings> cases_of(const PrintedFigure& figure) {
       {"deformation", fmt::format("{}", figure.deformation)}};
   auto dynamic = common;
   dynamic.emplace_back("solver", "semi-implicit");
+  auto raw = common;
+  for (auto* settings : {&dynamic, &raw}) settings->emplace_back("history", "200");
   const std::string scene(name_of(figure.test));
   return {case_of_scene(scene, common), case_of_scene(scene, dynamic),
-          case_of_scene(scene + "-thesis-raw", common)};
+          case_of_scene(scene + "-thesis-raw", raw)};
 }
 
 std::optional<double> energy_ratio(const Measures& m) {

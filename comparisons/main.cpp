@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -17,6 +18,7 @@
 #include "comparisons/measured/measure_command.hpp"
 #include "comparisons/report_command.hpp"
 #include "comparisons/reproduce.hpp"
+#include "comparisons/stability/stability_command.hpp"
 #include "comparisons/sweep_command.hpp"
 #include "meshing/input_error.hpp"
 
@@ -75,6 +77,13 @@ std::string check_not_empty(const std::string& text) {
   return text.empty() ? "expected a path, got ''" : "";
 }
 
+std::string check_seconds(const std::string& text) {
+  char* end = nullptr;
+  const double seconds = std::strtod(text.c_str(), &end);
+  if (!text.empty() && *end == '\0' && seconds >= 0) return "";
+  return "expected a number of seconds, 0 or more, got '" + text + "'";
+}
+
 /// Refuses a first word that is no command, naming it; CLI11 would only ask for one.
 void check_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -126,13 +135,16 @@ int command_line(int argc, char** argv) {
                 "split the errors of spring methods into law and discretisation; runs "
                 "finite elements on up to 4 times as many cells along each axis");
   run->add_flag("--json", json, "print one JSON document");
-  run->add_option("--checkpoint", checkpoint,
-                  "HDF5 file to which dynamics is saved on the way, and from which it "
-                  "goes on if it is there")
-      ->check(check_not_empty);
+  CLI::Option* const checkpoint_file =
+      run->add_option(
+             "--checkpoint", checkpoint,
+             "HDF5 file to which dynamics is saved on the way, and from which it "
+             "goes on if it is there")
+          ->check(check_not_empty);
   run->add_option("--checkpoint-every", watch.seconds_between_checkpoints,
                   "seconds between two savings (default 60)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(check_seconds)
+      ->needs(checkpoint_file);
   add_threads(run);
 
   CLI::App* table =
@@ -140,11 +152,13 @@ int command_line(int argc, char** argv) {
                          "Print one of the thesis's tables beside ours, or one "
                          "of our own");
   table
-      ->add_option("name", name,
-                   "5.1, 5.2, 5.3, 5.4, 5.5, deviation, bending, subdivision, locking, "
-                   "orientation, modes, dynamics, performance; split, elements and "
-                   "convergence take "
-                   "minutes")
+      ->add_option(
+          "name", name,
+          "5.1, 5.2, 5.3, 5.4, 5.5, deviation, bending, subdivision, locking, "
+          "orientation, modes, dynamics, performance, lattice-stability, regions, "
+          "four-springs; split, elements and "
+          "convergence take "
+          "minutes")
       ->required();
   table->add_option("--from", from, "result files to take cases from; computes the rest")
       ->check(check_not_empty);
@@ -209,6 +223,27 @@ int command_line(int argc, char** argv) {
       ->check(check_not_empty);
   merge->add_option("from", from, "result files")->required()->check(check_not_empty);
 
+  StabilityOptions stability_options{.jobs = cores};
+  CLI::App* stability = app.add_subcommand(
+      "stability", "Map where methods fail over one or two settings, and their limits");
+  stability->add_option("scene", scene, "name of a shipped scene, or a .toml file")
+      ->required();
+  const SettingOptions stability_settings(stability);
+  stability
+      ->add_option("--over", stability_options.over,
+                   "KEY=FROM:TO:COUNT or KEY=A,B,C, once or twice; limits are along the "
+                   "first")
+      ->required();
+  stability->add_option("--out", out, "HDF5 file to add the cases to")
+      ->check(check_not_empty);
+  stability->add_option("--format", format,
+                        "md, csv, json or latex (default: maps and limits)");
+  stability->add_flag("--locking", stability_options.locking,
+                      "judge locking, too, by a control for every point");
+  stability
+      ->add_option("--jobs", threads, "simulations at once, at most (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+
   CLI::App* list = app.add_subcommand("list", "List what there is");
   list->add_option("what", what,
                    "methods, scenes, sweeps, cell-types, elements or materials");
@@ -271,6 +306,11 @@ int command_line(int argc, char** argv) {
     sweep_options.jobs = threads;
     set_shard(sweep_options, shard);
     status = sweep_command(name, out, sweep_options);
+  } else if (*stability) {
+    stability_options.jobs = threads;
+    stability_options.out = path_or_none(out);
+    if (stability->count("--format") > 0) stability_options.format = table_format(format);
+    status = stability_command(scene, stability_settings.given(), stability_options);
   } else if (*merge)
     status = merge_command(out, from);
   else if (*list)

@@ -55,6 +55,9 @@ struct Measures {
   // way: load fraction times deformation. Known of runs that found no equilibrium too;
   // empty in tests without a deformation.
   Value definite_up_to_deformation{};
+  // Of solver limit: wavelength of the mode that becomes unstable there, in cells, along
+  // the direction in which it is shortest. Below 4 it is a wrinkle, else it buckles.
+  Value critical_wavelength{};
 
   // Distances between equal nodes of this solution and the reference's [m].
   Value mean_deviation{};  // mean over all nodes
@@ -112,6 +115,7 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
   visit("mean_stress", measures.mean_stress);
   visit("affine_deviation_relative", measures.affine_deviation_relative);
   visit("definite_up_to_deformation", measures.definite_up_to_deformation);
+  visit("critical_wavelength", measures.critical_wavelength);
   visit("mean_deviation", measures.mean_deviation);
   visit("max_deviation", measures.max_deviation);
   visit("middle_layer_deviation", measures.middle_layer_deviation);

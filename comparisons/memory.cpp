@@ -34,8 +34,7 @@ enum class LinearSystems { none, cholesky, multigrid };
 LinearSystems linear_systems(const CaseSettings& settings) {
   if (is_explicit_element(settings.method)) return LinearSystems::none;
   if (!is_finite_element(settings.method))
-    return solver_of(settings) == Solver::static_equilibrium ? LinearSystems::cholesky
-                                                             : LinearSystems::none;
+    return goes_through_time(settings) ? LinearSystems::none : LinearSystems::cholesky;
   const auto [nx, ny, nz] = element_nodes(settings);
   const bool multigrid = fem_reference::takes_multigrid(
       reference_settings(settings), settings.material.poisson_ratio,

@@ -70,7 +70,8 @@ Sheet empty_sheet() {
                                      {"affine", "mss-affine"},
                                      {"nfd", "mss-nfd"}}) {
     sheet.columns.push_back({key, fmt::format("{} [Hz]", heading), "{:.3f}"});
-    sheet.columns.push_back({fmt::format("{}_off", key), "off [%]", "{:.2f}"});
+    sheet.columns.push_back(
+        {fmt::format("{}_off", key), fmt::format("{} off [%]", heading), "{:.2f}"});
   }
   sheet.columns.push_back({"mac", "MAC", "{:.3f}"});
   sheet.columns.push_back({"status", "status"});

@@ -46,9 +46,11 @@ void MarchProgress::show(double time, int step, double dt, double limit) {
   if (last_step_ >= 0 && time > last_time_) {
     fmt::print(
         stderr,
-        "\r\x1b[K{:.4g} of {:.4g} s in steps of {:.3g} s (stable up to {:.3g} s), {:.3g} "
+        "\r\x1b[K{:.4g} of {:.4g} s in steps of {:.3g} s ({}), {:.3g} "
         "steps a second, {:.0f} s left",
-        time, duration_, dt, limit, (step - last_step_) / seconds,
+        time, duration_, dt,
+        limit == 0 ? "no step is stable" : fmt::format("stable up to {:.3g} s", limit),
+        (step - last_step_) / seconds,
         (duration_ - time) * seconds / (time - last_time_));
     std::fflush(stderr);
   }

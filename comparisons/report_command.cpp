@@ -51,7 +51,7 @@ ExitStatus make_report(const std::filesystem::path& file,
   MeshStore meshes;
   TableSet tables = stored_tables(file, meshes);
   tables.sheets.insert(tables.sheets.end(), further.begin(), further.end());
-  write_tables(folder / "tables", tables);
+  write_tables(folder / "tables", tables, file.parent_path() / "tables");
   const std::string theory = theory_curves(read_cases(file)).dump() + "\n";
   write_whole_stream(folder / "data" / "theory.json",
                      [&](std::ostream& out) { out << theory; });

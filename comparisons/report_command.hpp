@@ -13,9 +13,9 @@ void prepare_report(const std::filesystem::path& folder);
 
 /// Writes into a folder that is prepared
 ///
-///     tables/NAME.md .csv .json .tex   what the file's cases fill, see stored_tables,
-///     and
-///                                      the further sheets
+///     tables/NAME.md .csv .json .tex   what the file's cases fill, see stored_tables;
+///                                      the further sheets; of tables without cases
+///                                      those in tables/ beside the file
 ///     data/theory.json                 see theory_curves
 ///     index.html, figures/, 3d/        by the program of reports/
 ///     3d/cases.xdmf                    for ParaView, all cases with fields

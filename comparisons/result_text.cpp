@@ -12,6 +12,12 @@ std::string shown(const std::optional<double>& value, const char* format,
   return value ? fmt::format(fmt::runtime(format), factor * *value) : "-";
 }
 
+std::string stable_up_to(const Solution& solution) {
+  if (!solution.dt_limit) return {};
+  if (*solution.dt_limit == 0) return " (no step is stable)";
+  return fmt::format(" (stable up to {:.4g} s)", *solution.dt_limit);
+}
+
 /// How a case went through time, if it did.
 std::string dynamics_text(const CaseResult& result) {
   const Measures& m = result.measures;
@@ -22,10 +28,8 @@ std::string dynamics_text(const CaseResult& result) {
       "{}: {} steps of {:.4g} s to {:g} s{}, {:.3g} runs of a pressure wave through the "
       "height, damping {:g}, kinetic energy {:.2g} of the strain energy.\n",
       label(settings), solution.steps, *solution.dt, settings.dynamics.duration,
-      solution.dt_limit ? fmt::format(" (stable up to {:.4g} s)", *solution.dt_limit)
-                        : "",
-      m.transit_count.value_or(0), settings.dynamics.damping_ratio,
-      *m.kinetic_energy / m.strain_energy.value_or(0));
+      stable_up_to(solution), m.transit_count.value_or(0),
+      settings.dynamics.damping_ratio, *m.kinetic_energy / m.strain_energy.value_or(0));
 }
 
 }  // namespace

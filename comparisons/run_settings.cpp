@@ -36,6 +36,8 @@ void check_applicable(const Settings& settings, Test test) {
     refuse("plates", "no plates but in traction: other tests say how theirs hold");
   }
   if (test != Test::affine) refuse("gradient", "no gradient but in affine");
+  if (settings.contains(std::string_view("dt")))
+    refuse("dt-ratio", "no dt-ratio beside a dt, which it would replace");
 }
 
 /// Whether a method of this name runs, if only as the reference.
@@ -60,12 +62,12 @@ void check_method_runs(const RunSettings& run, const Settings& settings,
 void check_history(const RunSettings& run, const Settings& settings) {
   const auto found = settings.find(std::string_view("history"));
   if (found == settings.end()) return;
-  const auto goes_through_time = [&](const Method& method) {
+  const auto has_history = [&](const Method& method) {
     CaseSettings with = run.common;
     with.method = method;
-    return solver_of(with) != Solver::static_equilibrium;
+    return springcheck::goes_through_time(with);
   };
-  if (std::ranges::none_of(run.methods, goes_through_time))
+  if (std::ranges::none_of(run.methods, has_history))
     found->second.refuse("no history without a solver that goes through time");
 }
 
@@ -182,12 +184,14 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
       .dynamics =
           {.duration = value_or(settings, "duration", 10., &Given::positive_number),
            .time_step = value_or(settings, "dt", std::optional<double>{}, time_step_of),
+           .step_ratio = value_or(settings, "dt-ratio", 0.9, &Given::positive_number),
            .force_time_step = value_or(settings, "force-dt", false, &Given::truth),
            .damping_ratio = value_or(settings, "damping", 0.05, not_negative_of),
            .precision = value_or(settings, "precision", mss::Precision::double_precision,
                                  precision_of),
            .history = value_or(settings, "history", 0, sample_count_of)},
-      .seed = value_or(settings, "seed", 1U, seed_of)};
+      .seed = value_or(settings, "seed", 1U, seed_of),
+      .noise = value_or(settings, "noise", 0., not_negative_of)};
   if (test == Test::bending)
     common.gravity = load_of(need("gravity", "an acceleration [m/s^2]"), "m/s^2");
   else if (test == Test::traction)
@@ -233,6 +237,12 @@ std::vector<Request> requests(const RunSettings& run) {
     if (reference.grid == ReferenceGrid::converged || !reference.cells.empty())
       request.reference->body = grid_beside(reference, run.common.body);
     request.reference_grid = reference.grid;
+    if (solver_of(request.settings) == Solver::path_limit) {
+      request.reference.reset();  // a limit is no state at the load
+      request.reference_grid = ReferenceGrid::one;
+      all.push_back(request);
+      continue;
+    }
     if (reference.grid == ReferenceGrid::one &&
         settings_json(request.settings) == settings_json(*request.reference))
       request.reference.reset();

@@ -49,7 +49,8 @@ const std::vector<SettingKey>& option_keys() {
        "name of the one on the upper plate, which is moved or loaded (default "
        "top)"},
       {"solver",
-       "of spring methods: static (default), or dynamics by explicit (Euler), "
+       "of spring methods: static (default), limit (static, to where the path loses its "
+       "stability or a cell is turned inside out), or dynamics by explicit (Euler), "
        "semi-implicit (Euler), verlet or implicit (Euler); fem-explicit methods are "
        "never static or implicit (default semi-implicit), other finite elements always "
        "static"},
@@ -58,6 +59,9 @@ const std::vector<SettingKey>& option_keys() {
       {"dt",
        "time step [s], or auto (default): 0.9 of the stability limit, followed as the "
        "body deforms"},
+      {"dt-ratio",
+       "of dt = auto: the step over the stability limit (default 0.9; above 1 to see "
+       "what becomes of it)"},
       {"force-dt", "run even with a time step above the stability limit"},
       {"duration", "time over which the load grows in dynamics [s] (default 10)"},
       {"damping",
@@ -70,6 +74,9 @@ const std::vector<SettingKey>& option_keys() {
       {"seed",
        "of distorted and mixed meshes, and of the choice between equal directions out of "
        "an unstable state (default 1)"},
+      {"noise",
+       "of static spring solutions: noise on the nodes' positions, in cell edges, from "
+       "which they are solved again (default 0: none)"},
       {"reference",
        "METHOD[:ELEMENT][@CELLS|@converged] that deviations are measured against "
        "(default on the same mesh: fem-hooke:q1-sri up to a deformation of .02, "

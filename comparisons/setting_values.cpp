@@ -142,9 +142,9 @@ mss::VolumeCorrection correction_of(const Given& given) {
 
 std::optional<Solver> solver_named(const Given& given) {
   using enum Solver;
-  return one_of<Solver>(
-      given, given.text(),
-      {static_equilibrium, explicit_euler, semi_implicit_euler, verlet, implicit_euler});
+  return one_of<Solver>(given, given.text(),
+                        {static_equilibrium, path_limit, explicit_euler,
+                         semi_implicit_euler, verlet, implicit_euler});
 }
 
 mss::Precision precision_of(const Given& given) {

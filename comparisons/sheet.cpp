@@ -18,6 +18,9 @@
 #include "comparisons/performance_table.hpp"
 #include "comparisons/scene_file.hpp"
 #include "comparisons/split_table.hpp"
+#include "comparisons/stability/four_springs_table.hpp"
+#include "comparisons/stability/lattice_stability_table.hpp"
+#include "comparisons/stability/regions_table.hpp"
 #include "comparisons/subdivision_table.hpp"
 #include "comparisons/text_table.hpp"
 #include "meshing/input_error.hpp"
@@ -127,13 +130,16 @@ std::string format_sheet(const Sheet& sheet, TableFormat format) {
 
 const std::vector<std::string>& sheet_names() {
   static const std::vector<std::string> names{
-      "5.5",     "split",       "elements", "convergence", "subdivision",
-      "locking", "orientation", "modes",    "performance", "dynamics"};
+      "5.5",         "split",    "elements",          "convergence",
+      "subdivision", "locking",  "orientation",       "modes",
+      "performance", "dynamics", "lattice-stability", "regions",
+      "four-springs"};
   return names;
 }
 
 const std::vector<std::string>& caseless_sheet_names() {
-  static const std::vector<std::string> names{"modes", "performance"};
+  static const std::vector<std::string> names{"modes", "performance", "lattice-stability",
+                                              "regions", "four-springs"};
   return names;
 }
 
@@ -153,6 +159,9 @@ SheetPlan plan_sheet(const std::string& name) {
   if (name == "modes") return plan_modes_table();
   if (name == "dynamics") return plan_dynamics_table();
   if (name == "performance") return plan_performance_table();
+  if (name == "lattice-stability") return plan_lattice_stability_table();
+  if (name == "regions") return plan_regions_table();
+  if (name == "four-springs") return plan_four_springs_table();
   throw InputError("table", "", fmt::format("one of {}", fmt::join(sheet_names(), ", ")),
                    "'" + name + "'");
 }

@@ -1,5 +1,6 @@
 #include "comparisons/simulate.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 #include <spdlog/spdlog.h>
 #include <tbb/global_control.h>
@@ -37,6 +38,7 @@ dynamics::Integrator integrator_of(Solver solver) {
       return Integrator::implicit_euler;
     case Solver::semi_implicit_euler:
     case Solver::static_equilibrium:
+    case Solver::path_limit:
       break;
   }
   return Integrator::semi_implicit_euler;
@@ -46,6 +48,7 @@ dynamics::Protocol protocol_of(const CaseSettings& settings) {
   return {.integrator = integrator_of(solver_of(settings)),
           .duration = settings.dynamics.duration,
           .time_step = settings.dynamics.time_step,
+          .step_ratio = settings.dynamics.step_ratio,
           .force_time_step = settings.dynamics.force_time_step};
 }
 
@@ -57,7 +60,7 @@ int threads_per_simulation() {
 }
 
 std::optional<mss::DynamicsSettings> spring_dynamics(const CaseSettings& settings) {
-  if (solver_of(settings) == Solver::static_equilibrium) return std::nullopt;
+  if (!goes_through_time(settings)) return std::nullopt;
   return mss::DynamicsSettings{.protocol = protocol_of(settings),
                                .damping_ratio = settings.dynamics.damping_ratio,
                                .precision = settings.dynamics.precision,
@@ -66,7 +69,7 @@ std::optional<mss::DynamicsSettings> spring_dynamics(const CaseSettings& setting
 
 Solution solve_explicitly(const CaseSettings& settings, const Mesh& mesh,
                           const Scene& scene, const dynamics::Observers& observers) {
-  if (solver_of(settings) == Solver::static_equilibrium)
+  if (!goes_through_time(settings))
     return refused("fem-explicit steps explicitly; fem-stvk has the static solver");
   return fem_reference::run_dynamics(
       mesh, scene,
@@ -92,7 +95,9 @@ Solution solve(const CaseSettings& settings, const Mesh& mesh,
                                  .constants = settings.constants,
                                  .volume_correction = settings.correction},
                      .dynamics = spring_dynamics(settings),
-                     .seed = settings.seed},
+                     .to_limit = solver_of(settings) == Solver::path_limit,
+                     .seed = settings.seed,
+                     .noise = settings.noise},
                     observers);
 }
 
@@ -111,7 +116,9 @@ Solution solve_or_break_down(const CaseSettings& settings, const Mesh& mesh,
   }
 }
 
+/// At the full load.
 bool has_equilibrium(const Solution& solution) {
+  if (solution.critical_wavelength) return false;
   return solution.status == SolveStatus::ok || solution.status == SolveStatus::indefinite;
 }
 
@@ -148,11 +155,12 @@ dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
       progress->show(now.time, now.step, now.dt, now.limit);
     };
   }
-  if (!watch.checkpoint || solver_of(settings) == Solver::static_equilibrium)
-    return observers;
+  if (!watch.checkpoint || !goes_through_time(settings)) return observers;
   const std::string key =
       case_key({.settings = settings, .reference = std::nullopt}, mesh);
   if (auto from = read_checkpoint(*watch.checkpoint, key, mesh.nodes().size())) {
+    fmt::print(stderr, "going on from {} at t = {:.4g} s, step {}\n",
+               watch.checkpoint->string(), from->march.time, from->march.step);
     history = std::move(from->history);
     observers.from = std::move(from->march);
   }
@@ -179,6 +187,7 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
   result.reason = solution.reason;
   result.measures.definite_up_to_deformation =
       definite_up_to_deformation(settings, solution);
+  result.measures.critical_wavelength = solution.critical_wavelength;
   bool inverted = false, wrinkled = false;
   SolveStatus solved = solution.status;
   if (has_equilibrium(solution)) {

@@ -1,5 +1,6 @@
 #include "comparisons/stepping.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <string_view>
 
 #include "comparisons/naive_springs.hpp"
 #include "fem_reference/explicit/explicit_dynamics.hpp"
@@ -58,14 +60,21 @@ mss::Network network_of(const Mesh& mesh, const Material& material, mss::Method 
                              .diagonal_ratio = 1});
 }
 
-std::unique_ptr<dynamics::Motion> motion_of(Stepped& stepped, const SteppedBody& body) {
+constexpr std::string_view plain_affine = "mss-affine-plain";
+
+const Method& method_of(const SteppedBody& body) {
+  return *find_method(body.method == plain_affine ? "mss-affine" : body.method);
+}
+
+std::unique_ptr<dynamics::Motion> motion_of(const Stepped& stepped,
+                                            const SteppedBody& body) {
   const dynamics::Protocol protocol{
       .integrator = dynamics::Integrator::semi_implicit_euler,
       .duration = 1,
       .time_step = time_step,
       .force_time_step = true};
-  const Method& method = *find_method(body.method);
-  if (const auto* element = std::get_if<fem_reference::ExplicitElement>(&method.model))
+  if (const auto* element =
+          std::get_if<fem_reference::ExplicitElement>(&method_of(body).model))
     return fem_reference::motion_of(stepped.mesh, stepped.scene,
                                     {.element = *element,
                                      .protocol = protocol,
@@ -73,44 +82,56 @@ std::unique_ptr<dynamics::Motion> motion_of(Stepped& stepped, const SteppedBody&
                                      .precision = body.precision,
                                      .threads = body.threads},
                                     body.instruction_set);
-  stepped.network = network_of(stepped.mesh, stepped.scene.material,
-                               std::get<mss::Method>(method.model));
-  return mss::motion_of(stepped.mesh, stepped.scene, stepped.network,
-                        {.protocol = protocol,
-                         .damping_ratio = body.damping_ratio,
-                         .precision = body.precision,
-                         .threads = body.threads},
-                        body.instruction_set);
+  return mss::motion_of(
+      stepped.mesh, stepped.scene, stepped.network,
+      {.protocol = protocol,
+       .damping_ratio = body.damping_ratio,
+       .precision = body.precision,
+       .threads = body.threads,
+       .kernel = body.method == plain_affine ? mss::Kernel::plain : mss::Kernel::fast},
+      body.instruction_set);
+}
+
+/// What this process has from the heap.
+double heap_bytes() {
+  const struct mallinfo2 now = mallinfo2();
+  return static_cast<double>(now.uordblks + now.hblkhd);
 }
 
 }  // namespace
 
-std::function<void()> stepping(const SteppedBody& body) {
+Stepping stepping(const SteppedBody& body) {
   const Material material{
       .young_modulus = 1e4, .poisson_ratio = body.poisson_ratio, .density = 1000};
   std::array<double, 3> size{};
   std::ranges::transform(body.cells, size.begin(), [](int n) { return n * edge; });
   const auto stepped = std::make_shared<Stepped>(
-      Stepped{.mesh = generate_block({.size = size, .cells = body.cells}),
+      Stepped{.mesh = generate_block(
+                  {.size = size, .cells = body.cells, .distortion = body.distortion}),
               .scene = scene_of(material, body.load)});
   const std::vector<Vector3> moves = disturbance(stepped->mesh.nodes().size());
   if (body.method == "naive") {
     const auto naive = std::make_shared<NaiveSprings>(
         network_of(stepped->mesh, material, mss::Method::cf), moves);
-    return [naive] { naive->advance(time_step); };
+    return {.advance = [naive] { naive->advance(time_step); }, .bytes = 0};
   }
+  if (const auto* method = std::get_if<mss::Method>(&method_of(body).model))
+    stepped->network = network_of(stepped->mesh, material, *method);
+  const double before = heap_bytes();
   stepped->motion = motion_of(*stepped, body);
+  const double bytes = heap_bytes() - before;
   stepped->motion->restore(
       {.displacements = moves,
        .velocities = std::vector<Vector3>(moves.size(), Vector3::Zero())});
   const auto still = dynamics::support_motions(stepped->scene, 1);
-  return [stepped, step = dynamics::StepTo{.dt = time_step,
-                                           .kick = time_step,
-                                           .load_fraction = 1,
-                                           .motions_before = still,
-                                           .motions = still}] {
+  const auto advance = [stepped, step = dynamics::StepTo{.dt = time_step,
+                                                         .kick = time_step,
+                                                         .load_fraction = 1,
+                                                         .motions_before = still,
+                                                         .motions = still}] {
     stepped->motion->advance(step);
   };
+  return {.advance = advance, .bytes = bytes};
 }
 
 StepTime time_of_steps(const std::function<void()>& advance) {

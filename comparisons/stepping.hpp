@@ -14,7 +14,9 @@ enum class SteppedLoad { plates, weight };
 /// A block of cells of 5 mm, its nodes inside off their places, that is stepped through
 /// time to see how fast.
 struct SteppedBody {
-  std::string method;  // by its name; "naive" is NaiveSprings of mss-cf's network
+  // By its name; "naive" is NaiveSprings of mss-cf's network, and "mss-affine-plain" the
+  // plain loops of mss-affine:
+  std::string method;
   std::array<int, 3> cells;
   SteppedLoad load;
   double poisson_ratio;
@@ -22,12 +24,19 @@ struct SteppedBody {
   mss::Precision precision;
   dynamics::InstructionSet instruction_set;
   int threads;
+  double distortion = 0;  // of the nodes inside, in cell edges
 };
 
-/// Makes one step per call: semi-implicit Euler, 0.05 ms, which is less than half the
-/// stable step of mss-cf up to nu = .499. The naive ones know neither plates nor weight,
-/// and double precision alone.
-std::function<void()> stepping(const SteppedBody& body);
+/// What steps a body.
+struct Stepping {
+  std::function<void()> advance;
+  double bytes;  // of what moves: its arrays and constants, without mesh and network
+};
+
+/// advance makes one step per call: semi-implicit Euler, 0.05 ms, which is less than half
+/// the stable step of mss-cf up to nu = .499. The naive ones know neither plates nor
+/// weight, and double precision alone.
+Stepping stepping(const SteppedBody& body);
 
 struct StepTime {
   double real;            // [s] per step, the shortest of a few measurements

@@ -1,5 +1,6 @@
 #include "comparisons/table_files.hpp"
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -18,9 +19,19 @@ constexpr std::array<FileFormat, 4> file_formats{{{".md", TableFormat::markdown}
                                                   {".json", TableFormat::json},
                                                   {".tex", TableFormat::latex}}};
 
+void take_or_remove(const std::filesystem::path& file,
+                    const std::filesystem::path& earlier) {
+  if (!std::filesystem::exists(earlier))
+    std::filesystem::remove(file);
+  else if (!std::filesystem::exists(file) || !std::filesystem::equivalent(file, earlier))
+    std::filesystem::copy_file(earlier, file,
+                               std::filesystem::copy_options::overwrite_existing);
+}
+
 }  // namespace
 
-void write_tables(const std::filesystem::path& folder, const TableSet& set) {
+void write_tables(const std::filesystem::path& folder, const TableSet& set,
+                  const std::filesystem::path& earlier) {
   std::set<std::string> written;
   const auto write = [&](const std::string& name, auto&& text_as) {
     for (const auto& [extension, format] : file_formats)
@@ -36,10 +47,17 @@ void write_tables(const std::filesystem::path& folder, const TableSet& set) {
   std::vector<std::string> all{"cases"};
   for (const auto* names : {&table_names(), &sheet_names()})
     all.insert(all.end(), names->begin(), names->end());
-  for (const std::string& name : all)
-    if (!written.contains(name))
-      for (const auto& [extension, format] : file_formats)
-        std::filesystem::remove(folder / (name + extension));
+  for (const std::string& name : all) {
+    if (written.contains(name)) continue;
+    const bool is_caseless = std::ranges::count(caseless_sheet_names(), name) > 0;
+    for (const auto& [extension, format] : file_formats) {
+      const std::filesystem::path file = folder / (name + extension);
+      if (is_caseless)
+        take_or_remove(file, earlier / (name + extension));
+      else
+        std::filesystem::remove(file);
+    }
+  }
 }
 
 }  // namespace springcheck

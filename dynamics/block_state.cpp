@@ -16,7 +16,8 @@ void BlockState<Real>::Free::operator()(void* memory) const {
 }
 
 template <class Real>
-BlockState<Real>::BlockState(const Block& block, Load load, std::size_t lanes) {
+BlockState<Real>::BlockState(const Block& block, std::size_t lanes,
+                             OptionalArrays wanted) {
   const std::size_t rows = block.nodes.size() / lanes;
   const std::size_t ghosts = block.is_grid() ? block.layer + block.row + 2 : 0;
   // An odd number of cache lines, so that the arrays do not share places in the cache;
@@ -24,7 +25,7 @@ BlockState<Real>::BlockState(const Block& block, Load load, std::size_t lanes) {
   constexpr std::size_t line = alignment / sizeof(Real);
   stride_ = ((rows + ghosts) * lanes / line + 2) * line;
   if (stride_ / line % 2 == 0) stride_ += line;
-  const std::size_t count = load == Load::some ? 13 : 10;
+  const std::size_t count = 10 + (wanted.load ? 3 : 0) + (wanted.nodal_sum ? 1 : 0);
   const std::size_t bytes = count * stride_ * sizeof(Real);
   memory_.reset(::operator new (bytes, std::align_val_t{alignment}));
   std::memset(memory_.get(), 0, bytes);
@@ -41,14 +42,21 @@ BlockState<Real>::BlockState(const Block& block, Load load, std::size_t lanes) {
              .velocity = {take(), take(), take()},
              .force = {take(), take(), take()},
              .load = {nullptr, nullptr, nullptr},
-             .inverse_mass = take()};
-  if (load == Load::some) arrays_.load = {take(), take(), take()};
+             .inverse_mass = take(),
+             .nodal_sum = nullptr};
+  if (wanted.load) arrays_.load = {take(), take(), take()};
+  if (wanted.nodal_sum) arrays_.nodal_sum = take();
 }
 
 template <class Real>
 void BlockState<Real>::clear_forces() {
   // The three lie one behind the other.
   std::memset(arrays_.force[0], 0, 3 * stride_ * sizeof(Real));
+}
+
+template <class Real>
+void BlockState<Real>::clear_nodal_sum() {
+  std::memset(arrays_.nodal_sum, 0, stride_ * sizeof(Real));
 }
 
 template class BlockState<float>;

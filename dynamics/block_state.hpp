@@ -23,22 +23,28 @@ struct BlockArrays {
   std::array<Real*, 3> force;         // [N]
   std::array<Real*, 3> load;          // [N] at the full load; null where there is none
   Real* inverse_mass;                 // [1/kg]; 0 in empty slots
+  Real* nodal_sum;                    // see BlockForces; null where it is not used
 
   [[nodiscard]] std::size_t element(std::size_t slot) const {
     return slot % rows * lanes + slot / rows;
   }
 };
 
-enum class Load { none, some };
+/// Arrays that not every body needs.
+struct OptionalArrays {
+  bool load = false;
+  bool nodal_sum = false;
+};
 
 /// Memory of a block's arrays, aligned to registers and filled with zeros.
 template <class Real>
 class BlockState {
  public:
-  BlockState(const Block& block, Load load, std::size_t lanes);
+  BlockState(const Block& block, std::size_t lanes, OptionalArrays wanted = {});
 
   [[nodiscard]] const BlockArrays<Real>& arrays() const { return arrays_; }
   void clear_forces();
+  void clear_nodal_sum();
 
  private:
   struct Free {
@@ -52,13 +58,18 @@ class BlockState {
 extern template class BlockState<float>;
 extern template class BlockState<double>;
 
-/// Writes the internal forces of a block's cells, springs or other, from displacements
-/// and velocities; the forces are zero before. Called for different blocks at the same
-/// time.
+/// The internal forces of a block's cells, springs or other. Called for different blocks
+/// at the same time.
 template <class Real>
 struct BlockForces {
+  using OnBlock = std::function<void(std::size_t block, const BlockArrays<Real>& arrays)>;
   std::size_t lanes;  // of the arrays it takes
-  std::function<void(std::size_t block, const BlockArrays<Real>& arrays)> add;
+  /// Writes the forces from displacements and velocities; they are zero before.
+  OnBlock add;
+  /// Where cells act on each other through a number of the nodes between them: writes
+  /// what the block's cells contribute to nodal_sum, from the displacements; zero before.
+  /// `add` then finds there the sum over all blocks. None: there is no such number.
+  OnBlock add_nodal_sums{};
 };
 
 }  // namespace springcheck::dynamics

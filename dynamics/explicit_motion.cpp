@@ -13,57 +13,63 @@ namespace {
 /// A support of one element of a block's arrays.
 struct Held {
   std::uint32_t element;
-  NodeIndex node;
   std::uint32_t motion;
   std::uint8_t component;
+  Vector3 point;  // [m] at rest
 };
 
 template <class Real>
 class ExplicitMotion final : public Motion {
  public:
   ExplicitMotion(ExplicitBody<Real> body, const ExplicitSettings& settings)
-      : body_(std::move(body)),
+      : node_count_(body.rest.size()),
+        blocks_(std::move(body.blocks)),
+        block_forces_(std::move(body.forces)),
         integrator_(settings.integrator),
         update_(nodal_update<Real>(settings.instruction_set)),
         workers_(settings.threads),
-        shared_(shared_nodes(body_.blocks)) {
+        shared_(shared_nodes(blocks_)) {
     const bool loaded = std::ranges::any_of(
-        body_.load, [](const Vector3& f) { return f != Vector3::Zero(); });
-    for (const Block& block : body_.blocks)
-      states_.emplace_back(block, loaded ? Load::some : Load::none, body_.forces.lanes);
+        body.load, [](const Vector3& f) { return f != Vector3::Zero(); });
+    for (const Block& block : blocks_)
+      states_.emplace_back(
+          block, block_forces_.lanes,
+          OptionalArrays{.load = loaded,
+                         .nodal_sum = block_forces_.add_nodal_sums != nullptr});
     for (std::size_t b = 0; b < states_.size(); ++b) {
       const BlockArrays<Real>& arrays = states_[b].arrays();
       for_each_node(b, [&](std::size_t at, NodeIndex node) {
-        arrays.inverse_mass[at] = static_cast<Real>(1 / body_.masses[node]);
+        arrays.inverse_mass[at] = static_cast<Real>(1 / body.masses[node]);
         if (loaded)
           for (std::size_t i = 0; i < 3; ++i)
             arrays.load[i][at] =
-                static_cast<Real>(body_.load[node][static_cast<Eigen::Index>(i)]);
+                static_cast<Real>(body.load[node][static_cast<Eigen::Index>(i)]);
       });
       for (std::uint32_t& slot : shared_.slots[b])  // from here on elements
         slot = static_cast<std::uint32_t>(arrays.element(slot));
     }
     for (auto& box : outbox_) box.resize(shared_.entries);
-    find_held_elements();
+    if (block_forces_.add_nodal_sums) sums_outbox_.resize(shared_.entries);
+    find_held_elements(std::move(body.supports), body.rest);
     compute_all_forces();
   }
 
   void advance(const StepTo& step) override {
-    workers_.run(states_.size(), [&](std::size_t b) {
-      collect_shared_forces(b);
+    const auto move = [&](std::size_t b) {
+      collect(b, outbox_[parity_], states_[b].arrays().force);
       update_(states_[b].arrays(), {.integrator = integrator_,
                                     .dt = step.dt,
                                     .kick = step.kick,
                                     .load_fraction = step.load_fraction});
       move_supports(b, step);
-      compute_forces(b, 1 - parity_);
-    });
+    };
+    compute_forces_after(move, 1 - parity_);
     parity_ = 1 - parity_;
   }
 
   [[nodiscard]] State state() const override {
-    State state{.displacements = std::vector<Vector3>(body_.rest.size()),
-                .velocities = std::vector<Vector3>(body_.rest.size())};
+    State state{.displacements = std::vector<Vector3>(node_count_),
+                .velocities = std::vector<Vector3>(node_count_)};
     for (std::size_t b = 0; b < states_.size(); ++b) {
       const BlockArrays<Real>& arrays = states_[b].arrays();
       for_each_node(b, [&](std::size_t at, NodeIndex node) {
@@ -90,9 +96,9 @@ class ExplicitMotion final : public Motion {
 
   [[nodiscard]] std::vector<Vector3> forces_at(const State& state) override {
     restore(state);
-    std::vector<Vector3> forces(body_.rest.size());
+    std::vector<Vector3> forces(node_count_);
     for (std::size_t b = 0; b < states_.size(); ++b) {
-      collect_shared_forces(b);
+      collect(b, outbox_[parity_], states_[b].arrays().force);
       for_each_node(b, [&](std::size_t at, NodeIndex node) {
         forces[node] = vector(states_[b].arrays().force, at);
       });
@@ -104,7 +110,7 @@ class ExplicitMotion final : public Motion {
   /// visit(element of the arrays, node of the mesh).
   template <class Visit>
   void for_each_node(std::size_t b, const Visit& visit) const {
-    const std::vector<NodeIndex>& nodes = body_.blocks[b].nodes;
+    const std::vector<NodeIndex>& nodes = blocks_[b].nodes;
     for (std::size_t slot = 0; slot < nodes.size(); ++slot)
       if (nodes[slot] != no_node) visit(states_[b].arrays().element(slot), nodes[slot]);
   }
@@ -113,50 +119,82 @@ class ExplicitMotion final : public Motion {
     return {field[0][at], field[1][at], field[2][at]};
   }
 
-  void find_held_elements() {
-    std::ranges::sort(body_.supports, {}, &Support::node);
+  void find_held_elements(std::vector<Support> supports, std::span<const Vector3> rest) {
+    std::ranges::sort(supports, {}, &Support::node);
     held_.resize(states_.size());
     for (std::size_t b = 0; b < states_.size(); ++b)
       for_each_node(b, [&](std::size_t at, NodeIndex node) {
         for (const Support& support :
-             std::ranges::equal_range(body_.supports, node, {}, &Support::node))
+             std::ranges::equal_range(supports, node, {}, &Support::node))
           held_[b].push_back({.element = static_cast<std::uint32_t>(at),
-                              .node = node,
                               .motion = support.motion,
-                              .component = support.component});
+                              .component = support.component,
+                              .point = rest[node]});
       });
   }
 
   void compute_all_forces() {
-    workers_.run(states_.size(), [&](std::size_t b) { compute_forces(b, parity_); });
+    compute_forces_after([](std::size_t) {}, parity_);
+  }
+
+  /// Calls move(block) for each, before any block's forces that depend on it.
+  template <class Move>
+  void compute_forces_after(const Move& move, int parity) {
+    const std::size_t blocks = states_.size();
+    if (!block_forces_.add_nodal_sums) {
+      workers_.run(blocks, [&](std::size_t b) {
+        move(b);
+        compute_forces(b, parity);
+      });
+      return;
+    }
+    workers_.run(blocks, [&](std::size_t b) {
+      move(b);
+      states_[b].clear_nodal_sum();
+      block_forces_.add_nodal_sums(b, states_[b].arrays());
+      post(b, std::array{states_[b].arrays().nodal_sum}, sums_outbox_);
+    });
+    workers_.run(blocks, [&](std::size_t b) {
+      collect(b, sums_outbox_, std::array{states_[b].arrays().nodal_sum});
+      compute_forces(b, parity);
+    });
   }
 
   void compute_forces(std::size_t b, int parity) {
     states_[b].clear_forces();
-    const BlockArrays<Real>& arrays = states_[b].arrays();
-    body_.forces.add(b, arrays);
-    auto entry = static_cast<std::size_t>(shared_.first_entry[b]);
+    block_forces_.add(b, states_[b].arrays());
+    post(b, states_[b].arrays().force, outbox_[parity]);
+  }
+
+  template <std::size_t n>
+  using Outbox = std::vector<std::array<Real, n>>;
+
+  /// Hands what the block has on the nodes it shares to the others.
+  template <std::size_t n>
+  void post(std::size_t b, const std::array<Real*, n>& field, Outbox<n>& outbox) const {
+    std::size_t entry = shared_.first_entry[b];
     for (const std::uint32_t at : shared_.slots[b]) {
-      for (std::size_t i = 0; i < 3; ++i) outbox_[parity][entry][i] = arrays.force[i][at];
+      for (std::size_t i = 0; i < n; ++i) outbox[entry][i] = field[i][at];
       ++entry;
     }
   }
 
-  void collect_shared_forces(std::size_t b) {
-    const BlockArrays<Real>& arrays = states_[b].arrays();
+  /// Sums what all blocks have on them.
+  template <std::size_t n>
+  void collect(std::size_t b, const Outbox<n>& outbox,
+               const std::array<Real*, n>& field) const {
     const std::vector<std::uint32_t>& elements = shared_.slots[b];
-    for (std::size_t n = 0; n < elements.size(); ++n) {
-      std::array<Real, 3> sum{};
-      for (const std::uint32_t entry : shared_.copies(b, n))
-        for (std::size_t i = 0; i < 3; ++i) sum[i] += outbox_[parity_][entry][i];
-      for (std::size_t i = 0; i < 3; ++i) arrays.force[i][elements[n]] = sum[i];
+    for (std::size_t node = 0; node < elements.size(); ++node) {
+      std::array<Real, n> sum{};
+      for (const std::uint32_t entry : shared_.copies(b, node))
+        for (std::size_t i = 0; i < n; ++i) sum[i] += outbox[entry][i];
+      for (std::size_t i = 0; i < n; ++i) field[i][elements[node]] = sum[i];
     }
   }
 
   void move_supports(std::size_t b, const StepTo& step) {
     const BlockArrays<Real>& arrays = states_[b].arrays();
-    for (const auto& [at, node, motion, component] : held_[b]) {
-      const Vector3& point = body_.rest[node];
+    for (const auto& [at, motion, component, point] : held_[b]) {
       const double now = step.motions[motion].component(point, component);
       const double before = step.motions_before[motion].component(point, component);
       arrays.displacement[component][at] = static_cast<Real>(now);
@@ -164,7 +202,9 @@ class ExplicitMotion final : public Motion {
     }
   }
 
-  ExplicitBody<Real> body_;
+  std::size_t node_count_;  // of the mesh
+  std::vector<Block> blocks_;
+  BlockForces<Real> block_forces_;
   Integrator integrator_;
   NodalUpdate<Real> update_;
   Workers workers_;
@@ -172,8 +212,9 @@ class ExplicitMotion final : public Motion {
   SharedNodes shared_;
   std::vector<BlockState<Real>> states_;
   // Forces of the blocks on the nodes they share, of this step and for the next in turn:
-  std::array<std::vector<std::array<Real, 3>>, 2> outbox_;
+  std::array<Outbox<3>, 2> outbox_;
   int parity_ = 0;
+  Outbox<1> sums_outbox_;
 };
 
 }  // namespace

@@ -10,7 +10,8 @@
 
 namespace springcheck::dynamics {
 
-/// What an explicit motion is made of. Lists hold one entry per node of the mesh.
+/// What an explicit motion is made of. Lists hold one entry per node of the mesh; spans
+/// are read while it is made, and not later.
 template <class Real>
 struct ExplicitBody {
   std::span<const Vector3> rest;   // [m]
@@ -29,8 +30,8 @@ struct ExplicitSettings {
 
 /// Steps the body from rest, block by block, each with its own copy of the nodes it
 /// shares. A step sums the forces on shared nodes over their blocks in the blocks' order,
-/// moves the nodes and computes the next forces: one wait for all threads per step, and
-/// the same bits on any number of them.
+/// moves the nodes and computes the next forces: one wait for all threads per step, two
+/// where forces need nodal sums, and the same bits on any number of them.
 template <class Real>
 std::unique_ptr<Motion> explicit_motion(ExplicitBody<Real> body,
                                         const ExplicitSettings& settings);

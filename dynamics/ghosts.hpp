@@ -20,9 +20,9 @@ inline void for_each_ghost(const BlockArrays<Real>& arrays, const Visit& visit) 
 }
 
 /// Copies what lanes need of the next ones; one register per row.
-template <class Real>
+template <class Real, std::size_t components>
 inline void fill_ghosts(const BlockArrays<Real>& arrays,
-                        const std::array<Real*, 3>& field) {
+                        const std::array<Real*, components>& field) {
   for_each_ghost(arrays, [&](std::size_t ghost, std::size_t original) {
     for (Real* const component : field)
       store(component + ghost, load(component + original));
@@ -30,9 +30,9 @@ inline void fill_ghosts(const BlockArrays<Real>& arrays,
 }
 
 /// Adds what lanes did to their ghosts to where it belongs.
-template <class Real>
+template <class Real, std::size_t components>
 inline void fold_ghosts(const BlockArrays<Real>& arrays,
-                        const std::array<Real*, 3>& field) {
+                        const std::array<Real*, components>& field) {
   for_each_ghost(arrays, [&](std::size_t ghost, std::size_t original) {
     for (Real* const component : field)
       store(component + original, load(component + original) + load(component + ghost));

@@ -1,40 +1,26 @@
 #include "dynamics/march.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+
+#include "dynamics/march_checks.hpp"
 
 namespace springcheck::dynamics {
 namespace {
 
-constexpr double safety = 0.9;  // of the stability limit, for an open step
 constexpr int steps_between_checks = 100;
-constexpr int steps_between_limits = 1000;
+constexpr int steps_between_looks = 1000;  // at the limit
+constexpr int looks_per_load = 40;
 constexpr double worth_a_change = 0.02;  // of an open step
 constexpr double lost = 100;             // body sizes
+constexpr double turned_round = 0.5;     // alternation
 constexpr double seconds_between_progress = 0.5;
-
-double body_size(const std::vector<Vector3>& nodes) {
-  Vector3 low = nodes.front(), high = low;
-  for (const Vector3& x : nodes) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  return (high - low).norm();
-}
-
-/// The longest of the vectors; infinite if any of them is not finite.
-double longest(const std::vector<Vector3>& vectors) {
-  double square = 0;
-  for (const Vector3& v : vectors) {
-    if (!v.allFinite()) return std::numeric_limits<double>::infinity();
-    square = std::max(square, v.squaredNorm());
-  }
-  return std::sqrt(square);
-}
 
 std::optional<double> if_finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
@@ -45,35 +31,10 @@ int step_count(double time, double wanted) {
   return static_cast<int>(std::max(1., std::ceil(time / wanted - 1e-9)));
 }
 
-/// Why the march does not begin, if it does not.
-std::string reason_to_refuse(const MarchedBody& body, const Protocol& protocol,
-                             double limit, bool is_anything_free) {
-  const double wanted = protocol.time_step.value_or(safety * limit);
-  if (protocol.time_step && wanted > limit && !protocol.force_time_step)
-    return fmt::format(
-        "dt = {:.4g} s is above the stability limit {:.4g} s ({}); force-dt runs it all "
-        "the same",
-        wanted, limit, body.step_setters);
-  if (!protocol.time_step && limit == 0)
-    return "explicit Euler is stable with no step where a motion is not damped; dashpots "
-           "(--damping) damp what stretches springs, and --dt with --force-dt runs it "
-           "all "
-           "the same";
-  if (std::isinf(wanted) && is_anything_free)
-    return protocol.integrator == Integrator::implicit_euler
-               ? "implicit Euler is stable with every step: dt = auto has none to choose"
-               : "dt = auto has no swing to go by: no motion about the rest state has a "
-                 "positive stiffness";
-  if (!(protocol.duration / wanted < std::numeric_limits<int>::max()))
-    return fmt::format("dt = {:.4g} s needs {:.3g} steps, more than can be counted",
-                       wanted, protocol.duration / wanted);
-  return {};
-}
-
 class March {
  public:
   March(const MarchedBody& body, Motion& motion, const Protocol& protocol,
-        const Observers& observers, double limit)
+        const Observers& observers, const StableStep& at_rest)
       : body_(body),
         motion_(motion),
         protocol_(protocol),
@@ -86,10 +47,14 @@ class March {
       motion_.restore(now_.state);
       return;
     }
-    now_.limit = limit;
+    now_.limit = at_rest.limit;
+    now_.stiffest = at_rest.mode;
+    now_.look_evaluations = at_rest.force_evaluations;
     now_.steps_left =
-        step_count(protocol.duration, protocol.time_step.value_or(safety * limit));
+        step_count(protocol.duration,
+                   protocol.time_step.value_or(protocol.step_ratio * at_rest.limit));
     now_.dt = protocol.duration / now_.steps_left;
+    note_excess();
   }
 
   Solution run() {
@@ -109,29 +74,28 @@ class March {
       std::vector<AffineDisplacement> before = std::move(motions);
       const bool halved = protocol_.integrator == Integrator::verlet;
       const double kick = halved ? (now_.last_dt + now_.dt) / 2 : now_.dt;
+      const bool is_checked =
+          (now_.step + 1) % steps_between_checks == 0 || now_.steps_left == 1;
+      std::vector<Vector3> velocities_before;
+      if (is_checked && now_.excess) velocities_before = motion_.state().velocities;
       --now_.steps_left;
       // The last step ends where the protocol does, to the bit.
       now_.time = now_.steps_left == 0 ? protocol_.duration : now_.time + now_.dt;
       motions = support_motions(body_.scene, fraction());
-      motion_.advance({.dt = now_.dt,
-                       .kick = kick,
-                       .load_fraction = fraction(),
-                       .motions_before = std::move(before),
-                       .motions = motions});
+      advance({.dt = now_.dt,
+               .kick = kick,
+               .load_fraction = fraction(),
+               .motions_before = std::move(before),
+               .motions = motions});
       now_.last_dt = now_.dt;
       ++now_.step;
       const bool at_end = now_.steps_left == 0;
-      if ((now_.step % steps_between_checks == 0 || at_end) &&
-          !(longest(motion_.state().displacements) < far_)) {
+      if (is_checked) solution.reason = what_blew_up(velocities_before);
+      if (!solution.reason.empty()) {
         solution.status = SolveStatus::diverged;
-        solution.reason = fmt::format(
-            "positions left all bounds by step {} of {} (t = {:.4g} s, dt = {:.4g} s, "
-            "stability limit {:.4g} s)",
-            now_.step, now_.step + now_.steps_left, now_.time, now_.dt, now_.limit);
         break;
       }
-      if (now_.step % steps_between_limits == 0 && !at_end && !protocol_.time_step)
-        follow_limit();
+      if (is_time_of_look() && !at_end) look_at_limit();
       if (observers_.sample && is_time_of_sample()) observers_.sample(moment());
       const auto clock = std::chrono::steady_clock::now();
       const auto is_due = [&](auto last, double seconds) {
@@ -148,9 +112,11 @@ class March {
         last_checkpoint = clock;
       }
     }
+    if (solution.status == SolveStatus::ok && now_.excess)
+      solution.reason = above_limit(body_, protocol_, *now_.excess);
     Moment end = moment();
     solution.steps = now_.step;
-    solution.force_evaluations = now_.step + 1;
+    solution.force_evaluations = now_.step + 1 + now_.look_evaluations;
     solution.dt = now_.dt;
     solution.dt_limit = if_finite(now_.limit);
     solution.load_fraction = end.load_fraction;
@@ -164,24 +130,71 @@ class March {
  private:
   [[nodiscard]] double fraction() const { return now_.time / protocol_.duration; }
 
-  /// Whether a multiple of the duration over the samples lies in the step just made.
-  [[nodiscard]] bool is_time_of_sample() const {
+  /// Whether one of so many equal parts of the duration ended in the step just made.
+  [[nodiscard]] bool ended_part_of(int parts) const {
     const auto passed = [&](double time) {
-      return std::floor(time / protocol_.duration * observers_.samples + 1e-9);
+      return std::floor(time / protocol_.duration * parts + 1e-9);
     };
-    return now_.steps_left == 0 || passed(now_.time) > passed(now_.time - now_.last_dt);
+    return passed(now_.time) > passed(now_.time - now_.last_dt);
+  }
+  [[nodiscard]] bool is_time_of_sample() const {
+    return now_.steps_left == 0 || ended_part_of(observers_.samples);
+  }
+  [[nodiscard]] bool is_time_of_look() const {
+    return protocol_.integrator != Integrator::implicit_euler &&
+           (now_.step % steps_between_looks == 0 || ended_part_of(looks_per_load));
+  }
+
+  /// What ends the march as diverged, if anything does.
+  [[nodiscard]] std::string what_blew_up(
+      const std::vector<Vector3>& velocities_before) const {
+    const State here = motion_.state();
+    const std::string step = fmt::format("by step {} of {} (t = {:.4g} s", now_.step,
+                                         now_.step + now_.steps_left, now_.time);
+    if (!(longest(here.displacements) < far_))
+      return fmt::format("positions left all bounds {}, dt = {:.4g} s{})", step, now_.dt,
+                         std::isfinite(now_.limit)
+                             ? fmt::format(", stability limit {:.4g} s", now_.limit)
+                             : "");
+    if (!velocities_before.empty() &&
+        alternation(body_.masses, velocities_before, here.velocities) > turned_round)
+      return fmt::format("velocities turned round from step to step {}); {}", step,
+                         above_limit(body_, protocol_, *now_.excess));
+    return {};
+  }
+
+  void advance(const StepTo& step) {
+    try {
+      motion_.advance(step);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(fmt::format("step {} (t = {:.4g} s): {}", now_.step + 1,
+                                           now_.time, error.what()));
+    }
+  }
+
+  void look_at_limit() {
+    const StableStep known{.limit = now_.limit, .mode = std::move(now_.stiffest)};
+    StableStep found = body_.stable_step(motion_.state(), &known);
+    now_.limit = found.limit;
+    now_.stiffest = std::move(found.mode);
+    now_.look_evaluations += found.force_evaluations;
+    note_excess();
+    if (!protocol_.time_step) follow_limit();
+  }
+
+  void note_excess() {
+    if (now_.excess || !(now_.dt > now_.limit)) return;
+    now_.excess = {.step = now_.step, .dt = now_.dt, .limit = now_.limit};
+    spdlog::warn("{}", above_limit(body_, protocol_, *now_.excess));
   }
 
   void follow_limit() {
-    const State here = motion_.state();
-    const double limit = body_.stable_step(here);
-    now_.limit = limit;
     const double left = protocol_.duration - now_.time;
     // Where no countable number of steps is stable, going on shows what becomes of it.
-    if (!std::isfinite(limit) ||
-        !(left / (safety * limit) < std::numeric_limits<int>::max() - now_.step))
+    if (!std::isfinite(now_.limit) || !(left / (protocol_.step_ratio * now_.limit) <
+                                        std::numeric_limits<int>::max() - now_.step))
       return;
-    const int steps = step_count(left, safety * limit);
+    const int steps = step_count(left, protocol_.step_ratio * now_.limit);
     if (std::abs(left / steps - now_.dt) < worth_a_change * now_.dt) return;
     now_.steps_left = steps;
     now_.dt = left / steps;
@@ -204,14 +217,24 @@ class March {
     for (const auto& [node, i, plate] : prescribed_)
       moment.reactions[node][i] = -forces[node][i];
     for (std::size_t n = 0; n < forces.size(); ++n) {
-      if (protocol_.integrator == Integrator::verlet)  // from half a step behind
-        for (int i = 0; i < 3; ++i)
-          if (is_free_[3 * n + static_cast<std::size_t>(i)])
-            state.velocities[n][i] += now_.last_dt / 2 * forces[n][i] / body_.masses[n];
-      moment.kinetic_energy += body_.masses[n] / 2 * state.velocities[n].squaredNorm();
+      double square = state.velocities[n].squaredNorm();
+      if (protocol_.integrator == Integrator::verlet)  // mean of half a step either way
+        square = (square + velocity_after(state, forces, n).squaredNorm()) / 2;
+      moment.kinetic_energy += body_.masses[n] / 2 * square;
     }
     moment.displacements = std::move(state.displacements);
     return moment;
+  }
+
+  /// Verlet's velocity of a node after the next half step.
+  [[nodiscard]] Vector3 velocity_after(const State& state,
+                                       const std::vector<Vector3>& forces,
+                                       std::size_t n) const {
+    Vector3 v = state.velocities[n];
+    for (int i = 0; i < 3; ++i)
+      if (is_free_[3 * n + static_cast<std::size_t>(i)])
+        v[i] += now_.last_dt * forces[n][i] / body_.masses[n];
+    return v;
   }
 
   const MarchedBody& body_;
@@ -228,21 +251,22 @@ class March {
 
 Solution march(const MarchedBody& body, Motion& motion, const Protocol& protocol,
                const Observers& observers) {
-  double limit = 0;
+  StableStep at_rest{.limit = 0};
   if (!observers.from) {
-    limit = body.stable_step(std::nullopt);
+    at_rest = body.stable_step(std::nullopt, nullptr);
     const auto is_free =
         free_components(body.mesh, prescribed_components(body.mesh, body.scene));
-    const std::string reason =
-        reason_to_refuse(body, protocol, limit, std::ranges::count(is_free, true) > 0);
+    const std::string reason = reason_to_refuse(body, protocol, at_rest.limit,
+                                                std::ranges::count(is_free, true) > 0);
     if (!reason.empty()) {
       Solution solution = refused(reason);
-      solution.dt = if_finite(protocol.time_step.value_or(safety * limit));
-      solution.dt_limit = if_finite(limit);
+      solution.dt =
+          if_finite(protocol.time_step.value_or(protocol.step_ratio * at_rest.limit));
+      solution.dt_limit = if_finite(at_rest.limit);
       return solution;
     }
   }
-  return March(body, motion, protocol, observers, limit).run();
+  return March(body, motion, protocol, observers, at_rest).run();
 }
 
 }  // namespace springcheck::dynamics

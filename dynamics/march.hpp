@@ -7,6 +7,7 @@
 
 #include "dynamics/integrators.hpp"
 #include "dynamics/motion.hpp"
+#include "dynamics/stable_step.hpp"
 
 namespace springcheck::dynamics {
 
@@ -15,19 +16,30 @@ namespace springcheck::dynamics {
 struct Protocol {
   Integrator integrator;
   double duration;                  // [s]
-  std::optional<double> time_step;  // [s]; none: .9 of the stability limit
+  std::optional<double> time_step;  // [s]; none: step_ratio of the stability limit
+  double step_ratio = 0.9;          // above 1 it is run all the same
   bool force_time_step;             // run even above the stability limit
+};
+
+/// A step was found to be above the stability limit.
+struct Excess {
+  int step;      // after so many steps
+  double dt;     // [s] there
+  double limit;  // [s] there
 };
 
 /// Where a march is: enough to go on to the bit.
 struct Checkpoint {
   State state;
-  int step = 0;        // steps made
-  double time = 0;     // [s]
-  double dt = 0;       // [s] of the steps from here on
-  double last_dt = 0;  // [s] of the step made last; 0 before the first
-  int steps_left = 0;  // of dt
-  double limit = 0;    // [s] stability limit looked at last
+  int step = 0;                    // steps made
+  double time = 0;                 // [s]
+  double dt = 0;                   // [s] of the steps from here on
+  double last_dt = 0;              // [s] of the step made last; 0 before the first
+  int steps_left = 0;              // of dt
+  double limit = 0;                // [s] stability limit looked at last
+  std::vector<double> stiffest{};  // StableStep::mode of that look
+  int look_evaluations = 0;        // of forces, by all looks
+  std::optional<Excess> excess{};  // the first, where there was one
 };
 
 /// A moment of the march as observers see it. Vectors hold one entry per node.
@@ -65,20 +77,29 @@ struct MarchedBody {
   std::span<const double> masses;  // [kg]
   std::span<const Vector3> load;   // [N] at the full load
   PlainForces forces;
-  // Largest stable step in a state [s]; at rest where there is none. Leaves the motion in
-  // that state:
-  std::function<double(const std::optional<State>& state)> stable_step;
+  // Largest stable step in a state, at rest where there is none, from what was found
+  // near; see largest_stable_step. Leaves the motion in that state:
+  std::function<StableStep(const std::optional<State>& state, const StableStep* near)>
+      stable_step;
   std::string step_setters;  // what sets the limit, for messages: "nu = 0.4, ..."
+  std::string undamped;      // what leaves motions undamped where the limit is 0
 };
 
 /// Marches to the end of the protocol and returns the state there.
 ///
 /// The step is shortened so that a whole number of them fills the time left. One that the
 /// user set and that is above the limit at rest is refused unless forced, and so is an
-/// open one where the limit is infinite though nodes are free, or zero. An open step
-/// follows the limit: every 1000 steps it is looked at again where the body then is.
-/// Positions that are no longer finite, or a hundred body sizes away, end the march as
-/// diverged with the step by which it was seen, within 100 steps.
+/// open one where the limit is infinite though nodes are free, or zero.
+///
+/// Where the body then is, the limit is looked at again every 1000 steps and 40 times on
+/// the way to the full load. An open step follows it. Of any step that is found above it,
+/// the solution's reason says so, and the log.
+///
+/// The march ends as diverged, with the step by which it was seen, within 100 steps where
+/// positions are no longer finite or a hundred body sizes away; and where a step that was
+/// found above the limit has made a motion that turns round in every step the larger part
+/// of the kinetic energy (see alternation): of large amplitude it is held by what is not
+/// linear, and need not leave all bounds.
 Solution march(const MarchedBody& body, Motion& motion, const Protocol& protocol,
                const Observers& observers);
 

@@ -6,11 +6,7 @@ namespace springcheck::dynamics {
 
 template <class Real>
 NodalUpdate<Real> nodal_update(InstructionSet set) {
-#if defined(__x86_64__)
-  if (set == InstructionSet::avx512) return avx512::update_nodes;
-  if (set == InstructionSet::avx2) return avx2::update_nodes;
-#endif
-  return portable::update_nodes;
+  return SPRINGCHECK_ON_PATH(set, update_of_nodes(Real{}));
 }
 
 template NodalUpdate<double> nodal_update(InstructionSet set);

@@ -26,11 +26,11 @@ void update(const BlockArrays<Real>& arrays, const NodalStep& now) {
 
 }  // namespace
 
-void update_nodes(const BlockArrays<double>& arrays, const NodalStep& now) {
-  update(arrays, now);
+NodalUpdate<double> update_of_nodes(double) {
+  return update<double>;
 }
-void update_nodes(const BlockArrays<float>& arrays, const NodalStep& now) {
-  update(arrays, now);
+NodalUpdate<float> update_of_nodes(float) {
+  return update<float>;
 }
 
 }  // namespace springcheck::dynamics::SPRINGCHECK_PATH

@@ -1,17 +1,16 @@
 #pragma once
 
 #include "dynamics/nodal_update.hpp"
+#include "dynamics/paths.hpp"
 
 namespace springcheck::dynamics {
 
-#define SPRINGCHECK_DECLARE(path)                                             \
-  namespace path {                                                            \
-  void update_nodes(const BlockArrays<double>& arrays, const NodalStep& now); \
-  void update_nodes(const BlockArrays<float>& arrays, const NodalStep& now);  \
+#define SPRINGCHECK_DECLARE(path)              \
+  namespace path {                             \
+  NodalUpdate<double> update_of_nodes(double); \
+  NodalUpdate<float> update_of_nodes(float);   \
   }
-SPRINGCHECK_DECLARE(portable)
-SPRINGCHECK_DECLARE(avx2)
-SPRINGCHECK_DECLARE(avx512)
+SPRINGCHECK_FOR_EACH_PATH(SPRINGCHECK_DECLARE)
 #undef SPRINGCHECK_DECLARE
 
 }  // namespace springcheck::dynamics

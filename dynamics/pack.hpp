@@ -106,4 +106,23 @@ inline Pack<Real> reciprocal_root(Pack<Real> x) {
 #endif
 }
 
+/// 1/x of positive normal numbers, to 1 unit in the last place of a double, 2 of a float.
+/// With AVX-512 by the instruction good to 14 bits, y, and y (1 + e + e^2 + e^3 ...),
+/// e = 1 - x y.
+template <class Real>
+inline Pack<Real> reciprocal(Pack<Real> x) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  if constexpr (sizeof(Real) == 8) {
+    const Pack<Real> y = (Pack<Real>)_mm512_rcp14_pd((__m512d)x);
+    const Pack<Real> e = 1 - x * y;
+    return y + y * e * (1 + e * (1 + e));
+  } else {
+    const Pack<Real> y = (Pack<Real>)_mm512_rcp14_ps((__m512)x);
+    return y + y * (1 - x * y);
+  }
+#else
+  return 1 / x;
+#endif
+}
+
 }  // namespace springcheck::dynamics::SPRINGCHECK_PATH

@@ -4,72 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
+
+#include "dynamics/stable_step_near.hpp"
 
 namespace springcheck::dynamics {
 namespace {
 
-using Field = Eigen::VectorXd;  // an entry per free component
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// v -> M^-1/2 (stiffness_factor K + dashpot_factor C) M^-1/2 v on the free components.
-class Combination {
- public:
-  Combination(const SmallMotions& system, double stiffness_factor, double dashpot_factor)
-      : system_(system), stiffness_(stiffness_factor), dashpots_(dashpot_factor) {
-    for (std::size_t i = 0; i < system.is_free.size(); ++i)
-      if (system.is_free[i]) components_.push_back(i);
-    inverse_root_mass_.resize(static_cast<Eigen::Index>(components_.size()));
-    for (std::size_t n = 0; n < components_.size(); ++n)
-      inverse_root_mass_[static_cast<Eigen::Index>(n)] =
-          1 / std::sqrt(system.masses[components_[n] / 3]);
-  }
-
-  [[nodiscard]] Field start() const {
-    std::mt19937_64 random(1);  // any vector not orthogonal to the answer
-    Field v(inverse_root_mass_.size());
-    for (double& component : v)
-      component = static_cast<double>(random() >> 11U) * 0x1p-52 - 1;
-    return v / v.norm();
-  }
-
-  /// One pair of forces gives both: displacements move along the vector where K counts,
-  /// velocities in proportion.
-  [[nodiscard]] Field apply(const Field& v) const {
-    const Field u = v.cwiseProduct(inverse_root_mass_);
-    const double scale = system_.amplitude / u.cwiseAbs().maxCoeff();
-    const double moved = stiffness_ == 0 ? 0 : scale;
-    const double pushed = stiffness_ == 0 ? scale : scale * dashpots_ / stiffness_;
-    const auto ahead = system_.forces(at(u, moved, pushed)),
-               behind = system_.forces(at(u, -moved, -pushed));
-    const double factor = (stiffness_ == 0 ? dashpots_ : stiffness_) / (2 * scale);
-    Field result(v.size());
-    for (std::size_t n = 0; n < components_.size(); ++n) {
-      const std::size_t node = components_[n] / 3;
-      const auto i = static_cast<Eigen::Index>(components_[n] % 3);
-      result[static_cast<Eigen::Index>(n)] = factor * (behind[node][i] - ahead[node][i]);
-    }
-    return result.cwiseProduct(inverse_root_mass_);
-  }
-
- private:
-  [[nodiscard]] State at(const Field& u, double moved, double pushed) const {
-    State state = system_.state;
-    for (std::size_t n = 0; n < components_.size(); ++n) {
-      const std::size_t node = components_[n] / 3;
-      const auto i = static_cast<Eigen::Index>(components_[n] % 3);
-      state.displacements[node][i] += moved * u[static_cast<Eigen::Index>(n)];
-      state.velocities[node][i] += pushed * u[static_cast<Eigen::Index>(n)];
-    }
-    return state;
-  }
-
-  const SmallMotions& system_;
-  double stiffness_, dashpots_;
-  std::vector<std::size_t> components_;
-  Field inverse_root_mass_;
-};
 
 /// By Lanczos' recurrence; without reorthogonalisation copies of converged values appear,
 /// which does not move the largest one.
@@ -139,19 +80,64 @@ double semi_implicit_limit(const SmallMotions& system, double undamped) {
   return dt;
 }
 
+/// Whether explicit Euler's conditions hold for a step.
+class ExplicitConditions {
+ public:
+  explicit ExplicitConditions(const SmallMotions& system)
+      : system_(system), rate_(largest_eigenvalue(system, 0, 1)) {}
+
+  [[nodiscard]] double rate() const { return rate_; }  // largest c/m
+  [[nodiscard]] bool hold(double dt) const {
+    return largest_eigenvalue(system_, dt, -1) <= tolerance_ &&
+           largest_eigenvalue(system_, -dt * dt, 2 * dt) <= 4;
+  }
+  /// Along a direction without dashpots the tolerance alone lets a step pass, and half
+  /// the step uses up half of it.
+  [[nodiscard]] bool all_is_damped(double dt) const {
+    return largest_eigenvalue(system_, dt / 2, -1) < tolerance_ / 4;
+  }
+
+ private:
+  const SmallMotions& system_;
+  double rate_, tolerance_ = 1e-6 * rate_;
+};
+
 double explicit_limit(const SmallMotions& system, double undamped) {
-  const double rate = largest_eigenvalue(system, 0, 1);  // largest c/m
-  if (!(rate > 0)) return 0;
-  const double tolerance = 1e-6 * rate;
+  const ExplicitConditions conditions(system);
+  if (!(conditions.rate() > 0)) return 0;
   // Of a single mode c/k; no step above that of the softest direction is asked about.
-  const double high = std::min(2 / rate, undamped);
-  const double limit = bisected(high, [&](double dt) {
-    return largest_eigenvalue(system, dt, -1) <= tolerance &&
-           largest_eigenvalue(system, -dt * dt, 2 * dt) <= 4;
-  });
-  // Along a direction without dashpots the tolerance alone lets a step pass, and half the
-  // step uses up half of it.
-  return largest_eigenvalue(system, limit / 2, -1) < tolerance / 4 ? limit : 0;
+  const double high = std::min(2 / conditions.rate(), undamped);
+  const double limit = bisected(high, [&](double dt) { return conditions.hold(dt); });
+  return conditions.all_is_damped(limit) ? limit : 0;
+}
+
+/// The same where the limit was `known`, in strides of 5 % on the safe side; a limit that
+/// is 0 stays so.
+double explicit_limit_near(const SmallMotions& system, double known) {
+  constexpr double stride = 1.05;
+  if (!system.has_dashpots || known == 0) return 0;
+  const ExplicitConditions conditions(system);
+  if (!(conditions.rate() > 0)) return 0;
+  double dt = known;
+  if (conditions.hold(dt)) {
+    for (int i = 0; i < 10 && conditions.hold(stride * dt); ++i) dt *= stride;
+  } else {
+    constexpr double lost = 0.01;  // of what it was
+    do {
+      dt /= stride * stride;
+      if (dt < lost * known) return 0;
+    } while (!conditions.hold(dt));
+  }
+  return conditions.all_is_damped(dt) ? dt : 0;
+}
+
+StableStep found_near(const SmallMotions& system, Integrator integrator,
+                      const StableStep& known) {
+  if (integrator == Integrator::implicit_euler || !std::isfinite(known.limit))
+    return {.limit = largest_stable_step(system, integrator)};
+  if (integrator == Integrator::explicit_euler)
+    return {.limit = explicit_limit_near(system, known.limit)};
+  return stable_step_near(system, known);
 }
 
 }  // namespace
@@ -168,15 +154,23 @@ double largest_stable_step(const SmallMotions& system, Integrator integrator) {
   return system.has_dashpots ? semi_implicit_limit(system, undamped) : undamped;
 }
 
-double largest_stable_step(SmallMotions system, Motion& motion, Precision precision,
-                           const std::optional<State>& state, Integrator integrator) {
+StableStep largest_stable_step(SmallMotions system, Motion& motion, Precision precision,
+                               const std::optional<State>& state, Integrator integrator,
+                               const StableStep* near) {
   constexpr double single_over_double = 100;  // what a float can tell from rounding
   if (precision == Precision::single_precision) system.amplitude *= single_over_double;
   if (state) system.state = *state;
-  system.forces = [&](const State& at) { return motion.forces_at(at); };
-  const double limit = largest_stable_step(system, integrator);
+  int evaluations = 0;
+  system.forces = [&](const State& at) {
+    ++evaluations;
+    return motion.forces_at(at);
+  };
+  StableStep found = near == nullptr
+                         ? StableStep{.limit = largest_stable_step(system, integrator)}
+                         : found_near(system, integrator, *near);
   motion.restore(system.state);
-  return limit;
+  found.force_evaluations = evaluations;
+  return found;
 }
 
 }  // namespace springcheck::dynamics

@@ -1,26 +1,22 @@
 #pragma once
 
-#include <functional>
 #include <optional>
-#include <span>
+#include <vector>
 
 #include "dynamics/integrators.hpp"
 #include "dynamics/motion.hpp"
 #include "dynamics/precision.hpp"
+#include "dynamics/small_motions.hpp"
 
 namespace springcheck::dynamics {
 
-/// The internal forces in a state [N]: springs, dashpots and the like, without loads.
-using ForcesAt = std::function<std::vector<Vector3>(const State& state)>;
-
-/// A system about which small motions are looked at.
-struct SmallMotions {
-  ForcesAt forces;
-  State state;                     // K and C are those of this state
-  std::span<const double> masses;  // [kg] of each node
-  std::vector<bool> is_free;       // of each component, 3 node + component
-  double amplitude;                // [m] by which nodes are moved to find K
-  bool has_dashpots;               // without, C is zero and not looked for
+/// What a search finds, and leaves to the next one.
+struct StableStep {
+  double limit;  // [s]
+  // The motion that sets it, sqrt(m) u of each component, held ones included; empty where
+  // it is not known:
+  std::vector<double> mode{};
+  int force_evaluations = 0;
 };
 
 /// Largest step for which small motions stay bounded [s]. With the tangent K and the
@@ -45,12 +41,10 @@ double largest_stable_step(const SmallMotions& system, Integrator integrator);
 
 /// The same about a state of the motion, or about rest, by the motion's own forces in
 /// place of the system's, and with an amplitude for their precision. Leaves the motion in
-/// that state.
-double largest_stable_step(SmallMotions system, Motion& motion, Precision precision,
-                           const std::optional<State>& state, Integrator integrator);
-
-/// SmallMotions::amplitude in mean cell edges, in double precision: forces keep half
-/// their digits at least, and what is not linear stays in the last.
-inline constexpr double probe = 1e-4;
+/// that state. near: what was found in a state not far away, if anything was; see
+/// stable_step_near.
+StableStep largest_stable_step(SmallMotions system, Motion& motion, Precision precision,
+                               const std::optional<State>& state, Integrator integrator,
+                               const StableStep* near = nullptr);
 
 }  // namespace springcheck::dynamics

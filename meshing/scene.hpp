@@ -80,6 +80,7 @@ enum class SolveStatus {
   ok,              // equilibrium, tangent positive definite
   indefinite,      // equilibrium, tangent not positive definite
   no_equilibrium,  // a limit point before the full load
+  inverted,        // a cell is turned inside out before the full load
   diverged,        // dynamics blew up
   not_converged,   // the solver gave up short of the full load
   refused          // the method does not cover this scene or value
@@ -103,6 +104,8 @@ struct Solution {
   int force_evaluations;  // of the whole internal force vector
   // Load fraction up to which the tangent was positive definite, where it was lost:
   std::optional<double> definite_up_to{};
+  // Of the mode that becomes unstable where the path ends, see shortest_wavelength [-]:
+  std::optional<double> critical_wavelength{};
   std::optional<int> linear_iterations{};  // of the iterative linear solver, all together
   // [m^3] deformed, of each cell; empty where the field in a cell is trilinear:
   std::vector<double> cell_volumes{};

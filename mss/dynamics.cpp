@@ -8,7 +8,8 @@
 #include "dynamics/stable_step.hpp"
 #include "mss/forces.hpp"
 #include "mss/implicit_motion.hpp"
-#include "mss/lattice_kernel.hpp"
+#include "mss/kernels/affine_kernel.hpp"
+#include "mss/kernels/lattice_kernel.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -66,10 +67,11 @@ dynamics::BlockForces<double> plain_kernel(const Network& network, double dampin
 
 std::optional<std::vector<Block>> blocks_for_kernel(const Mesh& mesh,
                                                     const Network& network) {
-  if (!takes_lattice_kernel(network)) return std::nullopt;
-  const auto grid = dynamics::grid_of(mesh);
-  if (!grid) return std::nullopt;
-  return dynamics::grid_blocks(*grid);
+  const bool is_affine = takes_affine_kernel(network);
+  if (!is_affine && !takes_lattice_kernel(network)) return std::nullopt;
+  if (const auto grid = dynamics::grid_of(mesh)) return dynamics::grid_blocks(*grid);
+  if (!is_affine) return std::nullopt;
+  return dynamics::free_blocks(mesh);
 }
 
 template <class Real>
@@ -78,7 +80,9 @@ std::unique_ptr<dynamics::Motion> by_kernel(const Mesh& mesh, const Scene& scene
                                             const DynamicsSettings& settings,
                                             std::vector<Block> blocks,
                                             dynamics::InstructionSet set) {
-  auto forces = lattice_kernel<Real>(network, blocks, settings.damping_ratio, set);
+  auto forces = takes_affine_kernel(network)
+                    ? affine_kernel<Real>(network, blocks, settings.damping_ratio, set)
+                    : lattice_kernel<Real>(network, blocks, settings.damping_ratio, set);
   const std::vector<Vector3> load = load_forces(mesh, scene, network);
   return dynamics::explicit_motion<Real>(
       {.rest = network.rest_positions,
@@ -104,6 +108,16 @@ dynamics::SmallMotions small_motions(const Network& network, double damping_rati
           .has_dashpots = damping_ratio > 0};
 }
 
+/// Why explicit Euler may find a motion that swings undamped.
+std::string what_is_undamped(const Network& network, double damping_ratio) {
+  if (!(damping_ratio > 0))
+    return "without dashpots (--damping) every motion is undamped";
+  if (network.spring_modulus != 0)
+    return "mss-affine has its dashpots along the cells' edges, which leave their shear "
+           "undamped";
+  return "a motion that stretches no dashpot is undamped";
+}
+
 }  // namespace
 
 std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Network& network,
@@ -111,8 +125,7 @@ std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Network& net
   if (settings.precision == Precision::double_precision) return std::nullopt;
   if (settings.protocol.integrator == dynamics::Integrator::implicit_euler)
     return "implicit Euler's equations are solved in double precision";
-  if (!blocks_for_kernel(mesh, network))
-    return "single precision is for springs of constant rest length on hexahedra";
+  if (!blocks_for_kernel(mesh, network)) return "single precision is for hexahedra";
   return std::nullopt;
 }
 
@@ -163,10 +176,11 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
   const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
   std::vector<Vector3> positions;
   CellStates room;
-  const auto stable_step = [&](const std::optional<State>& state) {
+  const auto stable_step = [&](const std::optional<State>& state,
+                               const dynamics::StableStep* near) {
     return dynamics::largest_stable_step(
         small_motions(network, settings.damping_ratio, is_free), *motion,
-        settings.precision, state, settings.protocol.integrator);
+        settings.precision, state, settings.protocol.integrator, near);
   };
   return dynamics::march(
       {.mesh = mesh,
@@ -189,7 +203,8 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
        .step_setters = fmt::format("set by nu = {:g}, cells of {:.3g} m and a damping "
                                    "ratio of {:g}",
                                    scene.material.poisson_ratio, cell_edge(network),
-                                   settings.damping_ratio)},
+                                   settings.damping_ratio),
+       .undamped = what_is_undamped(network, settings.damping_ratio)},
       *motion, settings.protocol, observers);
 }
 

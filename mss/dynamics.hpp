@@ -24,7 +24,7 @@ struct DynamicsSettings {
 };
 
 /// Why the network does not move so, or nothing when it does: single precision is that
-/// of the kernels, and takes_lattice_kernel.
+/// of the kernels, see takes_lattice_kernel and takes_affine_kernel.
 std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Network& network,
                                             const DynamicsSettings& settings);
 

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <random>
 
-#include "mss/forces.hpp"
 #include "mss/minimum.hpp"
+#include "mss/random_vector.hpp"
+#include "mss/static_solution.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -18,7 +19,7 @@ constexpr double gradient_per_step = 0.06;  // see Landscape::gradient
 }  // namespace
 
 Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
-                          unsigned seed, LinearSolver linear_solver) {
+                          unsigned seed, LinearSolver linear_solver, double noise) {
   Landscape landscape(mesh, scene, network, linear_solver);
   std::mt19937_64 random(seed);
   Positions x = mesh.nodes();
@@ -76,31 +77,35 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
     }
     landscape.linearise(x);
   }
+  if (status == SolveStatus::ok && noise > 0) {
+    const Eigen::VectorXd shake = random_vector(landscape.unknowns(), random);
+    Minimum minimum = minimise(
+        landscape, landscape.moved(x, shake, noise * landscape.cell_edge()), random);
+    if (minimum.found) {
+      x = std::move(minimum.positions);
+      definite = minimum.definite;
+    } else {
+      status =
+          minimum.ran_away ? SolveStatus::no_equilibrium : SolveStatus::not_converged;
+      reason = fmt::format(
+          "a noise of {:g} cell edges leads away from the equilibrium, to none", noise);
+    }
+  }
   if (status == SolveStatus::ok && !definite) {
     status = SolveStatus::indefinite;
     reason = fmt::format(
         "the tangent is not positive definite beyond {:.2f} % of the load, and no "
         "direction lowers the energy",
-        100 * definite_up_to.value());
+        100 * definite_up_to.value_or(reached));
   }
 
-  landscape.set_load(reached);
-  const std::vector<Vector3>& forces = landscape.forces(x);
-  Solution solution{.status = status,
-                    .reason = reason,
-                    .displacements = {},
-                    .reactions = std::vector<Vector3>(x.size(), Vector3::Zero()),
-                    .lever_arms = LeverArms::deformed,
-                    .strain_energy = strain_energy(network, x),
-                    .load_fraction = reached,
-                    .steps = steps,
-                    .force_evaluations = landscape.evaluations(),
-                    .definite_up_to = definite_up_to,
-                    .linear_iterations = landscape.linear_iterations()};
-  for (std::size_t n = 0; n < x.size(); ++n)
-    solution.displacements.push_back(x[n] - mesh.nodes()[n]);
-  for (const auto& [node, i, plate] : landscape.prescribed())
-    solution.reactions[node][i] = -forces[node][i];
+  Solution solution = static_solution(mesh, scene, network, x, reached);
+  solution.status = status;
+  solution.reason = reason;
+  solution.steps = steps;
+  solution.force_evaluations = landscape.evaluations();
+  solution.definite_up_to = definite_up_to;
+  solution.linear_iterations = landscape.linear_iterations();
   return solution;
 }
 

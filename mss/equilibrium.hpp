@@ -21,10 +21,15 @@ namespace springcheck::mss {
 /// the states that the path keeps: a saddle that it left for a minimum, wrinkled perhaps,
 /// does not count.
 ///
+/// With noise every free component of the last state is moved by up to that many mean
+/// cell edges, at random from the seed, and the minimum is sought from there: a state
+/// that is left so was not one to rely on.
+///
 /// Converged: residual below 1e-10 of the norm of the nodal forces, or below what the
 /// rounding of the positions does to them.
 Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
                           unsigned seed,
-                          LinearSolver linear_solver = LinearSolver::by_size);
+                          LinearSolver linear_solver = LinearSolver::by_size,
+                          double noise = 0);
 
 }  // namespace springcheck::mss

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <Eigen/CholmodSupport>
+#include <cmath>
 #include <mutex>
 #include <stdexcept>
+#include <string>
 
 #include "dynamics/supports.hpp"
 #include "meshing/random_numbers.hpp"
@@ -50,23 +52,23 @@ class ImplicitMotion final : public dynamics::Motion {
     move(before, step.dt, Field::Zero(assembly_.size()));
     double scale = 0;
     Field residual = residual_of(before, step, scale);
-    for (int i = 0; residual.norm() > relative_residual * scale; ++i) {
-      const Field change = newton_step(step.dt, residual);
+    // What is not a number is not converged.
+    for (int i = 0; !(residual.norm() <= relative_residual * scale); ++i) {
       const double norm = residual.norm();
-      double factor = 1;
-      for (;; factor /= 2) {
+      if (!std::isfinite(norm)) fail(step, "its forces are no numbers");
+      const Field change = newton_step(step, residual);
+      const State here = state_;
+      for (double factor = 1;; factor /= 2) {
         move(before, step.dt, factor * change);
         residual = residual_of(before, step, scale);
         if (residual.norm() < norm && i < most_iterations) break;
+        state_ = here;  // what did not bring it nearer is undone
         // The rounding of positions, of which forces keep a part, ends all progress.
         const double round_off = 1e-15 * stiffness_ * step.dt * network_reach();
         if (norm < round_off) return;
         if (factor < shortest_factor || i >= most_iterations)
-          throw std::runtime_error(fmt::format(
-              "implicit Euler's step of {:.4g} s at load fraction {:.4g} did not "
-              "converge: relative residual {:.2g}",
-              step.dt, step.load_fraction, norm / scale));
-        move(before, step.dt, -factor * change);
+          fail(step, fmt::format("it did not converge: relative residual {:.2g}",
+                                 norm / scale));
       }
     }
   }
@@ -81,6 +83,12 @@ class ImplicitMotion final : public dynamics::Motion {
   }
 
  private:
+  [[noreturn]] static void fail(const StepTo& step, const std::string& why) {
+    throw std::runtime_error(
+        fmt::format("implicit Euler's step of {:.4g} s to load fraction {:.4g}: {}",
+                    step.dt, step.load_fraction, why));
+  }
+
   template <class Visit>
   void for_each_free(const Visit& visit) const {
     for (NodeIndex n = 0; n < load_.size(); ++n)
@@ -125,12 +133,12 @@ class ImplicitMotion final : public dynamics::Motion {
   }
 
   /// (M + dt C + dt^2 K)^-1 residual.
-  Field newton_step(double dt, const Field& residual) {
+  Field newton_step(const StepTo& step, const Field& residual) {
+    const double dt = step.dt;
     Tangent tangent = tangent_at(network_, positions_);
     if (!factor(tangent, dt)) {
       clamp_to_positive(tangent);
-      if (!factor(tangent, dt))
-        throw std::runtime_error("implicit Euler's matrix is not positive definite");
+      if (!factor(tangent, dt)) fail(step, "its matrix is not positive definite");
     }
     return cholesky_.solve(residual);
   }

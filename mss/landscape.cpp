@@ -15,7 +15,7 @@ constexpr std::size_t most_unknowns_solved_directly = 10'000;
 // to be cut in two.
 constexpr double predictor_accuracy = 1e-4;
 
-std::vector<std::size_t> unknowns(const std::vector<bool>& is_free) {
+std::vector<std::size_t> places_of_true(const std::vector<bool>& is_free) {
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < is_free.size(); ++i)
     if (is_free[i]) free.push_back(i);
@@ -45,7 +45,7 @@ Landscape::Landscape(const Mesh& mesh, const Scene& scene, const Network& networ
       network_(network),
       prescribed_(prescribed_components(mesh, scene)),
       load_(load_forces(mesh, scene, network)),
-      free_(unknowns(free_components(mesh, prescribed_))),
+      free_(places_of_true(free_components(mesh, prescribed_))),
       cell_edge_(std::cbrt(mesh.volume() / static_cast<double>(mesh.cells().size()))),
       forces_(mesh.nodes().size()),
       tangent_(tangent_at(network, network.rest_positions)),

@@ -25,6 +25,9 @@ class Landscape {
 
   [[nodiscard]] double cell_edge() const { return cell_edge_; }  // mean [m]
   [[nodiscard]] int evaluations() const { return evaluations_; }
+  [[nodiscard]] Eigen::Index unknowns() const {
+    return static_cast<Eigen::Index>(free_.size());
+  }
   [[nodiscard]] const std::vector<PrescribedComponent>& prescribed() const {
     return prescribed_;
   }

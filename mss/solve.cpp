@@ -2,6 +2,7 @@
 
 #include "mss/equilibrium.hpp"
 #include "mss/spring_strain.hpp"
+#include "mss/stability/path_limit_solution.hpp"
 
 namespace springcheck::mss {
 
@@ -10,10 +11,14 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
   if (const auto reason = reason_to_refuse(mesh, scene.material, settings.network.method))
     return refused(*reason);
   const Network network = build_network(mesh, scene.material, settings.network);
-  Solution solution =
-      settings.dynamics
-          ? run_dynamics(mesh, scene, network, *settings.dynamics, observers)
-          : find_equilibrium(mesh, scene, network, settings.seed);
+  const auto solved = [&] {
+    if (settings.dynamics)
+      return run_dynamics(mesh, scene, network, *settings.dynamics, observers);
+    if (settings.to_limit) return path_limit_solution(mesh, scene, network);
+    return find_equilibrium(mesh, scene, network, settings.seed, LinearSolver::by_size,
+                            settings.noise);
+  };
+  Solution solution = solved();
   if (!solution.displacements.empty())
     solution.spring_strains = largest_spring_strains(network, solution.displacements);
   return solution;

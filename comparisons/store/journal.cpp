@@ -158,16 +158,6 @@ bool belongs_to(const Journal& journal, const std::filesystem::path& file) {
   });
 }
 
-/// The folder's list of files goes to disk, too.
-void sync_folder_of(const std::filesystem::path& file) {
-  const std::filesystem::path folder =
-      file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  const int number = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (number < 0) fail(folder, "cannot be opened");
-  fsync(number);  // where a file system cannot, nothing is to be done
-  close(number);
-}
-
 void apply(const std::filesystem::path& file, const PageWrites& writes) {
   const Descriptor out(file, O_WRONLY);
   for (const auto& [number, page] : writes.pages)
@@ -180,6 +170,20 @@ void apply(const std::filesystem::path& file, const PageWrites& writes) {
 
 std::filesystem::path journal_of(const std::filesystem::path& file) {
   return file.string() + "-journal";
+}
+
+void sync_folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder =
+      file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  const int number = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (number < 0) fail(folder, "cannot be opened");
+  fsync(number);  // where a file system cannot, nothing is to be done
+  close(number);
+}
+
+void write_pages_of_new_file(const std::filesystem::path& file,
+                             const PageWrites& writes) {
+  apply(file, writes);
 }
 
 void write_pages(const std::filesystem::path& file, const PageWrites& writes) {

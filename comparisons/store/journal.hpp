@@ -34,6 +34,13 @@ std::filesystem::path journal_of(const std::filesystem::path& file);
 /// SHA-256 of all that likewise.
 void write_pages(const std::filesystem::path& file, const PageWrites& writes);
 
+/// The same of a file that nobody has use for before it is whole: straight to the disk,
+/// and partly there when the program is killed.
+void write_pages_of_new_file(const std::filesystem::path& file, const PageWrites& writes);
+
+/// The folder's list of files goes to disk, too: what was renamed stays so.
+void sync_folder_of(const std::filesystem::path& file);
+
 /// What is left by a program that was killed: a whole journal is written to the file, and
 /// any is removed. Throws as write_pages, and InputError when the journal is of other
 /// content: when some page is neither as it was nor as it is to be. Both files stay then.

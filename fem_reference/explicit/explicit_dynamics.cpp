@@ -138,10 +138,11 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene,
   const auto motion = motion_of(mesh, scene, settings);
   const PlainBody body(mesh, scene, settings);
   const std::vector<Vector3> load = load_forces(mesh, scene, body.masses());
-  const auto stable_step = [&](const std::optional<State>& state) {
+  const auto stable_step = [&](const std::optional<State>& state,
+                               const dynamics::StableStep* near) {
     return dynamics::largest_stable_step(body.small_motions(), *motion,
                                          settings.precision, state,
-                                         settings.protocol.integrator);
+                                         settings.protocol.integrator, near);
   };
   return dynamics::march(
       {.mesh = mesh,
@@ -161,7 +162,8 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene,
        .step_setters = fmt::format("set by nu = {:g}, cells of {:.3g} m and a damping "
                                    "ratio of {:g}",
                                    scene.material.poisson_ratio, cell_edge(mesh),
-                                   settings.damping_ratio)},
+                                   settings.damping_ratio),
+       .undamped = "without drag (--damping) every motion is undamped"},
       *motion, settings.protocol, observers);
 }
 

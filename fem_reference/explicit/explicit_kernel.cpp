@@ -1,8 +1,6 @@
 #include "fem_reference/explicit/explicit_kernel.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include "fem_reference/explicit/hexahedra.hpp"
@@ -13,71 +11,35 @@ namespace {
 
 using dynamics::Block;
 
-/// The element of dynamics::BlockArrays that a slot of the block is.
-std::size_t element(const Block& block, std::size_t slot, std::size_t lanes) {
-  const std::size_t rows = block.nodes.size() / lanes;
-  return slot % rows * lanes + slot / rows;
-}
-
-/// Calls visit(cell number, rest positions of its corners in the block's order).
-template <class Visit>
-void for_each_cell(const Mesh& mesh, const Block& block, const Visit& visit) {
-  for (std::size_t cell = 0; cell < block.cells.size(); ++cell) {
-    if (block.cells[cell] == dynamics::no_cell) continue;
-    const auto slots = block.corner_slots(cell);
-    CornerVectors rest;
-    for (std::size_t c = 0; c < 8; ++c)
-      rest.col(static_cast<Eigen::Index>(c)) = mesh.nodes()[block.nodes[slots[c]]];
-    visit(cell, rest);
-  }
-}
-
-/// Positions differ from those of a perfect grid by their rounding [m].
-double rounding(const Mesh& mesh) {
-  double reach = 0;
-  for (const Vector3& x : mesh.nodes()) reach = std::max(reach, x.cwiseAbs().maxCoeff());
-  return 8 * std::numeric_limits<double>::epsilon() * reach;
+/// Rest positions of a cell's corners in the block's order.
+CornerVectors rest_of(const Mesh& mesh, const Block& block,
+                      const std::array<std::uint32_t, 8>& slots) {
+  CornerVectors rest;
+  for (std::size_t c = 0; c < 8; ++c)
+    rest.col(static_cast<Eigen::Index>(c)) = mesh.nodes()[block.nodes[slots[c]]];
+  return rest;
 }
 
 /// What the cells of a block have in common, and one of them.
 struct Likeness {
   CellShapes shapes;
-  CornerVectors cell;
+  CornerVectors cell{};
   std::array<std::size_t, 3> axes{0, 1, 2};  // see HexahedronBlock
 };
 
-/// Columns are the edges that leave corner 0.
-Eigen::Matrix3d edges(const CornerVectors& rest) {
-  Eigen::Matrix3d edges;
-  edges << rest.col(1) - rest.col(0), rest.col(2) - rest.col(0),
-      rest.col(4) - rest.col(0);
-  return edges;
-}
-
-Likeness likeness(const Mesh& mesh, const Block& block) {
-  const double tolerance = rounding(mesh);
-  Likeness like{.shapes = CellShapes::parallelepipeds, .cell = {}};
-  bool is_first = true;
-  for_each_cell(mesh, block, [&](std::size_t, const CornerVectors& rest) {
-    if (is_first) like.cell = rest;
-    is_first = false;
-    const Eigen::Matrix3d common = edges(like.cell);
-    for (std::size_t c = 0; c < 8; ++c) {
-      const Vector3 place = (corner_place(c) + Vector3::Ones()) / 2;
-      const Vector3 off =
-          rest.col(static_cast<Eigen::Index>(c)) - rest.col(0) - common * place;
-      if (off.cwiseAbs().maxCoeff() > tolerance) like.shapes = CellShapes::hexahedra;
-    }
-  });
-  if (!block.is_grid()) like.shapes = CellShapes::hexahedra;
-  if (like.shapes == CellShapes::hexahedra) return like;
-  like.shapes = CellShapes::boxes;
+Likeness likeness(const Mesh& mesh, const Block& block, double rounding) {
+  const auto edges = dynamics::common_edges(block, mesh.nodes(), rounding);
+  if (!edges) return {.shapes = CellShapes::hexahedra};
+  Likeness like{.shapes = CellShapes::boxes};
+  for (std::size_t c = 0; c < 8; ++c)
+    like.cell.col(static_cast<Eigen::Index>(c)) =
+        *edges * (corner_place(c) + Vector3::Ones()) / 2;
   for (Eigen::Index k = 0; k < 3; ++k) {
-    const Vector3 edge = edges(like.cell).col(k).cwiseAbs();
+    const Vector3 edge = edges->col(k).cwiseAbs();
     Eigen::Index along = 0;
     const double length = edge.maxCoeff(&along);
     like.axes[static_cast<std::size_t>(k)] = static_cast<std::size_t>(along);
-    if (edge.sum() - length > tolerance) {
+    if (edge.sum() - length > rounding) {
       like.shapes = CellShapes::parallelepipeds;
       like.axes = {0, 1, 2};
       return like;
@@ -144,33 +106,27 @@ HexahedronBlock<Real> hexahedron_block(const Mesh& mesh, const Block& block,
     return points == ExplicitElement::one_point ? one_point_constants(rest, mu, like)
                                                 : eight_point_constants(rest, like);
   };
-  HexahedronBlock<Real> cells{.row = block.row,
-                              .layer = block.layer,
-                              .corners = block.corners,
-                              .cells = block.cells.size(),
+  HexahedronBlock<Real> cells{.cells = dynamics::cells_in_arrays(block, lanes),
                               .axes = like.axes,
                               .constants = {},
                               .half_lambda = static_cast<Real>(lambda / 2),
                               .mu = static_cast<Real>(mu)};
-  for (auto& corners : cells.corners)
-    for (std::uint32_t& corner : corners)
-      corner = static_cast<std::uint32_t>(element(block, corner, lanes));
-  const auto number = [&](std::size_t cell) {
-    return block.is_grid() ? element(block, cell, lanes) : cell;
-  };
+  const std::size_t count = cells.cells.count;
   if (like.shapes != CellShapes::hexahedra) {
     for (const double constant : constants_of(like.cell))
       cells.constants.push_back(static_cast<Real>(constant));
-    cells.is_cell.resize(cells.cells);
-    for (std::size_t cell = 0; cell < cells.cells; ++cell)
-      cells.is_cell[number(cell)] = block.cells[cell] == dynamics::no_cell ? 0 : 1;
+    cells.is_cell.resize(count);
+    dynamics::for_each_cell(block, [&](std::size_t cell, const auto&) {
+      cells.is_cell[dynamics::number_of(block, cell, lanes)] = 1;
+    });
     return cells;
   }
-  for_each_cell(mesh, block, [&](std::size_t cell, const CornerVectors& rest) {
-    const std::vector<double> constants = constants_of(rest);
-    cells.constants.resize(constants.size() * cells.cells);
+  dynamics::for_each_cell(block, [&](std::size_t cell, const auto& slots) {
+    const std::vector<double> constants = constants_of(rest_of(mesh, block, slots));
+    cells.constants.resize(constants.size() * count);
     for (std::size_t n = 0; n < constants.size(); ++n)
-      cells.constants[n * cells.cells + number(cell)] = static_cast<Real>(constants[n]);
+      cells.constants[n * count + dynamics::number_of(block, cell, lanes)] =
+          static_cast<Real>(constants[n]);
   });
   return cells;
 }
@@ -179,24 +135,12 @@ template <class Real>
 std::vector<Real> drag(const Mesh& mesh, const Block& block, double density, double rate,
                        std::size_t lanes) {
   std::vector<double> drag(block.nodes.size(), 0);
-  for_each_cell(mesh, block, [&](std::size_t cell, const CornerVectors& rest) {
-    const auto slots = block.corner_slots(cell);
-    const auto volumes = corner_volumes(rest);
+  dynamics::for_each_cell(block, [&](std::size_t, const auto& slots) {
+    const auto volumes = corner_volumes(rest_of(mesh, block, slots));
     for (std::size_t c = 0; c < 8; ++c)
-      drag[element(block, slots[c], lanes)] += rate * density * volumes[c];
+      drag[dynamics::element_of(block, slots[c], lanes)] += rate * density * volumes[c];
   });
   return {drag.begin(), drag.end()};
-}
-
-template <class Real>
-HexahedronForces<Real> compiled(const HexahedronKind& kind,
-                                dynamics::InstructionSet set) {
-#if defined(__x86_64__)
-  if (set == dynamics::InstructionSet::avx512)
-    return avx512::hexahedron_forces(kind, Real{});
-  if (set == dynamics::InstructionSet::avx2) return avx2::hexahedron_forces(kind, Real{});
-#endif
-  return portable::hexahedron_forces(kind, Real{});
 }
 
 template <class Real>
@@ -214,19 +158,19 @@ dynamics::BlockForces<Real> explicit_kernel(const Mesh& mesh, const Material& ma
                                             double drag_rate,
                                             dynamics::InstructionSet set) {
   const std::size_t lanes = dynamics::lane_count<Real>(set);
+  const double rounding = dynamics::rounding_of(mesh.nodes());
   const auto kernels = std::make_shared<std::vector<Kernel<Real>>>();
   for (const Block& block : blocks) {
-    const Likeness like = likeness(mesh, block);
+    const Likeness like = likeness(mesh, block, rounding);
     HexahedronBlock<Real> cells =
         hexahedron_block<Real>(mesh, block, material, element, like, lanes);
     if (drag_rate > 0)
       cells.drag = drag<Real>(mesh, block, material.density, drag_rate, lanes);
+    const HexahedronKind kind{.one_point = element == ExplicitElement::one_point,
+                              .in_grid = block.is_grid(),
+                              .shapes = like.shapes};
     kernels->push_back(
-        {std::move(cells),
-         compiled<Real>({.one_point = element == ExplicitElement::one_point,
-                         .in_grid = block.is_grid(),
-                         .shapes = like.shapes},
-                        set)});
+        {std::move(cells), SPRINGCHECK_ON_PATH(set, hexahedron_forces(kind, Real{}))});
   }
   return {.lanes = lanes,
           .add = [kernels](std::size_t b, const dynamics::BlockArrays<Real>& arrays) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "dynamics/block_cells.hpp"
 #include "dynamics/block_state.hpp"
 
 namespace springcheck::fem_reference {
@@ -38,15 +39,11 @@ struct HexahedronKind {
 /// row by row.
 template <class Real>
 struct HexahedronBlock {
-  std::size_t row, layer;  // of dynamics::Block
-  // Without a grid, elements of dynamics::BlockArrays:
-  std::vector<std::array<std::uint32_t, 8>> corners;
-  std::size_t cells;  // with those that do not exist
+  dynamics::BlockCells cells;
   // Where the cells are boxes, the component along each direction of the block:
   std::array<std::size_t, 3> axes{0, 1, 2};
   // The n-th of a cell is constants[n] where cells are alike, and else
-  // constants[n cells + cell], 0 where there is no cell. In a grid a cell's number is the
-  // element of its corner 0.
+  // constants[n cells.count + number of the cell], 0 where there is no cell.
   std::vector<Real> constants;
   std::vector<std::uint8_t> is_cell{};  // where cells are alike
   Real half_lambda, mu;                 // [Pa]

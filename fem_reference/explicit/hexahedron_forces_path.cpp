@@ -1,14 +1,12 @@
 // Compiled once per instruction set.
 #include "dynamics/cell_packs.hpp"
+#include "dynamics/pack_vectors.hpp"
 #include "fem_reference/explicit/hexahedron_forces_paths.hpp"
 
 namespace springcheck::fem_reference::SPRINGCHECK_PATH {
 namespace {
 
 using namespace dynamics::SPRINGCHECK_PATH;
-
-template <class Real>
-using Pack3 = std::array<Pack<Real>, 3>;
 
 /// m_s = sum_a phi_s(a) u_a of all modes s (hexahedra.hpp), coordinate by coordinate.
 template <class Real>
@@ -69,7 +67,7 @@ class Constants {
 
   [[gnu::always_inline]] Pack<Real> operator()(std::size_t n, std::size_t cell) const {
     if constexpr (shapes == CellShapes::hexahedra)
-      return load(block_.constants.data() + n * block_.cells + cell);
+      return load(block_.constants.data() + n * block_.cells.count + cell);
     else
       return all(block_.constants[n]);
   }
@@ -103,7 +101,7 @@ class OnePoint {
     std::array<std::array<P, 4>, 3> q;
 #pragma GCC unroll 3
     for (std::size_t i = 0; i < 3; ++i) {
-      const CornerPacks<Real> m = modes_of<Real>(cells.displacements(i));
+      const CornerPacks<Real> m = modes_of<Real>(cells.at_corners(i));
       for_each_b(cell, [&](std::size_t s, std::size_t j, P b) { h[j][i] += m[s] * b; });
       for (std::size_t n = 0; n < 4; ++n) q[i][n] = m[hourglass_modes[n]];
     }
@@ -117,7 +115,7 @@ class OnePoint {
       CornerPacks<Real> g{};
       for (std::size_t n = 0; n < 4; ++n) g[hourglass_modes[n]] = -q[i][n];
       for_each_b(cell, [&](std::size_t s, std::size_t j, P b) { g[s] += p[j][i] * b; });
-      cells.add_forces(i, corners_of<Real>(g));
+      cells.add_at_corners(i, corners_of<Real>(g));
     }
   }
 
@@ -177,7 +175,7 @@ class EightPoints {
   [[gnu::always_inline]] void operator()(std::size_t cell, Cells& cells) const {
     Derivatives d;
     for (std::size_t i = 0; i < 3; ++i) {
-      const CornerPacks<Real> m = modes_of<Real>(cells.displacements(i));
+      const CornerPacks<Real> m = modes_of<Real>(cells.at_corners(i));
       for (std::size_t k = 0; k < 3; ++k) find_derivatives(cell, k, i, m, d[k]);
     }
     const P is_cell = constant_.is_cell(cell);
@@ -200,7 +198,7 @@ class EightPoints {
     for (std::size_t i = 0; i < 3; ++i) {
       CornerPacks<Real> g{};
       for (std::size_t k = 0; k < 3; ++k) add_conjugate(cell, k, i, sums[k], g);
-      cells.add_forces(i, corners_of<Real>(g));
+      cells.add_at_corners(i, corners_of<Real>(g));
     }
   }
 
@@ -292,18 +290,12 @@ void forces(const HexahedronBlock<Real>& block,
   using Cells = std::conditional_t<kind.one_point, OnePoint<Real, kind.shapes>,
                                    EightPoints<Real, kind.shapes>>;
   if (!block.drag.empty()) add_drag(block, arrays);
-  dynamics::BlockArrays<Real> turned = arrays;
+  CellFields<Real, 3, 3> fields;
   for (std::size_t i = 0; i < 3; ++i) {
-    turned.displacement[i] = arrays.displacement[block.axes[i]];
-    turned.force[i] = arrays.force[block.axes[i]];
+    fields.from[i] = arrays.displacement[block.axes[i]];
+    fields.to[i] = arrays.force[block.axes[i]];
   }
-  const Cells forces_of(block);
-  if constexpr (kind.in_grid)
-    for_each_cell_pack(GridCells<Real>(block.row, block.layer, turned), width<Real>,
-                       block.cells, forces_of);
-  else
-    for_each_cell_pack(FreeCells<Real>(block.corners, turned), width<Real>, block.cells,
-                       forces_of);
+  for_each_cell_pack<kind.in_grid>(block.cells, arrays, fields, Cells(block));
 }
 
 template <class Real, bool one_point>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/paths.hpp"
 #include "fem_reference/explicit/hexahedron_block.hpp"
 
 namespace springcheck::fem_reference {
@@ -9,9 +10,7 @@ namespace springcheck::fem_reference {
   HexahedronForces<double> hexahedron_forces(const HexahedronKind& kind, double); \
   HexahedronForces<float> hexahedron_forces(const HexahedronKind& kind, float);   \
   }
-SPRINGCHECK_DECLARE(portable)
-SPRINGCHECK_DECLARE(avx2)
-SPRINGCHECK_DECLARE(avx512)
+SPRINGCHECK_FOR_EACH_PATH(SPRINGCHECK_DECLARE)
 #undef SPRINGCHECK_DECLARE
 
 }  // namespace springcheck::fem_reference

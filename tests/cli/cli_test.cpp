@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
                    "whose continuum fem-cauchy-born is");
   expect_bad_input("table 5.1 --reference mss-custom", "constants of its own");
   expect_bad_input("run compression --solver magic",
-                   "static, explicit, semi-implicit, verlet, implicit");
+                   "static, limit, explicit, semi-implicit, verlet, implicit");
   expect_bad_input("run compression --nu 0.5", "--nu: expected a number in (-1, 0.5)");
   expect_bad_input("run compression --young -1", "--young");
   expect_bad_input("run compression --density nan", "--density");
@@ -293,7 +293,7 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
   expect_bad_input("run tension --deformation 1e200", "at most 100");
   expect_bad_input("run compression --size 1e200,1,1", "1e9 m");
   expect_bad_input("run $(printf 'sc\\377ne.toml')", "UTF-8");
-  expect_bad_input("compare", "run, table, reproduce, measure, sweep, merge, list, mesh");
+  expect_bad_input("compare", "run, table, reproduce, measure, sweep, merge, stability, list, mesh");
   expect_bad_input("", "subcommand");
 }
 

@@ -39,6 +39,9 @@ CaseCheckpoint checkpoint_at(int step) {
     checkpoint.march.state.velocities.emplace_back(
         5e-324, -std::numeric_limits<double>::max(), x / 3);
   }
+  checkpoint.march.stiffest.assign(3 * nodes, -1. / 3);
+  checkpoint.march.look_evaluations = 123456789;
+  checkpoint.march.excess = {.step = step, .dt = 1. / 13, .limit = 1. / 17};
   for (int i = 0; i < 3; ++i) {
     HistorySample sample;
     sample.fill(std::numeric_limits<double>::quiet_NaN());
@@ -63,6 +66,14 @@ void check_same(const CaseCheckpoint& a, const CaseCheckpoint& b) {
   BOOST_TEST(a.march.last_dt == b.march.last_dt);
   BOOST_TEST(a.march.steps_left == b.march.steps_left);
   BOOST_TEST(a.march.limit == b.march.limit);
+  BOOST_TEST(same_bits(a.march.stiffest, b.march.stiffest));
+  BOOST_TEST(a.march.look_evaluations == b.march.look_evaluations);
+  BOOST_TEST_REQUIRE(a.march.excess.has_value() == b.march.excess.has_value());
+  if (a.march.excess) {
+    BOOST_TEST(a.march.excess->step == b.march.excess->step);
+    BOOST_TEST(a.march.excess->dt == b.march.excess->dt);
+    BOOST_TEST(a.march.excess->limit == b.march.excess->limit);
+  }
   BOOST_TEST(same_bits(a.history, b.history));
 }
 
@@ -114,8 +125,21 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_is_read_as_it_was_written_to_the_bit) {
   }
   CaseCheckpoint without = checkpoint_at(1);
   without.history.clear();
+  without.march.stiffest.clear();
+  without.march.excess.reset();
   write_checkpoint(file, "key", without);
   check_same(read_checkpoint(file, "key", nodes).value(), without);
+  BOOST_TEST(file_count(folder.path) == 1U);
+}
+
+// However often a program was killed in the middle of a save: one file is left, which the
+// next save writes over.
+BOOST_AUTO_TEST_CASE(what_a_killed_save_left_is_written_over) {
+  const OwnFolder folder;
+  const fs::path file = folder.path / "run.h5", left = folder.path / "run.h5.unfinished";
+  std::ofstream(left) << std::string(1'000'000, 'x');
+  write_checkpoint(file, "key", checkpoint_at(5));
+  check_same(read_checkpoint(file, "key", nodes).value(), checkpoint_at(5));
   BOOST_TEST(file_count(folder.path) == 1U);
 }
 

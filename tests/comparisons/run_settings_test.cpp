@@ -131,7 +131,7 @@ const std::vector<Bad> bad_scenes{
      "scene.toml:1:8: test: expected one of compression, tension"},
     {good + "element = \"q9\"\n", "scene.toml:9:11: element: expected one of q1, q1-sri"},
     {good + "solver = \"magic\"\n",
-     "scene.toml:9:10: solver: expected one of static, explicit, semi-implicit, verlet, implicit"},
+     "scene.toml:9:10: solver: expected one of static, limit, explicit, semi-implicit, verlet, implicit"},
     {good + "dt = 0\n", "scene.toml:9:6: dt: expected a positive finite number, got 0"},
     {good + "dt = \"soon\"\n",
      "scene.toml:9:6: dt: expected a positive time [s] or 'auto', got 'soon'"},

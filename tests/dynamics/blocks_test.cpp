@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(slots_of_a_grid_are_right_handed) {
 BOOST_AUTO_TEST_CASE(every_slot_has_an_element_of_its_own) {
   const Block block = holey_block();
   for (const std::size_t lanes : {1U, 2U, 4U, 8U, 16U}) {
-    const BlockState<float> state(block, Load::none, lanes);
+    const BlockState<float> state(block, lanes);
     std::set<std::size_t> elements;
     for (std::size_t slot = 0; slot < block.nodes.size(); ++slot)
       elements.insert(state.arrays().element(slot));
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(every_slot_has_an_element_of_its_own) {
 BOOST_AUTO_TEST_CASE(ghosts_are_the_next_lanes_slots) {
   const Block block = holey_block();
   constexpr std::size_t lanes = portable::width<double>;
-  BlockState<double> state(block, Load::none, lanes);
+  BlockState<double> state(block, lanes);
   const BlockArrays<double>& arrays = state.arrays();
   const std::size_t slots = block.nodes.size();
   double* const u = arrays.displacement[0];
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(what_is_done_to_ghosts_reaches_their_originals) {
   constexpr std::size_t lanes = portable::width<double>;
   const std::size_t slots = block.nodes.size();
   for (std::size_t d = 1; d <= block.layer + block.row + 1; ++d) {
-    BlockState<double> state(block, Load::none, lanes);
+    BlockState<double> state(block, lanes);
     const BlockArrays<double>& arrays = state.arrays();
     for (std::size_t slot = 0; slot + d < slots; ++slot)
       arrays.force[1][arrays.element(slot) + d * lanes] += static_cast<double>(slot + 1);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <tuple>
 
 #include "mss/forces.hpp"
 #include "spring_runs.hpp"
@@ -25,11 +26,10 @@ struct Body {
   Network network;
 };
 
-Body pressed_cube(int n, double nu, double strain) {
+Body pressed_cube(int n, double nu, double strain, Method method = Method::cf) {
   Mesh mesh = cube(n, h);
   Scene scene = between_plates(tissue_of(nu), {0, 0, -strain * n * h});
-  Network network =
-      build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
+  Network network = build_network(mesh, scene.material, in_shear_modulus_form(method));
   return {std::move(mesh), std::move(scene), std::move(network)};
 }
 
@@ -95,8 +95,9 @@ BOOST_AUTO_TEST_CASE(a_run_goes_on_from_a_checkpoint_to_the_bit) {
     }
 }
 
-// The step is looked at again every 1000; on the way to 20 % of compression it becomes
-// longer after the 3000th: behind a checkpoint, in the very step of one, and before one.
+// The limit is looked at 40 times on the way; to 20 % of compression the step becomes
+// longer by a fifth: behind a checkpoint, in the very step of a look, and before one. The
+// motion that the next look starts from comes back as well.
 BOOST_AUTO_TEST_CASE(a_run_whose_step_changes_goes_on_to_the_bit) {
   const Body body = pressed_cube(3, 0.4, 0.2);
   for (const Precision precision :
@@ -107,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_run_whose_step_changes_goes_on_to_the_bit) {
       settings.precision = precision;
       const std::vector<Checkpoint> saved =
           checkpoints(body, settings, {1000, 2999, 3000, 3210});
-      BOOST_TEST(saved[1].dt == saved[0].dt);
+      BOOST_TEST(!saved[0].stiffest.empty());
       BOOST_TEST(saved[3].dt > 1.02 * saved[0].dt);
       check_goes_on_to_the_bit(body, settings, {1000, 2999, 3000, 3210});
     }
@@ -175,9 +176,10 @@ BOOST_AUTO_TEST_CASE(a_forced_step_above_the_limit_ends_diverged) {
         settings.precision = precision;
         const Solution refused = run(body, settings);
         BOOST_TEST((refused.status == SolveStatus::refused));
-        BOOST_TEST(
-            refused.reason.find("nu = 0.25, cells of 0.005 m") != std::string::npos,
-            refused.reason);
+        const std::string cause = integrator == Integrator::explicit_euler
+                                      ? "without dashpots (--damping)"
+                                      : "nu = 0.25, cells of 0.005 m";
+        BOOST_TEST(refused.reason.find(cause) != std::string::npos, refused.reason);
         settings.protocol.force_time_step = true;
         const Solution forced = run(body, settings);
         BOOST_TEST((forced.status == SolveStatus::diverged));
@@ -189,11 +191,112 @@ BOOST_AUTO_TEST_CASE(a_forced_step_above_the_limit_ends_diverged) {
       }
 }
 
+// Near nu = .5 the limit falls within a few hundred steps: that at rest is, for all the
+// way, too long for mss-cf. mss-affine bears it to 20 %, and its looks are of another
+// kernel.
+BOOST_AUTO_TEST_CASE(an_open_step_follows_the_limit_in_short_runs_too) {
+  for (const auto& [method, nu, strain, duration] : {std::tuple(Method::cf, .49, .2, .1),
+                                                     {Method::cf, .499, .3, .1},
+                                                     {Method::affine, .499, .2, .05}}) {
+    const Body body = pressed_cube(4, nu, strain, method);
+    const DynamicsSettings settings =
+        settings_of(Integrator::semi_implicit_euler, duration, std::nullopt, .05);
+    const Solution end = run(body, settings);
+    BOOST_TEST_CONTEXT("nu " << nu << ", strain " << strain) {
+      BOOST_TEST((end.status == SolveStatus::ok), end.reason);
+      BOOST_TEST(end.steps < 1200);
+      BOOST_TEST(end.force_evaluations > 1.1 * end.steps);  // looks are counted
+      DynamicsSettings held = settings;
+      held.protocol.time_step = .9 * limit_of(body, .05);
+      if (method == Method::cf)
+        BOOST_TEST((run(body, held).status == SolveStatus::diverged));
+      check_goes_on_to_the_bit(body, settings, {end.steps / 3, end.steps / 2});
+    }
+  }
+}
+
+// The user's step is not changed. It is above the limit of the body as it is then, and
+// what grows has no time to become large.
+BOOST_AUTO_TEST_CASE(a_step_that_comes_to_lie_above_the_limit_is_named) {
+  const Body body = pressed_cube(4, .49, .2);
+  DynamicsSettings settings = settings_of(Integrator::semi_implicit_euler, .1, 0, .05);
+  settings.protocol.time_step = .9 * limit_of(body, .05);
+  std::vector<Checkpoint> seen;
+  run(body, settings,
+      {.checkpoint = [&](const Checkpoint& now) { seen.push_back(now); },
+       .seconds_between_checkpoints = 0});
+  const auto first = std::ranges::find_if(
+      seen, [](const Checkpoint& now) { return now.excess.has_value(); });
+  BOOST_TEST_REQUIRE((first != seen.end()));
+  BOOST_TEST(first->step == first->excess->step);
+  BOOST_TEST(first->limit < first->dt);
+  BOOST_TEST(first->limit == first->excess->limit);
+  Checkpoint near_end = *first;
+  near_end.steps_left = 3;
+  near_end.time = settings.protocol.duration - 3 * near_end.dt;
+  const Solution end = run(body, settings, {.from = near_end});
+  BOOST_TEST((end.status == SolveStatus::ok), end.reason);
+  BOOST_TEST(end.reason.find("of the strained body from step " +
+                             std::to_string(first->step) + " on") != std::string::npos,
+             end.reason);
+}
+
+// Dashpots and the springs' nonlinearity hold what grows: positions stay near, and plate
+// forces are of the wrong sign.
+BOOST_AUTO_TEST_CASE(a_held_instability_ends_diverged) {
+  const Body body = pressed_cube(4, .499, .05, Method::affine);
+  const double dt = 1.02 * limit_of(body, 1);
+  DynamicsSettings settings = settings_of(Integrator::verlet, 20000 * dt, dt, 1);
+  settings.protocol.force_time_step = true;
+  const Solution end = run(body, settings);
+  BOOST_TEST((end.status == SolveStatus::diverged));
+  BOOST_TEST(end.steps < 2000);
+  BOOST_TEST(
+      end.reason.find("turned round from step to step by step " +
+                      std::to_string(end.steps) + " of 20000") != std::string::npos,
+      end.reason);
+  BOOST_TEST(end.reason.find("of the body at rest from step 0 on") != std::string::npos,
+             end.reason);
+}
+
+// The mean of those half a step before and after: a motion that every step turns round
+// has velocities of zero in between. Rounding of sums, and of forces by plain loops.
+BOOST_AUTO_TEST_CASE(kinetic_energy_of_verlet_is_the_mean_of_half_steps) {
+  Body body = pressed_cube(2, .25, 0);
+  body.scene = in_free_space(tissue_of(.25));
+  const double dt = .9 * limit_of(body, 0);
+  const std::size_t nodes = body.mesh.nodes().size();
+  std::vector<double> sampled, half_steps;
+  run(body, settings_of(Integrator::verlet, 12 * dt, dt, 0),
+      {.samples = 12,
+       .sample = [&](const Moment& now) { sampled.push_back(now.kinetic_energy); },
+       .checkpoint =
+           [&](const Checkpoint& now) {
+             half_steps.push_back(0);
+             for (std::size_t n = 0; n < nodes; ++n)
+               half_steps.back() +=
+                   body.network.masses[n] / 2 * now.state.velocities[n].squaredNorm();
+           },
+       .seconds_between_checkpoints = 0,
+       .from = Checkpoint{.state = {.displacements = random_field(nodes, 1e-3 * h, 1),
+                                    .velocities = random_field(nodes, 1e-3, 2)},
+                          .dt = dt,
+                          .last_dt = dt,
+                          .steps_left = 12,
+                          .limit = dt / .9}});
+  BOOST_TEST_REQUIRE(sampled.size() == 12U);
+  BOOST_TEST_REQUIRE(half_steps.size() == 11U);
+  for (std::size_t n = 0; n + 1 < half_steps.size(); ++n)
+    BOOST_TEST(sampled[n] == (half_steps[n] + half_steps[n + 1]) / 2,
+               boost::test_tools::tolerance(1e-11));
+}
+
 // Energies of a symplectic scheme swing and do not drift: their means over the first and
 // the last thousand steps agree to 1 %, while explicit Euler's grow without end. At omega
-// dt = 1, half the limit, a mode's energy swings by up to (omega dt)^2/4 of it with
-// Verlet; semi-implicit Euler's velocities are in truth those of half a step before,
-// which adds omega dt/2 to either side.
+// dt = 1, half the limit, a mode's energy swings by up to (omega dt)^2/2 of it with
+// Verlet: that of x_n and v_n by half as much, which the mean of half steps doubles,
+// and all modes together by less than half of that; semi-implicit Euler's velocities are
+// in truth those of half a step before, which adds omega dt/2 to either side.
 BOOST_AUTO_TEST_CASE(an_undamped_run_keeps_its_energy) {
   Body body = pressed_cube(3, 0.4, 0);
   body.scene = in_free_space(tissue_of(0.4));

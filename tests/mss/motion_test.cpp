@@ -75,55 +75,58 @@ Momenta momenta(const Network& network, const State& state) {
 // are allowed, so that there are some here.
 BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits) {
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, 4);
-  const Network network =
-      build_network(large_mesh(), tissue_of(0.4), in_shear_modulus_form(Method::cf));
-  for (const InstructionSet set : dynamics::all_instruction_sets) {
-    if (!dynamics::is_available(set)) continue;
-    for (const Precision precision :
-         {Precision::double_precision, Precision::single_precision}) {
-      DynamicsSettings settings =
-          settings_of(Integrator::semi_implicit_euler, 1, std::nullopt, 0.1);
-      settings.precision = precision;
-      const State alone = after_steps(large_mesh(), network, settings, set);
-      BOOST_TEST(largest(alone.displacements) < 0.2 * h);  // it has not blown up
-      for (const int threads : {2, 4}) {
-        settings.threads = threads;
-        const State together = after_steps(large_mesh(), network, settings, set);
-        BOOST_TEST(same_bits(together.displacements, alone.displacements));
-        BOOST_TEST(same_bits(together.velocities, alone.velocities));
+  for (const Method method : {Method::cf, Method::affine}) {
+    const Network network =
+        build_network(large_mesh(), tissue_of(0.4), in_shear_modulus_form(method));
+    for (const InstructionSet set : dynamics::all_instruction_sets) {
+      if (!dynamics::is_available(set)) continue;
+      for (const Precision precision :
+           {Precision::double_precision, Precision::single_precision}) {
+        DynamicsSettings settings =
+            settings_of(Integrator::semi_implicit_euler, 1, std::nullopt, 0.1);
+        settings.precision = precision;
+        const State alone = after_steps(large_mesh(), network, settings, set);
+        BOOST_TEST(largest(alone.displacements) < 0.2 * h);  // it has not blown up
+        for (const int threads : {2, 4}) {
+          settings.threads = threads;
+          const State together = after_steps(large_mesh(), network, settings, set);
+          BOOST_TEST(same_bits(together.displacements, alone.displacements));
+          BOOST_TEST(same_bits(together.velocities, alone.velocities));
+        }
       }
     }
   }
 }
 
-// Forces agree to 1e-13 and 2e-6 of k L (lattice_kernel_test), which moves a node by
+// Forces agree to 1e-13 and 2e-6 of k L (spring_kernels_test), which moves a node by
 // about that part of h in a step; 40 steps amplify it little (measured: up to 1.6e-6 of
 // h, and 9e-6 with explicit Euler, which is not stable, in single precision).
 BOOST_AUTO_TEST_CASE(kernels_and_plain_loops_make_the_same_run) {
   const Mesh mesh = dynamics::shuffled_cells(
       {dynamics::even(13, h), dynamics::even(12, h), dynamics::graded(11, h)}, 0.7, 2);
-  const Network network =
-      build_network(mesh, tissue_of(0.4), in_shear_modulus_form(Method::cf));
-  for (const auto& [name, integrator] : explicit_integrators)
-    for (const double zeta : {0., 0.1}) BOOST_TEST_CONTEXT(name << ", zeta " << zeta) {
-        DynamicsSettings settings = settings_of(integrator, 1, std::nullopt, zeta);
-        settings.kernel = Kernel::plain;
-        const State plain =
-            after_steps(mesh, network, settings, dynamics::best_instruction_set());
-        BOOST_TEST(largest(plain.displacements) > 0.05 * h);
-        settings.kernel = Kernel::fast;
-        for (const InstructionSet set : dynamics::all_instruction_sets) {
-          if (!dynamics::is_available(set)) continue;
-          const State fast = after_steps(mesh, network, settings, set);
-          BOOST_TEST(largest_difference(fast.displacements, plain.displacements) <
-                     1e-12 * h);
-          settings.precision = Precision::single_precision;
-          const State rough = after_steps(mesh, network, settings, set);
-          settings.precision = Precision::double_precision;
-          BOOST_TEST(largest_difference(rough.displacements, plain.displacements) <
-                     2e-5 * h);
+  for (const Method method : {Method::cf, Method::affine})
+    for (const auto& [name, integrator] : explicit_integrators)
+      for (const double zeta : {0., 0.1}) BOOST_TEST_CONTEXT(name << ", zeta " << zeta) {
+          const Network network =
+              build_network(mesh, tissue_of(0.4), in_shear_modulus_form(method));
+          DynamicsSettings settings = settings_of(integrator, 1, std::nullopt, zeta);
+          settings.kernel = Kernel::plain;
+          const State plain =
+              after_steps(mesh, network, settings, dynamics::best_instruction_set());
+          BOOST_TEST(largest(plain.displacements) > 0.05 * h);
+          settings.kernel = Kernel::fast;
+          for (const InstructionSet set : dynamics::all_instruction_sets) {
+            if (!dynamics::is_available(set)) continue;
+            const State fast = after_steps(mesh, network, settings, set);
+            BOOST_TEST(largest_difference(fast.displacements, plain.displacements) <
+                       1e-12 * h);
+            settings.precision = Precision::single_precision;
+            const State rough = after_steps(mesh, network, settings, set);
+            settings.precision = Precision::double_precision;
+            BOOST_TEST(largest_difference(rough.displacements, plain.displacements) <
+                       2e-5 * h);
+          }
         }
-      }
 }
 
 // Restored, a motion forgets where it was: what state() gives and forces_at() leaves are

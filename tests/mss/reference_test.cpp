@@ -44,7 +44,9 @@ Measured measured(const Block& block, StiffnessForm form, double nu,
       .network = {.method = Method::cf, .stiffness_form = form, .diagonal_ratio = 1},
 
       .dynamics = {},
-      .seed = 1};
+      .to_limit = false,
+      .seed = 1,
+      .noise = 0};
   const Solution solution = solve(mesh, scene, settings);
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
 
@@ -156,7 +158,9 @@ double tip_drop(const Beam& beam, int cells_across) {
   const Settings settings{.network = in_shear_modulus_form(beam.method),
 
                           .dynamics = {},
-                          .seed = 1};
+                          .to_limit = false,
+                          .seed = 1,
+                          .noise = 0};
   const Solution solution = solve(mesh, scene, settings);
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
   // The middle of the end face, which is the last layer of nodes.

@@ -152,46 +152,100 @@ BOOST_AUTO_TEST_CASE(prescribed_components_never_shorten_the_step) {
 }
 
 // The real thing: 2 % below the limit the motion stays of the size of what is imposed,
-// and 2 % above it grows from step to step: without dashpots until it has left all
-// bounds, with them at least to several times (measured: 8 to 1e37 times) what is
-// imposed, where the springs' nonlinearity may hold it. Plate and gravity are oblique, to
-// stir modes of every symmetry.
-BOOST_AUTO_TEST_CASE(dynamics_is_stable_below_the_limit_and_not_above) {
+// and 2 % above it is found to be unstable: with dashpots by the velocities that turn
+// round from step to step, where the springs' nonlinearity holds the motion. Near the
+// limit z = -1 - 3 (dt/limit - 1) at zeta = 1, its least: out of rounding the motion
+// grows by 6 % a step, to its full size within 700 steps. Plate and gravity are oblique,
+// to stir modes of every symmetry.
+BOOST_AUTO_TEST_CASE(dynamics_is_stable_below_the_limit_and_diverged_above) {
   const Mesh mesh = cube(3, 0.005);
   constexpr double squeeze = 1e-4;  // [m]
-  for (const auto& [name, method] : methods_on_cubes)
+  for (const auto& [name, method] : methods)
     for (const double nu : {0., 0.25, 0.4, 0.499})
-      for (const auto& [integrator, damping] :
-           {std::pair(Integrator::semi_implicit_euler, 0.),
-            std::pair(Integrator::semi_implicit_euler, 0.2),
-            std::pair(Integrator::verlet, 0.)}) {
-        const Scene scene{.material = tissue(nu),
-                          .plates = {{"bottom", translation({0, 0, 0}), all_components},
-                                     {"top", translation(squeeze * Vector3(.4, .3, -1)),
-                                      all_components}},
-                          .gravity = {1, 2, 3}};
-        const Network network =
-            build_network(mesh, scene.material, in_shear_modulus_form(method));
-        const double limit = largest_stable_step(
-            network, damping, free_components(mesh, prescribed_components(mesh, scene)));
-        const auto run = [&, by = integrator, damped = damping](double fraction) {
-          return run_dynamics(mesh, scene, network,
-                              {.protocol = {.integrator = by,
-                                            .duration = 1000 * fraction * limit,
-                                            .time_step = fraction * limit,
-                                            .force_time_step = true},
-                               .damping_ratio = damped});
-        };
-        BOOST_TEST_CONTEXT(name << ", nu " << nu << ", zeta " << damping) {
-          const Solution below = run(0.98), above = run(1.02);
-          BOOST_TEST((below.status == SolveStatus::ok), below.reason);
-          BOOST_TEST(below.steps == 1000);
-          BOOST_TEST(largest(below.displacements) < 2 * squeeze);
-          if (damping == 0)
+      for (const Integrator integrator :
+           {Integrator::semi_implicit_euler, Integrator::verlet})
+        for (const double damping : {0., 0.05, 0.2, 1.}) {
+          const Scene scene{.material = tissue(nu),
+                            .plates = {{"bottom", translation({0, 0, 0}), all_components},
+                                       {"top", translation(squeeze * Vector3(.4, .3, -1)),
+                                        all_components}},
+                            .gravity = {1, 2, 3}};
+          if (reason_to_refuse(mesh, scene.material, method)) continue;
+          const Network network =
+              build_network(mesh, scene.material, in_shear_modulus_form(method));
+          const double limit = largest_stable_step(
+              network, damping,
+              free_components(mesh, prescribed_components(mesh, scene)));
+          const auto run = [&](double fraction) {
+            return run_dynamics(mesh, scene, network,
+                                {.protocol = {.integrator = integrator,
+                                              .duration = 1000 * fraction * limit,
+                                              .time_step = fraction * limit,
+                                              .force_time_step = true},
+                                 .damping_ratio = damping});
+          };
+          BOOST_TEST_CONTEXT(name << ", nu " << nu << ", zeta " << damping << ", "
+                                  << static_cast<int>(integrator)) {
+            const Solution below = run(0.98), above = run(1.02);
+            BOOST_TEST((below.status == SolveStatus::ok), below.reason);
+            BOOST_TEST(below.steps == 1000);
+            BOOST_TEST(largest(below.displacements) < 2 * squeeze);
             BOOST_TEST((above.status == SolveStatus::diverged));
-          else
-            BOOST_TEST((above.status == SolveStatus::diverged ||
-                        largest(above.displacements) > 5 * squeeze));
+            BOOST_TEST(above.reason.find("by step " + std::to_string(above.steps)) !=
+                           std::string::npos,
+                       above.reason);
+          }
+        }
+}
+
+// From the limit at rest on, state by state as a march looks at them: within the 1 % that
+// is claimed of a search from nothing.
+BOOST_AUTO_TEST_CASE(limits_found_near_are_those_found_from_nothing,
+                     *boost::unit_test::tolerance(0.01)) {
+  const Mesh mesh = cube(4, 0.005);
+  const Scene scene{.material = tissue(.49), .plates = {}, .gravity = Vector3::Zero()};
+  for (const auto& [name, method] :
+       {NamedMethod{"mss-cf", Method::cf}, NamedMethod{"mss-affine", Method::affine}})
+    for (const double damping : {0., 0.05, 1.}) {
+      const Network network =
+          build_network(mesh, scene.material, in_shear_modulus_form(method));
+      const DynamicsSettings settings{
+          .protocol = {.integrator = Integrator::semi_implicit_euler,
+                       .duration = 1,
+                       .time_step = std::nullopt,
+                       .force_time_step = false},
+          .damping_ratio = damping};
+      const auto motion = motion_of(mesh, scene, network, settings);
+      const std::size_t nodes = mesh.nodes().size();
+      dynamics::State state{.displacements = std::vector<Vector3>(nodes, Vector3::Zero()),
+                            .velocities = std::vector<Vector3>(nodes, Vector3::Zero())};
+      const auto limit = [&](const dynamics::StableStep* near) {
+        return dynamics::largest_stable_step(
+            {.forces = {},
+             .state = state,
+             .masses = network.masses,
+             .is_free = std::vector<bool>(3 * nodes, true),
+             .amplitude = dynamics::probe * 0.005,
+             .has_dashpots = damping > 0},
+            *motion, Precision::double_precision, state, Integrator::semi_implicit_euler,
+            near);
+      };
+      dynamics::StableStep found = limit(nullptr);
+      const double at_rest = found.limit;
+      const int from_nothing = found.force_evaluations;
+      for (int look = 1; look <= 20; ++look) {
+        for (std::size_t n = 0; n < nodes; ++n) {
+          const Vector3& x = mesh.nodes()[n];
+          state.displacements[n] =
+              look / 20. *
+              Vector3(.2 * x.x() + 4 * x.y() * x.z(), -.2 * x.y(), -.3 * x.z());
+        }
+        found = limit(&found);
+        BOOST_TEST_CONTEXT(name << ", zeta " << damping << ", look " << look) {
+          BOOST_TEST(found.limit == limit(nullptr).limit);
+          if (look > 3) BOOST_TEST(found.force_evaluations < from_nothing / 2);
         }
       }
+      BOOST_TEST(std::abs(found.limit / at_rest - 1) > 0.03);  // there was a way to go
+    }
 }

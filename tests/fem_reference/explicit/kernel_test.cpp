@@ -65,8 +65,8 @@ double difference(const Mesh& mesh, const Material& material, ExplicitElement el
       plain_forces(mesh, lame_constants(material), element, u);
   for (std::size_t n = 0; n < u.size(); ++n) expected[n] -= rate * masses[n] * v[n];
   const auto found = dynamics::summed_forces<Real>(
-      blocks, explicit_kernel<Real>(mesh, material, element, blocks, rate, set), u, v,
-      masses);
+      blocks, explicit_kernel<Real>(mesh, material, element, blocks, rate, set), set,
+      {u, v}, masses);
   double largest = 0;
   for (std::size_t n = 0; n < u.size(); ++n)
     largest = std::max(largest, (found[n] - expected[n]).norm());
@@ -116,11 +116,10 @@ BOOST_AUTO_TEST_CASE(small_strains_keep_their_digits) {
   const std::vector<double> masses = lumped_masses(mesh, material.density);
   for (const ExplicitElement element : explicit_elements) {
     const auto expected = plain_forces(mesh, lame_constants(material), element, u);
+    const auto set = dynamics::best_instruction_set();
     const auto found = dynamics::summed_forces<float>(
-        blocks,
-        explicit_kernel<float>(mesh, material, element, blocks, 0,
-                               dynamics::best_instruction_set()),
-        u, at_rest, masses);
+        blocks, explicit_kernel<float>(mesh, material, element, blocks, 0, set), set,
+        {u, at_rest}, masses);
     for (std::size_t n = 0; n < u.size(); ++n)
       BOOST_TEST((found[n] - expected[n]).norm() < 2e-6 * longest(expected));
   }

@@ -9,8 +9,8 @@ namespace springcheck::mss {
 /// Forces of springs of constant rest length, of the cells' volume correction and, with a
 /// damping ratio above 0, of the springs' dashpots on blocks of a grid: those of
 /// nodal_forces and add_dashpot_forces, to 1e-13 (double) and 2e-6 (float) of the largest
-/// k L as long as kappa is at most some 50 mu. Springs that blocks share belong to the
-/// first of them.
+/// k L, times kappa/(50 mu) where that is above 1, from nu = .49 on. Springs that blocks
+/// share belong to the first of them.
 ///
 /// The network has no virtual springs, affine springs or stars: takes_lattice_kernel.
 template <class Real>

@@ -1,4 +1,4 @@
-#include "mss/border_springs.hpp"
+#include "mss/kernels/border_springs.hpp"
 
 #include <algorithm>
 

@@ -2,37 +2,19 @@
 #include <limits>
 
 #include "dynamics/ghosts.hpp"
-#include "mss/lattice_forces_paths.hpp"
+#include "dynamics/pack_vectors.hpp"
+#include "mss/kernels/lattice_forces_paths.hpp"
+#include "mss/kernels/pack_deformation.hpp"
 
 namespace springcheck::mss::SPRINGCHECK_PATH {
 namespace {
 
 using namespace dynamics::SPRINGCHECK_PATH;
 
-/// Added to a spring's square: nothing beside any length, and a length of zero is no
-/// division by zero and pulls nowhere [m^2].
-template <class Real>
-inline constexpr Real tiny_square = Real(1e-36);
-
-template <class Real>
-using Pack3 = std::array<Pack<Real>, 3>;
-
 template <class Real>
 [[gnu::always_inline]] inline Pack3<Real> load3(const std::array<Real*, 3>& field,
                                                 std::size_t at) {
   return {load(field[0] + at), load(field[1] + at), load(field[2] + at)};
-}
-
-template <class Real>
-[[gnu::always_inline]] inline Pack<Real> dot(const Pack3<Real>& a, const Pack3<Real>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class Real>
-[[gnu::always_inline]] inline Pack3<Real> cross(const Pack3<Real>& a,
-                                                const Pack3<Real>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-          a[0] * b[1] - a[1] * b[0]};
 }
 
 /// The forces on a block, a row of its lanes at a time. Springs and cells lead from a row
@@ -55,8 +37,7 @@ class Stencil {
     fill_ghosts(arrays_, arrays_.displacement);
     if constexpr (kind.dashpots) {
       fill_ghosts(arrays_, arrays_.velocity);
-      fill_ghosts(arrays_,
-                  {arrays_.inverse_mass, arrays_.inverse_mass, arrays_.inverse_mass});
+      fill_ghosts(arrays_, std::array{arrays_.inverse_mass});
     }
     const std::size_t end = block_.rows * lanes;
     for (std::size_t at = 0; at < end; at += lanes) forces_from(at);
@@ -232,13 +213,7 @@ class Stencil {
                 e = load(block_.gradients[j][2 * r + 1].data() + at);
         for (std::size_t i = 0; i < 3; ++i) h[j][i] += u[r][i] * g + w[r][i] * e;
       }
-    std::array<P3, 3> f = h;
-    for (std::size_t i = 0; i < 3; ++i) f[i][i] += Real(1);
-    const std::array<P3, 3> cofactor{cross<Real>(f[1], f[2]), cross<Real>(f[2], f[0]),
-                                     cross<Real>(f[0], f[1])};
-    // det F - 1 as above, the edges at rest being the unit vectors.
-    const P change =
-        dot<Real>(h[0], cofactor[0]) + (h[1][1] * f[2][2] - h[1][2] * f[2][1]) + h[2][2];
+    const auto [cofactor, change] = volume_of<Real>(h);
     const P push =
         -block_.volume_modulus * load(block_.cell_volumes.data() + at) * change;
     for (std::size_t r = 0; r < 4; ++r)

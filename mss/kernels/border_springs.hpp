@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "mss/lattice_cells.hpp"
+#include "mss/kernels/lattice_cells.hpp"
 
 namespace springcheck::mss {
 

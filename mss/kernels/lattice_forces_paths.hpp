@@ -1,6 +1,7 @@
 #pragma once
 
-#include "mss/lattice_block.hpp"
+#include "dynamics/paths.hpp"
+#include "mss/kernels/lattice_block.hpp"
 
 namespace springcheck::mss {
 
@@ -9,9 +10,7 @@ namespace springcheck::mss {
   LatticeForces<double> lattice_forces(const LatticeKind& kind, double); \
   LatticeForces<float> lattice_forces(const LatticeKind& kind, float);   \
   }
-SPRINGCHECK_DECLARE(portable)
-SPRINGCHECK_DECLARE(avx2)
-SPRINGCHECK_DECLARE(avx512)
+SPRINGCHECK_FOR_EACH_PATH(SPRINGCHECK_DECLARE)
 #undef SPRINGCHECK_DECLARE
 
 }  // namespace springcheck::mss

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "dynamics/blocks.hpp"
-#include "mss/lattice_block.hpp"
+#include "dynamics/block_cells.hpp"
+#include "mss/kernels/lattice_block.hpp"
 #include "mss/network.hpp"
 
-// Where the cells and springs of a network are in the blocks of a grid.
+// Where the cells and springs of a network are in blocks.
 namespace springcheck::mss {
 
 /// A cell's spring where the grid has it: leaves `slot` by lattice_steps[step].
@@ -26,16 +26,14 @@ PlacedSpring placed(const dynamics::Block& block, std::size_t cell, std::size_t 
 template <class Visit>
 void for_each_cell(const Network& network, const dynamics::Block& block,
                    const Visit& visit) {
-  for (std::size_t cell = 0; cell < block.cells.size(); ++cell) {
-    if (block.cells[cell] == dynamics::no_cell) continue;
-    const auto slots = block.corner_slots(cell);
+  dynamics::for_each_cell(block, [&](std::size_t cell, const auto& slots) {
     const auto nodes = network.cells.nodes(block.cells[cell]);
     std::array<std::size_t, 8> corner{};
     for (std::size_t c = 0; c < 8; ++c)
       corner[static_cast<std::size_t>(std::ranges::find(nodes, block.nodes[slots[c]]) -
                                       nodes.begin())] = c;
     visit(cell, block.cells[cell], corner);
-  }
+  });
 }
 
 /// Calls visit(placed spring) for every spring of every cell of the block.
@@ -50,24 +48,23 @@ void for_each_placed(const Network& network, const dynamics::Block& block,
                 });
 }
 
-/// What the cells of a block have in common, if they do: of each step the rest vector and
-/// one share's stiffness, 0 where there are none; the mean edges and the volume.
+/// What the cells of a block have in common, if they do: the edges, as columns, and the
+/// volume; of each step the rest vector and one share's stiffness, 0 where there are
+/// none.
 struct CommonShape {
   std::array<Vector3, 13> rest{};
   std::array<double, 13> share{};
-  std::array<Vector3, 3> edges;
+  Eigen::Matrix3d edges;
   double volume = 0;
   double relative_rounding = 0;
-  bool alike = true;
+  bool alike = false;
 };
 
 /// Positions differ from those of a perfect grid by their rounding; numbers that go with
 /// a length by a few times that over the cells' edge, CommonShape::relative_rounding.
 bool equal_but_for_rounding(double a, double b, double relative_rounding);
 
-/// What the rounding of the rest positions does to a distance [m].
-double rounding_of(const Network& network);
-
+/// rounding: dynamics::rounding_of the rest positions.
 CommonShape common_shape(const Network& network, const dynamics::Block& block,
                          double rounding);
 

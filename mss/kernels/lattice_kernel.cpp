@@ -1,9 +1,10 @@
-#include "mss/lattice_kernel.hpp"
+#include "mss/kernels/lattice_kernel.hpp"
 
+#include <algorithm>
 #include <memory>
 
-#include "mss/border_springs.hpp"
-#include "mss/lattice_forces_paths.hpp"
+#include "mss/kernels/border_springs.hpp"
+#include "mss/kernels/lattice_forces_paths.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -32,14 +33,20 @@ LatticeBlock<Real> with_common(const Block& block, const CommonShape& common,
       lattice.shares[i].resize(slots);
     }
     for (std::size_t i = 0; i < 3; ++i)
-      lattice.fourfold_edges[i] = rounded(4 * common.edges[i]);
-    lattice.sixteenfold_area = rounded(16 * common.edges[0].cross(common.edges[1]));
+      lattice.fourfold_edges[i] =
+          rounded(4 * common.edges.col(static_cast<Eigen::Index>(i)));
+    lattice.sixteenfold_area =
+        rounded(16 * common.edges.col(0).cross(common.edges.col(1)));
     lattice.push_per_change = static_cast<Real>(-kappa / common.volume / (4. * 16 * 64));
     lattice.is_cell.resize(slots);
     for (std::size_t s = 0; s < slots; ++s)
       lattice.is_cell[lattice.element(s)] = block.cells[s] == dynamics::no_cell ? 0 : 1;
     return lattice;
   }
+  // Places of nodes are taken from one of the block's own: rounded where they stand,
+  // those far from the origin would lose what forces need.
+  const NodeIndex first = *std::ranges::find_if(
+      block.nodes, [](NodeIndex node) { return node != dynamics::no_node; });
   // Ghosts as in dynamics::BlockArrays, but of what never moves.
   const std::size_t rows = lattice.rows + block.layer + block.row + 2;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -48,7 +55,8 @@ LatticeBlock<Real> with_common(const Block& block, const CommonShape& common,
       const std::size_t slot = at / lanes + at % lanes * lattice.rows;
       if (slot < slots && block.nodes[slot] != dynamics::no_node)
         lattice.position[i][at] = static_cast<Real>(
-            network.rest_positions[block.nodes[slot]][static_cast<Eigen::Index>(i)]);
+            (network.rest_positions[block.nodes[slot]] -
+             network.rest_positions[first])[static_cast<Eigen::Index>(i)]);
     }
   }
   for (auto& list : lattice.stiffnesses) list.resize(slots);
@@ -82,16 +90,6 @@ void add_spring(LatticeBlock<Real>& lattice, bool alike, std::size_t step,
 }
 
 template <class Real>
-LatticeForces<Real> compiled(const LatticeKind& kind, dynamics::InstructionSet set) {
-#if defined(__x86_64__)
-  if (set == dynamics::InstructionSet::avx512)
-    return avx512::lattice_forces(kind, Real{});
-  if (set == dynamics::InstructionSet::avx2) return avx2::lattice_forces(kind, Real{});
-#endif
-  return portable::lattice_forces(kind, Real{});
-}
-
-template <class Real>
 struct Kernel {
   LatticeBlock<Real> block;
   LatticeForces<Real> forces;
@@ -109,7 +107,7 @@ dynamics::BlockForces<Real> lattice_kernel(const Network& network,
                                            const std::vector<Block>& blocks,
                                            double damping_ratio,
                                            dynamics::InstructionSet set) {
-  const double rounding = rounding_of(network);
+  const double rounding = dynamics::rounding_of(network.rest_positions);
   std::vector<CommonShape> common;
   for (const Block& block : blocks)
     common.push_back(common_shape(network, block, rounding));
@@ -131,7 +129,8 @@ dynamics::BlockForces<Real> lattice_kernel(const Network& network,
                            .face_diagonals = has_face_diagonals,
                            .correction = network.volume_modulus != 0,
                            .dashpots = damping_ratio > 0};
-    kernels->push_back({std::move(lattice), compiled<Real>(kind, set)});
+    kernels->push_back(
+        {std::move(lattice), SPRINGCHECK_ON_PATH(set, lattice_forces(kind, Real{}))});
   }
   border.for_each([&](const BorderSprings::Sum& sum) {
     add_spring((*kernels)[sum.block].block, common[sum.block].alike, sum.step, sum.slot,

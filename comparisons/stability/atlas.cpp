@@ -1,0 +1,265 @@
+#include "comparisons/stability/atlas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "comparisons/memory.hpp"
+#include "comparisons/scene_file.hpp"
+
+namespace springcheck {
+namespace {
+
+constexpr double precision = 0.01;  // of limits
+
+/// The cases of all methods at some values of the axes.
+std::vector<CaseSettings> cases_at(const AtlasPlan& plan,
+                                   const std::vector<std::string>& values,
+                                   const std::vector<GivenSetting>& further = {}) {
+  std::vector<GivenSetting> options = plan.options;
+  for (std::size_t i = 0; i < plan.axes.size(); ++i)
+    options.push_back(setting(plan.axes[i], values[i]));
+  options.insert(options.end(), further.begin(), further.end());
+  const RunSettings run = read_run(plan.scene, options);
+  std::vector<CaseSettings> cases;
+  for (const Method& method : run.methods) {
+    cases.push_back(run.common);
+    cases.back().method = method;
+  }
+  return cases;
+}
+
+/// A method at a value of the second axis: what has one limit along the first.
+struct Line {
+  std::size_t method;                     // place among the methods
+  std::vector<std::string> others;        // value of the second axis, if there is one
+  std::vector<const AtlasPoint*> points;  // along the first
+};
+
+bool fails(Failure failure) {
+  return failure != Failure::none;
+}
+
+AtlasLimit unknown_limit(const Line& line) {
+  return {.method = line.points.front()->method,
+          .other = line.others.empty() ? std::nullopt : std::optional(line.others[0]),
+          .low = std::nullopt,
+          .high = std::nullopt,
+          .failure = Failure::none,
+          .reason = {},
+          .wavelength = std::nullopt,
+          .cases = {}};
+}
+
+void take_failure(AtlasLimit& limit, const CaseResult& result) {
+  limit.failure = failure_of(result);
+  limit.reason = result.reason;
+  limit.wavelength = result.measures.critical_wavelength;
+  limit.cases = {result.key};
+}
+
+/// Of a static case that tells how far its path was stable.
+std::optional<AtlasLimit> limit_on_path(const Line& line, const CaseResult& result,
+                                        double unit) {
+  AtlasLimit limit = unknown_limit(line);
+  const double whole = unit * std::abs(*result.request.settings.deformation);
+  take_failure(limit, result);
+  if (!fails(limit.failure)) {
+    limit.low = whole;
+    return limit;
+  }
+  if (!result.measures.definite_up_to_deformation) return std::nullopt;
+  limit.low = unit * std::abs(*result.measures.definite_up_to_deformation);
+  limit.high = *limit.low + 0.002 * whole;  // the path is followed to 1/1024 of the load
+  return limit;
+}
+
+/// Two values of the first axis between which a line begins to fail.
+struct Bracket {
+  AtlasLimit limit;
+  Line line;
+  std::string low, high;
+  [[nodiscard]] bool is_wide() const {
+    return number_of(high) - number_of(low) >
+           precision * std::max(std::abs(number_of(high)), std::abs(number_of(low)));
+  }
+};
+
+std::vector<std::string> with_others(const std::string& value, const Line& line) {
+  std::vector<std::string> values{value};
+  values.insert(values.end(), line.others.begin(), line.others.end());
+  return values;
+}
+
+/// Halves every bracket until all are narrow, a batch of cases at a time.
+void bisect(const AtlasPlan& plan, CaseRunner& runner, std::vector<Bracket>& brackets) {
+  while (true) {
+    std::vector<Bracket*> wide;
+    std::vector<CaseSettings> cases;
+    for (Bracket& bracket : brackets) {
+      if (!bracket.is_wide()) continue;
+      wide.push_back(&bracket);
+      cases.push_back(cases_at(plan, with_others(middle(bracket.low, bracket.high),
+                                                 bracket.line))[bracket.line.method]);
+    }
+    if (wide.empty()) return;
+    const std::vector<CaseResult> results = runner.run(cases);
+    for (std::size_t i = 0; i < wide.size(); ++i) {
+      Bracket& bracket = *wide[i];
+      const bool failed = fails(failure_of(results[i]));
+      (failed ? bracket.high : bracket.low) = middle(bracket.low, bracket.high);
+      if (failed) take_failure(bracket.limit, results[i]);
+    }
+  }
+}
+
+std::vector<Line> lines_of(const Atlas& atlas) {
+  std::map<std::pair<std::string, std::vector<std::string>>, std::size_t> places;
+  std::vector<Line> lines;
+  std::vector<std::string> methods;
+  for (const AtlasPoint& point : atlas.points) {
+    if (std::ranges::count(methods, point.method) == 0) methods.push_back(point.method);
+    const std::vector<std::string> others(point.values.begin() + 1, point.values.end());
+    const auto [place, is_new] = places.try_emplace({point.method, others}, lines.size());
+    if (is_new)
+      lines.push_back({.method = static_cast<std::size_t>(
+                           std::ranges::find(methods, point.method) - methods.begin()),
+                       .others = others,
+                       .points = {}});
+    lines[place->second].points.push_back(&point);
+  }
+  return lines;
+}
+
+/// Cases of solver limit at the end of each line that is of springs in statics.
+std::map<std::size_t, CaseResult> path_limits(const AtlasPlan& plan, CaseRunner& runner,
+                                              const std::vector<Line>& lines) {
+  std::vector<std::size_t> places;
+  std::vector<CaseSettings> cases;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const CaseSettings& settings = lines[i].points.back()->result.request.settings;
+    if (!is_springs(settings.method) || solver_of(settings) != Solver::static_equilibrium)
+      continue;
+    places.push_back(i);
+    cases.push_back(settings);
+    cases.back().solver = Solver::path_limit;
+  }
+  const std::vector<CaseResult> results = runner.run(cases);
+  std::map<std::size_t, CaseResult> found;
+  for (std::size_t i = 0; i < places.size(); ++i) found.emplace(places[i], results[i]);
+  return found;
+}
+
+std::vector<AtlasLimit> limits_of(const Atlas& atlas, const AtlasPlan& plan,
+                                  CaseRunner& runner) {
+  const std::vector<Line> lines = lines_of(atlas);
+  const bool along_deformation = plan.axes[0].key == "deformation";
+  const double unit = units_per_one(unit_of(plan.axes[0].values.front()));
+  std::map<std::size_t, CaseResult> on_path;
+  if (along_deformation) on_path = path_limits(plan, runner, lines);
+  std::vector<AtlasLimit> limits(lines.size());
+  std::vector<Bracket> brackets;
+  std::vector<std::size_t> bracketed;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Line& line = lines[i];
+    const auto first = std::ranges::find_if(
+        line.points, [](const AtlasPoint* point) { return fails(point->failure); });
+    limits[i] = unknown_limit(line);
+    const auto known = on_path.find(i);
+    const CaseResult* path = known != on_path.end() ? &known->second
+                             : along_deformation && first != line.points.end()
+                                 ? &(*first)->result
+                                 : nullptr;
+    if (path != nullptr)
+      if (const auto found = limit_on_path(line, *path, unit)) {
+        limits[i] = *found;
+        continue;
+      }
+    if (first == line.points.end()) {
+      limits[i].low = number_of(plan.axes[0].values.back());
+      continue;
+    }
+    take_failure(limits[i], (*first)->result);
+    const auto place = static_cast<std::size_t>(first - line.points.begin());
+    if (place == 0) {
+      limits[i].high = number_of(plan.axes[0].values.front());
+      continue;
+    }
+    brackets.push_back({.limit = limits[i],
+                        .line = line,
+                        .low = plan.axes[0].values[place - 1],
+                        .high = plan.axes[0].values[place]});
+    bracketed.push_back(i);
+  }
+  bisect(plan, runner, brackets);
+  for (std::size_t b = 0; b < brackets.size(); ++b) {
+    AtlasLimit& limit = limits[bracketed[b]] = brackets[b].limit;
+    limit.low = number_of(brackets[b].low);
+    limit.high = number_of(brackets[b].high);
+  }
+  return limits;
+}
+
+/// The same body by elements that do not lock, where there are any of the same law.
+std::optional<CaseSettings> control_of(const CaseSettings& settings) {
+  CaseSettings control = settings;
+  control.element = *find_element("q1-sri");
+  if (is_finite_element(settings.method))
+    return label(control) == label(settings) ? std::nullopt : std::optional(control);
+  const LatticeName* lattice = find_lattice(settings.method.name);
+  if (lattice == nullptr || goes_through_time(settings) ||
+      !is_grid_of_hexahedra(settings.body))
+    return std::nullopt;
+  control.method = *find_method("fem-cauchy-born");
+  control.lattice = *lattice;
+  return control;
+}
+
+void judge_locking(Atlas& atlas, CaseRunner& runner) {
+  std::vector<AtlasPoint*> points;
+  std::vector<CaseSettings> controls;
+  for (AtlasPoint& point : atlas.points) {
+    if (fails(point.failure)) continue;
+    if (const auto control = control_of(point.result.request.settings)) {
+      points.push_back(&point);
+      controls.push_back(*control);
+    }
+  }
+  const std::vector<CaseResult> results = runner.run(controls);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (locks(points[i]->result, results[i])) points[i]->failure = Failure::locking;
+}
+
+}  // namespace
+
+Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner) {
+  std::vector<std::vector<std::string>> places;
+  for (const std::string& first : plan.axes[0].values) {
+    if (plan.axes.size() == 1) places.push_back({first});
+    if (plan.axes.size() == 2)
+      for (const std::string& second : plan.axes[1].values)
+        places.push_back({first, second});
+  }
+  std::vector<CaseSettings> cases;
+  Atlas atlas;
+  for (const auto& values : places)
+    for (const CaseSettings& settings : cases_at(plan, values)) {
+      cases.push_back(settings);
+      atlas.points.push_back(
+          {.method = label(settings), .values = values, .result = {}, .failure = {}});
+    }
+  std::vector<Request> requests;
+  for (const CaseSettings& settings : cases)
+    requests.push_back({.settings = settings, .reference = std::nullopt});
+  check_memory("--over", requests);
+  std::vector<CaseResult> results = runner.run(cases);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    atlas.points[i].failure = failure_of(results[i]);
+    atlas.points[i].result = std::move(results[i]);
+  }
+  if (plan.judges_locking) judge_locking(atlas, runner);
+  if (plan.axes[0].is_range) atlas.limits = limits_of(atlas, plan, runner);
+  return atlas;
+}
+
+}  // namespace springcheck

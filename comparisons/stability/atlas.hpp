@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/stability/axis.hpp"
+#include "comparisons/stability/case_runner.hpp"
+#include "comparisons/stability/failure.hpp"
+
+namespace springcheck {
+
+/// What an atlas is of: a scene over one or two settings, for some methods.
+struct AtlasPlan {
+  std::string scene;
+  std::vector<GivenSetting> options;  // that replace the scene's
+  std::vector<Axis> axes;             // one or two; limits are along the first
+  bool judges_locking = false;        // of points, by a control for each
+};
+
+struct AtlasPoint {
+  std::string method;               // its label
+  std::vector<std::string> values;  // of the axes
+  CaseResult result;
+  Failure failure;
+};
+
+/// Along the first axis, in the order of its values from the first on, the place where a
+/// method begins to fail.
+struct AtlasLimit {
+  std::string method;
+  std::optional<std::string> other;  // value of the second axis
+  // It holds at `low` and fails at `high`, at most 1 % of it further on. No low: it fails
+  // at the first value; no high: it holds at the last.
+  std::optional<double> low, high;
+  Failure failure;  // at `high`
+  std::string reason;
+  std::optional<double> wavelength;  // [cells] of the mode that becomes unstable
+  std::vector<std::string> cases;    // keys: that which fails first
+};
+
+struct Atlas {
+  std::vector<AtlasPoint> points;
+  std::vector<AtlasLimit> limits;  // none where the first axis is no range
+};
+
+/// Runs every method at every combination of the axes' values, and finds the limits along
+/// the first: of the deformation of springs by solver limit, of finite elements from what
+/// their path tells, else by bisection of cases. Locking is judged against the same law
+/// on q1-sri; of springs on hexahedra against fem-cauchy-born of their lattice; of others
+/// not. Throws InputError.
+Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner);
+
+}  // namespace springcheck

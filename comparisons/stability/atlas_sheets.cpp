@@ -1,0 +1,129 @@
+#include "comparisons/stability/atlas_sheets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace springcheck {
+namespace {
+
+Cell text_cell(const std::string& text) {
+  return {.number = {}, .text = text};
+}
+
+/// Letters by the first axis's value and the second's, of one method.
+using Map = std::map<std::pair<std::string, std::string>, char>;
+
+std::string map_text(const Map& map, const AtlasPlan& plan) {
+  const bool is_plane = plan.axes.size() == 2;
+  const std::vector<std::string> across =
+      is_plane ? plan.axes[1].values : std::vector<std::string>{""};
+  std::size_t width = 0;
+  for (const std::string& value : plan.axes[0].values)
+    width = std::max(width, value.size());
+  std::string text;
+  for (auto value = plan.axes[0].values.rbegin(); value != plan.axes[0].values.rend();
+       ++value) {
+    text += fmt::format("  {:>{}} ", *value, width);
+    for (const std::string& other : across)
+      text += fmt::format(" {}", map.at({*value, other}));
+    text += '\n';
+  }
+  if (is_plane)
+    text += fmt::format("  {:>{}}  {} from {} to {}\n", "", width, plan.axes[1].key,
+                        across.front(), across.back());
+  return text;
+}
+
+}  // namespace
+
+Sheet points_sheet(const Atlas& atlas, const AtlasPlan& plan) {
+  Sheet sheet{.name = "stability-points",
+              .title = fmt::format("Where methods fail in {}", plan.scene),
+              .columns = {{"method", "method"}},
+              .rows = {},
+              .notes = {}};
+  for (const Axis& axis : plan.axes) sheet.columns.push_back({axis.key, axis.key});
+  for (const Column& column : std::initializer_list<Column>{
+           {"failure", "failure"},
+           {"status", "status"},
+           {"wrinkle_alternation", "alternation", "{:.3f}"},
+           {"wrinkle_amplitude", "amplitude", "{:.3g}"},
+           {"corner_jacobian_ratio_min", "least Jacobian", "{:.3g}"},
+           {"definite_up_to_deformation", "definite up to", "{:.4g}"},
+           {"dt_limit", "step limit [s]", "{:.4g}"}})
+    sheet.columns.push_back(column);
+  for (const AtlasPoint& point : atlas.points) {
+    const Measures& m = point.result.measures;
+    SheetRow row{.cells = {text_cell(point.method)}, .cases = {point.result.key}};
+    for (const std::string& value : point.values) row.cells.push_back(text_cell(value));
+    row.cells.push_back(text_cell(std::string(name_of(point.failure))));
+    row.cells.push_back(text_cell(std::string(name_of(point.result.status))));
+    row.cells.push_back({.number = m.wrinkle_alternation});
+    row.cells.push_back({.number = m.wrinkle_amplitude});
+    row.cells.push_back({.number = m.corner_jacobian_ratio_min});
+    row.cells.push_back({.number = m.definite_up_to_deformation});
+    row.cells.push_back({.number = point.result.solution.dt_limit});
+    sheet.rows.push_back(std::move(row));
+  }
+  return sheet;
+}
+
+Sheet limits_sheet(const Atlas& atlas, const AtlasPlan& plan) {
+  const Axis& along = plan.axes[0];
+  const std::string unit = along.is_range && !unit_of(along.values[0]).empty()
+                               ? fmt::format(" [{}]", unit_of(along.values[0]))
+                               : "";
+  Sheet sheet{
+      .name = "stability-limits",
+      .title = fmt::format("Limits along {} in {}", along.key, plan.scene),
+      .columns = {{"method", "method"}},
+      .rows = {},
+      .notes = {"A method holds up to the one and fails at the other value, at most 1 % "
+                "further on; none: it fails from the first value on, or holds to the "
+                "last. Limits of springs and finite elements along a deformation are of "
+                "the path from rest, where it loses its stability or a cell is turned "
+                "inside out."}};
+  if (plan.axes.size() == 2)
+    sheet.columns.push_back({plan.axes[1].key, plan.axes[1].key});
+  for (const Column& column :
+       std::initializer_list<Column>{{"holds", "holds at" + unit, "{:.5g}"},
+                                     {"fails", "fails at" + unit, "{:.5g}"},
+                                     {"failure", "by"},
+                                     {"wavelength", "mode [cells]", "{:.3g}"},
+                                     {"reason", "reason"}})
+    sheet.columns.push_back(column);
+  for (const AtlasLimit& limit : atlas.limits) {
+    SheetRow row{.cells = {text_cell(limit.method)}, .cases = limit.cases};
+    if (plan.axes.size() == 2) row.cells.push_back(text_cell(limit.other.value()));
+    row.cells.push_back({.number = limit.low, .text = "none"});
+    row.cells.push_back({.number = limit.high, .text = "none"});
+    row.cells.push_back(text_cell(std::string(name_of(limit.failure))));
+    row.cells.push_back({.number = limit.wavelength});
+    row.cells.push_back(text_cell(limit.reason));
+    sheet.rows.push_back(std::move(row));
+  }
+  return sheet;
+}
+
+std::string maps_text(const Atlas& atlas, const AtlasPlan& plan) {
+  std::vector<std::string> methods;
+  std::map<std::string, Map> maps;
+  std::map<Failure, int> seen;
+  for (const AtlasPoint& point : atlas.points) {
+    if (!maps.contains(point.method)) methods.push_back(point.method);
+    const std::string other = point.values.size() > 1 ? point.values[1] : "";
+    maps[point.method][{point.values[0], other}] = letter_of(point.failure);
+    ++seen[point.failure];
+  }
+  std::string text;
+  for (const std::string& method : methods)
+    text += fmt::format("{}: {}{}\n{}\n", method, plan.axes[0].key,
+                        plan.axes.size() == 2 ? " against " + plan.axes[1].key : "",
+                        map_text(maps.at(method), plan));
+  for (const auto& [failure, count] : seen)
+    text += fmt::format("{}  {} ({})\n", letter_of(failure), name_of(failure), count);
+  return text;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,119 @@
+#include "comparisons/stability/axis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <sstream>
+
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+constexpr const char* expected =
+    "KEY=FROM:TO:COUNT with FROM < TO and COUNT from 2 to 1000, or KEY=A,B,C";
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+struct Number {
+  double value;
+  std::string unit;  // what follows it
+};
+
+std::optional<Number> number(const std::string& text) {
+  Number found{};
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), found.value);
+  if (error != std::errc{} || !std::isfinite(found.value)) return std::nullopt;
+  found.unit = std::string(end, text.data() + text.size());
+  if (!found.unit.empty() && found.unit != "%" && found.unit != "deg")
+    return std::nullopt;
+  return found;
+}
+
+/// 0.15, not 0.15000000000000002.
+std::string text_of(const Number& number) {
+  return fmt::format("{:.12g}{}", number.value, number.unit);
+}
+
+bool is_ascending(const std::vector<std::string>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto here = number(values[i]);
+    if (!here) return false;
+    if (i == 0) continue;
+    const auto before = number(values[i - 1]);
+    if (before->unit != here->unit || !(before->value < here->value)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Axis axis_named(const std::string& place, const std::string& text) {
+  const auto refuse = [&]() { throw InputError(place, "", expected, "'" + text + "'"); };
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals + 1 == text.size()) refuse();
+  Axis axis{.key = text.substr(0, equals), .values = {}, .is_range = false};
+  if (std::ranges::count(option_keys(), axis.key, &SettingKey::name) == 0 ||
+      axis.key == "method" || axis.key == "reference")
+    throw InputError(
+        place, "",
+        "a setting other than method and reference, one of " + names_of(option_keys()),
+        "'" + axis.key + "'");
+  const std::string values = text.substr(equals + 1);
+  const std::vector<std::string> range = split(values, ':');
+  if (range.size() != 1 && range.size() != 3) refuse();
+  if (range.size() == 3) {
+    const auto from = number(range[0]), to = number(range[1]);
+    int count = 0;
+    const std::string& digits = range[2];
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), count);
+    if (!from || !to || from->unit != to->unit || !(from->value < to->value) ||
+        error != std::errc{} || end != digits.data() + digits.size() || count < 2 ||
+        count > 1000)
+      refuse();
+    for (int i = 0; i < count; ++i) {
+      const double part = static_cast<double>(i) / (count - 1);
+      axis.values.push_back(
+          text_of({(1 - part) * from->value + part * to->value, from->unit}));
+    }
+  } else {
+    axis.values = split(values, values.find(';') == std::string::npos ? ',' : ';');
+  }
+  if (axis.values.empty() || std::ranges::count(axis.values, "") > 0) refuse();
+  axis.is_range = is_ascending(axis.values) && axis.values.size() > 1;
+  return axis;
+}
+
+GivenSetting setting(const Axis& axis, const std::string& value) {
+  return {axis.key, Given::from_text("--over " + axis.key, value)};
+}
+
+std::string middle(const std::string& low, const std::string& high) {
+  const Number a = number(low).value(), b = number(high).value();
+  return text_of({(a.value + b.value) / 2, a.unit});
+}
+
+double number_of(const std::string& value) {
+  return number(value).value().value;
+}
+
+std::string unit_of(const std::string& value) {
+  return number(value).value().unit;
+}
+
+double units_per_one(const std::string& unit) {
+  return unit == "%" ? 100 : unit == "deg" ? 180 / std::numbers::pi : 1;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/given.hpp"
+#include "comparisons/run_settings.hpp"
+
+namespace springcheck {
+
+/// A setting with the values it takes in turn.
+struct Axis {
+  std::string key;
+  std::vector<std::string> values;  // as a user would write them
+  bool is_range;                    // ascending numbers: one can be between two others
+};
+
+/// "KEY=FROM:TO:COUNT", equal steps, both ends included, or "KEY=A,B,C"; semicolons
+/// separate values that are lists ("cells=4,4,4;6,6,6"). Numbers may end in % or deg.
+/// Throws InputError, naming `place`.
+Axis axis_named(const std::string& place, const std::string& text);
+
+GivenSetting setting(const Axis& axis, const std::string& value);
+
+/// The value in the middle of two of a range, in their unit.
+std::string middle(const std::string& low, const std::string& high);
+
+/// The number that starts the value, and the unit behind it: "", "%" or "deg".
+double number_of(const std::string& value);
+std::string unit_of(const std::string& value);
+
+/// How many of the unit make one, or a radian.
+double units_per_one(const std::string& unit);
+
+}  // namespace springcheck

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "comparisons/known_results.hpp"
+#include "comparisons/result_file.hpp"
+
+namespace springcheck {
+
+/// Runs cases one batch after another, each once: what an earlier batch or the result
+/// file holds is not computed again. Results have no fields.
+class CaseRunner {
+ public:
+  /// file: to take cases from and add them to; none: they are kept until the end alone.
+  CaseRunner(const std::optional<std::filesystem::path>& file, int parallel);
+
+  /// In the order of the settings.
+  std::vector<CaseResult> run(const std::vector<CaseSettings>& settings);
+
+  /// How many there were that nothing held.
+  [[nodiscard]] std::size_t computed() const { return written_.size(); }
+
+ private:
+  StoredCases stored_;  // of the file, before
+  std::optional<ResultFile> file_;
+  MeshStore meshes_;
+  int parallel_;
+  std::map<std::string, CaseResult> results_;  // by key
+  std::set<std::string> written_;              // keys
+};
+
+}  // namespace springcheck

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string_view>
+
+#include "comparisons/case_result.hpp"
+
+namespace springcheck {
+
+/// How a simulation fails as a model of its body. A case may fail in several ways; the
+/// order is that of failure_of.
+enum class Failure {
+  none,
+  not_covered,  // the method refuses the scene, which is no failure of the body's
+  solver,       // the solver gave up: nothing is known of the body
+  blow_up,      // the energy of a motion grew without end
+  inversion,    // a cell is turned inside out at a corner
+  limit_point,  // no equilibrium beyond some part of the load
+  wrinkling,    // a free face zigzags from cell to cell
+  loss_of_definiteness,  // equilibrium, but no minimum of the energy
+  locking                // plate force far above a control's that does not lock
+};
+
+std::string_view name_of(Failure failure);
+/// One character for maps; '.' for none.
+char letter_of(Failure failure);
+const std::vector<Failure>& all_failures();
+
+// Definitions, each of a case alone but for locking.
+
+bool refuses(const CaseResult& result);
+/// Not converged short of the load, with a path that was stable as far as it was
+/// followed. Distinct from all failures of the body.
+bool solver_fails(const CaseResult& result);
+/// Positions leave all bounds, see dynamics::march.
+bool blows_up(const CaseResult& result);
+/// Smallest corner Jacobian of a cell below 0; of solver limit, on the way.
+bool inverts(const CaseResult& result);
+/// The path turns back, or the energy falls without end.
+bool ends_in_limit_point(const CaseResult& result);
+/// See is_wrinkled; of solver limit: the mode that becomes unstable is shorter than four
+/// cells.
+bool wrinkles(const CaseResult& result);
+/// The tangent is not positive definite, now or, with a path that is followed beyond, on
+/// the way.
+bool loses_definiteness(const CaseResult& result);
+/// |force| on the moved plate, in torsion |torque|, more than a tenth above the control's, which
+/// must be an equilibrium of the same law on the same mesh without locking (q1-sri).
+bool locks(const CaseResult& result, const CaseResult& control);
+
+/// The first of the failures, in the order of Failure, that the case has.
+Failure failure_of(const CaseResult& result);
+
+}  // namespace springcheck

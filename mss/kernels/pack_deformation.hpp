@@ -1,0 +1,37 @@
+#pragma once
+
+#include "dynamics/pack_vectors.hpp"
+
+// What the kernels of springs share: included, like pack.hpp, by files compiled once per
+// instruction set.
+namespace springcheck::mss::SPRINGCHECK_PATH {
+
+/// Added to a length's square: nothing beside any length, and a length of zero is no
+/// division by zero and pulls nowhere [m^2].
+template <class Real>
+inline constexpr Real tiny_square = Real(1e-36);
+
+/// By columns, as everywhere in kernels.
+template <class Real>
+using PackMatrix = std::array<dynamics::SPRINGCHECK_PATH::Pack3<Real>, 3>;
+
+template <class Real>
+struct PackVolume {
+  PackMatrix<Real> cofactor;                      // cof F
+  dynamics::SPRINGCHECK_PATH::Pack<Real> change;  // det F - 1
+};
+
+/// Of F = I + H. With its columns f and those of H, h: det F - 1 = h1.(f2 x f3) +
+/// h2.(f3 x e1) + h3.(e1 x e2), which keeps the digits of small changes.
+template <class Real>
+[[gnu::always_inline]] inline PackVolume<Real> volume_of(const PackMatrix<Real>& h) {
+  using dynamics::SPRINGCHECK_PATH::cross;
+  PackMatrix<Real> f = h;
+  for (std::size_t i = 0; i < 3; ++i) f[i][i] += Real(1);
+  const PackMatrix<Real> cofactor{cross<Real>(f[1], f[2]), cross<Real>(f[2], f[0]),
+                                  cross<Real>(f[0], f[1])};
+  return {cofactor, dynamics::SPRINGCHECK_PATH::dot<Real>(h[0], cofactor[0]) +
+                        (h[1][1] * f[2][2] - h[1][2] * f[2][1]) + h[2][2]};
+}
+
+}  // namespace springcheck::mss::SPRINGCHECK_PATH

@@ -1,0 +1,74 @@
+#define BOOST_TEST_MODULE stability_cli
+#include "program.hpp"
+
+namespace {
+
+const std::string stability = "stability compression --cells 3,3,3 ";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_map_and_its_limits_are_printed) {
+  const Run run = springcheck(
+      stability + "--method mss-cf,mss-nfd --over deformation=2%:20%:2 --over nu=0,0.25");
+  BOOST_TEST(run.status == 0, run.err);
+  for (const char* part : {"mss-cf: deformation against nu", "mss-nfd: deformation",
+                           "holds at [%]", "wrinkling", "12 simulations computed"})
+    BOOST_TEST(run.out.find(part) != std::string::npos, run.out);
+}
+
+BOOST_AUTO_TEST_CASE(points_and_limits_are_rows_of_other_formats) {
+  const Run run = springcheck(
+      stability + "--method mss-nfd --over deformation=2%:20%:2 --format csv");
+  BOOST_TEST(run.status == 0, run.err);
+  BOOST_TEST(run.out.find("method,deformation,failure,status") != std::string::npos,
+             run.out);
+  BOOST_TEST(run.out.find("mss-nfd,20%,") != std::string::npos, run.out);
+}
+
+// What a killed atlas left is not computed again, and the page shows the limits.
+BOOST_AUTO_TEST_CASE(an_atlas_is_kept_in_its_file) {
+  const std::string atlas =
+      stability +
+      "--method mss-cf,mss-nfd --over deformation=2%:40%:4 --over nu=0:0.4:3 --out "
+      "atlas.h5";
+  springcheck(atlas, "timeout -s KILL 0.5 ");
+  BOOST_TEST(springcheck(atlas).status == 0);
+  const Run again = springcheck(atlas);
+  BOOST_TEST(again.out.find("\n0 simulations computed, 24 points") != std::string::npos,
+             again.out);
+  BOOST_TEST(springcheck("report atlas.h5 --out page").status == 0);
+  const std::string page = text_of(folder / "page" / "index.html");
+  BOOST_TEST(page.find("Limits of stability") != std::string::npos);
+  BOOST_TEST(fs::exists(folder / "page" / "figures" / "limits_compression.svg"));
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_is_a_case_without_measures) {
+  const Json result = json_of(
+      "run compression --cells 4,4,4 --nu 0 --deformation 20% --solver limit --method "
+      "mss-nfd --json")["results"][0];
+  BOOST_TEST(result["status"] == "indefinite");
+  BOOST_TEST(result["volume_error"].is_null());
+  BOOST_TEST(result["critical_wavelength"].get<double>() < 4);
+  const double limit = result["definite_up_to_deformation"].get<double>();
+  // On the other side of it mss-nfd wrinkles, on this it does not.
+  const auto status_at = [](double strain) {
+    return json_of(
+        "run compression --cells 4,4,4 --nu 0 --method mss-nfd --json "
+        "--noise 0.01 --deformation " +
+        std::to_string(strain))["results"][0]["status"];
+  };
+  BOOST_TEST(status_at(.9 * limit) == "ok");
+  BOOST_TEST(status_at(1.5 * limit) != "ok");
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_mapped_is_refused) {
+  expect_bad_input(stability + "--over nu=0:1", "FROM:TO:COUNT");
+  expect_bad_input(stability + "--over mu=0:1:3", "'mu'");
+  expect_bad_input(stability + "--over method=mss-cf,mss-nfd", "method");
+  expect_bad_input(stability + "--over nu=0,0.2 --over nu=0,0.2", "twice");
+  expect_bad_input(stability + "--over nu=0,0.6", "0.5");
+  expect_bad_input(
+      stability + "--over nu=0,0.2 --over deformation=1%,2% --over young=1e3,1e4",
+      "one or two");
+  expect_bad_input(stability, "--over");
+}
