@@ -53,6 +53,14 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
     spdlog::debug("load {:.5f}: {}, residual {:.2e}", to,
                   minimum.found ? (minimum.definite ? "minimum" : "saddle") : "none",
                   minimum.residual);
+    if (minimum.undecided) {
+      status = SolveStatus::not_converged;
+      reason = fmt::format(
+          "conjugate gradients gave up at {:.2f} % of the load before they could tell "
+          "whether the equilibrium found there is a minimum",
+          100 * to);
+      break;
+    }
     if (minimum.found) {
       if (!minimum.definite && !definite_up_to) definite_up_to = reached;
       x = std::move(minimum.positions);
@@ -81,7 +89,7 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
     const Eigen::VectorXd shake = random_vector(landscape.unknowns(), random);
     Minimum minimum = minimise(
         landscape, landscape.moved(x, shake, noise * landscape.cell_edge()), random);
-    if (minimum.found) {
+    if (minimum.found && !minimum.undecided) {
       x = std::move(minimum.positions);
       definite = minimum.definite;
     } else {

@@ -10,13 +10,15 @@
 namespace springcheck::mss {
 namespace {
 
-constexpr int iteration_limit = 20'000;
 constexpr double definite_accuracy = 1e-6;
 
 }  // namespace
 
-IterativeSolver::IterativeSolver(const Network& network, const std::vector<bool>& is_free)
-    : matrix_(network, is_free), inverses_(matrix_.nodes()) {
+IterativeSolver::IterativeSolver(const Network& network, const std::vector<bool>& is_free,
+                                 int iteration_limit)
+    : iteration_limit_(iteration_limit),
+      matrix_(network, is_free),
+      inverses_(matrix_.nodes()) {
   for (std::size_t i = 0; i < is_free.size(); ++i)
     if (is_free[i]) free_.push_back(static_cast<Eigen::Index>(i));
 }
@@ -35,12 +37,13 @@ void IterativeSolver::prepare_clamped(const Tangent& tangent) {
   invert_blocks();
 }
 
-bool IterativeSolver::is_definite(std::mt19937_64& random) {
+std::optional<bool> IterativeSolver::is_definite(std::mt19937_64& random) {
   const Eigen::VectorXd right =
       random_vector(static_cast<Eigen::Index>(free_.size()), random);
   Answer answer = conjugate_gradients(on_all(right), definite_accuracy);
   curvature_ = std::move(answer.direction);
-  return answer.converged && answer.definite;
+  if (!answer.converged && answer.definite) return std::nullopt;
+  return answer.definite;
 }
 
 std::optional<Eigen::VectorXd> IterativeSolver::solve(const Eigen::VectorXd& right,
@@ -66,7 +69,7 @@ IterativeSolver::Answer IterativeSolver::conjugate_gradients(const Eigen::Vector
   Eigen::VectorXd& direction = answer.direction = z;
   double squared = residual.dot(z);
   const double enough = accuracy * accuracy * squared;
-  for (int i = 0; i < iteration_limit; ++i) {
+  for (int i = 0; i < iteration_limit_; ++i) {
     answer.converged = squared <= enough;
     if (answer.converged) return answer;
     matrix_.multiply(direction, product);

@@ -12,7 +12,9 @@ namespace springcheck::mss {
 /// accuracies are of the residual in the preconditioner's norm.
 class IterativeSolver {
  public:
-  IterativeSolver(const Network& network, const std::vector<bool>& is_free);
+  /// iteration_limit: of one solution.
+  IterativeSolver(const Network& network, const std::vector<bool>& is_free,
+                  int iteration_limit = 20'000);
 
   void prepare(const Tangent& tangent);
 
@@ -25,15 +27,16 @@ class IterativeSolver {
   /// of positive roots that is 1 at 0: at a negative eigenvalue it is above 1, so that
   /// part of the residual never gets smaller than it was, and the whole does not fall to
   /// 1e-6 of its beginning. Of a random vector of n components a part is that small with
-  /// a probability of 1e-6 sqrt(n).
-  [[nodiscard]] bool is_definite(std::mt19937_64& random);
+  /// a probability of 1e-6 sqrt(n). None where the limit of iterations ends it before.
+  [[nodiscard]] std::optional<bool> is_definite(std::mt19937_64& random);
 
-  /// None on meeting a direction of negative curvature.
+  /// None on meeting a direction of negative curvature. At the limit of iterations the
+  /// last iterate, which is less accurate and still lowers the energy's quadratic model.
   [[nodiscard]] std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& right,
                                                      double accuracy);
 
-  /// Unit vector of negative curvature of a tangent that is not positive definite: the
-  /// direction on which is_definite ended.
+  /// Unit vector of negative curvature of a tangent that is_definite found not to be
+  /// positive definite: the direction on which it ended.
   [[nodiscard]] Eigen::VectorXd negative_curvature(std::mt19937_64& random);
 
   [[nodiscard]] int iterations() const { return iterations_; }  // all together
@@ -51,6 +54,7 @@ class IterativeSolver {
   [[nodiscard]] Eigen::VectorXd on_all(const Eigen::VectorXd& free) const;
   [[nodiscard]] Eigen::VectorXd on_free(const Eigen::VectorXd& all) const;
 
+  int iteration_limit_;
   BlockTangent matrix_;
   std::vector<Eigen::Index> free_;
   std::vector<Matrix3> inverses_;  // of the blocks on the diagonal

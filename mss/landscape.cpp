@@ -115,7 +115,7 @@ void Landscape::clamp() {
   std::visit([&](auto& solver) { solver.prepare_clamped(tangent_); }, solver_);
 }
 
-bool Landscape::is_definite(std::mt19937_64& random) {
+std::optional<bool> Landscape::is_definite(std::mt19937_64& random) {
   if (auto* iterative = std::get_if<IterativeSolver>(&solver_))
     return iterative->is_definite(random);
   return std::get<DirectSolver>(solver_).is_definite();

@@ -55,8 +55,9 @@ class Landscape {
   /// Takes the true tangent at x.
   void linearise(const Positions& x);
 
-  /// Whether the tangent taken last is positive definite.
-  [[nodiscard]] bool is_definite(std::mt19937_64& random);
+  /// Whether the tangent taken last is positive definite. None where the iterative solver
+  /// gave up before it could tell.
+  [[nodiscard]] std::optional<bool> is_definite(std::mt19937_64& random);
 
   /// Sets the negative eigenvalues of each patch of that tangent to zero.
   void clamp();

@@ -52,6 +52,7 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
   Minimum minimum{.positions = std::move(x),
                   .found = false,
                   .definite = false,
+                  .undecided = false,
                   .ran_away = false,
                   .residual = INFINITY};
   Positions& now = minimum.positions;
@@ -70,15 +71,17 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
     landscape.linearise(now);
     minimum.found = minimum.residual < relative_residual;
     std::optional<Eigen::VectorXd> direction;
-    if (minimum.found)
-      minimum.definite = landscape.is_definite(random);
-    else {
+    if (minimum.found) {
+      const std::optional<bool> definite = landscape.is_definite(random);
+      minimum.undecided = !definite;
+      minimum.definite = definite.value_or(false);
+    } else {
       direction = landscape.solve(downhill, solver_accuracy(minimum.residual));
       minimum.definite = direction.has_value();
     }
     spdlog::debug("  newton {}: energy {:.9e}, residual {:.2e}{}", iteration, energy,
                   minimum.residual, minimum.definite ? "" : ", indefinite");
-    if (minimum.found && minimum.definite) return minimum;
+    if (minimum.found && (minimum.definite || minimum.undecided)) return minimum;
 
     // Near a saddle the clamped tangent hardly moves along the unstable direction.
     if (!minimum.definite && minimum.residual < near_saddle) {

@@ -10,6 +10,7 @@ struct Minimum {
   Positions positions;  // of the last iterate
   bool found;
   bool definite;    // the true tangent there; its factor is in the landscape
+  bool undecided;   // stationary; whether the tangent is definite could not be told
   bool ran_away;    // the energy fell without a minimum nearby
   double residual;  // relative, see find_equilibrium
 };

@@ -35,7 +35,8 @@ bool correct(Landscape& landscape, Positions& x, std::mt19937_64& random) {
     const double residual = downhill.norm() / scale;
     if (!std::isfinite(residual)) return false;
     landscape.linearise(x);
-    if (residual < relative_residual) return landscape.is_definite(random);
+    if (residual < relative_residual)
+      return landscape.is_definite(random).value_or(false);
     const auto step = landscape.solve(downhill, std::min(1e-3, residual));
     if (!step || landscape.longest_move(*step) > longest_move * landscape.cell_edge())
       return false;
@@ -97,7 +98,8 @@ PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& n
                   .steps = 0,
                   .force_evaluations = 0};
   landscape.linearise(limit.positions);
-  if (!landscape.is_definite(random)) {
+  // Where conjugate gradients cannot tell, the path's first step shows it.
+  if (!landscape.is_definite(random).value_or(true)) {
     limit.end = PathEnd::bifurcation;
     limit.next_load_fraction = 0;
     limit.critical_mode.assign(mesh.nodes().size(), Vector3::Zero());

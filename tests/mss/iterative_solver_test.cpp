@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(random_right_hand_side_tells_whether_the_tangent_is_definit
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly)
             .eigenvalues()[0];
     solver.prepare(tangent);
-    BOOST_TEST(solver.is_definite(random) == (lowest > 0),
+    BOOST_TEST(solver.is_definite(random).value() == (lowest > 0),
                "stretch " << stretch << ", eigenvalue " << lowest);
     was_definite = lowest > 0;
     if (was_definite) continue;
@@ -183,6 +183,13 @@ BOOST_AUTO_TEST_CASE(random_right_hand_side_tells_whether_the_tangent_is_definit
     BOOST_TEST(v.dot(dense * v) < 0);
   }
   BOOST_TEST(!was_definite);
+
+  // Three iterations are not enough to tell of a definite tangent.
+  IterativeSolver hasty(network, is_free, 3);
+  hasty.prepare(tangent_at(network, mesh.nodes()));
+  BOOST_TEST(!hasty.is_definite(random).has_value());
+  const Eigen::VectorXd push = Eigen::VectorXd::Ones(assembly.size());
+  BOOST_TEST(hasty.solve(push, 1e-10).value().dot(push) > 0);
 }
 
 // As the log prints it, to ten digits: more than the 1e-13 of round-off allowed.
