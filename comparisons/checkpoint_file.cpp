@@ -17,7 +17,7 @@
 namespace springcheck {
 namespace {
 
-constexpr long long layout = 2;
+constexpr long long layout = 3;
 
 std::vector<double> numbers(const std::vector<Vector3>& vectors) {
   std::vector<double> all;
@@ -33,7 +33,33 @@ std::vector<Vector3> vectors(const std::vector<double>& numbers) {
   return all;
 }
 
-CaseCheckpoint read(const std::filesystem::path& file, const std::string& key,
+/// "nu = 0.3, solver = verlet": of the settings those that the other has not as well.
+std::string own_settings(const nlohmann::json& settings, const nlohmann::json& other) {
+  std::vector<std::string> own;
+  for (const auto& [name, value] : settings.items())
+    if (!other.contains(name) || other[name] != value)
+      own.push_back(fmt::format("{} = {}", name, value.dump()));
+  return fmt::format("{}", fmt::join(own, ", "));
+}
+
+/// Throws InputError: a checkpoint that stores these settings is not the owner's.
+[[noreturn]] void refuse_other(const std::filesystem::path& file,
+                               const CheckpointOwner& owner,
+                               const nlohmann::json& stored) {
+  std::string expected = own_settings(owner.settings, stored),
+              got = own_settings(stored, owner.settings);
+  if (expected.empty() && got.empty()) {
+    expected = "this mesh and program version";
+    got = "the same settings with another mesh or version";
+  }
+  const auto or_default = [](const std::string& text) {
+    return text.empty() ? std::string("none of these settings") : text;
+  };
+  throw InputError(file.string(), "checkpoint of another case", or_default(expected),
+                   or_default(got));
+}
+
+CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& owner,
                     std::size_t nodes) {
   const auto refuse = [&](const std::string& entity, const std::string& expected,
                           const std::string& got) {
@@ -42,10 +68,10 @@ CaseCheckpoint read(const std::filesystem::path& file, const std::string& key,
   const auto root = hdf5::open_file(file);
   const auto stored = hdf5::read_text(root, "case");
   if (!stored) refuse("attribute 'case'", "a checkpoint of springcheck", "none");
-  if (*stored != key)
-    refuse("attribute 'case'",
-           fmt::format("{}, the key of this scene, mesh and program version", key),
-           fmt::format("{}, another's", *stored));
+  if (*stored != owner.key)
+    refuse_other(file, owner,
+                 nlohmann::json::parse(hdf5::read_text(root, "settings").value_or("{}"),
+                                       nullptr, false));
   const std::string set = hdf5::read_text(root, "instruction_set").value_or("unknown"),
                     ours(name_of(dynamics::best_instruction_set()));
   if (set != ours)
@@ -106,12 +132,13 @@ CaseCheckpoint read(const std::filesystem::path& file, const std::string& key,
 }
 
 void write_content(OverlayFile& overlay, const std::filesystem::path& file,
-                   const std::string& key, const CaseCheckpoint& checkpoint) {
+                   const CheckpointOwner& owner, const CaseCheckpoint& checkpoint) {
   const hdf5::Handle root(overlay.create(), H5Fclose, file.string());
   const auto& [state, step, time, dt, last_dt, steps_left, limit, stiffest,
                look_evaluations, excess] = checkpoint.march;
   hdf5::write_attribute(root, "layout", layout);
-  hdf5::write_attribute(root, "case", key);
+  hdf5::write_attribute(root, "case", owner.key);
+  hdf5::write_attribute(root, "settings", owner.settings.dump());
   hdf5::write_attribute(root, "instruction_set",
                         std::string(name_of(dynamics::best_instruction_set())));
   hdf5::write_attribute(root, "step", static_cast<double>(step));
@@ -139,7 +166,7 @@ void write_content(OverlayFile& overlay, const std::filesystem::path& file,
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& file, const std::string& key,
+void write_checkpoint(const std::filesystem::path& file, const CheckpointOwner& owner,
                       const CaseCheckpoint& checkpoint) {
   const std::filesystem::path place = link_target(file);
   const std::filesystem::path unfinished = place.string() + ".unfinished";
@@ -150,7 +177,7 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& key,
       std::filesystem::permissions(unfinished,
                                    std::filesystem::status(place).permissions());
     OverlayFile overlay(unfinished);
-    write_content(overlay, unfinished, key, checkpoint);
+    write_content(overlay, unfinished, owner, checkpoint);
     write_pages_of_new_file(unfinished, overlay.writes());
     std::filesystem::rename(unfinished, place);
     sync_folder_of(place);
@@ -162,10 +189,11 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& key,
 }
 
 std::optional<CaseCheckpoint> read_checkpoint(const std::filesystem::path& file,
-                                              const std::string& key, std::size_t nodes) {
+                                              const CheckpointOwner& owner,
+                                              std::size_t nodes) {
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
-    return read(file, key, nodes);
+    return read(file, owner, nodes);
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {  // HDF5's

@@ -131,10 +131,10 @@ double transit_count(const CaseSettings& settings, const Mesh& mesh) {
 }
 
 /// Writes checkpoints as long as they can be written: what was computed is worth more.
-void try_checkpoint(const std::filesystem::path& file, const std::string& key,
+void try_checkpoint(const std::filesystem::path& file, const CheckpointOwner& owner,
                     const CaseCheckpoint& checkpoint) {
   try {
-    write_checkpoint(file, key, checkpoint);
+    write_checkpoint(file, owner, checkpoint);
   } catch (const std::exception& error) {
     spdlog::error("no checkpoint at {:.4g} s; an earlier one, if any, stays: {}",
                   checkpoint.march.time, error.what());
@@ -156,17 +156,18 @@ dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
     };
   }
   if (!watch.checkpoint || !goes_through_time(settings)) return observers;
-  const std::string key =
-      case_key({.settings = settings, .reference = std::nullopt}, mesh);
-  if (auto from = read_checkpoint(*watch.checkpoint, key, mesh.nodes().size())) {
+  const CheckpointOwner owner{
+      .key = case_key({.settings = settings, .reference = std::nullopt}, mesh),
+      .settings = settings_json(settings)};
+  if (auto from = read_checkpoint(*watch.checkpoint, owner, mesh.nodes().size())) {
     fmt::print(stderr, "going on from {} at t = {:.4g} s, step {}\n",
                watch.checkpoint->string(), from->march.time, from->march.step);
     history = std::move(from->history);
     observers.from = std::move(from->march);
   }
   observers.seconds_between_checkpoints = watch.seconds_between_checkpoints;
-  observers.checkpoint = [&, key](const dynamics::Checkpoint& now) {
-    try_checkpoint(*watch.checkpoint, key, {.march = now, .history = history});
+  observers.checkpoint = [&, owner](const dynamics::Checkpoint& now) {
+    try_checkpoint(*watch.checkpoint, owner, {.march = now, .history = history});
   };
   return observers;
 }

@@ -23,6 +23,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t nodes = 1000;
 
+/// Whose settings are no more than its name.
+CheckpointOwner owner(const std::string& name) {
+  return {.key = name, .settings = {{"nu", 0.25}, {"scene", name}}};
+}
+
 /// Numbers that decimal text would not keep, and some that are none.
 CaseCheckpoint checkpoint_at(int step) {
   CaseCheckpoint checkpoint{.march = {.state = {},
@@ -81,7 +86,7 @@ void check_same(const CaseCheckpoint& a, const CaseCheckpoint& b) {
 void expect_refused(const fs::path& file, const std::string& key, std::size_t count,
                     const std::vector<std::string>& parts) {
   try {
-    (void)read_checkpoint(file, key, count);
+    (void)read_checkpoint(file, owner(key), count);
     BOOST_ERROR("no refusal of " + file.string());
   } catch (const InputError& error) {
     const std::string message = error.what();
@@ -117,18 +122,18 @@ class FileSizeLimit {
 BOOST_AUTO_TEST_CASE(a_checkpoint_is_read_as_it_was_written_to_the_bit) {
   const OwnFolder folder;
   const fs::path file = folder.path / "run.h5";
-  BOOST_TEST(!read_checkpoint(file, "key", nodes).has_value());
+  BOOST_TEST(!read_checkpoint(file, owner("key"), nodes).has_value());
   for (const int step : {0, 17, 1'000'000'007}) {  // one over the other
     const CaseCheckpoint written = checkpoint_at(step);
-    write_checkpoint(file, "key", written);
-    check_same(read_checkpoint(file, "key", nodes).value(), written);
+    write_checkpoint(file, owner("key"), written);
+    check_same(read_checkpoint(file, owner("key"), nodes).value(), written);
   }
   CaseCheckpoint without = checkpoint_at(1);
   without.history.clear();
   without.march.stiffest.clear();
   without.march.excess.reset();
-  write_checkpoint(file, "key", without);
-  check_same(read_checkpoint(file, "key", nodes).value(), without);
+  write_checkpoint(file, owner("key"), without);
+  check_same(read_checkpoint(file, owner("key"), nodes).value(), without);
   BOOST_TEST(file_count(folder.path) == 1U);
 }
 
@@ -138,16 +143,27 @@ BOOST_AUTO_TEST_CASE(what_a_killed_save_left_is_written_over) {
   const OwnFolder folder;
   const fs::path file = folder.path / "run.h5", left = folder.path / "run.h5.unfinished";
   std::ofstream(left) << std::string(1'000'000, 'x');
-  write_checkpoint(file, "key", checkpoint_at(5));
-  check_same(read_checkpoint(file, "key", nodes).value(), checkpoint_at(5));
+  write_checkpoint(file, owner("key"), checkpoint_at(5));
+  check_same(read_checkpoint(file, owner("key"), nodes).value(), checkpoint_at(5));
   BOOST_TEST(file_count(folder.path) == 1U);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_checkpoint_of_this_case_is_refused) {
   const OwnFolder folder;
   const fs::path file = folder.path / "run.h5";
-  write_checkpoint(file, "theirs", checkpoint_at(5));
-  expect_refused(file, "ours", nodes, {"run.h5", "ours", "theirs"});
+  write_checkpoint(file, owner("theirs"), checkpoint_at(5));
+  expect_refused(
+      file, "ours", nodes,
+      {"run.h5", "another case", "expected scene = \"ours\"", "got scene = \"theirs\""});
+  {  // the same settings, another mesh
+    CheckpointOwner other = owner("theirs");
+    other.key = "of another mesh";
+    BOOST_CHECK_EXCEPTION((void)read_checkpoint(file, other, nodes), InputError,
+                          [](const InputError& error) {
+                            return std::string(error.what()).find("another mesh") !=
+                                   std::string::npos;
+                          });
+  }
   expect_refused(file, "theirs", nodes + 1, {"displacement", "3003", "3000"});
   expect_refused(folder.path, "ours", nodes, {"checkpoint of springcheck"});
 
@@ -178,7 +194,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_checkpoint_of_this_case_is_refused) {
 BOOST_AUTO_TEST_CASE(a_truncated_file_is_refused_wherever_it_ends) {
   const OwnFolder folder;
   const fs::path file = folder.path / "run.h5";
-  write_checkpoint(file, "key", checkpoint_at(5));
+  write_checkpoint(file, owner("key"), checkpoint_at(5));
   const auto size = fs::file_size(file);
   for (int tenth = 9; tenth > 0; --tenth) {
     fs::resize_file(file, size * static_cast<unsigned>(tenth) / 10);
@@ -191,7 +207,7 @@ BOOST_AUTO_TEST_CASE(counts_that_no_run_has_are_refused) {
   const fs::path file = folder.path / "run.h5";
   for (const double bad : {-1., 1e300, std::numeric_limits<double>::quiet_NaN()})
     for (const char* name : {"step", "steps_left"}) {
-      write_checkpoint(file, "key", checkpoint_at(5));
+      write_checkpoint(file, owner("key"), checkpoint_at(5));
       {
         const hdf5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT),
                                 H5Fclose, "run");
@@ -205,18 +221,18 @@ BOOST_AUTO_TEST_CASE(counts_that_no_run_has_are_refused) {
 BOOST_AUTO_TEST_CASE(a_write_that_fails_leaves_the_earlier_checkpoint_alone) {
   const OwnFolder folder;
   const fs::path file = folder.path / "run.h5";
-  BOOST_CHECK_THROW(
-      write_checkpoint(folder.path / "nowhere" / "run.h5", "key", checkpoint_at(5)),
-      std::runtime_error);
+  BOOST_CHECK_THROW(write_checkpoint(folder.path / "nowhere" / "run.h5", owner("key"),
+                                     checkpoint_at(5)),
+                    std::runtime_error);
   for (const bool has_earlier : {false, true}) {
-    if (has_earlier) write_checkpoint(file, "key", checkpoint_at(5));
+    if (has_earlier) write_checkpoint(file, owner("key"), checkpoint_at(5));
     for (const rlim_t bytes : {0U, 1000U, 20000U, 50000U}) {
       const FileSizeLimit full(bytes);
-      BOOST_CHECK_THROW(write_checkpoint(file, "key", checkpoint_at(6)),
+      BOOST_CHECK_THROW(write_checkpoint(file, owner("key"), checkpoint_at(6)),
                         std::runtime_error);
     }
     BOOST_TEST(file_count(folder.path) == (has_earlier ? 1U : 0U));
-    const auto left = read_checkpoint(file, "key", nodes);
+    const auto left = read_checkpoint(file, owner("key"), nodes);
     BOOST_TEST(left.has_value() == has_earlier);
     if (left) check_same(*left, checkpoint_at(5));
   }
