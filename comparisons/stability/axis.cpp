@@ -56,12 +56,35 @@ bool is_ascending(const std::vector<std::string>& values) {
   return true;
 }
 
+/// The values of a setting that is named without any.
+std::optional<std::string> usual_values(const std::string& key, Test test) {
+  if (key == "deformation")
+    return test == Test::torsion ? "15deg:180deg:12" : "5%:60%:12";
+  if (key == "nu") return "0,0.05,0.1,0.15,0.2,0.25,0.3,0.35,0.4,0.45,0.49,0.499";
+  if (key == "dt-ratio") return "0.8:1.2:9";
+  if (key == "damping") return "0,0.01,0.02,0.05,0.1,0.2,0.5,1";
+  if (key == "diagonal-ratio") return "0.01,0.03,0.1,0.3,1,3,10,30,100";
+  if (key == "distortion") return "0:0.3:7";
+  if (key == "cell-type") return "hexahedron,tetrahedron,prism,pyramid,mixed";
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::vector<Axis> axes_named(const std::string& place, const std::string& text,
+                             Test test) {
+  if (text.find('=') != std::string::npos) return {axis_named(place, text)};
+  std::vector<Axis> axes;
+  for (const std::string& key : split(text, ','))
+    axes.push_back(
+        axis_named(place, key + "=" + usual_values(key, test).value_or(std::string())));
+  return axes;
+}
 
 Axis axis_named(const std::string& place, const std::string& text) {
   const auto refuse = [&]() { throw InputError(place, "", expected, "'" + text + "'"); };
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals + 1 == text.size()) refuse();
+  if (equals == std::string::npos) refuse();
   Axis axis{.key = text.substr(0, equals), .values = {}, .is_range = false};
   if (std::ranges::count(option_keys(), axis.key, &SettingKey::name) == 0 ||
       axis.key == "method" || axis.key == "reference")
@@ -70,6 +93,7 @@ Axis axis_named(const std::string& place, const std::string& text) {
         "a setting other than method and reference, one of " + names_of(option_keys()),
         "'" + axis.key + "'");
   const std::string values = text.substr(equals + 1);
+  if (values.empty()) refuse();
   const std::vector<std::string> range = split(values, ':');
   if (range.size() != 1 && range.size() != 3) refuse();
   if (range.size() == 3) {

@@ -20,6 +20,12 @@ struct Axis {
 /// Throws InputError, naming `place`.
 Axis axis_named(const std::string& place, const std::string& text);
 
+/// What stands behind one --over: an axis with its values, or only keys, "KEY[,KEY]",
+/// each over values of its own: deformation by 5 to 60 %, in torsion 15 to 180 degrees;
+/// nu, dt-ratio, damping, diagonal-ratio, distortion and cell-type likewise.
+std::vector<Axis> axes_named(const std::string& place, const std::string& text,
+                             Test test);
+
 GivenSetting setting(const Axis& axis, const std::string& value);
 
 /// The value in the middle of two of a range, in their unit.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "comparisons/scene_file.hpp"
 #include "comparisons/stability/atlas_sheets.hpp"
 #include "comparisons/text_table.hpp"
 #include "meshing/input_error.hpp"
@@ -30,15 +31,16 @@ std::string limits_text(const Atlas& atlas, const AtlasPlan& plan) {
 ExitStatus stability_command(const std::string& scene,
                              const std::vector<GivenSetting>& options,
                              const StabilityOptions& stability) {
-  if (stability.over.empty() || stability.over.size() > 2)
-    throw InputError("--over", "", "one or two axes",
-                     std::to_string(stability.over.size()));
   AtlasPlan plan{.scene = scene,
                  .options = options,
                  .axes = {},
                  .judges_locking = stability.locking};
+  const Test test = read_run(scene, options).common.test;
   for (const std::string& text : stability.over)
-    plan.axes.push_back(axis_named("--over", text));
+    for (Axis& axis : axes_named("--over", text, test))
+      plan.axes.push_back(std::move(axis));
+  if (plan.axes.empty() || plan.axes.size() > 2)
+    throw InputError("--over", "", "one or two axes", std::to_string(plan.axes.size()));
   if (plan.axes.size() == 2 && plan.axes[0].key == plan.axes[1].key)
     throw InputError("--over", "", "two different settings",
                      "'" + plan.axes[0].key + "' twice");

@@ -16,6 +16,14 @@ BOOST_AUTO_TEST_CASE(a_map_and_its_limits_are_printed) {
     BOOST_TEST(run.out.find(part) != std::string::npos, run.out);
 }
 
+BOOST_AUTO_TEST_CASE(settings_named_without_values_go_over_usual_ones) {
+  const Run run =
+      springcheck(stability + "--method mss-nfd --over deformation,nu --format csv");
+  BOOST_TEST(run.status == 0, run.err);
+  for (const char* row : {"mss-nfd,5%,0,", "mss-nfd,60%,0.499,"})
+    BOOST_TEST(run.out.find(row) != std::string::npos, run.out);
+}
+
 BOOST_AUTO_TEST_CASE(points_and_limits_are_rows_of_other_formats) {
   const Run run = springcheck(
       stability + "--method mss-nfd --over deformation=2%:20%:2 --format csv");
@@ -71,4 +79,6 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_mapped_is_refused) {
       stability + "--over nu=0,0.2 --over deformation=1%,2% --over young=1e3,1e4",
       "one or two");
   expect_bad_input(stability, "--over");
+  expect_bad_input(stability + "--over young", "KEY=FROM:TO:COUNT");
+  expect_bad_input(stability + "--over nu,deformation,distortion", "one or two");
 }
