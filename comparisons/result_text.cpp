@@ -18,6 +18,14 @@ std::string stable_up_to(const Solution& solution) {
   return fmt::format(" (stable up to {:.4g} s)", *solution.dt_limit);
 }
 
+/// Of samples asked for closer together than steps, there is one a step.
+std::string lacking_samples(const CaseResult& result) {
+  const auto asked = static_cast<std::size_t>(result.request.settings.dynamics.history);
+  const std::size_t taken = result.history.size();
+  if (taken >= asked) return {};
+  return fmt::format("; {} samples of {} asked for, one a step", taken, asked);
+}
+
 /// How a case went through time, if it did.
 std::string dynamics_text(const CaseResult& result) {
   const Measures& m = result.measures;
@@ -25,11 +33,12 @@ std::string dynamics_text(const CaseResult& result) {
   if (!m.kinetic_energy || !solution.dt) return {};
   const CaseSettings& settings = result.request.settings;
   return fmt::format(
-      "{}: {} steps of {:.4g} s to {:g} s{}, {:.3g} runs of a pressure wave through the "
-      "height, damping {:g}, kinetic energy {:.2g} of the strain energy.\n",
-      label(settings), solution.steps, *solution.dt, settings.dynamics.duration,
-      stable_up_to(solution), m.transit_count.value_or(0),
-      settings.dynamics.damping_ratio, *m.kinetic_energy / m.strain_energy.value_or(0));
+      "{}: {} {} of {:.4g} s to {:g} s{}, {:.3g} runs of a pressure wave through the "
+      "height, damping {:g}, kinetic energy {:.2g} of the strain energy{}.\n",
+      label(settings), solution.steps, solution.steps == 1 ? "step" : "steps",
+      *solution.dt, settings.dynamics.duration, stable_up_to(solution),
+      m.transit_count.value_or(0), settings.dynamics.damping_ratio,
+      *m.kinetic_energy / m.strain_energy.value_or(0), lacking_samples(result));
 }
 
 }  // namespace

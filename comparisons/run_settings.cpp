@@ -58,17 +58,23 @@ void check_method_runs(const RunSettings& run, const Settings& settings,
                                        fmt::join(methods, " or ")));
 }
 
-/// Samples where no method goes through time.
-void check_history(const RunSettings& run, const Settings& settings) {
-  const auto found = settings.find(std::string_view("history"));
-  if (found == settings.end()) return;
-  const auto has_history = [&](const Method& method) {
+/// Settings of motion where no method goes through time. A scene file made for dynamics
+/// may be solved statically: its own settings are refused only where they ask for output.
+void check_motion(const RunSettings& run, const Settings& settings) {
+  const auto moves = [&](const Method& method) {
     CaseSettings with = run.common;
     with.method = method;
     return springcheck::goes_through_time(with);
   };
-  if (std::ranges::none_of(run.methods, has_history))
-    found->second.refuse("no history without a solver that goes through time");
+  if (std::ranges::any_of(run.methods, moves)) return;
+  for (const std::string key :
+       {"history", "dt", "dt-ratio", "force-dt", "duration", "damping", "precision"}) {
+    const auto found = settings.find(key);
+    if (found == settings.end()) continue;
+    if (key == "history" || found->second.place() == "--" + key)
+      found->second.refuse(
+          fmt::format("no {} without a solver that goes through time", key));
+  }
 }
 
 /// "N" or "NX,NY,NZ" behind a reference's '@'.
@@ -212,7 +218,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   if (const auto reference = settings.find(std::string_view("reference"));
       reference != settings.end())
     run.reference = reference_named(reference->second);
-  check_history(run, settings);
+  check_motion(run, settings);
   check_method_runs(run, settings, {"fem-cauchy-born"}, {"lattice", "lattice-direction"});
   check_method_runs(run, settings, {"mss-custom"}, {"stiffness", "kappa"});
   check_method_runs(run, settings, {"mss-vangelder", "mss-lloyd"}, {"correction"});

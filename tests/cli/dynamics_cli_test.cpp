@@ -136,14 +136,16 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_belongs_to_one_case_in_dynamics) {
       "run compression --method mss-cf --duration 0.2 --checkpoint case.h5 "
       "--checkpoint-every 0 ";
   BOOST_TEST(springcheck(saved + "--cells 4,4,4 --solver verlet").status == 0);
-  for (const char* change :
-       {"--cells 4,4,4 --solver semi-implicit", "--cells 4,4,5 --solver verlet",
-        "--cells 4,4,4 --solver verlet --nu 0.3",
-        "--cells 4,4,4 --solver verlet --deformation 6%",
-        "--cells 4,4,4 --solver verlet --dt 1e-4",
-        "--cells 4,4,4 --solver verlet --precision float",
-        "--cells 4,4,4 --solver verlet --history 3"})
-    expect_bad_input(saved + change, "key of this scene, mesh and program version");
+  const std::vector<std::pair<std::string, std::string>> changes{
+      {"--cells 4,4,4 --solver semi-implicit",
+       "expected solver = \"semi-implicit\", got solver = \"verlet\""},
+      {"--cells 4,4,5 --solver verlet", "expected cells = [4,4,5], got cells = [4,4,4]"},
+      {"--cells 4,4,4 --solver verlet --nu 0.3", "expected nu = 0.3, got nu = 0.25"},
+      {"--cells 4,4,4 --solver verlet --deformation 6%", "expected deformation = 0.06"},
+      {"--cells 4,4,4 --solver verlet --dt 1e-4", "expected dt = 0.0001"},
+      {"--cells 4,4,4 --solver verlet --precision float", "expected precision = "},
+      {"--cells 4,4,4 --solver verlet --history 3", "expected history = 3, got none"}};
+  for (const auto& [change, message] : changes) expect_bad_input(saved + change, message);
   expect_bad_input(short_run + "--solver verlet --checkpoint same.h5 --out ./same.h5",
                    "another file than that of --out");
   expect_bad_input(pressed + "--method mss-cf --checkpoint static.h5",
@@ -157,6 +159,10 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_belongs_to_one_case_in_dynamics) {
                          seconds,
                      "a number of seconds, 0 or more");
   expect_bad_input(short_run + "--solver verlet --checkpoint-every 5", "--checkpoint");
+  for (const char* setting : {"--dt 1e-4", "--duration 1", "--damping 0.1",
+                              "--precision float", "--force-dt", "--history 3"})
+    expect_bad_input(pressed + "--method mss-cf " + setting,
+                     "without a solver that goes through time");
   expect_bad_input(short_run + "--solver verlet --checkpoint nowhere/x.h5",
                    "nowhere/x.h5");
   expect_bad_input(short_run + "--solver verlet --checkpoint .", "a directory");
