@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <omp.h>
 #include <spdlog/spdlog.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -52,23 +50,18 @@ dynamics::Protocol protocol_of(const CaseSettings& settings) {
           .force_time_step = settings.dynamics.force_time_step};
 }
 
-/// Threads for one simulation, of those that the program may have.
-int threads_per_simulation() {
-  const auto all = static_cast<int>(
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  return std::max(1, all / tbb::this_task_arena::max_concurrency());
-}
-
-std::optional<mss::DynamicsSettings> spring_dynamics(const CaseSettings& settings) {
+std::optional<mss::DynamicsSettings> spring_dynamics(const CaseSettings& settings,
+                                                     int threads) {
   if (!goes_through_time(settings)) return std::nullopt;
   return mss::DynamicsSettings{.protocol = protocol_of(settings),
                                .damping_ratio = settings.dynamics.damping_ratio,
                                .precision = settings.dynamics.precision,
-                               .threads = threads_per_simulation()};
+                               .threads = threads};
 }
 
 Solution solve_explicitly(const CaseSettings& settings, const Mesh& mesh,
-                          const Scene& scene, const dynamics::Observers& observers) {
+                          const Scene& scene, int threads,
+                          const dynamics::Observers& observers) {
   if (!goes_through_time(settings))
     return refused("fem-explicit steps explicitly; fem-stvk has the static solver");
   return fem_reference::run_dynamics(
@@ -77,24 +70,24 @@ Solution solve_explicitly(const CaseSettings& settings, const Mesh& mesh,
        .protocol = protocol_of(settings),
        .damping_ratio = settings.dynamics.damping_ratio,
        .precision = settings.dynamics.precision,
-       .threads = threads_per_simulation()},
+       .threads = threads},
       observers);
 }
 
-Solution solve(const CaseSettings& settings, const Mesh& mesh,
+Solution solve(const CaseSettings& settings, const Mesh& mesh, int threads,
                const dynamics::Observers& observers) {
   const Scene scene = mechanical_scene(settings, mesh);
   if (is_finite_element(settings.method))
     return fem_reference::solve(mesh, scene, reference_settings(settings));
   if (is_explicit_element(settings.method))
-    return solve_explicitly(settings, mesh, scene, observers);
+    return solve_explicitly(settings, mesh, scene, threads, observers);
   return mss::solve(mesh, scene,
                     {.network = {.method = std::get<mss::Method>(settings.method.model),
                                  .stiffness_form = settings.stiffness_form,
                                  .diagonal_ratio = settings.diagonal_ratio,
                                  .constants = settings.constants,
                                  .volume_correction = settings.correction},
-                     .dynamics = spring_dynamics(settings),
+                     .dynamics = spring_dynamics(settings, threads),
                      .to_limit = solver_of(settings) == Solver::path_limit,
                      .seed = settings.seed,
                      .noise = settings.noise},
@@ -102,10 +95,10 @@ Solution solve(const CaseSettings& settings, const Mesh& mesh,
 }
 
 /// A breakdown is a result: one case must not end a study of thousands.
-Solution solve_or_break_down(const CaseSettings& settings, const Mesh& mesh,
+Solution solve_or_break_down(const CaseSettings& settings, const Mesh& mesh, int threads,
                              const dynamics::Observers& observers) {
   try {
-    return solve(settings, mesh, observers);
+    return solve(settings, mesh, threads, observers);
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
@@ -225,12 +218,13 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
   return result;
 }
 
-CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, const Watch& watch) {
+CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, int threads,
+                    const Watch& watch) {
   omp_set_num_threads(1);  // this thread's: CHOLMOD's small loops only wait otherwise
   const auto start = std::chrono::steady_clock::now();
   History history;
   const dynamics::Observers observers = observers_of(settings, mesh, watch, history);
-  Solution solution = solve_or_break_down(settings, mesh, observers);
+  Solution solution = solve_or_break_down(settings, mesh, threads, observers);
   const double solve_wall_s = seconds_since(start);
   CaseResult result = judged(settings, mesh, std::move(solution));
   result.history = std::move(history);

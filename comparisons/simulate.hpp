@@ -20,9 +20,10 @@ struct Watch {
 };
 
 /// Runs one case, without its reference: solution, measures, verdict and times; no key.
+/// threads: of dynamics; other solvers' inner loops take those that TBB has to spare.
 /// A solver that breaks down (out of memory, say) leaves status not_converged and its
 /// words as reason; only InputError is thrown.
-CaseResult simulate(const CaseSettings& settings, const Mesh& mesh,
+CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, int threads = 1,
                     const Watch& watch = {});
 
 }  // namespace springcheck

@@ -1,5 +1,6 @@
 #include "comparisons/study.hpp"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -85,24 +86,35 @@ class Study {
     for (const std::size_t request : ready_) complete(request);
     std::size_t done = 0;
     MemoryBudget budget(available_memory());
-    tbb::task_arena arena(parallel);
-    arena.execute([&] {
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, to_run_.size(), 1),
-          [&](const tbb::blocked_range<std::size_t>& range) {
-            // An exception that leaves here would cancel the loops inside other
-            // simulations, which would go on with what these had not computed.
-            for (std::size_t i = range.begin(); i < range.end() && !failed_; ++i) try {
-                simulate_one(to_run_[i], budget);
-                const std::lock_guard lock(finishing_);
-                finished(++done, to_run_.size());
-              } catch (...) {
-                const std::lock_guard lock(finishing_);
-                if (!failed_.exchange(true)) failure_ = std::current_exception();
-              }
-          },
-          tbb::simple_partitioner());
-    });
+    const auto run_one = [&](std::size_t i) {
+      // An exception that leaves here would cancel the loops inside other simulations,
+      // which would go on with what these had not computed.
+      if (failed_) return;
+      try {
+        simulate_one(to_run_[i], budget);
+        const std::lock_guard lock(finishing_);
+        finished(++done, to_run_.size());
+      } catch (...) {
+        const std::lock_guard lock(finishing_);
+        if (!failed_.exchange(true)) failure_ = std::current_exception();
+      }
+    };
+    const auto all_threads = static_cast<int>(
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    threads_ = std::max(1, all_threads / parallel);
+    if (parallel == 1) {  // outside of an arena of one thread: inner loops have them all
+      for (std::size_t i = 0; i < to_run_.size(); ++i) run_one(i);
+    } else {
+      tbb::task_arena arena(parallel);
+      arena.execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, to_run_.size(), 1),
+            [&](const tbb::blocked_range<std::size_t>& range) {
+              for (std::size_t i = range.begin(); i < range.end(); ++i) run_one(i);
+            },
+            tbb::simple_partitioner());
+      });
+    }
     if (failure_) std::rethrow_exception(failure_);
   }
 
@@ -155,8 +167,9 @@ class Study {
     try {
       // Isolated: a thread that waits for its own inner loops must not start another
       // simulation meanwhile, whose time would count twice.
-      result = tbb::this_task_arena::isolate(
-          [&] { return simulate(simulation.settings, *simulation.mesh, watch_); });
+      result = tbb::this_task_arena::isolate([&] {
+        return simulate(simulation.settings, *simulation.mesh, threads_, watch_);
+      });
     } catch (...) {
       budget.give(bytes);
       throw;
@@ -207,6 +220,7 @@ class Study {
   const KnownResult& known_;
   const Deliver& deliver_;
   const Watch& watch_;
+  int threads_ = 1;  // of each simulation
   std::vector<Simulation> simulations_;
   std::vector<Parts> parts_;  // of the requests
   std::map<std::string, std::size_t> places_;
