@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "comparisons/blas.hpp"
 #include "comparisons/build_info.hpp"
 #include "comparisons/commands.hpp"
 #include "comparisons/gate_command.hpp"
@@ -21,8 +22,6 @@
 #include "comparisons/stability/stability_command.hpp"
 #include "comparisons/sweep_command.hpp"
 #include "meshing/input_error.hpp"
-
-extern "C" void openblas_set_num_threads(int);
 
 namespace {
 
@@ -286,8 +285,6 @@ int command_line(int argc, char** argv) {
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("springcheck"));
   spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
-  // The same bits on every machine; simulations are what runs in parallel.
-  openblas_set_num_threads(1);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
 
@@ -334,6 +331,7 @@ int command_line(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  springcheck::use_fitting_blas(argv);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like others
   try {
     return command_line(argc, argv);

@@ -24,15 +24,16 @@ fail() { echo "$1" >&2; exit 1; }
 
 run > first.log 2>&1 &
 first=$!
+kept() { "$springcheck" sweep sweep.toml --out "$shards/1.h5" --shard 1/2 --dry-run; }
 for _ in $(seq 1 600); do  # until the first shard has a case
-  [ -s "$shards/1.h5" ] && break
+  [ -s "$shards/1.h5" ] && kept > kept.log 2>&1 && ! grep -q "12 of them" kept.log && break
   sleep 0.1
 done
 pkill -9 -f -- "--out $shards/1.h5" || fail "no job to kill"
 if wait "$first"; then fail "the killed job went unnoticed"; fi
 [ -s "$shards/1.h5" ] || fail "the killed job's result file is lost"
 [ ! -e "my all.h5" ] || fail "merged before all shards were done"
-"$springcheck" sweep sweep.toml --out "$shards/1.h5" --shard 1/2 --dry-run > kept.log
+kept > kept.log
 grep -q "12 cases, " kept.log || fail "$(cat kept.log)"
 ! grep -q "12 of them" kept.log || fail "nothing of the killed job was kept"
 
