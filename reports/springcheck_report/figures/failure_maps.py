@@ -80,8 +80,8 @@ def draw(vertical, horizontal, panels, letters):
             continue
         panel = panels[place]
         _fields(axes, vertical, horizontal, panel, letters, letter_size, seen)
-        _lines(axes, panel, dashes)
-        _scales(axes, vertical, horizontal)
+        _lines(axes, panel, dashes, horizontal.texts is None)
+        _scales(axes, vertical, horizontal, columns)
         axes.set_title(panel.title)
         if place % columns == 0:
             axes.set_ylabel(vertical.label)
@@ -128,8 +128,12 @@ def _hatch_colour(failure):
 
 
 def _letter(axes, place, failure, letter, size):
-    ink = FAILURE_STYLES[failure][2]
-    axes.text(*place, letter, color=ink, fontsize=size, ha="center", va="center", zorder=1.5)
+    colour, _, ink = FAILURE_STYLES[failure]
+    # Above the lines, but for the dots of what does not fail.
+    style = {"color": ink, "fontsize": size, "ha": "center", "va": "center", "zorder": 1.5}
+    if failure != "none":
+        style |= {"zorder": 7, "path_effects": [withStroke(linewidth=1.4, foreground=colour)]}
+    axes.text(*place, letter, **style)
 
 
 def _compound(rectangles):
@@ -143,7 +147,7 @@ def _compound(rectangles):
 
 _MOST_MARKERS = 30
 _LIMIT = {"color": "black", "linewidth": 1.3, "marker": "o", "markersize": 3, "markerfacecolor": "white"}
-_DASHES = [(0, (4, 1.5)), (0, (1, 1.2)), (0, (5, 1.5, 1, 1.5))]
+_DASHES = [(0, (5, 3)), (0, (1.5, 1.5)), (0, (8, 2, 1.5, 2))]
 
 
 def _dashes_by_label(panels):
@@ -152,16 +156,29 @@ def _dashes_by_label(panels):
     return {label: _DASHES[i % len(_DASHES)] for i, label in enumerate(labels)}
 
 
-def _lines(axes, panel, dashes):
+def _lines(axes, panel, dashes, is_connected):
+    """Theory lies over the limit that was found and below its markers, so that both are seen
+    where they agree. Between values that are no numbers there is no line."""
     if panel.limit:
-        style = _LIMIT if len(panel.limit.x) <= _MOST_MARKERS else _LIMIT | {"marker": ""}
-        axes.plot(panel.limit.x, panel.limit.y, path_effects=_HALO, zorder=4, **style)
+        at = panel.limit.x, panel.limit.y
+        if is_connected:
+            axes.plot(*at, path_effects=_HALO, zorder=4, **_LIMIT | {"marker": ""})
+        if not is_connected or len(panel.limit.x) <= _MOST_MARKERS:
+            axes.plot(*at, zorder=6, **_LIMIT | {"linestyle": ""})
     for line in panel.theory:
-        style = {"color": "black", "linewidth": 1.1, "linestyle": dashes[line.label]}
-        axes.plot(line.x, line.y, path_effects=_HALO, zorder=3, **style)
+        for style in _theory_styles(dashes[line.label]):
+            axes.plot(line.x, line.y, zorder=5, **style)
 
 
-def _scales(axes, vertical, horizontal):
+def _theory_styles(dashes):
+    """White dashes on black, which are seen on any field."""
+    return (
+        {"color": "black", "linewidth": 2, "solid_capstyle": "butt"},
+        {"color": "white", "linewidth": 1, "linestyle": dashes, "dash_capstyle": "butt"},
+    )
+
+
+def _scales(axes, vertical, horizontal, columns):
     # The limits that the fields have set are kept: scales and ticks would widen them.
     limits = axes.get_xlim(), axes.get_ylim()
     for axis, set_scale, name, positions in (
@@ -173,7 +190,7 @@ def _scales(axes, vertical, horizontal):
             plain_numbers(name)
         if axis.texts is not None:
             name.set_ticks(positions, axis.texts)
-    if horizontal.texts is not None and sum(map(len, horizontal.texts)) > 24:
+    if horizontal.texts is not None and sum(len(text) + 2 for text in horizontal.texts) > 96 / columns:
         axes.tick_params(axis="x", labelrotation=45)
     axes.set(xlim=limits[0], ylim=limits[1])
     axes.grid(False)
@@ -193,5 +210,5 @@ def _legend(seen, panels, letters, letter_size, dashes):
     if any(panel.limit for panel in panels):
         entries.append((Line2D([], [], **_LIMIT), "limit that was found"))
     for label, pattern in dashes.items():
-        entries.append((Line2D([], [], color="black", linewidth=1.1, linestyle=pattern), label))
+        entries.append((tuple(Line2D([], [], **style) for style in _theory_styles(pattern)), label))
     return entries

@@ -46,7 +46,7 @@ def atlas(study):
             '<a href="data/atlas.json">data/atlas.json</a>.'
         )
     )
-    names = set()
+    names = []
     for one in maps[:_MOST_MAPS]:
         section.blocks += _blocks(study, one, letters, names)
     if len(maps) > _MOST_MAPS:
@@ -61,10 +61,7 @@ def _is_begun(one):
 def _blocks(study, one, letters, names):
     """Heading, figure, the map in letters and the table of limits."""
     first, second = one["axes"]
-    name = file_name(f"atlas_{one['scene']}_{first['key']}_{second['key']}")
-    while name in names:
-        name += "-more"
-    names.add(name)
+    name = _new_name("_".join(["atlas", file_name(one["scene"]), first["key"], second["key"]]), names)
     case = next(c for c in (study.case(p["case"]) for p in one["points"] if p["failure"]) if c is not None)
     vertical, horizontal = (_axis(axis, case) for axis in one["axes"])
     panels = [
@@ -72,7 +69,7 @@ def _blocks(study, one, letters, names):
             method,
             _failures(one, method),
             _limit_line(one, method, horizontal),
-            theory_on(study, one, method, horizontal.positions),
+            theory_on(study, one, method, horizontal.edges()),
         )
         for method in _methods(one)
     ]
@@ -80,6 +77,13 @@ def _blocks(study, one, letters, names):
     words = [_conditions(one, case), *_limit_words(panels, first), *_theory_words(panels), *_progress(one)]
     figure = Figure(name, " ".join(words), failure_maps.draw, (vertical, horizontal, panels, letters))
     return [heading, figure, *_limits_table(study, one, name), _in_letters(one, letters)]
+
+
+def _new_name(name, names):
+    """The name, with a number where a map of the same settings has it already."""
+    count = 1 + sum(other.split(".")[0] == name for other in names)
+    names.append(name if count == 1 else f"{name}.{count}")
+    return names[-1]
 
 
 def _methods(one):
@@ -150,13 +154,13 @@ def _conditions(one, case):
     if "nu" not in keys:
         parts.append(f"nu {case.nu:g}")
     if "deformation" not in keys and load_text(case):
-        parts.append(load_text(case))
+        parts.append(f"deformed by {load_text(case)}" if np.isfinite(case.deformation) else load_text(case))
     if case.solver and case.solver != "static" and "solver" not in keys:
-        parts.append(f"springs by {case.solver}")
+        parts.append(f"stepped by {case.solver}" if case.solver != "limit" else "the path's limit")
         if "damping" not in keys and np.isfinite(case.damping):
             parts.append(f"damping {case.damping:g}")
         if "duration" not in keys and np.isfinite(case.duration):
-            parts.append(f"{case.duration:g} s")
+            parts.append(f"in {case.duration:g} s")
     return f"How methods fail in {one['scene']}: {', '.join(parts)}."
 
 

@@ -36,13 +36,13 @@ class Theory(Line):
     source: str
 
 
-def theory_on(study, one, method, positions):
-    """Lines over the map of a method. positions: of the second axis's values."""
+def theory_on(study, one, method, edges):
+    """Lines over the map of a method. edges: of the fields along the second axis."""
     first, second = one["axes"]
     if first["numbers"] is None:
         return []
     if first["key"] == "dt-ratio":
-        return _within(first, _level(_STEP, positions, 1, _STEP_WORDS))
+        return _within(first, _level(_STEP, edges, 1, _STEP_WORDS))
     if second["key"] == "dt-ratio" and second["numbers"]:
         ends = np.array([first["numbers"][0], first["numbers"][-1]], dtype=float)
         is_inside = second["numbers"][0] <= 1 <= second["numbers"][-1]
@@ -52,8 +52,8 @@ def theory_on(study, one, method, positions):
         return []
     if method.startswith("fem-stvk") and case.test in ("compression", "uniaxial"):
         strain = _scale(first, case, "compression") * _STVK_STRAIN
-        return _within(first, _level("St-Venant-Kirchhoff's bar", positions, strain, _STVK_WORDS))
-    return _lattice(study, one, method, case, positions)
+        return _within(first, _level("St-Venant-Kirchhoff's bar", edges, strain, _STVK_WORDS))
+    return _lattice(study, one, method, case, edges)
 
 
 def _case_of(study, one, method):
@@ -62,9 +62,9 @@ def _case_of(study, one, method):
     return next((case for case in cases if case is not None), None)
 
 
-def _level(label, positions, y, source):
-    """A line across all values of the second axis, to the ends of their fields."""
-    return Theory(label, np.asarray(positions, dtype=float), np.full(len(positions), float(y)), source)
+def _level(label, edges, y, source):
+    """A line across the whole map."""
+    return Theory(label, np.array([edges[0], edges[-1]], dtype=float), np.full(2, float(y)), source)
 
 
 def _scale(first, case, load):
@@ -80,7 +80,7 @@ def _within(first, line):
     return [line] if inside.any() else []
 
 
-def _lattice(study, one, method, case, positions):
+def _lattice(study, one, method, case, edges):
     """The infinite lattice's first loss of stability over the second axis, from the table
     lattice-stability."""
     document = study.tables.get("lattice-stability")
@@ -109,5 +109,5 @@ def _lattice(study, one, method, case, positions):
             x = np.array([row[_COLUMNS[along]] for row in lost], dtype=float)
             lines += _within(first, Theory("infinite lattice", x, strains, _LATTICE_WORDS))
         else:
-            lines += _within(first, _level("infinite lattice", positions, strains[0], _LATTICE_WORDS))
+            lines += _within(first, _level("infinite lattice", edges, strains[0], _LATTICE_WORDS))
     return lines
