@@ -25,7 +25,7 @@ const char* fitting_core() {
 
 }  // namespace
 
-void use_fitting_blas(char** arguments) {
+void restart_with_fitting_blas(char** arguments) {
   constexpr const char* variable = "OPENBLAS_CORETYPE";
   const char* core = fitting_core();
   if (core != nullptr && std::getenv(variable) == nullptr &&
@@ -33,6 +33,9 @@ void use_fitting_blas(char** arguments) {
     setenv(variable, core, 0);
     execv("/proc/self/exe", arguments);
   }
+}
+
+void use_one_blas_thread() {
   openblas_set_num_threads(1);
 }
 

@@ -3,10 +3,14 @@
 namespace springcheck {
 
 /// OpenBLAS chooses its kernels as it is loaded, and on processors that are younger than
-/// itself those for any x86-64. Where it did so though better ones would run, starts the
-/// program again with OPENBLAS_CORETYPE naming them; a user's own choice stays. Returns
-/// where there is nothing to gain, or starting fails. One thread for each call: what runs
-/// in parallel are simulations and loops, with the same bits for any number of threads.
-void use_fitting_blas(char** arguments);
+/// itself those for any x86-64, which take half as long again. Where it did so though
+/// better ones would run, starts the program again with OPENBLAS_CORETYPE naming them,
+/// which costs the time of loading it; a user's own choice stays. Returns where there is
+/// nothing to gain, or starting fails.
+void restart_with_fitting_blas(char** arguments);
+
+/// One thread for each call: what runs in parallel are simulations and loops, with the
+/// same bits for any number of threads.
+void use_one_blas_thread();
 
 }  // namespace springcheck

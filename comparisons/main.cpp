@@ -285,6 +285,9 @@ int command_line(int argc, char** argv) {
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("springcheck"));
   spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
+  if (*run || *table || *sweep || *stability || *everything)
+    restart_with_fitting_blas(argv);
+  use_one_blas_thread();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
 
@@ -331,7 +334,6 @@ int command_line(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  springcheck::use_fitting_blas(argv);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like others
   try {
     return command_line(argc, argv);

@@ -7,6 +7,7 @@
 
 #include "comparisons/report_program.hpp"
 #include "comparisons/result_file.hpp"
+#include "comparisons/stability/atlas_json.hpp"
 #include "comparisons/stored_tables.hpp"
 #include "comparisons/table_files.hpp"
 #include "comparisons/theory_curves.hpp"
@@ -55,6 +56,9 @@ ExitStatus make_report(const std::filesystem::path& file,
   const std::string theory = theory_curves(read_cases(file)).dump() + "\n";
   write_whole_stream(folder / "data" / "theory.json",
                      [&](std::ostream& out) { out << theory; });
+  const std::string atlas = atlas_json(file).dump() + "\n";
+  write_whole_stream(folder / "data" / "atlas.json",
+                     [&](std::ostream& out) { out << atlas; });
   if (run_report_program(file, folder) != 0) return ExitStatus::fell_short;
   const std::filesystem::path xdmf = folder / "3d" / "cases.xdmf";
   if (std::filesystem::exists(folder / "3d" / "show.py"))  // made where there are fields

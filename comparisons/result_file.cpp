@@ -9,6 +9,7 @@
 
 #include "comparisons/open_result_file.hpp"
 #include "comparisons/provenance.hpp"
+#include "comparisons/stability/stored_map.hpp"
 #include "comparisons/store/overlay_file.hpp"
 #include "comparisons/stored_mesh.hpp"
 #include "comparisons/xdmf.hpp"
@@ -45,6 +46,27 @@ void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
     hdf5::write_table(group, partial + "spring_strain", solution.spring_strains, 1);
   if (!result.deviation.empty())
     hdf5::write_table(group, "deviation", flat(result.deviation), 3);
+}
+
+/// The group of maps, made where the file has none.
+hdf5::Handle maps_of(hid_t root) {
+  return hdf5::has_link(root, "maps") ? hdf5::open_group(root, "maps")
+                                      : hdf5::create_group(root, "maps");
+}
+
+/// Copies the maps that a file lacks, or has without their limits.
+void copy_maps(hid_t from, hid_t to) {
+  for (const std::string& name : hdf5::links(from)) {
+    const auto has_limits = [&](hid_t maps) {
+      const auto map = hdf5::open_group(maps, name);
+      return row_count(hdf5::open_group(map, "limits")) > 0;
+    };
+    if (hdf5::has_link(to, name)) {
+      if (has_limits(to) || !has_limits(from)) continue;
+      hdf5::remove_link(to, name);
+    }
+    hdf5::copy_link(from, to, name);
+  }
 }
 
 std::filesystem::path xdmf_beside(std::filesystem::path file) {
@@ -148,6 +170,10 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
   }
 }
 
+void ResultFile::put_map(const StoredMap& map, MapState state) {
+  change([&](hid_t root) { write_map(maps_of(root), map, state); });
+}
+
 ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
   constexpr std::size_t at_once = 500;  // bounds what a commit keeps in memory
   if (std::error_code none; std::filesystem::equivalent(from, file_, none))
@@ -223,6 +249,10 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
       }
       absorbed.added += added.size();
     }
+    if (hdf5::has_link(source, "maps"))
+      change([&](hid_t root) {
+        copy_maps(hdf5::open_group(source, "maps"), maps_of(root));
+      });
     return 0;
   });
   return absorbed;

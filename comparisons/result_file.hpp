@@ -12,6 +12,9 @@
 
 namespace springcheck {
 
+struct StoredMap;
+enum class MapState;
+
 /// The cases of a result file by their keys, and who computed them.
 struct StoredKeys {
   std::map<std::string, Status> statuses;
@@ -30,6 +33,8 @@ StoredKeys keys_in(hid_t root, const std::filesystem::path& file);
 ///     /cases           one column (dataset) for each setting and measure, see case_rows
 ///     /provenance      columns, a row for each time the file was written
 ///     /meshes/SHA256   nodes, hexahedra, regions/NAME
+///     /maps/IDENTITY   maps of `springcheck stability`, see stability/stored_map.hpp; no
+///                      such group in files without
 ///     /fields/KEY      of nodes displacement, reaction [N]; of cells cell_volume_ratio,
 ///                      spring_strain (l/L - 1 of the most strained spring): partial_
 ///                      of these when the case ended without an equilibrium; of nodes
@@ -52,9 +57,12 @@ class ResultFile {
   /// where results have them and `with_fields` says so.
   void put(std::span<const CaseResult> results, bool with_fields, MeshStore& meshes);
 
+  /// Keeps a map of cases, see write_map.
+  void put_map(const StoredMap& map, MapState state);
+
   /// Adds what another result file has and this one lacks: cases with their provenance,
-  /// meshes, fields. Cases that both have stay as they are here, but get fields they
-  /// lack.
+  /// meshes, fields, maps. Cases that both have stay as they are here, but get fields
+  /// they lack.
   struct Absorbed {
     std::size_t added = 0, already_there = 0;
     std::vector<std::string> conflicts;  // cases of other figures, in words

@@ -226,8 +226,30 @@ void judge_locking(Atlas& atlas, CaseRunner& runner) {
     }
   }
   const std::vector<CaseResult> results = runner.run(controls);
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i]->control = results[i].key;
     if (locks(points[i]->result, results[i])) points[i]->failure = Failure::locking;
+  }
+}
+
+/// The atlas as files keep it; the results of its points may still be lacking.
+StoredMap stored_map(const Atlas& atlas, const AtlasPlan& plan) {
+  StoredMap map{.scene = plan.scene, .axes = {}, .points = {}, .limits = {}};
+  for (const Axis& axis : plan.axes) map.axes.push_back(axis.key);
+  for (const AtlasPoint& point : atlas.points)
+    map.points.push_back({.method = point.method,
+                          .values = point.values,
+                          .key = point.result.key,
+                          .control = point.control});
+  for (const AtlasLimit& limit : atlas.limits)
+    map.limits.push_back(
+        {.method = limit.method,
+         .other = limit.other,
+         .low = limit.low,
+         .high = limit.high,
+         .failure = std::string(name_of(limit.failure)),
+         .key = limit.cases.empty() ? std::nullopt : std::optional(limit.cases[0])});
+  return map;
 }
 
 }  // namespace
@@ -252,6 +274,10 @@ Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner) {
   for (const CaseSettings& settings : cases)
     requests.push_back({.settings = settings, .reference = std::nullopt});
   check_memory("--over", requests);
+  const std::vector<std::string> keys = runner.keys_of(cases);
+  for (std::size_t i = 0; i < keys.size(); ++i) atlas.points[i].result.key = keys[i];
+  // Before it is filled, which may be interrupted.
+  runner.keep(stored_map(atlas, plan), MapState::planned);
   std::vector<CaseResult> results = runner.run(cases);
   for (std::size_t i = 0; i < results.size(); ++i) {
     atlas.points[i].failure = failure_of(results[i]);
@@ -259,6 +285,7 @@ Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner) {
   }
   if (plan.judges_locking) judge_locking(atlas, runner);
   if (plan.axes[0].is_range) atlas.limits = limits_of(atlas, plan, runner);
+  runner.keep(stored_map(atlas, plan), MapState::complete);
   return atlas;
 }
 

@@ -23,6 +23,7 @@ struct AtlasPoint {
   std::vector<std::string> values;  // of the axes
   CaseResult result;
   Failure failure;
+  std::optional<std::string> control{};  // key of that by which locking was judged
 };
 
 /// Along the first axis, in the order of its values from the first on, the place where a
@@ -48,7 +49,7 @@ struct Atlas {
 /// the first: of the deformation of springs by solver limit, of finite elements from what
 /// their path tells, else by bisection of cases. Locking is judged against the same law
 /// on q1-sri; of springs on hexahedra against fem-cauchy-born of their lattice; of others
-/// not. Throws InputError.
+/// not. The runner keeps the map, at first without its limits. Throws InputError.
 Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner);
 
 }  // namespace springcheck

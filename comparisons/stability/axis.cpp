@@ -115,8 +115,13 @@ Axis axis_named(const std::string& place, const std::string& text) {
     axis.values = split(values, values.find(';') == std::string::npos ? ',' : ';');
   }
   if (axis.values.empty() || std::ranges::count(axis.values, "") > 0) refuse();
-  axis.is_range = is_ascending(axis.values) && axis.values.size() > 1;
-  return axis;
+  return axis_of(axis.key, axis.values);
+}
+
+Axis axis_of(const std::string& key, const std::vector<std::string>& values) {
+  return {.key = key,
+          .values = values,
+          .is_range = values.size() > 1 && is_ascending(values)};
 }
 
 GivenSetting setting(const Axis& axis, const std::string& value) {

@@ -26,6 +26,9 @@ Axis axis_named(const std::string& place, const std::string& text);
 std::vector<Axis> axes_named(const std::string& place, const std::string& text,
                              Test test);
 
+/// The axis of a setting and its values.
+Axis axis_of(const std::string& key, const std::vector<std::string>& values);
+
 GivenSetting setting(const Axis& axis, const std::string& value);
 
 /// The value in the middle of two of a range, in their unit.

@@ -27,14 +27,24 @@ CaseRunner::CaseRunner(const std::optional<std::filesystem::path>& file, int par
   file_.emplace(*file);
 }
 
+std::vector<std::string> CaseRunner::keys_of(const std::vector<CaseSettings>& settings) {
+  std::vector<std::string> keys;
+  for (const CaseSettings& one : settings)
+    keys.push_back(
+        case_key({.settings = one, .reference = std::nullopt}, meshes_.mesh(one.body)));
+  return keys;
+}
+
+void CaseRunner::keep(const StoredMap& map, MapState state) {
+  if (file_) file_->put_map(map, state);
+}
+
 std::vector<CaseResult> CaseRunner::run(const std::vector<CaseSettings>& settings) {
   if (settings.empty()) return {};
   std::vector<Request> requests;
-  std::vector<std::string> keys;
-  for (const CaseSettings& one : settings) {
+  for (const CaseSettings& one : settings)
     requests.push_back({.settings = one, .reference = std::nullopt});
-    keys.push_back(case_key(requests.back(), meshes_.mesh(one.body)));
-  }
+  const std::vector<std::string> keys = keys_of(settings);
   const KnownResult from_file = known_figures(stored_);
   const KnownResult known = [&](const Request& request, const std::string& key) {
     const auto found = results_.find(key);

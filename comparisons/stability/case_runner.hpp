@@ -9,6 +9,7 @@
 
 #include "comparisons/known_results.hpp"
 #include "comparisons/result_file.hpp"
+#include "comparisons/stability/stored_map.hpp"
 
 namespace springcheck {
 
@@ -21,6 +22,12 @@ class CaseRunner {
 
   /// In the order of the settings.
   std::vector<CaseResult> run(const std::vector<CaseSettings>& settings);
+
+  /// Keys of cases, in the order of the settings.
+  std::vector<std::string> keys_of(const std::vector<CaseSettings>& settings);
+
+  /// Keeps a map of cases in the result file, if there is one.
+  void keep(const StoredMap& map, MapState state);
 
   /// How many there were that nothing held.
   [[nodiscard]] std::size_t computed() const { return written_.size(); }

@@ -51,6 +51,22 @@ STATUS_COLOURS = {
     "refused": "#DDDDDD",
 }
 
+# Kinds of failure in maps, by the names of comparisons/stability/failure.hpp: colour,
+# hatch, and the ink of a letter on it. Okabe and Ito's palette; light to dark as well, for
+# print in grey.
+FAILURE_STYLES = {
+    "none": ("#F3F6F3", "", "#7C877C"),
+    "locking": ("#F0E442", "--", "black"),
+    "wrinkling": ("#E69F00", "//", "black"),
+    "loss of definiteness": ("#56B4E9", "\\\\", "black"),
+    "limit point": ("#B2476E", "xx", "white"),
+    "inversion": ("#1F4E9E", "||", "white"),
+    "blow-up": ("#1A1A1A", "++", "white"),
+    "solver failure": ("#939393", "oo", "black"),
+    "not covered": ("#CCCCCC", "..", "black"),
+}
+NOT_COMPUTED = ("white", "....", "black")
+
 # Curves that are no methods: theory, settings, parts of errors.
 NEUTRAL = ["#222222", "#777777", "#AAAAAA"]
 

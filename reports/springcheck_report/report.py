@@ -16,7 +16,7 @@ import paraview
 from content import Figure, Viewer
 from markupsafe import Markup
 from plotly.offline import get_plotlyjs
-from sections import SECTIONS, empty_file, stability_limits
+from sections import LIMITS, SECTIONS, empty_file
 from study import read
 
 _HERE = Path(__file__).resolve().parent
@@ -31,7 +31,7 @@ def make(file, folder):
     study = read(file, folder)
     makers = SECTIONS
     if study.cases.empty:
-        makers = [empty_file if study.limits.empty else stability_limits]
+        makers = [empty_file] if study.limits.empty else LIMITS
     sections = [section for section in (maker(study) for maker in makers) if section]
     figures = [block for section in sections for block in section.blocks if isinstance(block, Figure)]
     (folder / "data").mkdir(parents=True, exist_ok=True)

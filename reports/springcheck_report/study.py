@@ -62,7 +62,8 @@ class Study:
         same simulation is there already, with another reference.
     limits: cases of solver limit, which end where a path does and not at their load, apart
         from all others.
-    tables: JSON documents of tables/ by name. theory: data/theory.json.
+    tables: JSON documents of tables/ by name. theory: data/theory.json. atlas:
+        data/atlas.json, the maps of `springcheck stability`, with how their cases fail.
     """
 
     results: springcheck_results.Results
@@ -70,6 +71,7 @@ class Study:
     limits: pd.DataFrame
     tables: dict
     theory: dict
+    atlas: dict
 
     def __post_init__(self):
         self.field_names = self.results.field_names()
@@ -111,6 +113,13 @@ class Study:
         """The mesh of a case, as springcheck_results gives it."""
         return self._meshes(self.cases.loc[key, "mesh"])
 
+    def case(self, key):
+        """A case, wherever its path ends; None where the file lacks it."""
+        for table in (self.cases, self.limits):
+            if key in table.index:
+                return table.loc[key]
+        return None
+
     def with_fields(self, cases):
         """Those cases of a table that have an equilibrium's whole fields."""
         return cases[_mask(self._is_whole(key) for key in cases.index)]
@@ -127,12 +136,15 @@ def read(file, folder):
     if "cases" in tables:  # the file may have grown since the tables were made
         known = {row["case"] for row in tables["cases"]["rows"]}
         results.cases = results.cases[results.cases.index.isin(known)]
-    theory_file = folder / "data" / "theory.json"
-    theory = json.loads(theory_file.read_text(encoding="utf-8")) if theory_file.exists() else {}
+    theory, atlas = (_document(folder / "data" / name) for name in ("theory.json", "atlas.json"))
     cases = results.cases
     is_limit = _mask(cases["solver"] == "limit") if "solver" in cases else np.zeros(len(cases), bool)
     limits = _prepared(cases[is_limit]) if is_limit.any() else pd.DataFrame()
-    return Study(results, _prepared(cases[~is_limit]), limits, tables, theory)
+    return Study(results, _prepared(cases[~is_limit]), limits, tables, theory, atlas)
+
+
+def _document(path):
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
 
 
 def _mask(truths):

@@ -11,6 +11,7 @@ import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 from content import file_name, paragraph, table  # noqa: E402
 from figures.cost import pareto_front  # noqa: E402
+from matplotlib.colors import to_rgb  # noqa: E402
 from numbers_shown import data, formatted, significant, with_bar  # noqa: E402
 from study import method_name  # noqa: E402
 from surface import edges_in_plane, outside  # noqa: E402
@@ -103,6 +104,41 @@ class Surfaces(unittest.TestCase):
         self.assertEqual(len(edges_in_plane(mesh, 2, 0.5, 1e-9)), 0)
 
 
+# Linear RGB as seen by readers without one kind of cone: Machado, Oliveira and Fernandes
+# 2009 (doi 10.1109/TVCG.2009.113), severity 1.
+SIGHTS = {
+    "full": np.eye(3),
+    "protanopia": np.array(
+        [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]]
+    ),
+    "deuteranopia": np.array(
+        [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]]
+    ),
+    "tritanopia": np.array(
+        [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]]
+    ),
+}
+
+
+def linear_rgb(colour):
+    value = np.array(to_rgb(colour))
+    return np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
+
+
+def luminance(colour):
+    return linear_rgb(colour) @ [0.2126, 0.7152, 0.0722]
+
+
+def lab(colour, sight):
+    """CIE L*a*b* of a colour as a reader sees it, for the white of sRGB."""
+    to_xyz = np.array(
+        [[0.4124564, 0.3575761, 0.1804375], [0.2126729, 0.7151522, 0.0721750], [0.0193339, 0.1191920, 0.9503041]]
+    )
+    xyz = to_xyz @ np.clip(SIGHTS[sight] @ linear_rgb(colour), 0, 1) / to_xyz.sum(axis=1)
+    f = np.where(xyz > (6 / 29) ** 3, np.cbrt(xyz), xyz / (3 * (6 / 29) ** 2) + 4 / 29)
+    return np.array([116 * f[1] - 16, 500 * (f[0] - f[1]), 200 * (f[1] - f[2])])
+
+
 class Figures(unittest.TestCase):
     def test_a_method_has_one_colour(self):
         for name in ("fem-stvk:q2", "fem-stvk:q1-sri", "fem-stvk, else"):
@@ -118,6 +154,29 @@ class Figures(unittest.TestCase):
         colours = set(method_style.STATUS_COLOURS.values())
         self.assertEqual(len(colours), 8)
         self.assertFalse(colours & methods)
+
+    def test_failures_are_told_apart_by_colour_blind_readers(self):
+        """Smallest distance in CIE L*a*b*, of which 2.3 is just noticeable; print in grey as
+        well for what lies beside each other most often."""
+        styles = method_style.FAILURE_STYLES
+        names = list(styles)
+        for sight in SIGHTS:
+            seen = [lab(styles[name][0], sight) for name in names]
+            for i, one in enumerate(seen):
+                for j in range(i):
+                    self.assertGreater(np.linalg.norm(one - seen[j]), 10, (sight, names[i], names[j]))
+        light = {name: lab(styles[name][0], "full")[0] for name in names}
+        for name in ("wrinkling", "loss of definiteness", "limit point", "inversion", "blow-up"):
+            self.assertGreater(light["none"] - light[name], 20, name)
+        hatches = [style[1] for style in styles.values()]
+        self.assertEqual(len(set(hatches)), len(styles))
+
+    def test_letters_are_readable_on_their_fields(self):
+        """Contrast as WCAG 2 defines it; 4.5 is asked of small text. 'none' is a dot."""
+        for name, (colour, _, ink) in method_style.FAILURE_STYLES.items():
+            if name != "none":
+                bright = sorted(luminance(c) for c in (colour, ink))
+                self.assertGreater((bright[1] + 0.05) / (bright[0] + 0.05), 4.5, name)
 
     def test_elements_that_lock_are_hollow(self):
         self.assertEqual(method_style.line("fem-stvk:q1")["markerfacecolor"], "white")

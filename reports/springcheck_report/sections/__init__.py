@@ -2,9 +2,10 @@
 
 A section is a function of a Study with at least one case; it returns content.Section, or
 None where the study has no data for it. A new one is a function here and a line in
-SECTIONS. A file without cases gets `empty_file` alone.
+SECTIONS. A file without cases gets `empty_file` alone, one of limits alone LIMITS.
 """
 
+from sections.atlas import atlas
 from sections.bodies import bending, compression, other_tests, shearing, tension, torsion
 from sections.cases import all_cases, empty_file, files_for_paraview, provenance
 from sections.cells import any_cells, convergence, subdivision
@@ -13,11 +14,14 @@ from sections.failures import failures
 from sections.laws import error_parts, locking, modes, orientation, spring_constants
 from sections.speed import speed
 from sections.stability_limits import stability_limits
+from sections.stability_theory import stability_theory
 from sections.summary import summary
 from sections.thesis_tables import thesis_tables
 from sections.through_time import through_time
 
-__all__ = ["SECTIONS", "empty_file", "stability_limits"]
+__all__ = ["LIMITS", "SECTIONS", "empty_file"]
+
+LIMITS = [atlas, stability_limits]
 
 SECTIONS = [
     summary,
@@ -29,7 +33,9 @@ SECTIONS = [
     bending,
     other_tests,
     failures,
+    atlas,
     stability_limits,
+    stability_theory,
     spring_constants,
     error_parts,
     any_cells,
