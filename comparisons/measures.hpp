@@ -22,10 +22,14 @@ struct Measures {
   Value corner_jacobian_ratio_min{};  // smallest corner Jacobian of a cell over its rest
                                       // value; the cell is inverted below 0
 
-  // What the detector saw on the worst free face, see wrinkles.hpp; empty without one and
-  // on cells other than a grid of hexahedra, whose lines it reads:
+  // What the detector saw on the worst side of the free surface, see wrinkles.hpp; empty
+  // without a free node inside a side:
   Value wrinkle_alternation{};
   Value wrinkle_amplitude{};
+  // Inside a body of hexahedra, see hourglassing.hpp; empty on other cells, and without a
+  // node inside:
+  Value hourglass_alternation{};
+  Value hourglass_amplitude{};
 
   // What the moved plate, or the traction in its stead, applies to the body; empty
   // without either, and where no forces were given to a measured result.
@@ -106,6 +110,8 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
   visit("corner_jacobian_ratio_min", measures.corner_jacobian_ratio_min);
   visit("wrinkle_alternation", measures.wrinkle_alternation);
   visit("wrinkle_amplitude", measures.wrinkle_amplitude);
+  visit("hourglass_alternation", measures.hourglass_alternation);
+  visit("hourglass_amplitude", measures.hourglass_amplitude);
   visit("force", measures.force);
   visit("torque", measures.torque);
   visit("plate_force", measures.plate_force);

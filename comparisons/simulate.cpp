@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "comparisons/checkpoint_file.hpp"
+#include "comparisons/hourglassing.hpp"
 #include "comparisons/mechanical_scene.hpp"
 #include "comparisons/progress.hpp"
 #include "comparisons/wrinkles.hpp"
@@ -189,15 +190,15 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
     measures = measure(settings, mesh, solution);
     measures.kinetic_energy = solution.kinetic_energy;
     if (solution.kinetic_energy) measures.transit_count = transit_count(settings, mesh);
-    const auto wrinkling =
-        is_grid_of_hexahedra(settings.body)
-            ? measure_wrinkling(mesh, mechanical_scene(settings, mesh),
-                                imposed_strain(settings), solution.displacements)
-            : std::nullopt;
-    if (wrinkling) {
-      measures.wrinkle_alternation = wrinkling->alternation;
-      measures.wrinkle_amplitude = wrinkling->amplitude;
-      wrinkled = is_wrinkled(*wrinkling);
+    if (const auto seen = measure_wrinkling(mesh, mechanical_scene(settings, mesh),
+                                            solution.displacements)) {
+      measures.wrinkle_alternation = seen->alternation;
+      measures.wrinkle_amplitude = seen->amplitude;
+      wrinkled = is_wrinkled(*seen);
+    }
+    if (const auto seen = measure_hourglassing(mesh, solution.displacements)) {
+      measures.hourglass_alternation = seen->alternation;
+      measures.hourglass_amplitude = seen->amplitude;
     }
     inverted = *measures.corner_jacobian_ratio_min < 0;
     if (const auto name = not_finite(measures)) {

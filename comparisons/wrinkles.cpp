@@ -1,133 +1,173 @@
 #include "comparisons/wrinkles.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <set>
+#include <vector>
 
 namespace springcheck {
 namespace {
 
-/// Along one axis, the node after each node of a face.
-using NextNode = std::map<NodeIndex, NodeIndex>;
+using Vector2 = Eigen::Vector2d;
+using Matrix2 = Eigen::Matrix2d;
 
-NextNode grid_lines(const Mesh& mesh, const Region& region, Eigen::Index axis) {
-  NextNode next;
-  for (const FaceNodes& face : region.faces)
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      const NodeIndex a = face[i], b = face[(i + 1) % face.size()];
-      const Vector3 edge = mesh.nodes()[b] - mesh.nodes()[a];
-      Eigen::Index longest = 0;
-      edge.cwiseAbs().maxCoeff(&longest);
-      if (longest != axis) continue;
-      if (edge[axis] > 0)
-        next[a] = b;
-      else
-        next[b] = a;
-    }
-  return next;
-}
+/// Boundary faces that look the same way, to the nearest axis.
+struct Side {
+  std::array<Eigen::Index, 2> plane;  // the other axes
+  std::set<std::pair<NodeIndex, NodeIndex>> edges;
+};
+using Sides = std::array<Side, 6>;
 
-Vector3 rest_normal(const Mesh& mesh, const FaceNodes& face) {
+/// A node that is looked at.
+struct Looked {
+  Vector3 residual;      // r [m]
+  double square_strain;  // |E|^2
+};
+
+std::size_t side_of(const Mesh& mesh, const FaceNodes& face) {
   const auto& x = mesh.nodes();
-  return (x[face[2]] - x[face[0]]).cross(x[face[3]] - x[face[1]]).normalized();
+  const Vector3 normal =
+      (x[face[2]] - x[face[0]]).cross(x[face.size() == 4 ? face[3] : face[0]] - x[face[1]]);
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().maxCoeff(&axis);
+  return 2 * static_cast<std::size_t>(axis) + (normal[axis] > 0 ? 1 : 0);
 }
 
-Wrinkling zigzag(const Mesh& mesh, const Region& region, Eigen::Index axis, double strain,
-                 std::span<const Vector3> displacements) {
-  const Vector3 normal = rest_normal(mesh, region.faces.front());
-  const NextNode next = grid_lines(mesh, region, axis);
-  std::map<NodeIndex, double> second_difference;  // at the middle node
-  double square_sum = 0, edge_sum = 0;
-  for (const auto& [before, middle] : next) {
-    const auto after = next.find(middle);
-    if (after == next.end()) continue;
-    const double d2 = normal.dot(displacements[before] - 2 * displacements[middle] +
-                                 displacements[after->second]);
-    second_difference[middle] = d2;
-    square_sum += d2 * d2;
-    edge_sum += (mesh.nodes()[middle] - mesh.nodes()[before]).norm();
-  }
-  double product_sum = 0, pairs = 0;
-  for (const auto& [middle, d2] : second_difference)
-    if (const auto neighbour = second_difference.find(next.at(middle));
-        neighbour != second_difference.end()) {
-      product_sum += d2 * neighbour->second;
-      ++pairs;
+/// Nodes that plates or the boundary gradient hold, and those on more than one side.
+std::vector<bool> nodes_left_out(const Mesh& mesh, const Scene& scene) {
+  std::vector<bool> left_out(mesh.nodes().size(), scene.boundary_gradient.has_value());
+  for (const Plate& plate : scene.plates)
+    for (const NodeIndex n : mesh.region(plate.region).nodes) left_out[n] = true;
+  std::map<NodeIndex, std::size_t> first;
+  for (const FaceNodes& face : mesh.boundary().faces)
+    for (const NodeIndex n : face) {
+      const std::size_t side = side_of(mesh, face);
+      if (first.emplace(n, side).first->second != side) left_out[n] = true;
     }
-  const auto count = static_cast<double>(second_difference.size());
-  const double per_line = count / (count - pairs);
-  if (square_sum == 0)
-    return {.alternation = -1, .amplitude = 0, .differences = per_line, .strain = strain};
-  return {.alternation = -product_sum / square_sum,
-          .amplitude = std::sqrt(square_sum / count) / (4 * edge_sum / count * strain),
-          .differences = per_line,
-          .strain = strain};
+  return left_out;
 }
 
-/// Young's modulus along the axis [Pa].
-double axial_modulus(const CaseSettings& settings) {
-  if (!is_custom(settings.method)) return settings.material.young_modulus;
-  const double cell_edge = settings.body.block.size[0] / settings.body.block.cells[0];
-  return mss::axial_modulus(settings.constants.value(), cell_edge);
+Sides sides_of(const Mesh& mesh) {
+  Sides sides;
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const auto axis = static_cast<Eigen::Index>(s / 2);
+    sides[s].plane = {(axis + 1) % 3, (axis + 2) % 3};
+  }
+  for (const FaceNodes& face : mesh.boundary().faces)
+    for (std::size_t i = 0; i < face.size(); ++i)
+      sides[side_of(mesh, face)].edges.insert(
+          std::minmax(face[i], face[(i + 1) % face.size()]));
+  return sides;
+}
+
+/// What the neighbours tell of a node, by an affine fit; none where they lie on a line.
+std::optional<Looked> look_at(const Mesh& mesh, const Side& side, NodeIndex node,
+                              const std::vector<NodeIndex>& neighbours,
+                              std::span<const Vector3> displacements) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero(), right = Eigen::Matrix3d::Zero();
+  double square = 0;  // of the neighbours' distances
+  for (const NodeIndex n : neighbours) square += (mesh.nodes()[n] - mesh.nodes()[node]).squaredNorm();
+  const double scale = std::sqrt(square / static_cast<double>(neighbours.size()));
+  for (const NodeIndex n : neighbours) {
+    const Vector3 d = (mesh.nodes()[n] - mesh.nodes()[node]) / scale;
+    const Vector3 monomials(1, d[side.plane[0]], d[side.plane[1]]);
+    normal += monomials * monomials.transpose();
+    right += monomials * (displacements[n] - displacements[node]).transpose();
+  }
+  Eigen::FullPivLU<Eigen::Matrix3d> factors(normal);
+  factors.setThreshold(1e-9);
+  if (!factors.isInvertible()) return std::nullopt;
+  const Eigen::Matrix3d fit = factors.solve(right);
+  const Eigen::Matrix<double, 3, 2> H = fit.bottomRows<2>().transpose() / scale;
+  Matrix2 strain = H.transpose() * H;
+  for (Eigen::Index i = 0; i < 2; ++i)
+    for (Eigen::Index j = 0; j < 2; ++j)
+      strain(i, j) += H(side.plane[static_cast<std::size_t>(i)], j) +
+                      H(side.plane[static_cast<std::size_t>(j)], i);
+  return Looked{.residual = -fit.row(0).transpose(),
+                .square_strain = strain.squaredNorm() / 4};
+}
+
+/// Of the side's nodes that are not left out.
+std::map<NodeIndex, Looked> look_at_all(const Mesh& mesh, const Side& side,
+                                        const std::vector<bool>& left_out,
+                                        std::span<const Vector3> displacements) {
+  std::map<NodeIndex, std::vector<NodeIndex>> neighbours;
+  for (const auto& [a, b] : side.edges) {
+    neighbours[a].push_back(b);
+    neighbours[b].push_back(a);
+  }
+  std::map<NodeIndex, Looked> all;
+  for (const auto& [node, near] : neighbours)
+    if (!left_out[node])
+      if (const auto looked = look_at(mesh, side, node, near, displacements))
+        all.emplace(node, *looked);
+  return all;
+}
+
+/// With amplitude rms r / h: the strain is known when all sides are.
+Wrinkling zigzag(const Mesh& mesh, const Side& side,
+                 const std::map<NodeIndex, Looked>& looked) {
+  Matrix2 products = Matrix2::Zero(), squares = Matrix2::Zero();  // C and S
+  double square_edges = 0, edges = 0, square_residuals = 0;
+  for (const auto& [a, b] : side.edges) {
+    const auto at_a = looked.find(a), at_b = looked.find(b);
+    if (at_a == looked.end() && at_b == looked.end()) continue;
+    const Vector3 zero = Vector3::Zero();
+    const Vector3 r_a = at_a == looked.end() ? zero : at_a->second.residual;
+    const Vector3 r_b = at_b == looked.end() ? zero : at_b->second.residual;
+    const Vector3 edge = mesh.nodes()[b] - mesh.nodes()[a];
+    const Vector2 t = Vector2(edge[side.plane[0]], edge[side.plane[1]]).normalized();
+    products += r_a.dot(r_b) * t * t.transpose();
+    squares += (r_a.squaredNorm() + r_b.squaredNorm()) / 2 * t * t.transpose();
+    square_edges += edge.squaredNorm();
+    ++edges;
+  }
+  for (const auto& [node, at] : looked) square_residuals += at.residual.squaredNorm();
+  Wrinkling seen{.alternation = -1,
+                 .amplitude = std::sqrt(square_residuals /
+                                        static_cast<double>(looked.size()) /
+                                        (square_edges / edges))};
+  if (squares.determinant() > 0)
+    seen.alternation =
+        -Eigen::GeneralizedSelfAdjointEigenSolver<Matrix2>(products, squares,
+                                                           Eigen::EigenvaluesOnly)
+             .eigenvalues()[0];
+  return seen;
 }
 
 }  // namespace
 
 std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
-                                           double strain,
                                            std::span<const Vector3> displacements) {
-  if (scene.boundary_gradient) return std::nullopt;
-  Wrinkling worst{.alternation = -1, .amplitude = 0, .differences = 0, .strain = strain};
-  for (const auto& [name, region] : mesh.regions()) {
-    if (std::ranges::any_of(scene.plates,
-                            [&](const Plate& plate) { return plate.region == name; }))
-      continue;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const Wrinkling here = zigzag(mesh, region, axis, strain, displacements);
-      const auto rank = [](const Wrinkling& w) {
-        return std::pair(is_wrinkled(w), w.alternation);
-      };
-      if (rank(here) > rank(worst)) worst = here;
+  const std::vector<bool> left_out = nodes_left_out(mesh, scene);
+  std::vector<Wrinkling> seen;
+  double square_strains = 0, nodes = 0;
+  for (const Side& side : sides_of(mesh)) {
+    const auto looked = look_at_all(mesh, side, left_out, displacements);
+    if (looked.empty()) continue;
+    seen.push_back(zigzag(mesh, side, looked));
+    for (const auto& [node, at] : looked) {
+      square_strains += at.square_strain;
+      ++nodes;
     }
   }
-  return worst;
+  if (seen.empty()) return std::nullopt;
+  const double strain = std::sqrt(square_strains / nodes);
+  for (Wrinkling& side : seen)
+    side.amplitude = strain > 0 ? side.amplitude / strain : 0;
+  return *std::ranges::max_element(seen, {}, [](const Wrinkling& side) {
+    return std::pair(is_wrinkled(side), side.alternation);
+  });
 }
 
 bool is_wrinkled(const Wrinkling& wrinkling) {
-  constexpr double high = 0.02, high_bulge = 0.28;  // the latter times the strain
-  if (wrinkling.differences < 2.5) return false;
-  const bool short_line = wrinkling.differences < 3.5;
-  return wrinkling.alternation > 0.5 &&
-         wrinkling.amplitude >
-             (short_line ? std::max(high, high_bulge * wrinkling.strain) : high);
-}
-
-double imposed_strain(const CaseSettings& settings) {
-  const auto [size_x, size_y, length] = settings.body.block.size;
-  switch (settings.test) {
-    case Test::compression:
-    case Test::tension:
-    case Test::shearing:
-      return *settings.deformation;
-    case Test::uniaxial:
-      return std::abs(*settings.deformation);
-    case Test::torsion:
-      return std::abs(*settings.deformation) * std::min(size_x, size_y) / 2 / length;
-    case Test::traction: {
-      const Vector3 t = settings.traction.cwiseAbs();
-      return (t.z() + 6 * length * (t.x() / size_x + t.y() / size_y)) /
-             axial_modulus(settings);
-    }
-    case Test::affine:
-      return settings.gradient.norm();
-    case Test::bending:
-      break;
-  }
-  const Vector3 down = settings.gravity.normalized();
-  const double height = std::abs(down.x()) > std::abs(down.y()) ? size_x : size_y;
-  // (h/2) w L^2/(2 E I) with w/I = 12 rho g/h^2, the width cancelling.
-  return 3 * settings.material.density * settings.gravity.norm() * length * length /
-         (axial_modulus(settings) * height);
+  constexpr double rounding = 1e-6;  // two nodes in a line may alternate by 1/2
+  return wrinkling.alternation > wrinkled_above.alternation + rounding &&
+         wrinkling.amplitude > wrinkled_above.amplitude;
 }
 
 }  // namespace springcheck

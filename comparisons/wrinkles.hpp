@@ -3,48 +3,53 @@
 #include <optional>
 #include <span>
 
-#include "comparisons/case.hpp"
+#include "meshing/scene.hpp"
 
 namespace springcheck {
 
-/// How much a free face's grid lines zigzag, on the worst face and direction.
+/// How much the free surface zigzags, on its worst side.
 struct Wrinkling {
-  double alternation;  // -sum d2_k d2_(k+1) / sum d2^2: -1 for a smooth curve, 1 for a
-                       // zigzag of one cell's period
-  double amplitude;    // rms(d2) / (4 h strain): height of the zigzag over h strain
-  double differences;  // second differences in a grid line
-  double strain;       // as given
+  double alternation;  // 1 for a zigzag from node to node, near -1 for a smooth curve
+  double amplitude;    // height of the zigzag over edge length and surface strain
 };
 
-/// d2 are the second differences of the displacement normal to the face along its grid
-/// lines. Every region is a free face but those on plates, glued or sliding: both hold
-/// the normal displacement. None where a boundary gradient holds all faces; what zigzags
-/// inside then shows in affine_deviation_relative. `strain` is the largest strain the
-/// test imposes, see imposed_strain.
-/// Valid for regions of quadrilaterals whose inner nodes have four neighbours.
+/// On any cells. The boundary faces are sorted into six sides, each by the axis nearest to
+/// its outward normal. A node is looked at where all faces around it are of one side and
+/// no plate holds it. From its displacement is taken what the best affine fit to those of
+/// its n neighbours along the faces' edges (least squares, in the plane of the side)
+/// gives at its place:
+///
+///     r = u - (u_fit at the node)
+///
+/// Translations, and on plane sides rotations and homogeneous strain, have no r; on a
+/// regular grid it is u less the mean of the four neighbours. Of a side:
+///
+///     alternation  largest -v.C v / v.S v over the directions v in its plane, with
+///                      C = sum r_a.r_b t t^T
+///                      S = sum (|r_a|^2 + |r_b|^2)/2 t t^T
+///                  over the edges, t an edge's unit vector, r = 0 where a node is not
+///                  looked at
+///     amplitude    rms r / (h e), h the root mean square edge, e that of |E| over the
+///                  nodes looked at on all sides, E Green's strain in the plane by the
+///                  same fit
+///
+/// On a grid C and S are diagonal, and the alternation is that of the worse grid line
+/// direction: of n nodes in a line at most cos(pi/(n + 1)), 1/2 for two, .71 for three,
+/// of a zigzag (n - 1)/n. A zigzag in one direction has r = its amplitude a, one in two
+/// r = 2 a.
+///
+/// None without a node to look at: where the whole boundary is imposed, or on blocks of
+/// one cell. On curved surfaces rotations leave a smooth r.
 std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
-                                           double strain,
                                            std::span<const Vector3> displacements);
 
-/// Alternation above 1/2 and amplitude above .02: between the smooth (<= -.08) and the
-/// wrinkled (>= .79) states of an independent prototype.
+/// Above both it is wrinkled: zigzags shorter than three cells, cos(2 pi/3) = -1/2. Waves
+/// of three to four cells are not told from the bulges of few cells. Set on half of the
+/// states in tests/comparisons/labelled_states_test.cpp, judged on the other half.
 ///
-/// Lines of four cells have three second differences, in which a bulge with higher ends
-/// alternates as a zigzag does (.5 to .69 and .67 to .71 measured; the same bulge on five
-/// cells .15 to .25). Only the height tells them apart: over h strain a bulge's grows
-/// with the strain, a zigzag's does not, so it must be above .28 strain too. Measured:
-/// finite elements pressed by 20 to 60 % reach .27 strain; mss-nfd pulled by up to 20 %
-/// begins at .30 strain, pressed at 2.6 strain. A weak zigzag goes unseen there at larger
-/// strains (mss-nfd pulled by 30 %: .22 strain). Shorter lines cannot alternate above
-/// 1/2, but for rounding: they are never called wrinkled.
+/// Two nodes in a line, a side of three cells, cannot alternate by more: such sides are
+/// never called wrinkled.
+inline constexpr Wrinkling wrinkled_above{.alternation = 0.5, .amplitude = 0.12};
 bool is_wrinkled(const Wrinkling& wrinkling);
-
-/// Largest strain a test imposes on its faces [-]: the deformation itself; in torsion
-/// angle * half width / height; in bending that of Euler-Bernoulli's outer fibre at the
-/// clamp, (h/2) w L^2 / (2 E I); in traction t the same of a beam with that end load,
-/// (|t_z| + 6 L (|t_x|/size_x + |t_y|/size_y)) / E; in affine the gradient's norm. E is
-/// the material's, of mss-custom its lattice's mss::axial_modulus; where that is 0, the
-/// strain of a load is infinite.
-double imposed_strain(const CaseSettings& settings);
 
 }  // namespace springcheck

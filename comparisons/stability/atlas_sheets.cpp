@@ -49,6 +49,8 @@ Sheet points_sheet(const Atlas& atlas, const AtlasPlan& plan) {
            {"status", "status"},
            {"wrinkle_alternation", "alternation", "{:.3f}"},
            {"wrinkle_amplitude", "amplitude", "{:.3g}"},
+           {"hourglass_alternation", "hourglass alternation", "{:.3f}"},
+           {"hourglass_amplitude", "hourglass amplitude", "{:.3g}"},
            {"corner_jacobian_ratio_min", "least Jacobian", "{:.3g}"},
            {"definite_up_to_deformation", "definite up to", "{:.4g}"},
            {"dt_limit", "step limit [s]", "{:.4g}"}})
@@ -61,6 +63,8 @@ Sheet points_sheet(const Atlas& atlas, const AtlasPlan& plan) {
     row.cells.push_back(text_cell(std::string(name_of(point.result.status))));
     row.cells.push_back({.number = m.wrinkle_alternation});
     row.cells.push_back({.number = m.wrinkle_amplitude});
+    row.cells.push_back({.number = m.hourglass_alternation});
+    row.cells.push_back({.number = m.hourglass_amplitude});
     row.cells.push_back({.number = m.corner_jacobian_ratio_min});
     row.cells.push_back({.number = m.definite_up_to_deformation});
     row.cells.push_back({.number = point.result.solution.dt_limit});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/hourglassing.hpp"
+
 namespace springcheck {
 namespace {
 
@@ -19,7 +21,7 @@ const std::vector<Failure>& all_failures() {
   using enum Failure;
   static const std::vector<Failure> all{
       none,      not_covered,          solver, blow_up, inversion, limit_point,
-      wrinkling, loss_of_definiteness, locking};
+      wrinkling, hourglassing,         loss_of_definiteness, locking};
   return all;
 }
 
@@ -39,6 +41,8 @@ std::string_view name_of(Failure failure) {
       return "limit point";
     case Failure::wrinkling:
       return "wrinkling";
+    case Failure::hourglassing:
+      return "hourglassing";
     case Failure::loss_of_definiteness:
       return "loss of definiteness";
     case Failure::locking:
@@ -63,6 +67,8 @@ char letter_of(Failure failure) {
       return 'P';
     case Failure::wrinkling:
       return 'W';
+    case Failure::hourglassing:
+      return 'H';
     case Failure::loss_of_definiteness:
       return 'D';
     case Failure::locking:
@@ -98,6 +104,13 @@ bool wrinkles(const CaseResult& result) {
          (length && *length < wrinkle && result.status == Status::indefinite);
 }
 
+bool hourglasses(const CaseResult& result) {
+  const auto& alternation = result.measures.hourglass_alternation;
+  const auto& amplitude = result.measures.hourglass_amplitude;
+  return alternation && amplitude &&
+         is_hourglassing({.alternation = *alternation, .amplitude = *amplitude});
+}
+
 bool loses_definiteness(const CaseResult& result) {
   return has_flag(result, Status::indefinite) ||
          result.measures.definite_up_to_deformation.has_value();
@@ -121,6 +134,7 @@ Failure failure_of(const CaseResult& result) {
   if (inverts(result)) return Failure::inversion;
   if (ends_in_limit_point(result)) return Failure::limit_point;
   if (wrinkles(result)) return Failure::wrinkling;
+  if (hourglasses(result)) return Failure::hourglassing;
   if (loses_definiteness(result)) return Failure::loss_of_definiteness;
   return Failure::none;
 }

@@ -16,6 +16,7 @@ enum class Failure {
   inversion,    // a cell is turned inside out at a corner
   limit_point,  // no equilibrium beyond some part of the load
   wrinkling,    // a free face zigzags from cell to cell
+  hourglassing,  // the inside alternates in modes that the cells' mean strain does not see
   loss_of_definiteness,  // equilibrium, but no minimum of the energy
   locking                // plate force far above a control's that does not lock
 };
@@ -40,6 +41,8 @@ bool ends_in_limit_point(const CaseResult& result);
 /// See is_wrinkled; of solver limit: the mode that becomes unstable is shorter than four
 /// cells.
 bool wrinkles(const CaseResult& result);
+/// See is_hourglassing.
+bool hourglasses(const CaseResult& result);
 /// The tangent is not positive definite, now or, with a path that is followed beyond, on
 /// the way.
 bool loses_definiteness(const CaseResult& result);

@@ -44,6 +44,21 @@ BOOST_AUTO_TEST_CASE(a_case_fails_in_the_first_of_its_ways) {
     BOOST_TEST(name_of(failure_of(result)) == name_of(failure));
 }
 
+BOOST_AUTO_TEST_CASE(an_inside_that_alternates_hourglasses) {
+  CaseResult result = with(Status::ok);
+  result.measures.hourglass_alternation = 0.9;
+  BOOST_TEST(!hourglasses(result));  // its height is not known
+  result.measures.hourglass_amplitude = 0.2;
+  BOOST_TEST(name_of(failure_of(result)) == name_of(Failure::hourglassing));
+  result.flags = {Status::indefinite};
+  BOOST_TEST(name_of(failure_of(result)) == name_of(Failure::hourglassing));
+  result.flags = {Status::wrinkled};
+  BOOST_TEST(name_of(failure_of(result)) == name_of(Failure::wrinkling));
+  result.flags = {};
+  result.measures.hourglass_amplitude = 0.01;
+  BOOST_TEST(name_of(failure_of(result)) == name_of(Failure::none));
+}
+
 // A path that was left because the tangent became indefinite is the body's failure, not
 // the solver's, even where the solver then gave up.
 BOOST_AUTO_TEST_CASE(a_solver_that_fails_behind_a_limit_is_not_to_blame) {
