@@ -29,8 +29,8 @@ struct Looked {
 
 std::size_t side_of(const Mesh& mesh, const FaceNodes& face) {
   const auto& x = mesh.nodes();
-  const Vector3 normal =
-      (x[face[2]] - x[face[0]]).cross(x[face.size() == 4 ? face[3] : face[0]] - x[face[1]]);
+  const Vector3 normal = (x[face[2]] - x[face[0]])
+                             .cross(x[face.size() == 4 ? face[3] : face[0]] - x[face[1]]);
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
   return 2 * static_cast<std::size_t>(axis) + (normal[axis] > 0 ? 1 : 0);
@@ -69,7 +69,8 @@ std::optional<Looked> look_at(const Mesh& mesh, const Side& side, NodeIndex node
                               std::span<const Vector3> displacements) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero(), right = Eigen::Matrix3d::Zero();
   double square = 0;  // of the neighbours' distances
-  for (const NodeIndex n : neighbours) square += (mesh.nodes()[n] - mesh.nodes()[node]).squaredNorm();
+  for (const NodeIndex n : neighbours)
+    square += (mesh.nodes()[n] - mesh.nodes()[node]).squaredNorm();
   const double scale = std::sqrt(square / static_cast<double>(neighbours.size()));
   for (const NodeIndex n : neighbours) {
     const Vector3 d = (mesh.nodes()[n] - mesh.nodes()[node]) / scale;
@@ -127,15 +128,14 @@ Wrinkling zigzag(const Mesh& mesh, const Side& side,
     ++edges;
   }
   for (const auto& [node, at] : looked) square_residuals += at.residual.squaredNorm();
-  Wrinkling seen{.alternation = -1,
-                 .amplitude = std::sqrt(square_residuals /
-                                        static_cast<double>(looked.size()) /
-                                        (square_edges / edges))};
+  Wrinkling seen{
+      .alternation = -1,
+      .amplitude = std::sqrt(square_residuals / static_cast<double>(looked.size()) /
+                             (square_edges / edges))};
   if (squares.determinant() > 0)
-    seen.alternation =
-        -Eigen::GeneralizedSelfAdjointEigenSolver<Matrix2>(products, squares,
-                                                           Eigen::EigenvaluesOnly)
-             .eigenvalues()[0];
+    seen.alternation = -Eigen::GeneralizedSelfAdjointEigenSolver<Matrix2>(
+                            products, squares, Eigen::EigenvaluesOnly)
+                            .eigenvalues()[0];
   return seen;
 }
 
@@ -157,8 +157,7 @@ std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
   }
   if (seen.empty()) return std::nullopt;
   const double strain = std::sqrt(square_strains / nodes);
-  for (Wrinkling& side : seen)
-    side.amplitude = strain > 0 ? side.amplitude / strain : 0;
+  for (Wrinkling& side : seen) side.amplitude = strain > 0 ? side.amplitude / strain : 0;
   return *std::ranges::max_element(seen, {}, [](const Wrinkling& side) {
     return std::pair(is_wrinkled(side), side.alternation);
   });

@@ -13,11 +13,11 @@ struct Wrinkling {
   double amplitude;    // height of the zigzag over edge length and surface strain
 };
 
-/// On any cells. The boundary faces are sorted into six sides, each by the axis nearest to
-/// its outward normal. A node is looked at where all faces around it are of one side and
-/// no plate holds it. From its displacement is taken what the best affine fit to those of
-/// its n neighbours along the faces' edges (least squares, in the plane of the side)
-/// gives at its place:
+/// On any cells. The boundary faces are sorted into six sides, each by the axis nearest
+/// to its outward normal. A node is looked at where all faces around it are of one side
+/// and no plate holds it. From its displacement is taken what the best affine fit to
+/// those of its n neighbours along the faces' edges (least squares, in the plane of the
+/// side) gives at its place:
 ///
 ///     r = u - (u_fit at the node)
 ///

@@ -19,9 +19,10 @@ bool has_flag(const CaseResult& result, Status flag) {
 
 const std::vector<Failure>& all_failures() {
   using enum Failure;
-  static const std::vector<Failure> all{
-      none,      not_covered,          solver, blow_up, inversion, limit_point,
-      wrinkling, hourglassing,         loss_of_definiteness, locking};
+  static const std::vector<Failure> all{none,      not_covered,  solver,
+                                        blow_up,   inversion,    limit_point,
+                                        wrinkling, hourglassing, loss_of_definiteness,
+                                        locking};
   return all;
 }
 

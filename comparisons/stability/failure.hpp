@@ -10,13 +10,14 @@ namespace springcheck {
 /// order is that of failure_of.
 enum class Failure {
   none,
-  not_covered,  // the method refuses the scene, which is no failure of the body's
-  solver,       // the solver gave up: nothing is known of the body
-  blow_up,      // the energy of a motion grew without end
-  inversion,    // a cell is turned inside out at a corner
-  limit_point,  // no equilibrium beyond some part of the load
-  wrinkling,    // a free face zigzags from cell to cell
-  hourglassing,  // the inside alternates in modes that the cells' mean strain does not see
+  not_covered,   // the method refuses the scene, which is no failure of the body's
+  solver,        // the solver gave up: nothing is known of the body
+  blow_up,       // the energy of a motion grew without end
+  inversion,     // a cell is turned inside out at a corner
+  limit_point,   // no equilibrium beyond some part of the load
+  wrinkling,     // a free face zigzags from cell to cell
+  hourglassing,  // the inside alternates in modes that the cells' mean strain does not
+                 // see
   loss_of_definiteness,  // equilibrium, but no minimum of the energy
   locking                // plate force far above a control's that does not lock
 };
@@ -46,8 +47,9 @@ bool hourglasses(const CaseResult& result);
 /// The tangent is not positive definite, now or, with a path that is followed beyond, on
 /// the way.
 bool loses_definiteness(const CaseResult& result);
-/// |force| on the moved plate, in torsion |torque|, more than a tenth above the control's, which
-/// must be an equilibrium of the same law on the same mesh without locking (q1-sri).
+/// |force| on the moved plate, in torsion |torque|, more than a tenth above the
+/// control's, which must be an equilibrium of the same law on the same mesh without
+/// locking (q1-sri).
 bool locks(const CaseResult& result, const CaseResult& control);
 
 /// The first of the failures, in the order of Failure, that the case has.

@@ -49,13 +49,11 @@ BOOST_AUTO_TEST_CASE(homogeneous_deformations_do_not_hourglass) {
   Eigen::Matrix3d F = Eigen::AngleAxisd(1.2, Vector3(1, 2, 3).normalized()).matrix();
   F.col(0) *= 1.3;
   const Hourglassing seen =
-      measured(block(CellPattern::hexahedron, 0.2), [&](const Vector3& x) {
-        return Vector3(F * x - x);
-      });
+      measured(block(CellPattern::hexahedron, 0.2),
+               [&](const Vector3& x) { return Vector3(F * x - x); });
   BOOST_TEST(seen.amplitude < 1e-12);
-  BOOST_TEST(measured(block(), [](const Vector3&) {
-               return Vector3(0, 0, 0);
-             }).amplitude == 0);
+  BOOST_TEST(
+      measured(block(), [](const Vector3&) { return Vector3(0, 0, 0); }).amplitude == 0);
 }
 
 // Bending, u = (-z^2/2, 0, x z) c, makes an hourglass in every cell that cancels between

@@ -301,9 +301,13 @@ BOOST_AUTO_TEST_CASE(a_zigzag_is_wrinkled_and_a_bulge_is_not, *utf::tolerance(1e
   const Mesh mesh = build_mesh(settings.body);
   const Scene scene = mechanical_scene(settings, mesh);
   const auto wrinkling = [&](auto&& field) {
-    return measure_wrinkling(mesh, scene, moved(mesh, [&](const Vector3& x) {
-                               return Vector3(Vector3(0, 0, -0.1 * x.z()) + field(x));
-                             }).displacements)
+    return measure_wrinkling(
+               mesh, scene,
+               moved(mesh,
+                     [&](const Vector3& x) {
+                       return Vector3(Vector3(0, 0, -0.1 * x.z()) + field(x));
+                     })
+                   .displacements)
         .value();
   };
   // From node to node along z: neighbours across are alike, so that r is the height a;
@@ -334,14 +338,14 @@ BOOST_AUTO_TEST_CASE(homogeneous_deformations_and_rest_are_not_wrinkled) {
   F.col(1) += 0.2 * F.col(2);
   for (const char* cells : {"hexahedron", "tetrahedron", "free-tetrahedron", "mixed"}) {
     const CaseSettings settings =
-        case_of("compression", {"cells=4,4,4", std::string("cell-type=") + cells,
-                                "method=mss-affine"});
+        case_of("compression",
+                {"cells=4,4,4", std::string("cell-type=") + cells, "method=mss-affine"});
     const Mesh mesh = build_mesh(settings.body);
     const auto seen = [&](const Eigen::Matrix3d& gradient) {
-      return measure_wrinkling(mesh, mechanical_scene(settings, mesh),
-                               moved(mesh, [&](const Vector3& x) {
-                                 return Vector3(gradient * x);
-                               }).displacements)
+      return measure_wrinkling(
+                 mesh, mechanical_scene(settings, mesh),
+                 moved(mesh, [&](const Vector3& x) { return Vector3(gradient * x); })
+                     .displacements)
           .value();
     };
     BOOST_TEST(seen(F - Eigen::Matrix3d::Identity()).amplitude < 1e-12, cells);
@@ -354,15 +358,18 @@ BOOST_AUTO_TEST_CASE(homogeneous_deformations_and_rest_are_not_wrinkled) {
 BOOST_AUTO_TEST_CASE(three_cells_are_never_wrinkled) {
   const Wrinkling s_shape{.alternation = 0.5000000001, .amplitude = 1};
   BOOST_TEST(!is_wrinkled(s_shape));
-  const CaseSettings settings = case_of(
-      "compression", {"size=.3,.3,.3", "cells=3,3,3", "method=mss-cf"});
+  const CaseSettings settings =
+      case_of("compression", {"size=.3,.3,.3", "cells=3,3,3", "method=mss-cf"});
   const Mesh mesh = build_mesh(settings.body);
   const Wrinkling seen =
       measure_wrinkling(mesh, mechanical_scene(settings, mesh),
-                        moved(mesh, [](const Vector3& x) {
-                          const double sign = std::lround(x.z() / 0.1) % 2 == 0 ? 1 : -1;
-                          return Vector3(0.01 * sign, 0.01 * sign, -0.1 * x.z());
-                        }).displacements)
+                        moved(mesh,
+                              [](const Vector3& x) {
+                                const double sign =
+                                    std::lround(x.z() / 0.1) % 2 == 0 ? 1 : -1;
+                                return Vector3(0.01 * sign, 0.01 * sign, -0.1 * x.z());
+                              })
+                            .displacements)
           .value();
   BOOST_TEST(std::abs(seen.alternation - 0.5) < 1e-9);
   BOOST_TEST(!is_wrinkled(seen));
