@@ -222,7 +222,7 @@ int command_line(int argc, char** argv) {
       ->check(check_not_empty);
   merge->add_option("from", from, "result files")->required()->check(check_not_empty);
 
-  StabilityOptions stability_options{.jobs = cores};
+  StabilityOptions stability_options;
   CLI::App* stability = app.add_subcommand(
       "stability", "Map where methods fail over one or two settings, and their limits");
   stability->add_option("scene", scene, "name of a shipped scene, or a .toml file")

@@ -132,7 +132,7 @@ std::vector<Line> lines_of(const Atlas& atlas) {
 }
 
 /// Cases of solver limit at the end of each line that is of springs in statics.
-std::map<std::size_t, CaseResult> path_limits(const AtlasPlan& plan, CaseRunner& runner,
+std::map<std::size_t, CaseResult> path_limits(CaseRunner& runner,
                                               const std::vector<Line>& lines) {
   std::vector<std::size_t> places;
   std::vector<CaseSettings> cases;
@@ -156,7 +156,7 @@ std::vector<AtlasLimit> limits_of(const Atlas& atlas, const AtlasPlan& plan,
   const bool along_deformation = plan.axes[0].key == "deformation";
   const double unit = units_per_one(unit_of(plan.axes[0].values.front()));
   std::map<std::size_t, CaseResult> on_path;
-  if (along_deformation) on_path = path_limits(plan, runner, lines);
+  if (along_deformation) on_path = path_limits(runner, lines);
   std::vector<AtlasLimit> limits(lines.size());
   std::vector<Bracket> brackets;
   std::vector<std::size_t> bracketed;

@@ -10,11 +10,11 @@
 namespace springcheck {
 
 struct StabilityOptions {
-  std::vector<std::string> over;  // see axis_named
-  std::optional<std::filesystem::path> out;
-  std::optional<TableFormat> format;  // none: maps and limits for a terminal
-  bool locking = false;               // see AtlasPlan
-  int jobs;                           // simulations at once, at most
+  std::vector<std::string> over{};  // see axes_named
+  std::optional<std::filesystem::path> out{};
+  std::optional<TableFormat> format{};  // none: maps and limits for a terminal
+  bool locking = false;                 // see AtlasPlan
+  int jobs = 1;                         // simulations at once, at most
 };
 
 /// `springcheck stability`: maps where methods fail over one or two settings, and their

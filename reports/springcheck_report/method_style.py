@@ -58,6 +58,7 @@ FAILURE_STYLES = {
     "none": ("#F3F6F3", "", "#7C877C"),
     "locking": ("#F0E442", "--", "black"),
     "wrinkling": ("#E69F00", "//", "black"),
+    "hourglassing": ("#D55E00", "**", "black"),
     "loss of definiteness": ("#56B4E9", "\\\\", "black"),
     "limit point": ("#B2476E", "xx", "white"),
     "inversion": ("#1F4E9E", "||", "white"),

@@ -21,6 +21,7 @@ import page_text  # noqa: E402
 import springcheck_results  # noqa: E402
 import study as study_module  # noqa: E402
 from content import Figure  # noqa: E402
+from method_style import FAILURE_STYLES  # noqa: E402
 from program import springcheck  # noqa: E402
 from sections.atlas import atlas  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
@@ -92,6 +93,7 @@ class Page(unittest.TestCase):
     def test_letters_are_those_that_the_command_prints(self):
         """In the page's text, and of the fields in the figure."""
         letters = {kind["name"]: kind["letter"] for kind in self.study.atlas["failures"]}
+        self.assertEqual(set(letters), set(FAILURE_STYLES))
         seen = set()
         for name, in_page in zip(self.figures, maps_in_letters(self.section)):
             points = self.printed[name][0]["rows"]
