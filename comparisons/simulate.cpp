@@ -221,7 +221,9 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
 
 CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, int threads,
                     const Watch& watch) {
-  omp_set_num_threads(1);  // this thread's: CHOLMOD's small loops only wait otherwise
+  // CHOLMOD starts teams of four, whatever OMP_NUM_THREADS says, for loops so small that
+  // factors of 10^3 cells take three times as long. A thread without levels has no teams.
+  omp_set_max_active_levels(0);
   const auto start = std::chrono::steady_clock::now();
   History history;
   const dynamics::Observers observers = observers_of(settings, mesh, watch, history);
