@@ -40,6 +40,11 @@ bool fails(Failure failure) {
   return failure != Failure::none;
 }
 
+/// Whether it tells of the body: a solver's failure and a refusal do not.
+bool is_of_the_body(Failure failure) {
+  return fails(failure) && failure != Failure::solver && failure != Failure::not_covered;
+}
+
 AtlasLimit unknown_limit(const Line& line) {
   return {.method = line.points.front()->method,
           .other = line.others.empty() ? std::nullopt : std::optional(line.others[0]),
@@ -51,8 +56,8 @@ AtlasLimit unknown_limit(const Line& line) {
           .cases = {}};
 }
 
-void take_failure(AtlasLimit& limit, const CaseResult& result) {
-  limit.failure = failure_of(result);
+void take_failure(AtlasLimit& limit, const CaseResult& result, Failure failure) {
+  limit.failure = failure;
   limit.reason = result.reason;
   limit.wavelength = result.measures.critical_wavelength;
   limit.cases = {result.key};
@@ -63,25 +68,70 @@ std::optional<AtlasLimit> limit_on_path(const Line& line, const CaseResult& resu
                                         double unit) {
   AtlasLimit limit = unknown_limit(line);
   const double whole = unit * std::abs(*result.request.settings.deformation);
-  take_failure(limit, result);
+  take_failure(limit, result, failure_of(result));
   if (!fails(limit.failure)) {
     limit.low = whole;
     return limit;
   }
   if (!result.measures.definite_up_to_deformation) return std::nullopt;
   limit.low = unit * std::abs(*result.measures.definite_up_to_deformation);
-  limit.high = *limit.low + 0.002 * whole;  // the path is followed to 1/1024 of the load
+  // Springs' paths are followed to .2 % of the limit, elements' to 1/1024 of the load.
+  limit.high = is_springs(result.request.settings.method) ? *limit.low / (1 - 0.002)
+                                                          : *limit.low + whole / 1024;
   return limit;
 }
 
-/// Two values of the first axis between which a line begins to fail.
+/// The same body by elements that do not lock, where there are any of the same law.
+std::optional<CaseSettings> control_of(const CaseSettings& settings) {
+  CaseSettings control = settings;
+  control.element = *find_element("q1-sri");
+  if (is_finite_element(settings.method))
+    return label(control) == label(settings) ? std::nullopt : std::optional(control);
+  const LatticeName* lattice = find_lattice(settings.method.name);
+  if (lattice == nullptr || goes_through_time(settings) ||
+      !is_grid_of_hexahedra(settings.body))
+    return std::nullopt;
+  control.method = *find_method("fem-cauchy-born");
+  control.lattice = *lattice;
+  return control;
+}
+
+/// How cases fail: locking too, by a control for each, where the plan wants it judged.
+/// Keys of the controls go to `controls`, of places with one.
+std::vector<Failure> failures_of(const AtlasPlan& plan, CaseRunner& runner,
+                                 const std::vector<CaseResult>& results,
+                                 std::map<std::size_t, std::string>* controls = nullptr) {
+  std::vector<Failure> failures;
+  std::vector<std::size_t> places;
+  std::vector<CaseSettings> cases;
+  for (const CaseResult& result : results) {
+    failures.push_back(failure_of(result));
+    if (!plan.judges_locking || fails(failures.back())) continue;
+    if (const auto control = control_of(result.request.settings)) {
+      places.push_back(failures.size() - 1);
+      cases.push_back(*control);
+    }
+  }
+  const std::vector<CaseResult> found = runner.run(cases);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (locks(results[places[i]], found[i])) failures[places[i]] = Failure::locking;
+    if (controls != nullptr) controls->emplace(places[i], found[i].key);
+  }
+  return failures;
+}
+
+/// Two values of the first axis, of which a line holds at one and fails at the other.
 struct Bracket {
   AtlasLimit limit;
   Line line;
-  std::string low, high;
+  std::string holding, failing;
+  double floor;           // width that is narrow next to 0 too
+  bool is_stuck = false;  // between them something fails that is not the body
   [[nodiscard]] bool is_wide() const {
-    return number_of(high) - number_of(low) >
-           precision * std::max(std::abs(number_of(high)), std::abs(number_of(low)));
+    const double a = number_of(holding), b = number_of(failing);
+    return !is_stuck &&
+           std::abs(a - b) >
+               std::max(floor, precision * std::max(std::abs(a), std::abs(b)));
   }
 };
 
@@ -99,16 +149,20 @@ void bisect(const AtlasPlan& plan, CaseRunner& runner, std::vector<Bracket>& bra
     for (Bracket& bracket : brackets) {
       if (!bracket.is_wide()) continue;
       wide.push_back(&bracket);
-      cases.push_back(cases_at(plan, with_others(middle(bracket.low, bracket.high),
+      cases.push_back(cases_at(plan, with_others(middle(bracket.holding, bracket.failing),
                                                  bracket.line))[bracket.line.method]);
     }
     if (wide.empty()) return;
     const std::vector<CaseResult> results = runner.run(cases);
+    const std::vector<Failure> failures = failures_of(plan, runner, results);
     for (std::size_t i = 0; i < wide.size(); ++i) {
       Bracket& bracket = *wide[i];
-      const bool failed = fails(failure_of(results[i]));
-      (failed ? bracket.high : bracket.low) = middle(bracket.low, bracket.high);
-      if (failed) take_failure(bracket.limit, results[i]);
+      const Failure failure = failures[i];
+      bracket.is_stuck = fails(failure) && !is_of_the_body(failure);
+      if (bracket.is_stuck) continue;
+      (fails(failure) ? bracket.failing : bracket.holding) =
+          middle(bracket.holding, bracket.failing);
+      if (fails(failure)) take_failure(bracket.limit, results[i], failure);
     }
   }
 }
@@ -150,13 +204,42 @@ std::map<std::size_t, CaseResult> path_limits(CaseRunner& runner,
   return found;
 }
 
+/// Neighbouring values of which the line holds at one and fails, by the body, at the
+/// other: the places of both, nearest to the first value.
+std::optional<std::pair<std::size_t, std::size_t>> change_along(const Line& line) {
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+    const Failure here = line.points[i]->failure, next = line.points[i + 1]->failure;
+    if (!fails(here) && is_of_the_body(next)) return std::pair(i, i + 1);
+    if (is_of_the_body(here) && !fails(next)) return std::pair(i + 1, i);
+  }
+  return std::nullopt;
+}
+
+/// Of a line that does not change between holding and failing.
+AtlasLimit limit_without_change(const Line& line, const Axis& axis) {
+  AtlasLimit limit = unknown_limit(line);
+  const auto first = std::ranges::find_if(
+      line.points, [](const AtlasPoint* point) { return fails(point->failure); });
+  const auto place = static_cast<std::size_t>(first - line.points.begin());
+  if (place > 0) limit.low = number_of(axis.values[place - 1]);
+  if (first == line.points.end()) return limit;
+  take_failure(limit, (*first)->result, (*first)->failure);
+  if (is_of_the_body(limit.failure)) limit.high = number_of(axis.values[place]);
+  return limit;
+}
+
 std::vector<AtlasLimit> limits_of(const Atlas& atlas, const AtlasPlan& plan,
                                   CaseRunner& runner) {
+  constexpr double next_to_zero = 1e-4;  // of the axis: a width that is narrow there
   const std::vector<Line> lines = lines_of(atlas);
-  const bool along_deformation = plan.axes[0].key == "deformation";
-  const double unit = units_per_one(unit_of(plan.axes[0].values.front()));
+  const Axis& axis = plan.axes[0];
+  const double start = number_of(axis.values.front()),
+               end = number_of(axis.values.back());
+  // Paths lead from rest to the last value: those to negative ones are bisected.
+  const bool has_paths = axis.key == "deformation" && start >= 0;
+  const double unit = units_per_one(unit_of(axis.values.front()));
   std::map<std::size_t, CaseResult> on_path;
-  if (along_deformation) on_path = path_limits(runner, lines);
+  if (has_paths) on_path = path_limits(runner, lines);
   std::vector<AtlasLimit> limits(lines.size());
   std::vector<Bracket> brackets;
   std::vector<std::size_t> bracketed;
@@ -164,72 +247,40 @@ std::vector<AtlasLimit> limits_of(const Atlas& atlas, const AtlasPlan& plan,
     const Line& line = lines[i];
     const auto first = std::ranges::find_if(
         line.points, [](const AtlasPoint* point) { return fails(point->failure); });
-    limits[i] = unknown_limit(line);
+    const bool locks_first =
+        first != line.points.end() && (*first)->failure == Failure::locking;
     const auto known = on_path.find(i);
-    const CaseResult* path = known != on_path.end() ? &known->second
-                             : along_deformation && first != line.points.end()
-                                 ? &(*first)->result
-                                 : nullptr;
-    if (path != nullptr)
+    const CaseResult* path = known != on_path.end()                    ? &known->second
+                             : has_paths && first != line.points.end() ? &(*first)->result
+                                                                       : nullptr;
+    if (path != nullptr && !locks_first)
       if (const auto found = limit_on_path(line, *path, unit)) {
         limits[i] = *found;
         continue;
       }
-    if (first == line.points.end()) {
-      limits[i].low = number_of(plan.axes[0].values.back());
+    const auto change = change_along(line);
+    if (!change) {
+      limits[i] = limit_without_change(line, axis);
       continue;
     }
-    take_failure(limits[i], (*first)->result);
-    const auto place = static_cast<std::size_t>(first - line.points.begin());
-    if (place == 0) {
-      limits[i].high = number_of(plan.axes[0].values.front());
-      continue;
-    }
-    brackets.push_back({.limit = limits[i],
-                        .line = line,
-                        .low = plan.axes[0].values[place - 1],
-                        .high = plan.axes[0].values[place]});
+    const auto& [holding, failing] = *change;
+    Bracket bracket{.limit = unknown_limit(line),
+                    .line = line,
+                    .holding = axis.values[holding],
+                    .failing = axis.values[failing],
+                    .floor = next_to_zero * (end - start)};
+    take_failure(bracket.limit, line.points[failing]->result,
+                 line.points[failing]->failure);
+    brackets.push_back(std::move(bracket));
     bracketed.push_back(i);
   }
   bisect(plan, runner, brackets);
   for (std::size_t b = 0; b < brackets.size(); ++b) {
     AtlasLimit& limit = limits[bracketed[b]] = brackets[b].limit;
-    limit.low = number_of(brackets[b].low);
-    limit.high = number_of(brackets[b].high);
+    limit.low = number_of(brackets[b].holding);
+    limit.high = number_of(brackets[b].failing);
   }
   return limits;
-}
-
-/// The same body by elements that do not lock, where there are any of the same law.
-std::optional<CaseSettings> control_of(const CaseSettings& settings) {
-  CaseSettings control = settings;
-  control.element = *find_element("q1-sri");
-  if (is_finite_element(settings.method))
-    return label(control) == label(settings) ? std::nullopt : std::optional(control);
-  const LatticeName* lattice = find_lattice(settings.method.name);
-  if (lattice == nullptr || goes_through_time(settings) ||
-      !is_grid_of_hexahedra(settings.body))
-    return std::nullopt;
-  control.method = *find_method("fem-cauchy-born");
-  control.lattice = *lattice;
-  return control;
-}
-
-void judge_locking(Atlas& atlas, CaseRunner& runner) {
-  std::vector<AtlasPoint*> points;
-  std::vector<CaseSettings> controls;
-  for (AtlasPoint& point : atlas.points) {
-    if (fails(point.failure)) continue;
-    if (const auto control = control_of(point.result.request.settings)) {
-      points.push_back(&point);
-      controls.push_back(*control);
-    }
-  }
-  const std::vector<CaseResult> results = runner.run(controls);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i]->control = results[i].key;
-    if (locks(points[i]->result, results[i])) points[i]->failure = Failure::locking;
-  }
 }
 
 /// The atlas as files keep it; the results of its points may still be lacking.
@@ -279,11 +330,15 @@ Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner) {
   // Before it is filled, which may be interrupted.
   runner.keep(stored_map(atlas, plan), MapState::planned);
   std::vector<CaseResult> results = runner.run(cases);
+  std::map<std::size_t, std::string> controls;
+  const std::vector<Failure> failures = failures_of(plan, runner, results, &controls);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    atlas.points[i].failure = failure_of(results[i]);
-    atlas.points[i].result = std::move(results[i]);
+    AtlasPoint& point = atlas.points[i];
+    point.failure = failures[i];
+    point.result = std::move(results[i]);
+    if (const auto control = controls.find(i); control != controls.end())
+      point.control = control->second;
   }
-  if (plan.judges_locking) judge_locking(atlas, runner);
   if (plan.axes[0].is_range) atlas.limits = limits_of(atlas, plan, runner);
   runner.keep(stored_map(atlas, plan), MapState::complete);
   return atlas;

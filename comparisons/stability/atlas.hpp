@@ -31,8 +31,10 @@ struct AtlasPoint {
 struct AtlasLimit {
   std::string method;
   std::optional<std::string> other;  // value of the second axis
-  // It holds at `low` and fails at `high`, at most 1 % of it further on. No low: it fails
-  // at the first value; no high: it holds at the last.
+  // It holds at `low` and fails at `high`, within 1 % of it where that was bisected; of
+  // paths within .2 % (springs) or 1/1024 of the last value (elements). No low: it fails
+  // at the first value; no high: it holds at the last, or what failed tells nothing of
+  // the body (solver failure, not covered).
   std::optional<double> low, high;
   Failure failure;  // at `high`
   std::string reason;

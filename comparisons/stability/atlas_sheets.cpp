@@ -25,8 +25,10 @@ std::string map_text(const Map& map, const AtlasPlan& plan) {
   for (auto value = plan.axes[0].values.rbegin(); value != plan.axes[0].values.rend();
        ++value) {
     text += fmt::format("  {:>{}} ", *value, width);
-    for (const std::string& other : across)
-      text += fmt::format(" {}", map.at({*value, other}));
+    for (const std::string& other : across) {
+      const auto found = map.find({*value, other});  // labels may hold an axis: element
+      text += fmt::format(" {}", found != map.end() ? found->second : ' ');
+    }
     text += '\n';
   }
   if (is_plane)
@@ -83,11 +85,13 @@ Sheet limits_sheet(const Atlas& atlas, const AtlasPlan& plan) {
       .title = fmt::format("Limits along {} in {}", along.key, plan.scene),
       .columns = {{"method", "method"}},
       .rows = {},
-      .notes = {"A method holds up to the one and fails at the other value, at most 1 % "
-                "further on; none: it fails from the first value on, or holds to the "
-                "last. Limits of springs and finite elements along a deformation are of "
-                "the path from rest, where it loses its stability or a cell is turned "
-                "inside out."}};
+      .notes = {
+          "A method holds up to the one and fails at the other value, within 1 % of "
+          "it; none: it fails from the first value on, holds to the last, or what "
+          "failed tells nothing of the body. Limits along a positive deformation are "
+          "of the path from rest, where it loses its stability or a cell is turned "
+          "inside out: of springs within .2 %, of finite elements within 1/1024 of "
+          "the last value. Beyond it the map may show another stable state."}};
   if (plan.axes.size() == 2)
     sheet.columns.push_back({plan.axes[1].key, plan.axes[1].key});
   for (const Column& column :

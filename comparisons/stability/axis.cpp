@@ -90,7 +90,8 @@ Axis axis_named(const std::string& place, const std::string& text) {
       axis.key == "method" || axis.key == "reference")
     throw InputError(
         place, "",
-        "a setting other than method and reference, one of " + names_of(option_keys()),
+        "one of the options of run but method and reference: nu, deformation, dt-ratio, "
+        "damping, diagonal-ratio, distortion, cell-type, cells, noise, seed and others",
         "'" + axis.key + "'");
   const std::string values = text.substr(equals + 1);
   if (values.empty()) refuse();
@@ -119,9 +120,10 @@ Axis axis_named(const std::string& place, const std::string& text) {
 }
 
 Axis axis_of(const std::string& key, const std::vector<std::string>& values) {
+  const bool counts = key == "seed" || key == "history";  // nothing lies between two
   return {.key = key,
           .values = values,
-          .is_range = values.size() > 1 && is_ascending(values)};
+          .is_range = !counts && values.size() > 1 && is_ascending(values)};
 }
 
 GivenSetting setting(const Axis& axis, const std::string& value) {

@@ -47,8 +47,12 @@ ExitStatus stability_command(const std::string& scene,
   CaseRunner runner(stability.out, stability.jobs);
   const Atlas atlas = make_atlas(plan, runner);
   if (stability.format) {
-    for (const Sheet& sheet : {points_sheet(atlas, plan), limits_sheet(atlas, plan)})
-      fmt::print("{}", format_sheet(sheet, *stability.format));
+    const bool is_json = *stability.format == TableFormat::json;  // one document
+    fmt::print("{}{}{}{}{}", is_json ? "[\n" : "",
+               format_sheet(points_sheet(atlas, plan), *stability.format),
+               is_json ? ",\n" : "\n",
+               format_sheet(limits_sheet(atlas, plan), *stability.format),
+               is_json ? "]\n" : "");
   } else {
     fmt::print("{}", maps_text(atlas, plan));
     if (!atlas.limits.empty()) fmt::print("\n{}", limits_text(atlas, plan));

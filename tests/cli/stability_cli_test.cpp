@@ -33,6 +33,56 @@ BOOST_AUTO_TEST_CASE(points_and_limits_are_rows_of_other_formats) {
   BOOST_TEST(run.out.find("mss-nfd,20%,") != std::string::npos, run.out);
 }
 
+// A page is made of it too: no path ends there.
+BOOST_AUTO_TEST_CASE(an_atlas_in_which_everything_holds_has_a_page) {
+  BOOST_TEST(springcheck(stability + "--method mss-cf --over deformation=5%:20%:2 --over "
+                                     "nu=.1,.25,.4 --out hold.h5")
+                 .status == 0);
+  BOOST_TEST(springcheck("report hold.h5 --out hold").status == 0);
+}
+
+// Pressed bodies fail at the lower end of the axis.
+BOOST_AUTO_TEST_CASE(limits_along_negative_strains_are_bisected_with_their_sign) {
+  const Json sheets = json_of(
+      "stability uniaxial --cells 3,3,3 --method mss-cf --over deformation=-0.6:-0.1:6 "
+      "--format json");
+  const Json limit = sheets[1]["rows"][0];
+  const double holds = limit["holds"], fails = limit["fails"];
+  BOOST_TEST(holds > -0.4);
+  BOOST_TEST(holds < -0.3);
+  BOOST_TEST(fails < holds);
+  BOOST_TEST(fails > 1.011 * holds);
+}
+
+BOOST_AUTO_TEST_CASE(locking_is_judged_between_the_points_too) {
+  const Json sheets = json_of(
+      "stability compression --cells 3,3,3 --method fem-hooke --element q1 --deformation "
+      "10% --over nu=.3,.49 --locking --format json");
+  const Json limit = sheets[1]["rows"][0];
+  BOOST_TEST(limit["failure"] == "locking");
+  const double holds = limit["holds"], fails = limit["fails"];
+  BOOST_TEST(holds >= 0.3);
+  BOOST_TEST(fails < 0.48);
+  BOOST_TEST(fails - holds <= 0.01 * fails);
+}
+
+// Seeds have none between them, a mesh's tolerance is no limit of the body, and labels
+// that hold the axis leave holes.
+BOOST_AUTO_TEST_CASE(what_has_no_limits_says_so) {
+  const Run seeds = springcheck(
+      stability +
+      "--method fem-stvk --distortion .25 --deformation 28% --over seed=1,2,3");
+  BOOST_TEST(seeds.status == 0, seeds.err);
+  BOOST_TEST(seeds.out.find("holds at") == std::string::npos, seeds.out);
+  const Run refused =
+      springcheck(stability + "--method mss-cf --over distortion=0:0.2:3 --format csv");
+  BOOST_TEST(refused.out.find("mss-cf,0,none,not covered") != std::string::npos,
+             refused.out);
+  const Run elements =
+      springcheck(stability + "--method fem-hooke --over element=q1,q1-sri,q2");
+  BOOST_TEST(elements.status == 0, elements.err);
+}
+
 // What a killed atlas left is not computed again, and the page shows the limits.
 BOOST_AUTO_TEST_CASE(an_atlas_is_kept_in_its_file) {
   const std::string atlas =

@@ -37,16 +37,6 @@ MAPS = {
 TABLES = ("regions", "four-springs", "lattice-stability")
 
 
-def documents(text):
-    """JSON documents one after the other."""
-    found = []
-    while text := text.strip():
-        document, end = json.JSONDecoder().raw_decode(text)
-        found.append(document)
-        text = text[end:]
-    return found
-
-
 def page_in(folder):
     return (folder / "index.html").read_text(encoding="utf-8")
 
@@ -76,7 +66,7 @@ class Page(unittest.TestCase):
         cls.printed = {}  # points and limits as the command prints them
         for name, options in MAPS.items():
             command = f"stability {options} --format json --out"
-            cls.printed[name] = documents(springcheck(*command.split(), cls.file).stdout)
+            cls.printed[name] = json.loads(springcheck(*command.split(), cls.file).stdout)
         springcheck("report", cls.file, "--out", cls.folder)
         cls.section = page_text.section(page_in(cls.folder), "atlas")
         cls.study = study_module.read(cls.file, cls.folder)

@@ -37,7 +37,7 @@ class Axis:
         edges = np.array([2 * at[0] - middles[0], *middles, 2 * at[-1] - middles[-1]])
         if self.is_log:
             return np.exp(edges)
-        if self.texts is None and at[0] > 0:
+        if self.texts is None and at[0] >= 0:
             edges[0] = max(edges[0], 0)  # a field of strains does not reach below none
         return edges
 

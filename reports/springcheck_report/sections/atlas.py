@@ -37,11 +37,13 @@ def atlas(study):
     section.blocks.append(
         paragraph(
             "How each method fails over two settings, a field for every simulation. Wrinkling: a "
-            "free face zigzags from cell to cell. Loss of definiteness: an equilibrium that is no "
+            "free face zigzags from cell to cell. Hourglassing: cells inside alternate in modes "
+            "that their mean deformation does not see. Loss of definiteness: an equilibrium that is no "
             "minimum of the energy. Limit point: no equilibrium beyond some part of the load. "
             "Inversion: a cell turned inside out. Blow-up: a motion that left all bounds. Locking: "
             "a plate force more than 10 % above that of the same law on elements that do not lock. "
-            "Solver failure says nothing of the body. Definitions are in "
+            "Solver failure and 'not covered', a method that refuses the scene, say nothing of the "
+            "body; beyond a limit of the path a field may show another stable state. Definitions are in "
             "<code>comparisons/stability/failure.hpp</code>; fields and limits as numbers in "
             '<a href="data/atlas.json">data/atlas.json</a>.'
         )

@@ -47,6 +47,9 @@ def _figures(study):
             _curve(method_name(of_method.iloc[0].drop("solver")), of_method.sort_values("nu"))
             for _, of_method in cases.groupby(["method", "diagonal-ratio"], dropna=False)
         ]
+        drawn = [curve for curve in drawn if np.isfinite(curve.y).any()]
+        if not drawn:
+            continue  # all paths held
         if test == "compression":
             drawn += _theory(study, set(cases.method))
         label = "angle [°]" if test == "torsion" else "deformation [%]"
