@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "comparisons/memory.hpp"
 #include "comparisons/scene_file.hpp"
+#include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {
@@ -17,8 +19,12 @@ std::vector<CaseSettings> cases_at(const AtlasPlan& plan,
                                    const std::vector<std::string>& values,
                                    const std::vector<GivenSetting>& further = {}) {
   std::vector<GivenSetting> options = plan.options;
-  for (std::size_t i = 0; i < plan.axes.size(); ++i)
+  for (std::size_t i = 0; i < plan.axes.size(); ++i) {
     options.push_back(setting(plan.axes[i], values[i]));
+    if (plan.axes[i].key ==
+        "dt")  // what becomes of steps above the limit is the question
+      options.push_back({"force-dt", Given("--over dt", true)});
+  }
   options.insert(options.end(), further.begin(), further.end());
   const RunSettings run = read_run(plan.scene, options);
   std::vector<CaseSettings> cases;
@@ -283,6 +289,22 @@ std::vector<AtlasLimit> limits_of(const Atlas& atlas, const AtlasPlan& plan,
   return limits;
 }
 
+/// Throws InputError for an axis that no case reads: its cases are all the same.
+void check_axes(const Atlas& atlas, const AtlasPlan& plan) {
+  for (std::size_t axis = 0; axis < plan.axes.size(); ++axis) {
+    std::map<std::pair<std::string, std::string>, std::set<std::string>> keys;
+    for (const AtlasPoint& point : atlas.points)
+      keys[{point.method, point.values.size() > 1 ? point.values[1 - axis] : ""}].insert(
+          point.result.key);
+    if (plan.axes[axis].values.size() > 1 &&
+        std::ranges::all_of(keys,
+                            [](const auto& line) { return line.second.size() == 1; }))
+      throw InputError("--over " + plan.axes[axis].key, "",
+                       "a setting that these methods and this solver read",
+                       "one that changes no case");
+  }
+}
+
 /// The atlas as files keep it; the results of its points may still be lacking.
 StoredMap stored_map(const Atlas& atlas, const AtlasPlan& plan) {
   StoredMap map{.scene = plan.scene, .axes = {}, .points = {}, .limits = {}};
@@ -327,6 +349,7 @@ Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner) {
   check_memory("--over", requests);
   const std::vector<std::string> keys = runner.keys_of(cases);
   for (std::size_t i = 0; i < keys.size(); ++i) atlas.points[i].result.key = keys[i];
+  check_axes(atlas, plan);
   // Before it is filled, which may be interrupted.
   runner.keep(stored_map(atlas, plan), MapState::planned);
   std::vector<CaseResult> results = runner.run(cases);

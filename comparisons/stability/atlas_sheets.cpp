@@ -92,6 +92,10 @@ Sheet limits_sheet(const Atlas& atlas, const AtlasPlan& plan) {
           "of the path from rest, where it loses its stability or a cell is turned "
           "inside out: of springs within .2 %, of finite elements within 1/1024 of "
           "the last value. Beyond it the map may show another stable state."}};
+  if (along.key == "dt" || along.key == "dt-ratio")
+    sheet.notes.push_back(
+        "Limits of steps are of the duration that was run: a motion just above its limit "
+        "takes long to grow.");
   if (plan.axes.size() == 2)
     sheet.columns.push_back({plan.axes[1].key, plan.axes[1].key});
   for (const Column& column :
