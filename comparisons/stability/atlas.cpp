@@ -293,9 +293,11 @@ std::vector<AtlasLimit> limits_of(const Atlas& atlas, const AtlasPlan& plan,
 void check_axes(const Atlas& atlas, const AtlasPlan& plan) {
   for (std::size_t axis = 0; axis < plan.axes.size(); ++axis) {
     std::map<std::pair<std::string, std::string>, std::set<std::string>> keys;
-    for (const AtlasPoint& point : atlas.points)
-      keys[{point.method, point.values.size() > 1 ? point.values[1 - axis] : ""}].insert(
-          point.result.key);
+    for (const AtlasPoint& point : atlas.points) {
+      const std::string other = point.values.size() > 1 ? point.values[1 - axis] : "";
+      const std::string method = point.method.substr(0, point.method.find(':'));
+      keys[{method, other}].insert(point.result.key);  // an axis may be of elements
+    }
     if (plan.axes[axis].values.size() > 1 &&
         std::ranges::all_of(keys,
                             [](const auto& line) { return line.second.size() == 1; }))
