@@ -13,6 +13,9 @@ namespace springcheck::mss {
 ///     30^3    19   31   (1.1 GB)   2.3  18  (.4 GB)
 ///     60^3                         35   287 (2.9 GB)
 ///
+/// The direct ones with CHOLMOD's own teams of threads (see simulate), without which they
+/// are shorter: not measured again at 30^3.
+///
 /// Of prototypes at 20^3 cells and nu = .499, without the test of definiteness: 1.5 s
 /// like this, 3.2 with a two-level preconditioner, 3.9 with incomplete Cholesky, 4.2 by
 /// dynamic relaxation, 5.5 by nonlinear conjugate gradients, 6.7 by L-BFGS. At nu = .25
