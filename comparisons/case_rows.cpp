@@ -152,6 +152,7 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
   }
   if (solution.linear_iterations)
     number("linear_iterations", *solution.linear_iterations);
+  if (solution.factorisations) number("factorisations", *solution.factorisations);
   put(row, "dt_used", solution.dt);
   put(row, "dt_limit", solution.dt_limit);
   number("provenance", static_cast<double>(provenance));
@@ -166,6 +167,7 @@ StoredCase stored_case(const Columns& cases, std::size_t row, const std::string&
                     .measures = {},
                     .effort = effort_of(reader),
                     .linear_iterations = {},
+                    .factorisations = {},
                     .dt = {},
                     .dt_limit = {}};
   std::string flags = reader.text("flags");
@@ -178,6 +180,8 @@ StoredCase stored_case(const Columns& cases, std::size_t row, const std::string&
                    [&](const char* name, auto& value) { take(reader, name, value); });
   if (const double* iterations = reader.numbers("linear_iterations", 1))
     stored.linear_iterations = static_cast<int>(*iterations);
+  if (const double* factorisations = reader.numbers("factorisations", 1))
+    stored.factorisations = static_cast<int>(*factorisations);
   take(reader, "dt_used", stored.dt);
   take(reader, "dt_limit", stored.dt_limit);
   check_measures(stored, reader);
@@ -203,6 +207,7 @@ CaseResult with_stored(const Request& request, const std::string& key,
                        .steps = effort.steps,
                        .force_evaluations = effort.force_evaluations,
                        .linear_iterations = stored.linear_iterations,
+                       .factorisations = stored.factorisations,
                        .dt = stored.dt,
                        .dt_limit = stored.dt_limit},
           .wall_s = effort.wall_s,

@@ -32,7 +32,7 @@ struct StoredCase {
   std::string reason;
   Measures measures;
   std::optional<Effort> effort;  // none where another program's result was measured
-  std::optional<int> linear_iterations;
+  std::optional<int> linear_iterations, factorisations;
   std::optional<double> dt, dt_limit;
   std::string commit{};  // of the program that computed it
 };

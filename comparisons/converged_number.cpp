@@ -4,13 +4,18 @@
 
 namespace springcheck {
 
-ConvergedNumber converged_number(const ThreeCases& cases,
+ConvergedNumber converged_number(const GridSizes& sizes,
                                  const std::array<double, 3>& values, double noise) {
   OnThreeGrids on_grids;
   for (std::size_t i = 0; i < 3; ++i)
     on_grids[i] = Eigen::MatrixXd::Constant(1, 1, values[i]);
-  const Extrapolated limit = extrapolate(grid_sizes(cases), on_grids, noise);
+  const Extrapolated limit = extrapolate(sizes, on_grids, noise);
   return {.value = limit.value(0), .order = limit.order, .bar = limit.bar(0)};
+}
+
+ConvergedNumber converged_number(const ThreeCases& cases,
+                                 const std::array<double, 3>& values, double noise) {
+  return converged_number(grid_sizes(cases), values, noise);
 }
 
 ConvergedNumber converged_number(const ThreeCases& cases,

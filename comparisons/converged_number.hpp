@@ -13,8 +13,12 @@ struct ConvergedNumber {
   double bar;
 };
 
-/// Extrapolates `values` of the cases, from coarse to fine; changes of at most `noise`
+/// Extrapolates `values` on three grids, from coarse to fine; changes of at most `noise`
 /// are the solvers'.
+ConvergedNumber converged_number(const GridSizes& sizes,
+                                 const std::array<double, 3>& values, double noise);
+
+/// The same on the grids of three cases.
 ConvergedNumber converged_number(const ThreeCases& cases,
                                  const std::array<double, 3>& values, double noise);
 

@@ -14,6 +14,7 @@
 
 #include "comparisons/blas.hpp"
 #include "comparisons/build_info.hpp"
+#include "comparisons/chart/chart_command.hpp"
 #include "comparisons/commands.hpp"
 #include "comparisons/gate_command.hpp"
 #include "comparisons/measured/measure_command.hpp"
@@ -81,6 +82,11 @@ std::string check_seconds(const std::string& text) {
   const double seconds = std::strtod(text.c_str(), &end);
   if (!text.empty() && *end == '\0' && seconds >= 0) return "";
   return "expected a number of seconds, 0 or more, got '" + text + "'";
+}
+
+std::string check_positive_seconds(const std::string& text) {
+  if (check_seconds(text).empty() && std::strtod(text.c_str(), nullptr) > 0) return "";
+  return "expected a number of seconds above 0, got '" + text + "'";
 }
 
 /// Refuses a first word that is no command, naming it; CLI11 would only ask for one.
@@ -244,6 +250,62 @@ int command_line(int argc, char** argv) {
       ->add_option("--jobs", threads, "simulations at once, at most (default: all cores)")
       ->check(CLI::Range(1, 1024));
 
+  ChartOptions chart_options;
+  CLI::App* chart = app.add_subcommand(
+      "chart", "Measure time against accuracy of every model on a scene");
+  chart
+      ->add_option("scene", scene,
+                   "name of a shipped scene, a .toml file, or all: the thesis's five")
+      ->required();
+  const SettingOptions chart_settings(chart, {"method",
+                                              "element",
+                                              "cells",
+                                              "cell-type",
+                                              "distortion",
+                                              "mesh",
+                                              "mesh-unit",
+                                              "fixed",
+                                              "moved",
+                                              "solver",
+                                              "linear-solver",
+                                              "dt",
+                                              "dt-ratio",
+                                              "force-dt",
+                                              "precision",
+                                              "history",
+                                              "noise",
+                                              "reference",
+                                              "stiffness",
+                                              "kappa",
+                                              "correction",
+                                              "lattice",
+                                              "lattice-direction",
+                                              "traction",
+                                              "plates",
+                                              "gradient"});
+  chart->add_option("--out", chart_options.out, "HDF5 file to add the chart to")
+      ->required()
+      ->check(check_not_empty);
+  chart->add_option("--sizes", chart_options.sizes,
+                    "cells across the shortest edge (default 4,6,10,16)");
+  chart->add_option("--on-threads", chart_options.threads,
+                    "numbers of threads that are timed (default: 1 and all cores)");
+  chart
+      ->add_option("--budget", chart_options.budget,
+                   "seconds for the repetitions of each point (default 20)")
+      ->check(check_positive_seconds);
+  chart->add_option("--format", format,
+                    "md, csv, json or latex (default: truths, fronts and claims)");
+  chart->add_option("--jobs", threads, "truths at once, at most (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+  chart
+      ->add_option("--truth", chart_options.truth_across,
+                   "cells across of the coarsest of the three grids of q2 that tell the "
+                   "truth (default 4; 3 for bodies much longer than wide)")
+      ->check(CLI::Range(1, 1000));
+  chart->add_flag("--retime", chart_options.retime,
+                  "time again what the file has a time of");
+
   CLI::App* list = app.add_subcommand("list", "List what there is");
   list->add_option("what", what,
                    "methods, scenes, sweeps, cell-types, elements or materials");
@@ -285,7 +347,7 @@ int command_line(int argc, char** argv) {
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("springcheck"));
   spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
-  if (*run || *table || *sweep || *stability || *everything)
+  if (*run || *table || *sweep || *stability || *chart || *everything)
     restart_with_fitting_blas(argv);
   use_one_blas_thread();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -312,6 +374,10 @@ int command_line(int argc, char** argv) {
     stability_options.out = path_or_none(out);
     if (stability->count("--format") > 0) stability_options.format = table_format(format);
     status = stability_command(scene, stability_settings.given(), stability_options);
+  } else if (*chart) {
+    chart_options.jobs = threads;
+    if (chart->count("--format") > 0) chart_options.format = table_format(format);
+    status = chart_command(scene, chart_settings.given(), chart_options);
   } else if (*merge)
     status = merge_command(out, from);
   else if (*list)

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "comparisons/chart/chart_json.hpp"
+#include "comparisons/chart/chart_sheets.hpp"
 #include "comparisons/report_program.hpp"
 #include "comparisons/result_file.hpp"
 #include "comparisons/stability/atlas_json.hpp"
@@ -52,10 +54,15 @@ ExitStatus make_report(const std::filesystem::path& file,
   MeshStore meshes;
   TableSet tables = stored_tables(file, meshes);
   tables.sheets.insert(tables.sheets.end(), further.begin(), further.end());
+  const std::vector<Chart> charts = stored_charts(file);
+  for (Sheet& sheet : chart_sheets(charts)) tables.sheets.push_back(std::move(sheet));
   write_tables(folder / "tables", tables, file.parent_path() / "tables");
   const std::string theory = theory_curves(read_cases(file)).dump() + "\n";
   write_whole_stream(folder / "data" / "theory.json",
                      [&](std::ostream& out) { out << theory; });
+  const std::string chart_data = charts_json(charts).dump() + "\n";
+  write_whole_stream(folder / "data" / "charts.json",
+                     [&](std::ostream& out) { out << chart_data; });
   const std::string atlas = atlas_json(file).dump() + "\n";
   write_whole_stream(folder / "data" / "atlas.json",
                      [&](std::ostream& out) { out << atlas; });

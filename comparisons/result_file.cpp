@@ -7,6 +7,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "comparisons/chart/stored_chart.hpp"
 #include "comparisons/open_result_file.hpp"
 #include "comparisons/provenance.hpp"
 #include "comparisons/stability/stored_map.hpp"
@@ -48,10 +49,16 @@ void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
     hdf5::write_table(group, "deviation", flat(result.deviation), 3);
 }
 
-/// The group of maps, made where the file has none.
-hdf5::Handle maps_of(hid_t root) {
-  return hdf5::has_link(root, "maps") ? hdf5::open_group(root, "maps")
-                                      : hdf5::create_group(root, "maps");
+/// A group, made where the file has none.
+hdf5::Handle group_of(hid_t root, const char* name) {
+  return hdf5::has_link(root, name) ? hdf5::open_group(root, name)
+                                    : hdf5::create_group(root, name);
+}
+
+/// Copies the charts that a file lacks.
+void copy_charts(hid_t from, hid_t to) {
+  for (const std::string& name : hdf5::links(from))
+    if (!hdf5::has_link(to, name)) hdf5::copy_link(from, to, name);
 }
 
 /// Copies the maps that a file lacks, or has without their limits.
@@ -170,8 +177,12 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
   }
 }
 
+void ResultFile::put_chart(const StoredChart& chart) {
+  change([&](hid_t root) { write_chart(group_of(root, "charts"), chart); });
+}
+
 void ResultFile::put_map(const StoredMap& map, MapState state) {
-  change([&](hid_t root) { write_map(maps_of(root), map, state); });
+  change([&](hid_t root) { write_map(group_of(root, "maps"), map, state); });
 }
 
 ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
@@ -251,7 +262,7 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
     }
     if (hdf5::has_link(source, "maps"))
       change([&](hid_t root) {
-        copy_maps(hdf5::open_group(source, "maps"), maps_of(root));
+        copy_maps(hdf5::open_group(source, "maps"), group_of(root, "maps"));
       });
     return 0;
   });

@@ -12,6 +12,7 @@
 
 namespace springcheck {
 
+struct StoredChart;
 struct StoredMap;
 enum class MapState;
 
@@ -35,6 +36,7 @@ StoredKeys keys_in(hid_t root, const std::filesystem::path& file);
 ///     /meshes/SHA256   nodes, hexahedra, regions/NAME
 ///     /maps/IDENTITY   maps of `springcheck stability`, see stability/stored_map.hpp; no
 ///                      such group in files without
+///     /charts/IDENTITY of `springcheck chart`, see chart/stored_chart.hpp; likewise
 ///     /fields/KEY      of nodes displacement, reaction [N]; of cells cell_volume_ratio,
 ///                      spring_strain (l/L - 1 of the most strained spring): partial_
 ///                      of these when the case ended without an equilibrium; of nodes
@@ -60,8 +62,11 @@ class ResultFile {
   /// Keeps a map of cases, see write_map.
   void put_map(const StoredMap& map, MapState state);
 
+  /// Keeps a chart, see write_chart.
+  void put_chart(const StoredChart& chart);
+
   /// Adds what another result file has and this one lacks: cases with their provenance,
-  /// meshes, fields, maps. Cases that both have stay as they are here, but get fields
+  /// meshes, fields, maps, charts. Cases that both have stay as they are here, but get fields
   /// they lack.
   struct Absorbed {
     std::size_t added = 0, already_there = 0;

@@ -83,6 +83,8 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
   out["steps"] = ran ? Json(solution.steps) : Json();
   out["linear_iterations"] =
       solution.linear_iterations ? Json(*solution.linear_iterations) : Json();
+  out["factorisations"] =
+      solution.factorisations ? Json(*solution.factorisations) : Json();
   out["dt"] = json(solution.dt);
   out["dt_limit"] = json(solution.dt_limit);
   out["history"] = history_json(result.history);

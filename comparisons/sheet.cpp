@@ -128,6 +128,30 @@ std::string format_sheet(const Sheet& sheet, TableFormat format) {
   return {};
 }
 
+std::string format_sheets(const std::vector<Sheet>& sheets, TableFormat format) {
+  const bool is_json = format == TableFormat::json;
+  std::string text = is_json ? "[\n" : "";
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    text += (i == 0 ? "" : is_json ? ",\n" : "\n") + format_sheet(sheets[i], format);
+  return text + (is_json ? "]\n" : "");
+}
+
+std::string sheet_in_columns(const Sheet& sheet,
+                             const std::vector<std::string>& without) {
+  TextLines lines(sheet.rows.size() + 1);
+  for (std::size_t i = 0; i < sheet.columns.size(); ++i) {
+    const Column& column = sheet.columns[i];
+    if (std::ranges::count(without, column.key) > 0) continue;
+    lines[0].push_back(column.heading);
+    for (std::size_t row = 0; row < sheet.rows.size(); ++row) {
+      const Cell& cell = sheet.rows[row].cells[i];
+      lines[row + 1].push_back(cell.number ? rounded(column.format, *cell.number)
+                                           : cell.text);
+    }
+  }
+  return in_columns(without_empty_columns(lines));
+}
+
 const std::vector<std::string>& sheet_names() {
   static const std::vector<std::string> names{
       "5.5",         "split",    "elements",          "convergence",

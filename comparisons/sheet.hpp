@@ -44,6 +44,14 @@ struct Sheet {
 /// JSON have all digits and all keys.
 std::string format_sheet(const Sheet& sheet, TableFormat format);
 
+/// One after the other; as JSON one array.
+std::string format_sheets(const std::vector<Sheet>& sheets, TableFormat format);
+
+/// Rounded rows for a terminal, without columns that are empty throughout or named in
+/// `without`.
+std::string sheet_in_columns(const Sheet& sheet,
+                             const std::vector<std::string>& without = {});
+
 /// A sheet before it is computed: the simulations it needs, and how it is made of their
 /// results, which come in the same order and with their fields.
 struct SheetPlan {

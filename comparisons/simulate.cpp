@@ -5,7 +5,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -18,13 +17,10 @@
 #include "comparisons/wrinkles.hpp"
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "meshing/input_error.hpp"
+#include "meshing/stopwatch.hpp"
 
 namespace springcheck {
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 dynamics::Integrator integrator_of(Solver solver) {
   using dynamics::Integrator;
@@ -224,15 +220,15 @@ CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, int threads,
   // CHOLMOD starts teams of four, whatever OMP_NUM_THREADS says, for loops so small that
   // factors of 10^3 cells take three times as long. A thread without levels has no teams.
   omp_set_max_active_levels(0);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   History history;
   const dynamics::Observers observers = observers_of(settings, mesh, watch, history);
   Solution solution = solve_or_break_down(settings, mesh, threads, observers);
-  const double solve_wall_s = seconds_since(start);
+  const double solve_wall_s = stopwatch.seconds();
   CaseResult result = judged(settings, mesh, std::move(solution));
   result.history = std::move(history);
   result.solve_wall_s = solve_wall_s;
-  result.wall_s = seconds_since(start);
+  result.wall_s = stopwatch.seconds();
   return result;
 }
 

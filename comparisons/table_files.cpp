@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "comparisons/chart/chart_sheets.hpp"
 #include "comparisons/table_format.hpp"
 #include "meshing/output_file.hpp"
 
@@ -45,7 +46,7 @@ void write_tables(const std::filesystem::path& folder, const TableSet& set,
   for (const Sheet& sheet : set.sheets)
     write(sheet.name, [&](TableFormat format) { return format_sheet(sheet, format); });
   std::vector<std::string> all{"cases"};
-  for (const auto* names : {&table_names(), &sheet_names()})
+  for (const auto* names : {&table_names(), &sheet_names(), &chart_sheet_names()})
     all.insert(all.end(), names->begin(), names->end());
   for (const std::string& name : all) {
     if (written.contains(name)) continue;

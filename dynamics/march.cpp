@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "dynamics/march_checks.hpp"
+#include "meshing/stopwatch.hpp"
 
 namespace springcheck::dynamics {
 namespace {
@@ -251,6 +252,7 @@ class March {
 
 Solution march(const MarchedBody& body, Motion& motion, const Protocol& protocol,
                const Observers& observers) {
+  const Stopwatch stopwatch;
   StableStep at_rest{.limit = 0};
   if (!observers.from) {
     at_rest = body.stable_step(std::nullopt, nullptr);
@@ -266,7 +268,10 @@ Solution march(const MarchedBody& body, Motion& motion, const Protocol& protocol
       return solution;
     }
   }
-  return March(body, motion, protocol, observers, at_rest).run();
+  const double setup_wall_s = stopwatch.seconds();
+  Solution solution = March(body, motion, protocol, observers, at_rest).run();
+  solution.setup_wall_s = setup_wall_s;
+  return solution;
 }
 
 }  // namespace springcheck::dynamics

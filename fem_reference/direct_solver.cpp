@@ -13,6 +13,7 @@ struct DirectSolver::Solvers {
   bool definite_analysed = false;
   bool indefinite_analysed = false;
   bool last_definite = true;
+  int factorisations = 0;
 };
 
 DirectSolver::DirectSolver() : solvers_(std::make_unique<Solvers>()) {
@@ -30,6 +31,7 @@ bool DirectSolver::factor_definite(const SparseMatrix& matrix) {
   solvers_->definite_analysed = true;
   solvers_->last_definite = true;
   cholesky.factorize(matrix);
+  ++solvers_->factorisations;
   return cholesky.info() == Eigen::Success;
 }
 
@@ -39,11 +41,16 @@ bool DirectSolver::factor_indefinite(const SparseMatrix& matrix) {
   solvers_->indefinite_analysed = true;
   solvers_->last_definite = false;
   ldlt.factorize(matrix);
+  ++solvers_->factorisations;
   return ldlt.info() == Eigen::Success;
 }
 
 int DirectSolver::negative_pivots() const {
   return static_cast<int>((solvers_->indefinite.vectorD().array() < 0).count());
+}
+
+int DirectSolver::factorisations() const {
+  return solvers_->factorisations;
 }
 
 Eigen::VectorXd DirectSolver::solve(const Eigen::VectorXd& right) const {

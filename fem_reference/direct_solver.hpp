@@ -27,6 +27,9 @@ class DirectSolver {
   /// Negative pivots of the last factor_indefinite(): as many as negative eigenvalues.
   [[nodiscard]] int negative_pivots() const;
 
+  /// Of both kinds so far.
+  [[nodiscard]] int factorisations() const;
+
   /// Solves with the last factor made.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 

@@ -194,4 +194,9 @@ std::optional<int> Elasticity::linear_iterations() const {
   return iterations_;
 }
 
+std::optional<int> Elasticity::factorisations() const {
+  if (multigrid_) return std::nullopt;
+  return direct_.factorisations();
+}
+
 }  // namespace springcheck::fem_reference

@@ -67,6 +67,9 @@ class Elasticity {
   /// Iterations of multigrid so far; none with the direct solver.
   [[nodiscard]] std::optional<int> linear_iterations() const;
 
+  /// Factorisations so far; none with multigrid.
+  [[nodiscard]] std::optional<int> factorisations() const;
+
  private:
   enum class Definiteness { unknown, definite, indefinite, indefinite_accepted };
 

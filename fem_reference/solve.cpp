@@ -6,6 +6,7 @@
 #include "fem_reference/loads.hpp"
 #include "fem_reference/supports.hpp"
 #include "meshing/input_error.hpp"
+#include "meshing/stopwatch.hpp"
 
 namespace springcheck::fem_reference {
 namespace {
@@ -71,9 +72,11 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
   check(scene);
   if (const auto reason = reason_to_refuse(mesh, scene.material, settings))
     return refused(*reason);
+  const Stopwatch stopwatch;
   const Discretisation body = discretise(mesh, settings.element);
   const Supports supports(mesh, scene, body);
   Elasticity elasticity(body, scene.material, settings, supports.prescribed());
+  const double setup_wall_s = stopwatch.seconds();
   const Equilibrium found = find_equilibrium(
       elasticity, {.displacements = [&](double s) { return supports.displacements(s); },
                    .forces = load(body, scene)});
@@ -89,7 +92,9 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
                     .steps = found.steps,
                     .force_evaluations = found.force_evaluations,
                     .definite_up_to = found.definite_up_to,
-                    .linear_iterations = elasticity.linear_iterations()};
+                    .linear_iterations = elasticity.linear_iterations(),
+                    .factorisations = elasticity.factorisations(),
+                    .setup_wall_s = setup_wall_s};
   if (settings.element == Element::q2) {
     solution.cell_volumes = elasticity.cell_volumes(found.displacements);
     for (const Traction& traction : scene.tractions)

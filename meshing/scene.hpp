@@ -107,6 +107,10 @@ struct Solution {
   // Of the mode that becomes unstable where the path ends, see shortest_wavelength [-]:
   std::optional<double> critical_wavelength{};
   std::optional<int> linear_iterations{};  // of the iterative linear solver, all together
+  std::optional<int> factorisations{};     // of the direct one, all together
+  // [s] before the first load step: network or discretisation, patterns of matrices, and
+  // through time the first look at the stability limit
+  double setup_wall_s = 0;
   // [m^3] deformed, of each cell; empty where the field in a cell is trilinear:
   std::vector<double> cell_volumes{};
   // [-] of each cell, l/L - 1 of its most strained spring; empty for methods without

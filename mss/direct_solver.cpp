@@ -50,6 +50,7 @@ void DirectSolver::factor(const Eigen::SparseMatrix<double>& matrix) {
   }
   analysed_ = true;
   cholesky_.factorize(matrix);
+  ++factorisations_;
   definite_ = cholesky_.info() == Eigen::Success;
 }
 

@@ -21,6 +21,8 @@ class DirectSolver {
 
   [[nodiscard]] bool is_definite() const { return definite_; }
 
+  [[nodiscard]] int factorisations() const { return factorisations_; }  // so far
+
   /// None where what was prepared is not positive definite.
   [[nodiscard]] std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& right);
 
@@ -37,6 +39,7 @@ class DirectSolver {
   Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky_;
   bool analysed_ = false;
   bool definite_ = false;
+  int factorisations_ = 0;
 };
 
 }  // namespace springcheck::mss

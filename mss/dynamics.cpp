@@ -6,6 +6,7 @@
 
 #include "dynamics/explicit_motion.hpp"
 #include "dynamics/stable_step.hpp"
+#include "meshing/stopwatch.hpp"
 #include "mss/forces.hpp"
 #include "mss/implicit_motion.hpp"
 #include "mss/kernels/affine_kernel.hpp"
@@ -171,7 +172,9 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
                       const dynamics::Observers& observers) {
   if (const auto reason = reason_to_refuse(mesh, network, settings))
     return refused(*reason);
+  const Stopwatch stopwatch;
   const auto motion = motion_of(mesh, scene, network, settings);
+  const double motion_wall_s = stopwatch.seconds();
   const std::vector<Vector3> load = load_forces(mesh, scene, network);
   const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
   std::vector<Vector3> positions;
@@ -182,7 +185,7 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
         small_motions(network, settings.damping_ratio, is_free), *motion,
         settings.precision, state, settings.protocol.integrator, near);
   };
-  return dynamics::march(
+  Solution solution = dynamics::march(
       {.mesh = mesh,
        .scene = scene,
        .masses = network.masses,
@@ -206,6 +209,8 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
                                    settings.damping_ratio),
        .undamped = what_is_undamped(network, settings.damping_ratio)},
       *motion, settings.protocol, observers);
+  solution.setup_wall_s += motion_wall_s;
+  return solution;
 }
 
 }  // namespace springcheck::mss

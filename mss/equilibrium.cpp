@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <random>
 
+#include "meshing/stopwatch.hpp"
 #include "mss/minimum.hpp"
 #include "mss/random_vector.hpp"
 #include "mss/static_solution.hpp"
@@ -20,7 +21,9 @@ constexpr double gradient_per_step = 0.06;  // see Landscape::gradient
 
 Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
                           unsigned seed, LinearSolver linear_solver, double noise) {
+  const Stopwatch stopwatch;
   Landscape landscape(mesh, scene, network, linear_solver);
+  const double setup_wall_s = stopwatch.seconds();
   std::mt19937_64 random(seed);
   Positions x = mesh.nodes();
   double reached = 0;
@@ -114,6 +117,8 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
   solution.force_evaluations = landscape.evaluations();
   solution.definite_up_to = definite_up_to;
   solution.linear_iterations = landscape.linear_iterations();
+  solution.factorisations = landscape.factorisations();
+  solution.setup_wall_s = setup_wall_s;
   return solution;
 }
 

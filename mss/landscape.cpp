@@ -145,6 +145,12 @@ std::optional<int> Landscape::linear_iterations() const {
   return std::nullopt;
 }
 
+std::optional<int> Landscape::factorisations() const {
+  if (const auto* direct = std::get_if<DirectSolver>(&solver_))
+    return direct->factorisations();
+  return std::nullopt;
+}
+
 Positions Landscape::predicted(const Positions& x, double to) {
   std::vector<Vector3> increment(x.size(), Vector3::Zero());
   for (const PrescribedComponent& held : prescribed_) {

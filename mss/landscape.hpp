@@ -80,6 +80,9 @@ class Landscape {
   /// Iterations of the linear solver so far; none if it is direct.
   [[nodiscard]] std::optional<int> linear_iterations() const;
 
+  /// Factorisations so far; none if the linear solver is iterative.
+  [[nodiscard]] std::optional<int> factorisations() const;
+
   /// Root mean square over springs and damped edges of |change of d|/L: about the
   /// displacement gradient between two states.
   [[nodiscard]] double gradient(const Positions& from, const Positions& to) const;

@@ -1,5 +1,6 @@
 #include "mss/solve.hpp"
 
+#include "meshing/stopwatch.hpp"
 #include "mss/equilibrium.hpp"
 #include "mss/spring_strain.hpp"
 #include "mss/stability/path_limit_solution.hpp"
@@ -10,7 +11,9 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
                const dynamics::Observers& observers) {
   if (const auto reason = reason_to_refuse(mesh, scene.material, settings.network.method))
     return refused(*reason);
+  const Stopwatch stopwatch;
   const Network network = build_network(mesh, scene.material, settings.network);
+  const double network_wall_s = stopwatch.seconds();
   const auto solved = [&] {
     if (settings.dynamics)
       return run_dynamics(mesh, scene, network, *settings.dynamics, observers);
@@ -19,6 +22,7 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
                             settings.noise);
   };
   Solution solution = solved();
+  solution.setup_wall_s += network_wall_s;
   if (!solution.displacements.empty())
     solution.spring_strains = largest_spring_strains(network, solution.displacements);
   return solution;

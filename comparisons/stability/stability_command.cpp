@@ -4,29 +4,9 @@
 
 #include "comparisons/scene_file.hpp"
 #include "comparisons/stability/atlas_sheets.hpp"
-#include "comparisons/text_table.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
-namespace {
-
-std::string limits_text(const Atlas& atlas, const AtlasPlan& plan) {
-  const Sheet sheet = limits_sheet(atlas, plan);
-  TextLines lines{{}};
-  for (const Column& column : sheet.columns)
-    if (column.key != "reason") lines[0].push_back(column.heading);
-  for (const SheetRow& row : sheet.rows) {
-    lines.emplace_back();
-    for (std::size_t i = 0; i < row.cells.size(); ++i)
-      if (sheet.columns[i].key != "reason")
-        lines.back().push_back(
-            row.cells[i].number ? rounded(sheet.columns[i].format, *row.cells[i].number)
-                                : row.cells[i].text);
-  }
-  return in_columns(lines);
-}
-
-}  // namespace
 
 ExitStatus stability_command(const std::string& scene,
                              const std::vector<GivenSetting>& options,
@@ -47,15 +27,12 @@ ExitStatus stability_command(const std::string& scene,
   CaseRunner runner(stability.out, stability.jobs);
   const Atlas atlas = make_atlas(plan, runner);
   if (stability.format) {
-    const bool is_json = *stability.format == TableFormat::json;  // one document
-    fmt::print("{}{}{}{}{}", is_json ? "[\n" : "",
-               format_sheet(points_sheet(atlas, plan), *stability.format),
-               is_json ? ",\n" : "\n",
-               format_sheet(limits_sheet(atlas, plan), *stability.format),
-               is_json ? "]\n" : "");
+    fmt::print("{}", format_sheets({points_sheet(atlas, plan), limits_sheet(atlas, plan)},
+                                   *stability.format));
   } else {
     fmt::print("{}", maps_text(atlas, plan));
-    if (!atlas.limits.empty()) fmt::print("\n{}", limits_text(atlas, plan));
+    if (!atlas.limits.empty())
+      fmt::print("\n{}", sheet_in_columns(limits_sheet(atlas, plan), {"reason"}));
     fmt::print("\n{} simulations computed, {} points.\n", runner.computed(),
                atlas.points.size());
   }

@@ -1,22 +1,11 @@
 #include "comparisons/stability/stored_map.hpp"
 
-#include <cmath>
-#include <stdexcept>
-
 #include "comparisons/open_result_file.hpp"
-#include "comparisons/store/columns.hpp"
+#include "comparisons/store/table_rows.hpp"
 #include "meshing/sha256.hpp"
 
 namespace springcheck {
 namespace {
-
-void put(Row& row, const char* name, const std::optional<std::string>& text) {
-  if (text && !text->empty()) row[name] = *text;
-}
-
-void put(Row& row, const char* name, const std::optional<double>& number) {
-  if (number) row[name] = std::vector{*number};
-}
 
 Row row_of(const StoredMap::Point& point) {
   Row row{{"method", point.method}, {"first", point.values.at(0)}, {"key", point.key}};
@@ -41,55 +30,29 @@ void write_rows(hid_t parent, const char* name, const std::vector<Part>& parts) 
   append_rows(hdf5::create_group(parent, name), rows);
 }
 
-/// A table with the columns that none of its rows has.
-struct MapTable {
-  explicit MapTable(hid_t group) : columns(read_columns(group)) {}
-
-  [[nodiscard]] std::optional<std::string> find(const char* name, std::size_t row) const {
-    const auto column = columns.texts.find(name);
-    if (column == columns.texts.end() || column->second[row].empty()) return {};
-    return column->second[row];
-  }
-
-  [[nodiscard]] std::string text(const char* name, std::size_t row) const {
-    auto found = find(name, row);
-    if (!found) throw std::runtime_error(std::string("a map lacks a ") + name);
-    return *found;
-  }
-
-  [[nodiscard]] std::optional<double> number(const char* name, std::size_t row) const {
-    const auto column = columns.numbers.find(name);
-    if (column == columns.numbers.end() || column->second.width != 1) return {};
-    const double value = column->second.values[row];
-    return std::isnan(value) ? std::nullopt : std::optional(value);
-  }
-
-  Columns columns;
-};
-
 StoredMap read_map(hid_t group) {
   StoredMap map{.scene = hdf5::read_text(group, "scene").value_or(""),
                 .axes = {hdf5::read_text(group, "first").value_or("")},
                 .points = {},
                 .limits = {}};
   if (const auto second = hdf5::read_text(group, "second")) map.axes.push_back(*second);
-  const MapTable points(hdf5::open_group(group, "points"));
-  for (std::size_t i = 0; i < points.columns.rows; ++i) {
+  const TableRows points(hdf5::open_group(group, "points"), "a map");
+  for (std::size_t i = 0; i < points.count(); ++i) {
     map.points.push_back({.method = points.text("method", i),
                           .values = {points.text("first", i)},
                           .key = points.text("key", i),
-                          .control = points.find("control", i)});
+                          .control = points.find_text("control", i)});
     if (map.axes.size() == 2)
       map.points.back().values.push_back(points.text("second", i));
   }
-  const MapTable limits(hdf5::open_group(group, "limits"));
-  for (std::size_t i = 0; i < limits.columns.rows; ++i)
+  const TableRows limits(hdf5::open_group(group, "limits"), "a map");
+  for (std::size_t i = 0; i < limits.count(); ++i)
     map.limits.push_back({.method = limits.text("method", i),
-                          .other = limits.find("second", i),
-                          .low = limits.number("low", i),
-                          .high = limits.number("high", i),
+                          .other = limits.find_text("second", i),
+                          .low = limits.find_number("low", i),
+                          .high = limits.find_number("high", i),
                           .failure = limits.text("failure", i),
-                          .key = limits.find("key", i)});
+                          .key = limits.find_text("key", i)});
   return map;
 }
 

@@ -10,6 +10,7 @@
 #include "dynamics/stable_step.hpp"
 #include "fem_reference/explicit/explicit_kernel.hpp"
 #include "fem_reference/explicit/plain_forces.hpp"
+#include "meshing/stopwatch.hpp"
 #include "meshing/traction.hpp"
 
 namespace springcheck::fem_reference {
@@ -135,8 +136,10 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene,
                       const ExplicitSettings& settings,
                       const dynamics::Observers& observers) {
   if (const auto reason = reason_to_refuse(mesh, settings)) return refused(*reason);
+  const Stopwatch stopwatch;
   const auto motion = motion_of(mesh, scene, settings);
   const PlainBody body(mesh, scene, settings);
+  const double motion_wall_s = stopwatch.seconds();
   const std::vector<Vector3> load = load_forces(mesh, scene, body.masses());
   const auto stable_step = [&](const std::optional<State>& state,
                                const dynamics::StableStep* near) {
@@ -144,7 +147,7 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene,
                                          settings.precision, state,
                                          settings.protocol.integrator, near);
   };
-  return dynamics::march(
+  Solution solution = dynamics::march(
       {.mesh = mesh,
        .scene = scene,
        .masses = body.masses(),
@@ -165,6 +168,8 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene,
                                    settings.damping_ratio),
        .undamped = "without drag (--damping) every motion is undamped"},
       *motion, settings.protocol, observers);
+  solution.setup_wall_s += motion_wall_s;
+  return solution;
 }
 
 }  // namespace springcheck::fem_reference

@@ -55,6 +55,7 @@ BOOST_AUTO_TEST_CASE(run_prints_the_documented_json) {
                           "strain_energy",
                           "steps",
                           "linear_iterations",
+                          "factorisations",
                           "dt",
                           "dt_limit",
                           "force_evaluations",

@@ -38,6 +38,8 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
   const auto written = study(all, meshes);
   BOOST_TEST(!written[0].solution.linear_iterations.has_value());
   BOOST_TEST(written[2].solution.linear_iterations.value() > 0);
+  BOOST_TEST(written[0].solution.factorisations.value() > 0);
+  BOOST_TEST(!written[2].solution.factorisations.has_value());
   // What the springs' points are off the elements', and only springs are strained.
   const auto& [springs, elements] = std::tie(written[0], written[1]);
   BOOST_TEST(springs.solution.spring_strains.size() == 64U);
@@ -67,6 +69,7 @@ BOOST_AUTO_TEST_CASE(a_result_file_gives_back_what_was_written) {
     BOOST_TEST((read.status == result.status));
     BOOST_TEST(read.solution.steps == result.solution.steps);
     BOOST_TEST((read.solution.linear_iterations == result.solution.linear_iterations));
+    BOOST_TEST((read.solution.factorisations == result.solution.factorisations));
     BOOST_TEST(read.wall_s == result.wall_s);
     std::vector<double> before, after;  // exact: binary numbers
     const auto collect = [](std::vector<double>& into) {

@@ -1,0 +1,153 @@
+#include "comparisons/chart/chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/chart/pareto.hpp"
+
+namespace springcheck {
+namespace {
+
+using Cases = std::map<std::string, StoredCase>;
+
+const StoredCase* find(const Cases& cases, const std::string& key) {
+  const auto found = cases.find(key);
+  return found == cases.end() ? nullptr : &found->second;
+}
+
+std::optional<double> answer_of(const Measures& measures, const std::string& name) {
+  std::optional<double> answer;
+  for_each_measure(measures, [&](const char* own, const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Measures::Value>)
+      if (name == own) answer = value;
+  });
+  return answer;
+}
+
+std::optional<ChartTruth> truth_of(const StoredChart& chart,
+                                   const StoredChart::Truth& grids, const Cases& cases) {
+  std::array<double, 3> answers{}, volumes{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const StoredCase* grid = find(cases, grids.keys[i]);
+    if (grid == nullptr || !grid->measures.volume_change) return std::nullopt;
+    const auto answer = answer_of(grid->measures, chart.answer);
+    if (!answer) return std::nullopt;
+    answers[i] = *answer;
+    volumes[i] = *grid->measures.volume_change;
+  }
+  ChartTruth truth{
+      .grids = grids,
+      .answer = converged_number(grids.cell_sizes, answers,
+                                 solver_noise * std::abs(answers[2])),
+      .volume_change = converged_number(grids.cell_sizes, volumes, solver_noise),
+      .imposed = 0,
+      .bars = {}};
+  truth.imposed = chart.imposed.value_or(std::abs(truth.answer.value));
+  truth.bars.force = truth.answer.bar / std::abs(truth.answer.value);
+  truth.bars.volume = truth.volume_change.bar / (truth.imposed / chart.height);
+  return truth;
+}
+
+ChartErrors errors_of(const StoredChart& chart, const ChartTruth& truth,
+                      const StoredCase& found, const StoredCase* compared) {
+  ChartErrors errors;
+  if (const auto answer = answer_of(found.measures, chart.answer))
+    errors.force = std::abs(*answer / truth.answer.value - 1);
+  if (const auto volume = found.measures.volume_change)
+    errors.volume =
+        std::abs(*volume - truth.volume_change.value) / (truth.imposed / chart.height);
+  if (compared != nullptr && compared->measures.mean_deviation)
+    errors.deviation = *compared->measures.mean_deviation / truth.imposed;
+  return errors;
+}
+
+}  // namespace
+
+std::string_view name_of(ChartMeasure measure) {
+  switch (measure) {
+    case ChartMeasure::force:
+      return "force";
+    case ChartMeasure::volume:
+      return "volume";
+    case ChartMeasure::deviation:
+      return "deviation";
+  }
+  return {};
+}
+
+const std::vector<ChartMeasure>& all_chart_measures() {
+  static const std::vector<ChartMeasure> all{ChartMeasure::force, ChartMeasure::volume,
+                                             ChartMeasure::deviation};
+  return all;
+}
+
+const std::optional<double>& ChartErrors::of(ChartMeasure measure) const {
+  switch (measure) {
+    case ChartMeasure::volume:
+      return volume;
+    case ChartMeasure::deviation:
+      return deviation;
+    case ChartMeasure::force:
+      break;
+  }
+  return force;
+}
+
+std::optional<double> ChartPoint::seconds_at(double Timing::*quantile) const {
+  if (!place.timing) return std::nullopt;
+  return place.timing.value().*quantile / place.simulated.value_or(1);
+}
+
+std::optional<double> ChartPoint::seconds() const {
+  return seconds_at(&Timing::median);
+}
+
+std::optional<std::size_t> Chart::truth_of(const std::string& law) const {
+  const auto found = std::ranges::find(
+      truths, law, [](const ChartTruth& truth) { return truth.grids.law; });
+  if (found == truths.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - truths.begin());
+}
+
+std::vector<std::size_t> Chart::front(ChartKind kind, ChartMeasure measure,
+                                      std::size_t truth) const {
+  const double bar = truths[truth].bars.of(measure).value_or(0);
+  std::vector<Cost> costs(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& error = points[i].errors[truth].of(measure);
+    if (points[i].place.kind == kind && points[i].is_ok() && error)
+      costs[i] = {.error = std::max(*error, bar), .seconds = points[i].seconds()};
+  }
+  return pareto_front(costs);
+}
+
+Chart evaluated(const StoredChart& stored, const Cases& cases) {
+  Chart chart{.stored = stored, .truths = {}, .points = {}};
+  for (const StoredChart::Truth& grids : stored.truths)
+    if (auto truth = truth_of(stored, grids, cases)) chart.truths.push_back(*truth);
+  std::map<std::pair<std::string, std::string>, std::string> compared;
+  for (const StoredChart::Comparison& comparison : stored.comparisons)
+    compared[{comparison.key, comparison.law}] = comparison.compared;
+  for (const StoredChart::Point& place : stored.points) {
+    ChartPoint point{.place = place,
+                     .found = std::nullopt,
+                     .errors = std::vector<ChartErrors>(chart.truths.size()),
+                     .compared = std::vector<std::string>(chart.truths.size())};
+    if (const StoredCase* found = find(cases, place.key)) point.found = *found;
+    for (std::size_t i = 0; point.found && i < chart.truths.size(); ++i) {
+      ChartTruth& truth = chart.truths[i];
+      const auto key = compared.find({place.key, truth.grids.law});
+      const StoredCase* other =
+          key == compared.end() ? nullptr : find(cases, key->second);
+      if (other != nullptr) point.compared[i] = key->second;
+      point.errors[i] = errors_of(stored, truth, *point.found, other);
+      if (other != nullptr && other->measures.reference_bar)
+        truth.bars.deviation = std::max(truth.bars.deviation.value_or(0),
+                                        *other->measures.reference_bar / truth.imposed);
+    }
+    chart.points.push_back(std::move(point));
+  }
+  return chart;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/case_rows.hpp"
+#include "comparisons/chart/stored_chart.hpp"
+#include "comparisons/converged_number.hpp"
+
+namespace springcheck {
+
+/// What an error is of. Each is a fraction:
+///
+///     force      |a - a*|/|a*|          a: plate force, torque, or drop of the tip
+///     volume     |V - V*|/(V0 e)        e = u/H, the strain that is imposed
+///     deviation  mean over the nodes of |x - x*|/u
+///
+/// with * for the truth, u the largest displacement that is imposed (bending: the
+/// truth's drop of the tip) and H the height. Of the volume the strain is taken because
+/// V* may be V0.
+enum class ChartMeasure { force, volume, deviation };
+
+std::string_view name_of(ChartMeasure measure);
+const std::vector<ChartMeasure>& all_chart_measures();
+
+/// An error, or what the truth itself may be off, of each measure; none where it is not
+/// known.
+struct ChartErrors {
+  std::optional<double> force, volume, deviation;
+
+  [[nodiscard]] const std::optional<double>& of(ChartMeasure measure) const;
+};
+
+/// What a law converges to.
+struct ChartTruth {
+  StoredChart::Truth grids;
+  ConvergedNumber answer;         // [N], [N m] or [m]
+  ConvergedNumber volume_change;  // of V0
+  double imposed;                 // u [m]
+  ChartErrors bars;               // deviation's: the largest of any mesh compared
+};
+
+struct ChartPoint {
+  StoredChart::Point place;
+  std::optional<StoredCase> found;    // none where it was not run
+  std::vector<ChartErrors> errors;    // for each truth; none in failed cases
+  std::vector<std::string> compared;  // keys of the cases that tell them, or ""
+
+  /// Whether it is a state to rely on: an equilibrium, or end of a motion, with nothing
+  /// against it.
+  [[nodiscard]] bool is_ok() const { return found && found->status == Status::ok; }
+
+  /// Median: of the solution [s], or real per simulated second.
+  [[nodiscard]] std::optional<double> seconds() const;
+  [[nodiscard]] std::optional<double> seconds_at(double Timing::*quantile) const;
+};
+
+/// A chart with its errors.
+struct Chart {
+  StoredChart stored;
+  std::vector<ChartTruth> truths;  // without laws that have none: a grid failed
+  std::vector<ChartPoint> points;
+
+  /// Place of the truth of a law; none without.
+  [[nodiscard]] std::optional<std::size_t> truth_of(const std::string& law) const;
+
+  /// Of one kind and one truth, the front over its points that are ok, see pareto_front;
+  /// an error below what the truth may be off counts as that.
+  [[nodiscard]] std::vector<std::size_t> front(ChartKind kind, ChartMeasure measure,
+                                               std::size_t truth) const;
+};
+
+/// Tells the errors of what a chart holds, by the figures of its cases.
+Chart evaluated(const StoredChart& stored,
+                const std::map<std::string, StoredCase>& cases);
+
+}  // namespace springcheck

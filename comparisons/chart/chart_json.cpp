@@ -1,0 +1,102 @@
+#include "comparisons/chart/chart_json.hpp"
+
+#include "comparisons/chart/claims.hpp"
+#include "comparisons/result_file.hpp"
+
+namespace springcheck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json value_or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json errors_json(const ChartErrors& errors) {
+  Json json = Json::object();
+  for (const ChartMeasure measure : all_chart_measures())
+    json[std::string(name_of(measure))] = value_or_null(errors.of(measure));
+  return json;
+}
+
+Json number_json(const ConvergedNumber& number) {
+  return {{"value", number.value},
+          {"bar", number.bar},
+          {"order", value_or_null(number.order)}};
+}
+
+Json point_json(const Chart& chart, const ChartPoint& point) {
+  const StoredChart::Point& place = point.place;
+  Json json{
+      {"model", place.model},
+      {"kind", std::string(name_of(place.kind))},
+      {"across", place.across},
+      {"cells", place.cells},
+      {"threads", place.threads},
+      {"status", point.found ? std::string(name_of(point.found->status)) : "over budget"},
+      {"case", place.key},
+      {"lower_quartile", value_or_null(point.seconds_at(&Timing::lower_quartile))},
+      {"median", value_or_null(point.seconds())},
+      {"upper_quartile", value_or_null(point.seconds_at(&Timing::upper_quartile))},
+      {"setup", value_or_null(place.setup)},
+      {"errors", Json::object()}};
+  for (std::size_t i = 0; i < chart.truths.size(); ++i)
+    json["errors"][chart.truths[i].grids.law] = errors_json(point.errors[i]);
+  return json;
+}
+
+Json fronts_json(const Chart& chart) {
+  Json json = Json::array();
+  for (const ChartKind kind : {ChartKind::equilibrium, ChartKind::motion})
+    for (std::size_t truth = 0; truth < chart.truths.size(); ++truth)
+      for (const ChartMeasure measure : all_chart_measures())
+        json.push_back({{"kind", std::string(name_of(kind))},
+                        {"law", chart.truths[truth].grids.law},
+                        {"measure", std::string(name_of(measure))},
+                        {"points", chart.front(kind, measure, truth)}});
+  return json;
+}
+
+Json chart_json(const Chart& chart) {
+  Json json{{"scene", chart.stored.scene},   {"law", chart.stored.law},
+            {"answer", chart.stored.answer}, {"machine", chart.stored.machine},
+            {"truths", Json::array()},       {"points", Json::array()},
+            {"fronts", fronts_json(chart)},  {"claims", Json::array()}};
+  for (const ChartTruth& truth : chart.truths)
+    json["truths"].push_back({{"law", truth.grids.law},
+                              {"answer", number_json(truth.answer)},
+                              {"volume_change", number_json(truth.volume_change)},
+                              {"bars", errors_json(truth.bars)}});
+  for (const ChartPoint& point : chart.points)
+    json["points"].push_back(point_json(chart, point));
+  for (const Claim& claim : claims(chart))
+    json["claims"].push_back({{"kind", std::string(name_of(claim.kind))},
+                              {"measure", std::string(name_of(claim.measure))},
+                              {"springs", chart.points[claim.springs].place.model},
+                              {"faster", std::string(name_of(claim.is_faster))},
+                              {"as_accurate", std::string(name_of(claim.is_as_accurate))},
+                              {"faster_at_equal_accuracy",
+                               std::string(name_of(claim.is_faster_at_equal_accuracy))},
+                              {"words", claim_text(chart, claim)}});
+  return json;
+}
+
+}  // namespace
+
+std::vector<Chart> stored_charts(const std::filesystem::path& file) {
+  const std::vector<StoredChart> stored = read_charts(file);
+  if (stored.empty()) return {};
+  const std::map<std::string, StoredCase> cases = read_results(file);
+  std::vector<Chart> charts;
+  for (const StoredChart& chart : stored) charts.push_back(evaluated(chart, cases));
+  return charts;
+}
+
+Json charts_json(const std::vector<Chart>& charts) {
+  Json list = Json::array();
+  for (const Chart& chart : charts) list.push_back(chart_json(chart));
+  return list;
+}
+
+}  // namespace springcheck

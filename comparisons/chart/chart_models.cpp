@@ -1,0 +1,134 @@
+#include "comparisons/chart/chart_models.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/scene_file.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+std::vector<ChartModel> all_models() {
+  using enum ChartKind;
+  const Changes tetrahedra{{"cell-type", "tetrahedron"}}, prisms{{"cell-type", "prism"}};
+  std::vector<ChartModel> all;
+  for (const char* springs : {"mss-baudet", "mss-nfd", "mss-fd", "mss-cf", "mss-affine"})
+    all.push_back({springs, {{"method", springs}}, equilibrium});
+  for (const char* springs : {"mss-affine", "mss-vangelder", "mss-lloyd"})
+    all.push_back({fmt::format("{} on tetrahedra", springs),
+                   Changes{{"method", springs}} + tetrahedra, equilibrium});
+  all.push_back(
+      {"mss-affine on prisms", Changes{{"method", "mss-affine"}} + prisms, equilibrium});
+  for (const char* law : {"fem-hooke", "fem-stvk", "fem-hencky"})
+    for (const char* element : {"q1", "q1-sri", "q2"})
+      all.push_back({fmt::format("{}:{}", law, element),
+                     {{"method", law}, {"element", element}},
+                     equilibrium});
+  const Changes mean_dilatation{{"method", "fem-stvk"}, {"element", "q1-sri"}};
+  for (const char* solver : {"direct", "multigrid"})
+    all.push_back({fmt::format("fem-stvk:q1-sri, {}", solver),
+                   mean_dilatation + Changes{{"linear-solver", solver}}, equilibrium});
+  all.push_back({"fem-cauchy-born:q1-sri",
+                 {{"method", "fem-cauchy-born"}, {"element", "q1-sri"}},
+                 equilibrium});
+  all.push_back({"fem-stvk:q1 on tetrahedra",
+                 Changes{{"method", "fem-stvk"}, {"element", "q1"}} + tetrahedra,
+                 equilibrium});
+  for (const char* method : {"mss-nfd", "mss-fd", "mss-cf", "mss-affine",
+                             "fem-explicit-1p", "fem-explicit-8p"})
+    for (const char* precision : {"double", "float"})
+      all.push_back(
+          {fmt::format("{}, {}", method, precision),
+           {{"method", method}, {"solver", "semi-implicit"}, {"precision", precision}},
+           motion});
+  all.push_back(
+      {"mss-affine on tetrahedra, double",
+       Changes{{"method", "mss-affine"}, {"solver", "semi-implicit"}} + tetrahedra,
+       motion});
+  return all;
+}
+
+/// Options of motion are for the models that move.
+std::vector<GivenSetting> options_for(ChartKind kind, std::vector<GivenSetting> options) {
+  if (kind == ChartKind::equilibrium)
+    std::erase_if(options, [](const GivenSetting& option) {
+      return option.key == "duration" || option.key == "damping";
+    });
+  return options;
+}
+
+CaseSettings case_with(const std::string& scene, std::vector<GivenSetting> settings,
+                       const Changes& changes) {
+  for (const auto& [key, value] : changes)
+    settings.push_back({key, Given::from_text("chart", value)});
+  return requests(read_run(scene, settings)).front().settings;
+}
+
+Changes cells_of(const std::array<double, 3>& size, int across) {
+  return {{"cells", fmt::format("{}", fmt::join(cells_across(size, across), ","))}};
+}
+
+/// The scene's block.
+std::array<double, 3> block_size(const std::string& scene,
+                                 const std::vector<GivenSetting>& options) {
+  const Body body = read_run(scene, options).common.body;
+  if (body.shape != BodyShape::block)
+    throw InputError(scene, "body", "a block, which can be cut as finely as wanted",
+                     std::string(name_of(body.shape)));
+  return body.block.size;
+}
+
+}  // namespace
+
+std::string_view name_of(ChartKind kind) {
+  return kind == ChartKind::equilibrium ? "equilibrium" : "motion";
+}
+
+const std::vector<ChartModel>& chart_models() {
+  static const std::vector<ChartModel> all = all_models();
+  return all;
+}
+
+const std::vector<std::string>& truth_laws() {
+  static const std::vector<std::string> all{"fem-hooke", "fem-stvk", "fem-hencky",
+                                            "fem-cauchy-born"};
+  return all;
+}
+
+Cells cells_across(const std::array<double, 3>& size, int across) {
+  const double edge = std::ranges::min(size) / across;
+  Cells cells{};
+  std::ranges::transform(size, cells.begin(), [&](double length) {
+    return static_cast<int>(std::lround(length / edge));
+  });
+  return cells;
+}
+
+CaseSettings model_case(const std::string& scene,
+                        const std::vector<GivenSetting>& options, const ChartModel& model,
+                        int across) {
+  const std::vector<GivenSetting> own = options_for(model.kind, options);
+  return case_with(scene, own, cells_of(block_size(scene, own), across) + model.changes);
+}
+
+CaseSettings truth_case(const std::string& scene,
+                        const std::vector<GivenSetting>& options, const std::string& law,
+                        const std::optional<int>& across) {
+  constexpr double most_nodes = 1e5;
+  const std::vector<GivenSetting> own = options_for(ChartKind::equilibrium, options);
+  const auto size = block_size(scene, own);
+  double finest_nodes = 1;
+  for (const int cells : cells_across(size, 16)) finest_nodes *= 2 * cells + 1;
+  const int coarsest = across.value_or(finest_nodes > most_nodes ? 3 : 4);
+  return case_with(scene, own,
+                   cells_of(size, coarsest) + Changes{{"method", law},
+                                                      {"element", "q2"},
+                                                      {"cell-type", "hexahedron"},
+                                                      {"distortion", "0"}});
+}
+
+}  // namespace springcheck

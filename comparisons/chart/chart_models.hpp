@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "comparisons/grids.hpp"
+#include "comparisons/planned_requests.hpp"
+
+namespace springcheck {
+
+/// What a time is of, and never compared with the other: a static equilibrium, or a
+/// second of motion by explicit steps of .9 of the method's own stability limit.
+enum class ChartKind { equilibrium, motion };
+
+std::string_view name_of(ChartKind kind);
+
+/// A way to simulate a scene: method, element, cells, solver, precision.
+struct ChartModel {
+  std::string name;
+  Changes changes;  // of the scene's settings
+  ChartKind kind;
+};
+
+/// Every one that a chart compares: springs and finite elements on hexahedra, tetrahedra
+/// and prisms, with both linear solvers of finite elements; motions by springs and by
+/// explicit elements, in double and single precision.
+const std::vector<ChartModel>& chart_models();
+
+/// Laws of which a chart has a truth each, as methods; fem-cauchy-born's is the lattice
+/// of mss-cf.
+const std::vector<std::string>& truth_laws();
+
+/// Cells of a block with so many across its shortest edge, as near to cubes as counts
+/// allow.
+Cells cells_across(const std::array<double, 3>& size, int across);
+
+/// The scene's case of a model on so many cells across. Throws InputError for options
+/// that the model's method does not take, and where the body is no block.
+CaseSettings model_case(const std::string& scene,
+                        const std::vector<GivenSetting>& options, const ChartModel& model,
+                        int across);
+
+/// The coarsest of the three grids (convergence_grids) of q2 whose limit is the truth of
+/// a law. across: none for 4, or 3 where the finest of 16 would have more than 10^5
+/// nodes.
+CaseSettings truth_case(const std::string& scene,
+                        const std::vector<GivenSetting>& options, const std::string& law,
+                        const std::optional<int>& across);
+
+}  // namespace springcheck

@@ -1,0 +1,268 @@
+#include "comparisons/chart/chart_run.hpp"
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "comparisons/build_info.hpp"
+#include "comparisons/displacement_norms.hpp"
+#include "comparisons/known_results.hpp"
+#include "comparisons/mechanical_scene.hpp"
+#include "comparisons/memory.hpp"
+#include "comparisons/progress.hpp"
+#include "comparisons/provenance.hpp"
+#include "comparisons/scene_file.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+/// The measure that answers a test's load.
+std::string answer_of(Test test, const std::string& scene) {
+  switch (test) {
+    case Test::torsion:
+      return "plate_torque";
+    case Test::bending:
+      return "tip_deflection";
+    case Test::traction:
+    case Test::affine:
+      throw InputError(scene, "test", "one that a plate or a weight answers",
+                       std::string(name_of(test)));
+    default:
+      return "plate_force";
+  }
+}
+
+/// A case timed on so many threads.
+struct TimedCase {
+  CaseResult result;
+  Timing timing;
+  double setup;  // [s] median
+};
+
+TimedCase timed_case(const CaseSettings& settings, const Mesh& mesh, int threads,
+                     double budget) {
+  tbb::task_arena arena(threads);
+  CaseResult result;
+  std::vector<double> setups;
+  const Timing timing = timed(
+      [&] {
+        result = arena.execute([&] { return simulate(settings, mesh, threads); });
+        setups.push_back(result.solution.setup_wall_s);
+        return result.solve_wall_s;
+      },
+      budget);
+  return {.result = std::move(result),
+          .timing = timing,
+          .setup = timing_of(std::move(setups)).median};
+}
+
+class ChartRun {
+ public:
+  ChartRun(const ChartPlan& plan, const std::filesystem::path& file)
+      : plan_(plan), path_(file), file_(file) {
+    if (std::filesystem::exists(file)) stored_ = stored_cases({file});
+    warn_of_other_commits(stored_);
+    plan_chart();
+  }
+
+  Chart run() {
+    find_truths();
+    const std::size_t all = chart_models().size() * plan_.across.size();
+    std::size_t done = 0;
+    Progress progress(plan_.scene + ": points");
+    for (const ChartModel& model : chart_models())
+      for (const int across : plan_.across) {
+        progress.show(done++, all);
+        measure(model, across);
+      }
+    std::map<std::string, StoredCase> cases;
+    for (auto& [key, stored] : read_results(path_)) cases.emplace(key, std::move(stored));
+    return evaluated(chart_, cases);
+  }
+
+ private:
+  void plan_chart() {
+    const RunSettings scene = read_run(plan_.scene, plan_.options);
+    chart_.answer = answer_of(scene.common.test, plan_.scene);
+    chart_.scene = scene.common.scene;
+    chart_.machine = fmt::format("{}, {}, commit {}", processor_name(),
+                                 build_info::compiler, build_info::commit);
+    for (const std::string& law : truth_laws())
+      truth_cases_.push_back(
+          truth_case(plan_.scene, plan_.options, law, plan_.truth_across));
+    chart_.law = law_of_scene();
+    const CaseSettings& first = truth_cases_.front();
+    chart_.height = first.body.block.size[2];
+    const Mesh& mesh = meshes_.mesh(first.body);
+    if (first.test != Test::bending)
+      chart_.imposed = largest_imposed_displacement(mesh, mechanical_scene(first, mesh));
+    for (const CaseSettings& coarsest : truth_cases_) {
+      const ThreeCases grids = convergence_grids(coarsest);
+      StoredChart::Truth truth{
+          .law = coarsest.method.name, .cell_sizes = grid_sizes(grids), .keys = {}};
+      std::ranges::transform(grids, truth.keys.begin(),
+                             [&](const CaseSettings& grid) { return key_of(grid); });
+      chart_.truths.push_back(std::move(truth));
+    }
+    for (const StoredChart& earlier : read_charts_of_file())
+      if (identity_of(earlier) == identity_of(chart_)) {
+        chart_.points = earlier.points;
+        chart_.comparisons = earlier.comparisons;
+      }
+  }
+
+  [[nodiscard]] std::vector<StoredChart> read_charts_of_file() const {
+    if (!std::filesystem::exists(path_)) return {};
+    return read_charts(path_);
+  }
+
+  /// The law that `run` measures deviations from, by default or as the scene says.
+  [[nodiscard]] std::string law_of_scene() const {
+    const Request first = requests(read_run(plan_.scene, plan_.options)).front();
+    return first.reference ? first.reference->method.name : first.settings.method.name;
+  }
+
+  std::string key_of(const CaseSettings& settings) {
+    return case_key({.settings = settings, .reference = std::nullopt},
+                    meshes_.mesh(settings.body));
+  }
+
+  void put(CaseResult&& result, bool with_fields) {
+    const std::vector one{std::move(result)};
+    file_.put(one, with_fields, meshes_);
+    known_.insert(one.front().key);
+  }
+
+  [[nodiscard]] bool is_known(const std::string& key) const {
+    return known_.contains(key) || stored_.contains(key);
+  }
+
+  /// The truths' runs are kept with their fields, which every comparison needs.
+  void find_truths() {
+    std::vector<Request> all;
+    for (const CaseSettings& coarsest : truth_cases_)
+      for (const CaseSettings& grid : convergence_grids(coarsest))
+        all.push_back({.settings = grid, .reference = std::nullopt});
+    check_memory(plan_.scene, all);
+    Progress progress(plan_.scene + ": truths");
+    const KnownResult known = only_with_fields(known_from(stored_, meshes_));
+    run_study(
+        all, meshes_, plan_.jobs,
+        [&](std::size_t done, std::size_t of) { progress.show(done, of); }, known,
+        [&](std::size_t, CaseResult&& result) {
+          if (!stored_.contains(result.key) ||
+              !file_.stored().with_fields.contains(result.key))
+            put(CaseResult(result), true);
+          truths_.insert_or_assign(result.key, std::move(result));
+        });
+  }
+
+  StoredChart::Point& point_of(const ChartModel& model, const CaseSettings& settings,
+                               int across, const std::string& key, int threads) {
+    const auto found = std::ranges::find_if(chart_.points, [&](const auto& point) {
+      return point.model == model.name && point.key == key && point.threads == threads;
+    });
+    if (found != chart_.points.end()) return *found;
+    const Mesh& mesh = meshes_.mesh(settings.body);
+    chart_.points.push_back({.model = model.name,
+                             .kind = model.kind,
+                             .across = across,
+                             .cells = static_cast<double>(mesh.cells().size()),
+                             .nodes = static_cast<double>(mesh.nodes().size()),
+                             .threads = threads,
+                             .key = key,
+                             .timing = std::nullopt,
+                             .setup = std::nullopt,
+                             .simulated = model.kind == ChartKind::motion
+                                              ? std::optional(settings.dynamics.duration)
+                                              : std::nullopt});
+    return chart_.points.back();
+  }
+
+  /// What the largest of the model's smaller points says of this one [s]; 0 without any.
+  [[nodiscard]] double expected_seconds(const StoredChart::Point& point) const {
+    const StoredChart::Point* smaller = nullptr;
+    for (const StoredChart::Point& other : chart_.points)
+      if (other.model == point.model && other.threads == point.threads &&
+          other.across < point.across &&
+          (smaller == nullptr || other.across > smaller->across))
+        smaller = &other;
+    if (smaller == nullptr) return 0;
+    const double growth = std::pow(point.nodes / smaller->nodes, 1.5);
+    return growth *
+           (smaller->timing ? smaller->timing->median : plan_.budget);  // too dear itself
+  }
+
+  void measure(const ChartModel& model, int across) {
+    const CaseSettings settings = model_case(plan_.scene, plan_.options, model, across);
+    const Mesh& mesh = meshes_.mesh(settings.body);
+    const std::string key = key_of(settings);
+    check_memory(plan_.scene, {{.settings = settings, .reference = std::nullopt}});
+    std::optional<CaseResult> result;
+    bool is_new = false;
+    for (const int threads : plan_.threads) {
+      StoredChart::Point& point = point_of(model, settings, across, key, threads);
+      if (point.timing && !plan_.retime) continue;
+      is_new = true;
+      if (expected_seconds(point) > plan_.budget) continue;
+      TimedCase timed = timed_case(settings, mesh, threads, plan_.budget);
+      point.timing = timed.timing;
+      point.setup = timed.setup;
+      result = std::move(timed.result);
+    }
+    if (result) result->key = key;
+    const bool was_run = result || is_known(key);
+    if (was_run) compare(settings, key, result);
+    if (is_new) file_.put_chart(chart_);
+  }
+
+  /// Adds the case and its deviations from every truth to the file.
+  void compare(const CaseSettings& settings, const std::string& key,
+               const std::optional<CaseResult>& result) {
+    std::vector<Request> missing;
+    if (!is_known(key)) missing.push_back({.settings = settings, .reference = {}});
+    const bool has_failed = result && !result->measures.volume_error;
+    for (const CaseSettings& truth : truth_cases_) {
+      const Request request{.settings = settings,
+                            .reference = truth,
+                            .reference_grid = ReferenceGrid::converged};
+      const std::string compared = case_key(request, meshes_.mesh(settings.body));
+      if (is_known(compared) || has_failed) continue;
+      missing.push_back(request);
+      chart_.comparisons.push_back(
+          {.key = key, .law = truth.method.name, .compared = compared});
+    }
+    const KnownResult known = [&](const Request& request,
+                                  const std::string& asked) -> std::optional<CaseResult> {
+      if (const auto truth = truths_.find(asked); truth != truths_.end())
+        return truth->second;
+      if (request.reference || asked != key) return std::nullopt;
+      return result;
+    };
+    run_study(
+        missing, meshes_, 1, [](std::size_t, std::size_t) {}, known,
+        [&](std::size_t, CaseResult&& one) { put(std::move(one), false); });
+  }
+
+  const ChartPlan& plan_;
+  std::filesystem::path path_;
+  ResultFile file_;
+  StoredCases stored_;           // of the file, before
+  std::set<std::string> known_;  // keys added since
+  MeshStore meshes_;
+  std::vector<CaseSettings> truth_cases_;  // the coarsest of each law
+  std::map<std::string, CaseResult> truths_;
+  StoredChart chart_{};
+};
+
+}  // namespace
+
+Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file) {
+  return ChartRun(plan, file).run();
+}
+
+}  // namespace springcheck

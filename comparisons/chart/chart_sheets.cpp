@@ -1,0 +1,259 @@
+#include "comparisons/chart/chart_sheets.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "comparisons/chart/claims.hpp"
+
+namespace springcheck {
+namespace {
+
+std::optional<double> in_percent(const std::optional<double>& fraction) {
+  return fraction ? std::optional(100 * *fraction) : std::nullopt;
+}
+
+Cell text_cell(std::string text) {
+  return {.number = std::nullopt, .text = std::move(text)};
+}
+
+/// An error, or the status that stands in its place.
+Cell error_cell(const ChartPoint& point, std::size_t truth, ChartMeasure measure) {
+  return {.number = in_percent(point.errors[truth].of(measure)),
+          .text = point.found ? std::string(name_of(point.found->status)) : ""};
+}
+
+std::string status_of(const ChartPoint& point) {
+  if (point.found) return std::string(name_of(point.found->status));
+  return "over budget";
+}
+
+std::string machines_of(const std::vector<Chart>& charts) {
+  std::string text;
+  std::set<std::string> seen;
+  for (const Chart& chart : charts)
+    if (seen.insert(chart.stored.machine).second)
+      text += (text.empty() ? "Measured on " : "; on ") + chart.stored.machine;
+  return text + ".";
+}
+
+const char* const what_errors_are =
+    "Errors, against the truth of the law: force, the plate's force or torque or the "
+    "tip's drop, over the truth's; volume, |V - V*|/(V0 e) with the imposed strain e; "
+    "deviation, mean distance of the nodes over the largest displacement imposed "
+    "(bending: "
+    "the truth's drop of the tip).";
+
+void add_point(Sheet& sheet, const Chart& chart, const ChartPoint& point,
+               const std::optional<std::size_t>& truth) {
+  const StoredChart::Point& place = point.place;
+  SheetRow row{.cells = {text_cell(chart.stored.scene),
+                         text_cell(std::string(name_of(place.kind))),
+                         text_cell(place.model),
+                         {.number = place.across},
+                         {.number = place.cells},
+                         {.number = place.nodes},
+                         {.number = place.threads},
+                         text_cell(status_of(point))},
+               .cases = {place.key}};
+  for (const ChartMeasure measure : all_chart_measures())
+    row.cells.push_back(truth ? error_cell(point, *truth, measure) : Cell{});
+  row.cells.push_back({.number = point.seconds()});
+  row.cells.push_back({.number = point.seconds_at(&Timing::minimum)});
+  row.cells.push_back({.number = point.seconds_at(&Timing::lower_quartile)});
+  row.cells.push_back({.number = point.seconds_at(&Timing::upper_quartile)});
+  row.cells.push_back({.number = place.timing
+                                     ? std::optional<double>(place.timing->repetitions)
+                                     : std::nullopt});
+  row.cells.push_back({.number = place.setup});
+  std::optional<double> forces, factorisations, iterations, steps;
+  if (point.found) {
+    forces = point.found->effort.value_or(Effort{}).force_evaluations;
+    steps = point.found->effort.value_or(Effort{}).steps;
+    factorisations = point.found->factorisations;
+    iterations = point.found->linear_iterations;
+  }
+  for (const auto& count : {steps, forces, factorisations, iterations})
+    row.cells.push_back({.number = count});
+  if (truth && !point.compared[*truth].empty())
+    row.cases.push_back(point.compared[*truth]);
+  sheet.rows.push_back(std::move(row));
+}
+
+}  // namespace
+
+Sheet truths_sheet(const std::vector<Chart>& charts) {
+  Sheet sheet{
+      .name = "chart-truths",
+      .title = "Truths of the charts: what q2 converges to on three grids",
+      .columns = {{"scene", "scene"},
+                  {"law", "law"},
+                  {"measure", "answer"},
+                  {"answer", "value [N, N m or m]", "{:.7g}"},
+                  {"answer_bar", "+- [%]", "{:.2g}"},
+                  {"answer_order", "order", "{:.2f}"},
+                  {"volume_change", "volume change [%]", "{:.6f}"},
+                  {"volume_bar", "+- over the strain [%]", "{:.2g}"},
+                  {"volume_order", "order", "{:.2f}"},
+                  {"deviation_bar", "places +- [%]", "{:.2g}"}},
+      .rows = {},
+      .notes = {
+          "Richardson's extrapolation of the three grids, and the half width of its "
+          "error "
+          "bar (Roache's grid convergence index) over what errors are told by: the "
+          "answer, the imposed strain, the largest imposed displacement; the last is the "
+          "largest of all meshes. An error below it says no more than that."}};
+  for (const Chart& chart : charts)
+    for (const ChartTruth& truth : chart.truths)
+      sheet.rows.push_back(
+          {.cells = {text_cell(chart.stored.scene),
+                     text_cell(truth.grids.law),
+                     text_cell(chart.stored.answer),
+                     {.number = truth.answer.value},
+                     {.number = in_percent(truth.bars.force)},
+                     {.number = truth.answer.order, .text = "none"},
+                     {.number = 100 * truth.volume_change.value},
+                     {.number = in_percent(truth.bars.volume)},
+                     {.number = truth.volume_change.order, .text = "none"},
+                     {.number = in_percent(truth.bars.deviation)}},
+           .cases = {truth.grids.keys.rbegin(), truth.grids.keys.rend()}});
+  return sheet;
+}
+
+Sheet points_sheet(const std::vector<Chart>& charts) {
+  Sheet sheet{
+      .name = "chart",
+      .title = "Work and precision: errors against the truth of each scene's law",
+      .columns = {{"scene", "scene"},
+                  {"kind", "kind"},
+                  {"model", "model"},
+                  {"across", "across", "{:.0f}"},
+                  {"cells", "cells", "{:.0f}"},
+                  {"nodes", "nodes", "{:.0f}"},
+                  {"threads", "threads", "{:.0f}"},
+                  {"status", "status"},
+                  {"force", "force off [%]", "{:.3g}"},
+                  {"volume", "volume off [%]", "{:.3g}"},
+                  {"deviation", "deviation [%]", "{:.3g}"},
+                  {"median", "time [s]", "{:.3g}"},
+                  {"minimum", "least [s]", "{:.3g}"},
+                  {"lower_quartile", "lower quartile [s]", "{:.3g}"},
+                  {"upper_quartile", "upper quartile [s]", "{:.3g}"},
+                  {"repetitions", "runs", "{:.0f}"},
+                  {"setup", "of it set-up [s]", "{:.2g}"},
+                  {"steps", "steps", "{:.0f}"},
+                  {"force_evaluations", "force evaluations", "{:.0f}"},
+                  {"factorisations", "factorisations", "{:.0f}"},
+                  {"linear_iterations", "linear iterations", "{:.0f}"}},
+      .rows = {},
+      .notes = {what_errors_are,
+                "Time: median; of an equilibrium to a relative residual of 1e-10, of a "
+                "motion real seconds per simulated one at .9 of the method's own "
+                "stability limit, set-up and all. Set-up is of the whole run. "
+                "A point without a time would have taken more than the budget.",
+                machines_of(charts)}};
+  for (const Chart& chart : charts) {
+    const auto truth = chart.truth_of(chart.stored.law);
+    for (const ChartPoint& point : chart.points) add_point(sheet, chart, point, truth);
+  }
+  return sheet;
+}
+
+Sheet laws_sheet(const std::vector<Chart>& charts) {
+  Sheet sheet{.name = "chart-laws",
+              .title = "Errors of the charts' cases against the truth of every law",
+              .columns = {{"scene", "scene"},
+                          {"kind", "kind"},
+                          {"model", "model"},
+                          {"across", "across", "{:.0f}"},
+                          {"law", "law"},
+                          {"status", "status"},
+                          {"force", "force off [%]", "{:.3g}"},
+                          {"volume", "volume off [%]", "{:.3g}"},
+                          {"deviation", "deviation [%]", "{:.3g}"}},
+              .rows = {},
+              .notes = {what_errors_are}};
+  for (const Chart& chart : charts) {
+    std::set<std::pair<std::string, std::string>> seen;
+    for (const ChartPoint& point : chart.points) {
+      if (!point.found) continue;
+      if (!seen.insert({point.place.model, point.place.key}).second) continue;  // threads
+      for (std::size_t i = 0; i < chart.truths.size(); ++i) {
+        SheetRow row{.cells = {text_cell(chart.stored.scene),
+                               text_cell(std::string(name_of(point.place.kind))),
+                               text_cell(point.place.model),
+                               {.number = point.place.across},
+                               text_cell(chart.truths[i].grids.law),
+                               text_cell(status_of(point))},
+                     .cases = {point.place.key}};
+        for (const ChartMeasure measure : all_chart_measures())
+          row.cells.push_back(error_cell(point, i, measure));
+        if (!point.compared[i].empty()) row.cases.push_back(point.compared[i]);
+        sheet.rows.push_back(std::move(row));
+      }
+    }
+  }
+  return sheet;
+}
+
+Sheet front_sheet(const std::vector<Chart>& charts) {
+  Sheet sheet{
+      .name = "chart-front",
+      .title = "Fronts of the charts: no model is both faster and more accurate",
+      .columns = {{"scene", "scene"},
+                  {"kind", "kind"},
+                  {"law", "law"},
+                  {"measure", "measure"},
+                  {"error", "off [%]", "{:.3g}"},
+                  {"median", "time [s]", "{:.3g}"},
+                  {"lower_quartile", "lower quartile [s]", "{:.3g}"},
+                  {"upper_quartile", "upper quartile [s]", "{:.3g}"},
+                  {"model", "model"},
+                  {"across", "across", "{:.0f}"},
+                  {"threads", "threads", "{:.0f}"}},
+      .rows = {},
+      .notes = {what_errors_are,
+                "From the fastest to the most accurate, each by 1 % of its error or more "
+                "accurate than all faster ones. Failed states, wrinkled and indefinite "
+                "ones among them, "
+                "have no place on a front."}};
+  for (const Chart& chart : charts)
+    for (const ChartKind kind : {ChartKind::equilibrium, ChartKind::motion})
+      for (std::size_t truth = 0; truth < chart.truths.size(); ++truth)
+        for (const ChartMeasure measure : all_chart_measures())
+          for (const std::size_t i : chart.front(kind, measure, truth)) {
+            const ChartPoint& point = chart.points[i];
+            SheetRow row{
+                .cells = {text_cell(chart.stored.scene),
+                          text_cell(std::string(name_of(kind))),
+                          text_cell(chart.truths[truth].grids.law),
+                          text_cell(std::string(name_of(measure))),
+                          {.number = in_percent(point.errors[truth].of(measure))},
+                          {.number = point.seconds()},
+                          {.number = point.seconds_at(&Timing::lower_quartile)},
+                          {.number = point.seconds_at(&Timing::upper_quartile)},
+                          text_cell(point.place.model),
+                          {.number = point.place.across},
+                          {.number = point.place.threads}},
+                .cases = {point.place.key}};
+            const auto& bar = chart.truths[truth].bars.of(measure);
+            if (bar && *point.errors[truth].of(measure) < *bar)
+              row.notes.emplace_back("Below what the truth itself may be off.");
+            sheet.rows.push_back(std::move(row));
+          }
+  return sheet;
+}
+
+const std::vector<std::string>& chart_sheet_names() {
+  static const std::vector<std::string> all{"chart-truths", "chart", "chart-laws",
+                                            "chart-front", "chart-claims"};
+  return all;
+}
+
+std::vector<Sheet> chart_sheets(const std::vector<Chart>& charts) {
+  if (charts.empty()) return {};
+  return {truths_sheet(charts), points_sheet(charts), laws_sheet(charts),
+          front_sheet(charts), claims_sheet(charts)};
+}
+
+}  // namespace springcheck

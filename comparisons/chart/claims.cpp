@@ -1,0 +1,197 @@
+#include "comparisons/chart/claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace springcheck {
+namespace {
+
+bool is_of_springs(const ChartPoint& point) {
+  return point.place.model.starts_with("mss-");
+}
+
+/// Whether a took less time than b.
+Answer faster(const ChartPoint& a, const ChartPoint& b) {
+  if (*a.seconds_at(&Timing::upper_quartile) < *b.seconds_at(&Timing::lower_quartile))
+    return Answer::yes;
+  if (*a.seconds_at(&Timing::lower_quartile) > *b.seconds_at(&Timing::upper_quartile))
+    return Answer::no;
+  return Answer::undecided;
+}
+
+/// The points of the two models on the same cells, as many as both hold on; none where
+/// they nowhere do.
+std::optional<std::pair<std::size_t, std::size_t>> same_cells(
+    const Chart& chart, ChartKind kind, const std::string& springs,
+    const std::string& elements, const std::function<bool(const ChartPoint&)>& counts) {
+  std::optional<std::pair<std::size_t, std::size_t>> best;
+  for (std::size_t i = 0; i < chart.points.size(); ++i)
+    for (std::size_t j = 0; j < chart.points.size(); ++j) {
+      const ChartPoint &a = chart.points[i], &b = chart.points[j];
+      const bool fits = a.place.kind == kind && b.place.kind == kind &&
+                        a.place.model == springs && b.place.model == elements &&
+                        a.place.across == b.place.across && counts(a) && counts(b);
+      if (fits && (!best || a.place.across > chart.points[best->first].place.across))
+        best = {i, j};
+    }
+  return best;
+}
+
+Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
+               std::size_t truth, std::size_t springs, std::size_t elements,
+               const std::function<bool(const ChartPoint&)>& counts) {
+  const auto error = [&](std::size_t i) {
+    return *chart.points[i].errors[truth].of(measure);
+  };
+  const double bar = chart.truths[truth].bars.of(measure).value_or(0);
+  Claim claim{.kind = kind,
+              .measure = measure,
+              .springs = springs,
+              .elements = elements,
+              .is_faster = faster(chart.points[springs], chart.points[elements]),
+              .is_as_accurate = Answer::undecided,
+              .rival = std::nullopt,
+              .is_faster_at_equal_accuracy = Answer::yes};
+  if (std::abs(error(springs) - error(elements)) > bar)
+    claim.is_as_accurate = error(springs) < error(elements) ? Answer::yes : Answer::no;
+  for (std::size_t i = 0; i < chart.points.size(); ++i) {
+    const ChartPoint& point = chart.points[i];
+    if (point.place.kind != kind || is_of_springs(point) || !counts(point)) continue;
+    if (error(i) > error(springs)) continue;
+    if (!claim.rival || *point.seconds() < *chart.points[*claim.rival].seconds())
+      claim.rival = i;
+  }
+  if (claim.rival)
+    claim.is_faster_at_equal_accuracy =
+        faster(chart.points[springs], chart.points[*claim.rival]);
+  return claim;
+}
+
+/// "mss-cf on 10 across (0.21 s, 4.2 % off)".
+std::string figures(const Chart& chart, const Claim& claim, std::size_t i) {
+  const ChartPoint& point = chart.points[i];
+  const std::size_t truth = *chart.truth_of(chart.stored.law);
+  return fmt::format("{} on {} across ({:.3g} s, {:.3g} % off)", point.place.model,
+                     point.place.across, *point.seconds(),
+                     100 * *point.errors[truth].of(claim.measure));
+}
+
+std::string times_as(double ratio, const char* more, const char* less) {
+  return ratio >= 1 ? fmt::format("{:.3g} times {}", ratio, more)
+                    : fmt::format("{:.3g} times {}", 1 / ratio, less);
+}
+
+}  // namespace
+
+std::string_view name_of(Answer answer) {
+  switch (answer) {
+    case Answer::yes:
+      return "yes";
+    case Answer::no:
+      return "no";
+    case Answer::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+std::vector<Claim> claims(const Chart& chart) {
+  const auto truth = chart.truth_of(chart.stored.law);
+  if (!truth) return {};
+  struct Pair {
+    ChartKind kind;
+    std::string springs, elements;
+  };
+  std::vector<Pair> pairs;
+  for (const char* springs : {"mss-cf", "mss-affine"}) {
+    pairs.push_back({ChartKind::equilibrium, springs, chart.stored.law + ":q1-sri"});
+    for (const char* elements : {"fem-explicit-8p, double", "fem-explicit-1p, double"})
+      pairs.push_back({ChartKind::motion, springs + std::string(", double"), elements});
+  }
+  std::vector<Claim> all;
+  for (const auto& [kind, springs, elements] : pairs)
+    for (const ChartMeasure measure : all_chart_measures()) {
+      const auto counts = [&](const ChartPoint& point) {
+        return point.is_ok() && point.seconds() && point.place.threads == 1 &&
+               point.errors[*truth].of(measure);
+      };
+      if (const auto pair = same_cells(chart, kind, springs, elements, counts))
+        all.push_back(
+            claim_of(chart, kind, measure, *truth, pair->first, pair->second, counts));
+    }
+  return all;
+}
+
+std::string claim_text(const Chart& chart, const Claim& claim) {
+  const std::size_t truth = *chart.truth_of(chart.stored.law);
+  const ChartPoint& springs = chart.points[claim.springs];
+  const ChartPoint& elements = chart.points[claim.elements];
+  const auto error = [&](const ChartPoint& point) {
+    return *point.errors[truth].of(claim.measure);
+  };
+  std::string text = figures(chart, claim, claim.springs) +
+                     (claim.is_faster == Answer::undecided
+                          ? " is as fast as "
+                          : fmt::format(" is {} than ",
+                                        times_as(*elements.seconds() / *springs.seconds(),
+                                                 "faster", "slower"))) +
+                     figures(chart, claim, claim.elements) + " and ";
+  text +=
+      claim.is_as_accurate == Answer::undecided
+          ? "as far off within what the truth is known to. "
+          : times_as(error(springs) / error(elements), "as far off.", "closer.") + " ";
+  if (!claim.rival)
+    return text + "No finite elements of the chart are as accurate as it.";
+  const ChartPoint& rival = chart.points[*claim.rival];
+  if (claim.is_faster_at_equal_accuracy == Answer::undecided)
+    return text + "At least as accurate, and as fast, is " +
+           figures(chart, claim, *claim.rival) + ".";
+  return text +
+         fmt::format("At least as accurate is {}, {}.",
+                     figures(chart, claim, *claim.rival),
+                     times_as(*springs.seconds() / *rival.seconds(), "faster", "slower"));
+}
+
+Sheet claims_sheet(const std::vector<Chart>& charts) {
+  Sheet sheet{
+      .name = "chart-claims",
+      .title = "Are springs faster than finite elements, and as accurate?",
+      .columns = {{"scene", "scene"},
+                  {"kind", "kind"},
+                  {"law", "law"},
+                  {"measure", "measure"},
+                  {"springs", "springs"},
+                  {"faster", "faster on the same cells"},
+                  {"as_accurate", "as accurate there"},
+                  {"faster_at_equal_accuracy", "faster at equal accuracy"},
+                  {"words", "by the figures"}},
+      .rows = {},
+      .notes = {
+          "Against the truth of the scene's own law, on one thread, on the largest mesh "
+          "that both hold on. Undecided: quartiles of the times overlap, or the errors "
+          "differ by less than what the truth may be off. At equal accuracy: beside the "
+          "fastest finite elements of the chart, of any law, cells and size, that are at "
+          "least as accurate."}};
+  for (const Chart& chart : charts)
+    for (const Claim& claim : claims(chart)) {
+      const ChartPoint& springs = chart.points[claim.springs];
+      SheetRow row{.cells = {}, .cases = {springs.place.key}};
+      for (const std::string& text :
+           {chart.stored.scene, std::string(name_of(claim.kind)), chart.stored.law,
+            std::string(name_of(claim.measure)), springs.place.model,
+            std::string(name_of(claim.is_faster)),
+            std::string(name_of(claim.is_as_accurate)),
+            std::string(name_of(claim.is_faster_at_equal_accuracy)),
+            claim_text(chart, claim)})
+        row.cells.push_back({.number = std::nullopt, .text = text});
+      row.cases.push_back(chart.points[claim.elements].place.key);
+      if (claim.rival) row.cases.push_back(chart.points[*claim.rival].place.key);
+      sheet.rows.push_back(std::move(row));
+    }
+  return sheet;
+}
+
+}  // namespace springcheck

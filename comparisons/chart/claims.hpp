@@ -1,0 +1,38 @@
+#pragma once
+
+#include "comparisons/chart/chart.hpp"
+#include "comparisons/sheet.hpp"
+
+namespace springcheck {
+
+/// What a chart says of a claim; neither where the quartiles of two times overlap, or two
+/// errors differ by less than what the truth may be off.
+enum class Answer { yes, no, undecided };
+
+std::string_view name_of(Answer answer);
+
+/// Springs beside the finite elements of the scene's law, of one kind and measure.
+struct Claim {
+  ChartKind kind;
+  ChartMeasure measure;
+  std::size_t springs, elements;  // points on the same cells, the largest that both hold
+  Answer is_faster;               // the springs, than those elements
+  Answer is_as_accurate;
+  // The fastest elements of any size, and cells, that are at least as accurate as the
+  // springs; none where no elements are:
+  std::optional<std::size_t> rival;
+  Answer is_faster_at_equal_accuracy;  // than the rival
+};
+
+/// Golec's claims of springs, faster than finite elements and as accurate, put to mss-cf
+/// and mss-affine beside q1-sri elements (motions: beside the explicit element of eight
+/// points and of one) of the scene's law, on one thread.
+std::vector<Claim> claims(const Chart& chart);
+
+/// In words, with the figures.
+std::string claim_text(const Chart& chart, const Claim& claim);
+
+/// "chart-claims": a row for each.
+Sheet claims_sheet(const std::vector<Chart>& charts);
+
+}  // namespace springcheck

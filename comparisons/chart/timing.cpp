@@ -1,0 +1,51 @@
+#include "comparisons/chart/timing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "meshing/stopwatch.hpp"
+
+namespace springcheck {
+namespace {
+
+constexpr std::size_t fewest = 3, most = 25;
+constexpr double little_change = 0.02;
+constexpr int quiet_times = 2;
+
+double quantile(const std::vector<double>& ordered, double fraction) {
+  const double place = fraction * static_cast<double>(ordered.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, ordered.size() - 1);
+  return std::lerp(ordered[below], ordered[above], place - std::floor(place));
+}
+
+}  // namespace
+
+Timing timing_of(std::vector<double> seconds) {
+  std::ranges::sort(seconds);
+  return {.repetitions = static_cast<int>(seconds.size()),
+          .minimum = seconds.front(),
+          .lower_quartile = quantile(seconds, 0.25),
+          .median = quantile(seconds, 0.5),
+          .upper_quartile = quantile(seconds, 0.75),
+          .maximum = seconds.back()};
+}
+
+Timing timed(const std::function<double()>& work, double budget) {
+  const Stopwatch stopwatch;
+  const double warm_up = work();
+  if (stopwatch.seconds() >= budget) return timing_of({warm_up});
+  std::vector<double> seconds;
+  int quiet = 0;
+  double last = 0;
+  do {
+    seconds.push_back(work());
+    const double median = timing_of(seconds).median;
+    quiet = std::abs(median - last) <= little_change * median ? quiet + 1 : 0;
+    last = median;
+  } while ((seconds.size() < fewest || quiet < quiet_times) && seconds.size() < most &&
+           stopwatch.seconds() < budget);
+  return timing_of(seconds);
+}
+
+}  // namespace springcheck

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace springcheck {
+
+/// Real times of one piece of work [s]: of its repetitions, without the warm-up unless it
+/// took the whole budget.
+struct Timing {
+  int repetitions;
+  double minimum, lower_quartile, median, upper_quartile, maximum;
+};
+
+/// Quantiles by linear interpolation between the ordered times (type 7 of Hyndman and
+/// Fan, The American Statistician 50, 1996). There must be at least one.
+Timing timing_of(std::vector<double> seconds);
+
+/// Times a piece of work that returns the seconds that count: one warm-up, then
+/// repetitions until the median of at least three changed by no more than 2 % twice
+/// running, there are 25, or the seconds of all, those that do not count included, reach
+/// the budget.
+Timing timed(const std::function<double()>& work, double budget);
+
+}  // namespace springcheck

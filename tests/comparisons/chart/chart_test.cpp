@@ -1,0 +1,268 @@
+#define BOOST_TEST_MODULE chart
+#include "comparisons/chart/chart.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "comparisons/chart/chart_json.hpp"
+#include "comparisons/chart/chart_run.hpp"
+#include "comparisons/chart/chart_sheets.hpp"
+#include "comparisons/chart/claims.hpp"
+#include "comparisons/chart/pareto.hpp"
+#include "meshing/input_error.hpp"
+#include "tests/comparisons/own_folder.hpp"
+
+using namespace springcheck;
+
+namespace {
+
+const auto round_off = boost::test_tools::tolerance(1e-12);
+
+StoredCase case_of(double force, double volume_change) {
+  StoredCase stored{.status = Status::ok,
+                    .flags = {},
+                    .reason = {},
+                    .measures = {},
+                    .effort = Effort{},
+                    .linear_iterations = {},
+                    .factorisations = {},
+                    .dt = {},
+                    .dt_limit = {}};
+  stored.measures.plate_force = force;
+  stored.measures.volume_change = volume_change;
+  return stored;
+}
+
+Timing around(double seconds) {
+  return {.repetitions = 3,
+          .minimum = 0.8 * seconds,
+          .lower_quartile = 0.9 * seconds,
+          .median = seconds,
+          .upper_quartile = 1.1 * seconds,
+          .maximum = 1.2 * seconds};
+}
+
+/// A truth of second order: force 10 + 16 h^2, volume change -.02 + .01 h^2, on cells of
+/// 1, 1/2 and 1/4; imposed .1 m on 2 m.
+struct Example {
+  StoredChart chart{.scene = "compression",
+                    .law = "fem-stvk",
+                    .answer = "plate_force",
+                    .height = 2,
+                    .imposed = 0.1,
+                    .machine = "a machine",
+                    .truths = {{.law = "fem-stvk",
+                                .cell_sizes = {1, 0.5, 0.25},
+                                .keys = {"t1", "t2", "t3"}}},
+                    .points = {},
+                    .comparisons = {}};
+  std::map<std::string, StoredCase> cases{{"t1", case_of(26, -0.01)},
+                                          {"t2", case_of(14, -0.0175)},
+                                          {"t3", case_of(11, -0.019375)}};
+
+  StoredCase& add(const std::string& model, int across, double seconds, double force,
+                  double deviation, ChartKind kind = ChartKind::equilibrium) {
+    const std::string key = model + std::to_string(across);
+    chart.points.push_back(
+        {.model = model,
+         .kind = kind,
+         .across = across,
+         .cells = std::pow(across, 3),
+         .nodes = std::pow(across + 1, 3),
+         .threads = 1,
+         .key = key,
+         .timing = around(seconds),
+         .setup = 0.1 * seconds,
+         .simulated = kind == ChartKind::motion ? std::optional(10.) : std::nullopt});
+    chart.comparisons.push_back(
+        {.key = key, .law = "fem-stvk", .compared = key + " compared"});
+    StoredCase compared = case_of(force, -0.02);
+    compared.measures.mean_deviation = deviation;
+    compared.measures.reference_bar = 1e-4;
+    cases.emplace(key + " compared", compared);
+    return cases.emplace(key, case_of(force, -0.021)).first->second;
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_front_is_of_worthwhile_gains) {
+  const std::vector<Cost> points{
+      {.error = 0.1, .seconds = 3},    {.error = 0.3, .seconds = 1},
+      {.error = 0.3, .seconds = 2},     // slower, no better
+      {.error = 0.0995, .seconds = 4},  // .5 % better
+      {.error = 0.05, .seconds = 5},   {.error = {}, .seconds = 0.1},
+      {.error = 0.01, .seconds = {}}};
+  BOOST_TEST((pareto_front(points) == std::vector<std::size_t>{1, 0, 4}));
+}
+
+BOOST_AUTO_TEST_CASE(errors_are_told_from_the_limit_of_the_truth) {
+  Example example;
+  example.add("mss-cf", 4, 2, 9, 0.002);
+  const Chart chart = evaluated(example.chart, example.cases);
+  BOOST_TEST_REQUIRE(chart.truths.size() == 1U);
+  const ChartTruth& truth = chart.truths[0];
+  BOOST_TEST(truth.answer.value == 10, round_off);
+  BOOST_TEST(truth.answer.order.value() == 2, round_off);
+  BOOST_TEST(truth.bars.force.value() == 1.25 * 0.1, round_off);  // of |q* - q3| = 1
+  BOOST_TEST(truth.volume_change.value == -0.02, round_off);
+  BOOST_TEST(truth.bars.volume.value() == 1.25 * 0.000625 / 0.05, round_off);
+  BOOST_TEST(truth.bars.deviation.value() == 1e-4 / 0.1, round_off);
+  const ChartErrors& errors = chart.points.at(0).errors.at(0);
+  BOOST_TEST(errors.force.value() == 0.1, round_off);
+  BOOST_TEST(errors.volume.value() == 0.001 / 0.05, boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(errors.deviation.value() == 0.02, round_off);
+}
+
+BOOST_AUTO_TEST_CASE(without_an_imposed_displacement_the_truths_answer_stands_for_it) {
+  Example example;
+  example.chart.imposed.reset();
+  example.add("mss-cf", 4, 2, 9, 0.002);
+  const Chart chart = evaluated(example.chart, example.cases);
+  BOOST_TEST(chart.truths.at(0).imposed == 10, round_off);
+  BOOST_TEST(chart.points[0].errors[0].deviation.value() == 0.002 / 10, round_off);
+}
+
+BOOST_AUTO_TEST_CASE(a_law_whose_grid_failed_has_no_truth) {
+  Example example;
+  example.add("mss-cf", 4, 2, 9, 0.002);
+  example.cases.at("t2").measures = {};
+  const Chart chart = evaluated(example.chart, example.cases);
+  BOOST_TEST(chart.truths.empty());
+  BOOST_TEST(chart.points.size() == 1U);
+  BOOST_TEST(claims(chart).empty());
+}
+
+BOOST_AUTO_TEST_CASE(motions_are_told_by_the_simulated_second) {
+  Example example;
+  example.add("mss-cf, double", 4, 2, 9, 0.002, ChartKind::motion);
+  const Chart chart = evaluated(example.chart, example.cases);
+  BOOST_TEST(chart.points.at(0).seconds().value() == 0.2, round_off);
+}
+
+BOOST_AUTO_TEST_CASE(failed_states_have_no_place_on_a_front) {
+  Example example;
+  example.add("mss-nfd", 4, 1, 12, 0.002).status = Status::wrinkled;
+  example.add("mss-cf", 4, 2, 12, 0.002);
+  example.add("mss-cf", 8, 20, 11.2, 0.002);
+  example.add("fem-stvk:q2", 8, 30, 11.2,
+              0.002);  // both below the truth's bar of .125 ...
+  example.add("mss-fd", 8, 5, 12, 0.002, ChartKind::motion);
+  Chart chart = evaluated(example.chart, example.cases);
+  BOOST_TEST((chart.front(ChartKind::equilibrium, ChartMeasure::force, 0) ==
+              std::vector<std::size_t>{1, 2}));  // ... where they count as equal
+  BOOST_TEST((chart.front(ChartKind::motion, ChartMeasure::force, 0) ==
+              std::vector<std::size_t>{4}));
+}
+
+BOOST_AUTO_TEST_CASE(claims_are_answered_by_quartiles_and_bars) {
+  Example example;
+  example.add("mss-cf", 4, 1, 14, 0.002);           // 40 % off
+  example.add("fem-stvk:q1-sri", 4, 2, 13, 0.002);  // 30 %: closer by less than 12.5 %
+  example.add("fem-stvk:q1-sri", 2, 0.5, 13.5, 0.002);
+  const Chart chart = evaluated(example.chart, example.cases);
+  const std::vector<Claim> all = claims(chart);
+  BOOST_TEST_REQUIRE(all.size() == 3U);  // a measure each
+  const Claim& force = all[0];
+  BOOST_TEST((force.is_faster == Answer::yes));
+  BOOST_TEST((force.is_as_accurate == Answer::undecided));
+  BOOST_TEST(force.rival.value() == 2U);
+  BOOST_TEST((force.is_faster_at_equal_accuracy == Answer::no));
+  BOOST_TEST(
+      claim_text(chart, force) ==
+      "mss-cf on 4 across (1 s, 40 % off) is 2 times faster than fem-stvk:q1-sri on "
+      "4 across (2 s, 30 % off) and as far off within what the truth is known to. "
+      "At least as accurate is fem-stvk:q1-sri on 2 across (0.5 s, 35 % off), 2 "
+      "times faster.");
+
+  example.cases.at("mss-cf4").measures.plate_force = 10.5;
+  example.chart.points[0].timing = around(2.1);
+  const Chart closer = evaluated(example.chart, example.cases);
+  const Claim claim = claims(closer).at(0);
+  BOOST_TEST((claim.is_faster == Answer::undecided));
+  BOOST_TEST((claim.is_as_accurate == Answer::yes));
+  BOOST_TEST(!claim.rival.has_value());
+  BOOST_TEST(
+      claim_text(closer, claim)
+          .ends_with(
+              "6 times closer. No finite elements of the chart are as accurate as it."));
+}
+
+BOOST_AUTO_TEST_CASE(cells_across_are_cubes) {
+  BOOST_TEST((cells_across({0.05, 0.05, 0.05}, 10) == Cells{10, 10, 10}));
+  BOOST_TEST((cells_across({0.4, 0.4, 2.4}, 4) == Cells{4, 4, 24}));
+  BOOST_TEST((cells_across({0.3, 0.1, 0.25}, 2) == Cells{6, 2, 5}));
+}
+
+BOOST_AUTO_TEST_CASE(a_chart_is_measured_once_and_kept) {
+  const OwnFolder own;
+  const auto file = own.path / "chart.h5";
+  const ChartPlan plan{.scene = "compression",
+                       .options = {},
+                       .across = {2},
+                       .threads = {1},
+                       .budget = 0.01,
+                       .jobs = 1,
+                       .retime = false,
+                       .truth_across = 1};
+  const Chart chart = make_chart(plan, file);
+  BOOST_TEST(chart.stored.law == "fem-stvk");
+  BOOST_TEST(chart.stored.imposed.value() == 0.05 * 0.05, round_off);
+  BOOST_TEST(chart.truths.size() == truth_laws().size());
+  BOOST_TEST(chart.points.size() == chart_models().size());
+  for (const ChartPoint& point : chart.points) {
+    BOOST_TEST_CONTEXT(point.place.model) {
+      BOOST_TEST(point.is_ok());
+      BOOST_TEST(point.seconds().value() > 0);
+      BOOST_TEST(*point.place.setup < point.place.timing->maximum);
+      for (std::size_t i = 0; i < chart.truths.size(); ++i)
+        for (const ChartMeasure measure : all_chart_measures())
+          BOOST_TEST(point.errors[i].of(measure).has_value());
+    }
+  }
+  // A law's own elements are closest to it where they are finest.
+  const auto q2 = [&](const std::string& model, const std::string& law) {
+    const auto found = std::ranges::find(
+        chart.points, model, [](const ChartPoint& point) { return point.place.model; });
+    return found->errors.at(chart.truth_of(law).value()).force.value();
+  };
+  BOOST_TEST(q2("fem-stvk:q2", "fem-stvk") < q2("fem-stvk:q2", "fem-hencky"));
+  BOOST_TEST(q2("fem-hencky:q2", "fem-hencky") < q2("fem-stvk:q2", "fem-hencky"));
+
+  // All is there: the same times come back, from the file alone too.
+  const Chart again = make_chart(plan, file);
+  BOOST_TEST(charts_json({again}).dump() == charts_json({chart}).dump());
+  BOOST_TEST(charts_json(stored_charts(file)).dump() == charts_json({chart}).dump());
+  for (const Sheet& sheet : chart_sheets({chart})) {
+    BOOST_TEST(!sheet.rows.empty(), sheet.name);
+    for (const SheetRow& row : sheet.rows)
+      BOOST_TEST(row.cells.size() == sheet.columns.size(), sheet.name);
+  }
+
+  // Further sizes join the points; those beyond the budget are kept without a time.
+  ChartPlan larger = plan;
+  larger.across = {4};
+  larger.budget = 1e-4;
+  const Chart grown = make_chart(larger, file);
+  BOOST_TEST(grown.points.size() == 2 * chart_models().size());
+  const auto left_out = std::ranges::count_if(grown.points, [](const ChartPoint& point) {
+    return !point.found && !point.place.timing;
+  });
+  BOOST_TEST(left_out > 0);
+}
+
+BOOST_AUTO_TEST_CASE(scenes_without_an_answer_are_refused) {
+  const OwnFolder own;
+  ChartPlan plan{.scene = "kidney",
+                 .options = {},
+                 .across = {2},
+                 .threads = {1},
+                 .budget = 1,
+                 .jobs = 1,
+                 .retime = false};
+  for (const char* scene : {"kidney", "affine", "traction"}) {
+    plan.scene = scene;
+    BOOST_CHECK_THROW(make_chart(plan, own.path / "none.h5"), InputError);
+    BOOST_TEST(!std::filesystem::exists(own.path / "none.h5"));
+  }
+}

@@ -1,0 +1,61 @@
+#define BOOST_TEST_MODULE timing
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <thread>
+
+#include "comparisons/chart/timing.hpp"
+
+using namespace springcheck;
+
+namespace {
+
+/// Work of scripted times, the last of which repeats.
+struct Script {
+  std::vector<double> times;
+  std::size_t runs = 0;
+
+  double operator()() { return times[std::min(runs++, times.size() - 1)]; }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(quantiles_are_interpolated) {
+  const Timing timing = timing_of({4, 1, 3, 2});
+  BOOST_TEST(timing.repetitions == 4);
+  BOOST_TEST(timing.minimum == 1);
+  BOOST_TEST(timing.lower_quartile == 1.75);
+  BOOST_TEST(timing.median == 2.5);
+  BOOST_TEST(timing.upper_quartile == 3.25);
+  BOOST_TEST(timing.maximum == 4);
+  BOOST_TEST(timing_of({7}).upper_quartile == 7);
+}
+
+BOOST_AUTO_TEST_CASE(the_warm_up_does_not_count) {
+  Script script{{100, 1}};
+  const Timing timing = timed([&] { return script(); }, 10);
+  BOOST_TEST(timing.maximum == 1);
+}
+
+BOOST_AUTO_TEST_CASE(repetitions_end_when_the_median_is_quiet) {
+  Script script{{1, 1, 1, 1, 5}};
+  const Timing timing = timed([&] { return script(); }, 10);
+  BOOST_TEST(timing.repetitions == 3);  // 1, 1, 1: two medians that did not change
+  BOOST_TEST(script.runs == 4U);
+  // A median that wanders goes on to the most there are.
+  double rising = 1;
+  BOOST_TEST(timed([&] { return rising *= 1.5; }, 10).repetitions == 25);
+}
+
+BOOST_AUTO_TEST_CASE(work_as_long_as_the_budget_runs_once) {
+  int runs = 0;
+  const Timing timing = timed(
+      [&] {
+        ++runs;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        return 0.02;
+      },
+      0.01);
+  BOOST_TEST(runs == 1);
+  BOOST_TEST(timing.repetitions == 1);
+  BOOST_TEST(timing.median == 0.02);
+}
