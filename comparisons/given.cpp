@@ -28,6 +28,19 @@ Given::Scalar scalar(std::string_view text) {
   return std::string(text);
 }
 
+/// In quotes that TOML reads back.
+std::string toml_text(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (static_cast<unsigned char>(c) < 0x20)
+      quoted += fmt::format("\\u{:04x}", c);
+    else
+      quoted += c;
+  }
+  return quoted + '"';
+}
+
 }  // namespace
 
 std::optional<double> number_in(const Given::Scalar& value) {
@@ -121,6 +134,16 @@ std::vector<std::string> Given::texts() const {
   }
   if (all.empty()) refuse("at least one name");
   return all;
+}
+
+std::string Given::toml() const {
+  std::string all;
+  for (const Scalar& value : values_) {
+    const auto* text = std::get_if<std::string>(&value);
+    all += (all.empty() ? "" : ", ") +
+           (text == nullptr ? described(value) : toml_text(*text));
+  }
+  return values_.size() == 1 && !is_list_ ? all : "[" + all + "]";
 }
 
 std::string Given::joined() const {

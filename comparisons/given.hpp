@@ -40,6 +40,7 @@ class Given {
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::vector<std::string> texts() const;  // at least one
   [[nodiscard]] std::string joined() const;              // a list's with commas
+  [[nodiscard]] std::string toml() const;                // as a scene file writes it
   [[nodiscard]] std::array<double, 2> two_numbers() const;
   [[nodiscard]] std::array<double, 3> three_numbers() const;
   [[nodiscard]] std::array<double, 9> nine_numbers() const;

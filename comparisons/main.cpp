@@ -14,6 +14,7 @@
 
 #include "comparisons/blas.hpp"
 #include "comparisons/build_info.hpp"
+#include "comparisons/chart/advise_command.hpp"
 #include "comparisons/chart/chart_command.hpp"
 #include "comparisons/commands.hpp"
 #include "comparisons/gate_command.hpp"
@@ -89,6 +90,17 @@ std::string check_positive_seconds(const std::string& text) {
   return "expected a number of seconds above 0, got '" + text + "'";
 }
 
+/// Settings that charts and advice choose, or that tests of theirs do not read.
+std::set<std::string> charts_vary() {
+  return {"method",     "element",   "cells",     "cell-type",
+          "distortion", "mesh",      "mesh-unit", "fixed",
+          "moved",      "solver",    "dt",        "linear-solver",
+          "dt-ratio",   "force-dt",  "precision", "history",
+          "noise",      "reference", "stiffness", "kappa",
+          "correction", "lattice",   "traction",  "lattice-direction",
+          "plates",     "gradient"};
+}
+
 /// Refuses a first word that is no command, naming it; CLI11 would only ask for one.
 void check_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -161,8 +173,7 @@ int command_line(int argc, char** argv) {
           "name", name,
           "5.1, 5.2, 5.3, 5.4, 5.5, deviation, bending, subdivision, locking, "
           "orientation, modes, dynamics, performance, lattice-stability, regions, "
-          "four-springs; split, elements and "
-          "convergence take "
+          "four-springs; split, elements, convergence and growth take "
           "minutes")
       ->required();
   table->add_option("--from", from, "result files to take cases from; computes the rest")
@@ -257,32 +268,7 @@ int command_line(int argc, char** argv) {
       ->add_option("scene", scene,
                    "name of a shipped scene, a .toml file, or all: the thesis's five")
       ->required();
-  const SettingOptions chart_settings(chart, {"method",
-                                              "element",
-                                              "cells",
-                                              "cell-type",
-                                              "distortion",
-                                              "mesh",
-                                              "mesh-unit",
-                                              "fixed",
-                                              "moved",
-                                              "solver",
-                                              "linear-solver",
-                                              "dt",
-                                              "dt-ratio",
-                                              "force-dt",
-                                              "precision",
-                                              "history",
-                                              "noise",
-                                              "reference",
-                                              "stiffness",
-                                              "kappa",
-                                              "correction",
-                                              "lattice",
-                                              "lattice-direction",
-                                              "traction",
-                                              "plates",
-                                              "gradient"});
+  const SettingOptions chart_settings(chart, charts_vary());
   chart->add_option("--out", chart_options.out, "HDF5 file to add the chart to")
       ->required()
       ->check(check_not_empty);
@@ -305,6 +291,42 @@ int command_line(int argc, char** argv) {
       ->check(CLI::Range(1, 1000));
   chart->add_flag("--retime", chart_options.retime,
                   "time again what the file has a time of");
+
+  AdviseOptions advise_options;
+  CLI::App* advise = app.add_subcommand(
+      "advise", "Find the cheapest model of a scene that meets a tolerance");
+  advise->add_option("scene", scene, "name of a shipped scene, or a .toml file")
+      ->required();
+  const SettingOptions advise_settings(advise, charts_vary());
+  advise
+      ->add_option("--tolerance", advise_options.tolerance,
+                   "largest error, such as 0.08 or 8%")
+      ->required();
+  advise->add_option("--measure", advise_options.measure,
+                     "of what: force (default; torque, or a tip's drop), volume or "
+                     "deviation");
+  advise->add_option("--real-time", advise_options.real_time,
+                     "seconds of a frame of motion that must be simulated in as many "
+                     "(default: an equilibrium is wanted)");
+  advise
+      ->add_option("--budget", advise_options.budget,
+                   "seconds that a solution may take (default 20)")
+      ->check(check_positive_seconds);
+  advise
+      ->add_option("--out", advise_options.out,
+                   "HDF5 file to keep what was measured in, and to take it from")
+      ->check(check_not_empty);
+  advise
+      ->add_option("--scene-file", advise_options.scene_file,
+                   "the scene file to write (default SCENE-advised.toml)")
+      ->check(check_not_empty);
+  advise
+      ->add_option("--truth", advise_options.truth_across,
+                   "cells across of the coarsest of the three grids of q2 that tell the "
+                   "truth (default 4; 3 for bodies much longer than wide)")
+      ->check(CLI::Range(1, 1000));
+  advise->add_option("--jobs", threads, "truths at once, at most (default: all cores)")
+      ->check(CLI::Range(1, 1024));
 
   CLI::App* list = app.add_subcommand("list", "List what there is");
   list->add_option("what", what,
@@ -347,7 +369,7 @@ int command_line(int argc, char** argv) {
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("springcheck"));
   spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
-  if (*run || *table || *sweep || *stability || *chart || *everything)
+  if (*run || *table || *sweep || *stability || *chart || *advise || *everything)
     restart_with_fitting_blas(argv);
   use_one_blas_thread();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -378,6 +400,9 @@ int command_line(int argc, char** argv) {
     chart_options.jobs = threads;
     if (chart->count("--format") > 0) chart_options.format = table_format(format);
     status = chart_command(scene, chart_settings.given(), chart_options);
+  } else if (*advise) {
+    advise_options.jobs = threads;
+    status = advise_command(scene, advise_settings.given(), advise_options);
   } else if (*merge)
     status = merge_command(out, from);
   else if (*list)

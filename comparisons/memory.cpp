@@ -29,6 +29,18 @@ std::array<double, 3> element_nodes(const CaseSettings& settings) {
   return nodes;
 }
 
+/// A number of kilobytes that Linux tells under a name; none elsewhere.
+std::optional<double> bytes_in(const char* file, const char* name) {
+  std::ifstream info(file);
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with(name)) {
+      double kilobytes = 0;
+      std::istringstream(line.substr(line.find(':') + 1)) >> kilobytes;
+      return 1024 * kilobytes;
+    }
+  return std::nullopt;
+}
+
 enum class LinearSystems { none, cholesky, multigrid };
 
 LinearSystems linear_systems(const CaseSettings& settings) {
@@ -95,14 +107,19 @@ double estimated_memory(const CaseSettings& settings) {
 }
 
 double available_memory() {
-  std::ifstream info("/proc/meminfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("MemAvailable:")) {
-      double kilobytes = 0;
-      std::istringstream(line.substr(line.find(':') + 1)) >> kilobytes;
-      return 1024 * kilobytes;
-    }
-  return INFINITY;  // not Linux: nothing to compare with
+  return bytes_in("/proc/meminfo", "MemAvailable:").value_or(INFINITY);
+}
+
+double resident_memory() {
+  return bytes_in("/proc/self/status", "VmRSS:").value_or(0);
+}
+
+double peak_memory() {
+  return bytes_in("/proc/self/status", "VmHWM:").value_or(0);
+}
+
+void reset_peak_memory() {
+  std::ofstream("/proc/self/clear_refs") << "5";
 }
 
 void check_mesh_memory(const std::string& place, const Body& body) {

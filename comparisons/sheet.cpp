@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/build_info.hpp"
+#include "comparisons/chart/growth_table.hpp"
 #include "comparisons/convergence_table.hpp"
 #include "comparisons/dynamics_table.hpp"
 #include "comparisons/elements_table.hpp"
@@ -154,21 +155,21 @@ std::string sheet_in_columns(const Sheet& sheet,
 
 const std::vector<std::string>& sheet_names() {
   static const std::vector<std::string> names{
-      "5.5",         "split",    "elements",          "convergence",
-      "subdivision", "locking",  "orientation",       "modes",
-      "performance", "dynamics", "lattice-stability", "regions",
-      "four-springs"};
+      "5.5",          "split",    "elements",          "convergence",
+      "subdivision",  "locking",  "orientation",       "modes",
+      "performance",  "dynamics", "lattice-stability", "regions",
+      "four-springs", "growth"};
   return names;
 }
 
 const std::vector<std::string>& caseless_sheet_names() {
-  static const std::vector<std::string> names{"modes", "performance", "lattice-stability",
-                                              "regions", "four-springs"};
+  static const std::vector<std::string> names{
+      "modes", "performance", "lattice-stability", "regions", "four-springs", "growth"};
   return names;
 }
 
 const std::vector<std::string>& long_sheet_names() {
-  static const std::vector<std::string> names{"split"};
+  static const std::vector<std::string> names{"split", "growth"};
   return names;
 }
 
@@ -183,6 +184,7 @@ SheetPlan plan_sheet(const std::string& name) {
   if (name == "modes") return plan_modes_table();
   if (name == "dynamics") return plan_dynamics_table();
   if (name == "performance") return plan_performance_table();
+  if (name == "growth") return plan_growth_table();
   if (name == "lattice-stability") return plan_lattice_stability_table();
   if (name == "regions") return plan_regions_table();
   if (name == "four-springs") return plan_four_springs_table();

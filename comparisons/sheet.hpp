@@ -60,7 +60,8 @@ struct SheetPlan {
 };
 
 /// "5.5", "split", "elements", "convergence", "subdivision", "locking", "orientation",
-/// "modes", "performance", "dynamics", "lattice-stability", "regions", "four-springs".
+/// "modes", "performance", "dynamics", "lattice-stability", "regions", "four-springs",
+/// "growth".
 const std::vector<std::string>& sheet_names();
 
 /// Those that take many minutes; `reproduce` leaves them out unless asked for all.

@@ -17,7 +17,7 @@ struct ChartOptions {
   std::optional<TableFormat> format{};  // none: truths, fronts and claims for a terminal
   int jobs = 1;                         // truths at once, at most
   bool retime = false;
-  std::optional<int> truth_across{};  // see truth_case
+  std::optional<int> truth_across{};  // see truth_grids
 };
 
 /// `springcheck chart`: measures how long each model takes and how far it is off the

@@ -72,14 +72,22 @@ Changes cells_of(const std::array<double, 3>& size, int across) {
   return {{"cells", fmt::format("{}", fmt::join(cells_across(size, across), ","))}};
 }
 
-/// The scene's block.
-std::array<double, 3> block_size(const std::string& scene,
-                                 const std::vector<GivenSetting>& options) {
-  const Body body = read_run(scene, options).common.body;
-  if (body.shape != BodyShape::block)
-    throw InputError(scene, "body", "a block, which can be cut as finely as wanted",
-                     std::string(name_of(body.shape)));
-  return body.block.size;
+/// A block's kinds of cells as a kidney has them; none of others.
+std::optional<std::string> kidney_cells(const ChartModel& model) {
+  for (const auto& [key, value] : model.changes)
+    if (key == "cell-type")
+      return value == "tetrahedron" ? std::optional("free-tetrahedron") : std::nullopt;
+  return "free-hexahedron";
+}
+
+std::vector<ChartModel> models_of_kidney() {
+  std::vector<ChartModel> all;
+  for (const ChartModel& model : all_models())
+    if (const auto cells = kidney_cells(model))
+      all.push_back({.name = model.name,
+                     .changes = model.changes + Changes{{"cell-type", *cells}},
+                     .kind = model.kind});
+  return all;
 }
 
 }  // namespace
@@ -88,9 +96,18 @@ std::string_view name_of(ChartKind kind) {
   return kind == ChartKind::equilibrium ? "equilibrium" : "motion";
 }
 
-const std::vector<ChartModel>& chart_models() {
-  static const std::vector<ChartModel> all = all_models();
-  return all;
+const std::vector<ChartModel>& chart_models(BodyShape shape) {
+  static const std::vector<ChartModel> block = all_models(), kidney = models_of_kidney();
+  return shape == BodyShape::kidney ? kidney : block;
+}
+
+Body chart_body(const std::string& scene, const std::vector<GivenSetting>& options) {
+  const Body body =
+      read_run(scene, options_for(ChartKind::equilibrium, options)).common.body;
+  if (body.shape == BodyShape::file)
+    throw InputError(scene, "body", "a block or a kidney, to be cut as finely as wanted",
+                     "the mesh of a file");
+  return body;
 }
 
 const std::vector<std::string>& truth_laws() {
@@ -112,23 +129,33 @@ CaseSettings model_case(const std::string& scene,
                         const std::vector<GivenSetting>& options, const ChartModel& model,
                         int across) {
   const std::vector<GivenSetting> own = options_for(model.kind, options);
-  return case_with(scene, own, cells_of(block_size(scene, own), across) + model.changes);
+  return case_with(scene, own,
+                   cells_of(chart_body(scene, own).block.size, across) + model.changes);
 }
 
-CaseSettings truth_case(const std::string& scene,
-                        const std::vector<GivenSetting>& options, const std::string& law,
-                        const std::optional<int>& across) {
+ThreeCases truth_grids(const std::string& scene, const std::vector<GivenSetting>& options,
+                       const std::string& law, const std::optional<int>& across) {
   constexpr double most_nodes = 1e5;
   const std::vector<GivenSetting> own = options_for(ChartKind::equilibrium, options);
-  const auto size = block_size(scene, own);
+  const Body body = chart_body(scene, own);
+  const Changes elements{{"method", law}, {"element", "q2"}};
+  if (body.shape == BodyShape::kidney) {
+    const int coarsest = across.value_or(4);
+    const auto grid = [&](int cells_across) {
+      return case_with(
+          scene, own,
+          cells_of(body.block.size, cells_across) + elements +
+              Changes{{"cell-type", "free-hexahedron"}, {"linear-solver", "direct"}});
+    };
+    return {grid(coarsest), grid(coarsest * 3 / 2), grid(2 * coarsest)};
+  }
   double finest_nodes = 1;
-  for (const int cells : cells_across(size, 16)) finest_nodes *= 2 * cells + 1;
+  for (const int cells : cells_across(body.block.size, 16)) finest_nodes *= 2 * cells + 1;
   const int coarsest = across.value_or(finest_nodes > most_nodes ? 3 : 4);
-  return case_with(scene, own,
-                   cells_of(size, coarsest) + Changes{{"method", law},
-                                                      {"element", "q2"},
-                                                      {"cell-type", "hexahedron"},
-                                                      {"distortion", "0"}});
+  return convergence_grids(
+      case_with(scene, own,
+                cells_of(body.block.size, coarsest) + elements +
+                    Changes{{"cell-type", "hexahedron"}, {"distortion", "0"}}));
 }
 
 }  // namespace springcheck

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "comparisons/grids.hpp"
+#include "comparisons/converged.hpp"
 #include "comparisons/planned_requests.hpp"
 
 namespace springcheck {
@@ -26,28 +26,34 @@ struct ChartModel {
 
 /// Every one that a chart compares: springs and finite elements on hexahedra, tetrahedra
 /// and prisms, with both linear solvers of finite elements; motions by springs and by
-/// explicit elements, in double and single precision.
-const std::vector<ChartModel>& chart_models();
+/// explicit elements, in double and single precision. Of a kidney those on its own two
+/// kinds of cells.
+const std::vector<ChartModel>& chart_models(BodyShape shape = BodyShape::block);
 
 /// Laws of which a chart has a truth each, as methods; fem-cauchy-born's is the lattice
 /// of mss-cf.
 const std::vector<std::string>& truth_laws();
 
-/// Cells of a block with so many across its shortest edge, as near to cubes as counts
-/// allow.
+/// The scene's body, a block or a kidney, which can be cut as finely as wanted. Throws
+/// InputError for another.
+Body chart_body(const std::string& scene, const std::vector<GivenSetting>& options);
+
+/// Cells along the extents of a body with so many across its shortest one, as near to
+/// cubes as counts allow.
 Cells cells_across(const std::array<double, 3>& size, int across);
 
 /// The scene's case of a model on so many cells across. Throws InputError for options
-/// that the model's method does not take, and where the body is no block.
+/// that the model's method does not take, and as chart_body.
 CaseSettings model_case(const std::string& scene,
                         const std::vector<GivenSetting>& options, const ChartModel& model,
                         int across);
 
-/// The coarsest of the three grids (convergence_grids) of q2 whose limit is the truth of
-/// a law. across: none for 4, or 3 where the finest of 16 would have more than 10^5
-/// nodes.
-CaseSettings truth_case(const std::string& scene,
-                        const std::vector<GivenSetting>& options, const std::string& law,
-                        const std::optional<int>& across);
+/// The three grids of q2, from coarse to fine, whose limit is the truth of a law. Of a
+/// block those of convergence_grids from `across` cells on: 4, or 3 where the finest of
+/// 16 would have more than 10^5 nodes. Of a kidney, whose meshes are not nested and whose
+/// surface they follow ever closer, 4, 6 and 8 across in proportion to `across`, by the
+/// direct solver: multigrid takes four times as long on such cells.
+ThreeCases truth_grids(const std::string& scene, const std::vector<GivenSetting>& options,
+                       const std::string& law, const std::optional<int>& across);
 
 }  // namespace springcheck

@@ -60,28 +60,52 @@ TimedCase timed_case(const CaseSettings& settings, const Mesh& mesh, int threads
           .setup = timing_of(std::move(setups)).median};
 }
 
-class ChartRun {
+}  // namespace
+
+class ChartRun::State {
  public:
-  ChartRun(const ChartPlan& plan, const std::filesystem::path& file)
+  State(const ChartPlan& plan, const std::filesystem::path& file)
       : plan_(plan), path_(file), file_(file) {
     if (std::filesystem::exists(file)) stored_ = stored_cases({file});
     warn_of_other_commits(stored_);
     plan_chart();
+    find_truths();
   }
 
-  Chart run() {
-    find_truths();
-    const std::size_t all = chart_models().size() * plan_.across.size();
-    std::size_t done = 0;
-    Progress progress(plan_.scene + ": points");
-    for (const ChartModel& model : chart_models())
-      for (const int across : plan_.across) {
-        progress.show(done++, all);
-        measure(model, across);
-      }
+  [[nodiscard]] Chart chart() const {
     std::map<std::string, StoredCase> cases;
     for (auto& [key, stored] : read_results(path_)) cases.emplace(key, std::move(stored));
     return evaluated(chart_, cases);
+  }
+
+  [[nodiscard]] double expected_seconds(const ChartModel& model, int across) {
+    const CaseSettings settings = settings_of(model, across);
+    const Mesh& mesh = meshes_.mesh(settings.body);
+    return expected_seconds(model.name, across, static_cast<double>(mesh.nodes().size()),
+                            plan_.threads.front());
+  }
+
+  void measure(const ChartModel& model, int across) {
+    const CaseSettings settings = settings_of(model, across);
+    const Mesh& mesh = meshes_.mesh(settings.body);
+    const std::string key = key_of(settings);
+    check_memory(plan_.scene, {{.settings = settings, .reference = std::nullopt}});
+    std::optional<CaseResult> result;
+    bool is_new = false;
+    for (const int threads : plan_.threads) {
+      StoredChart::Point& point = point_of(model, settings, across, key, threads);
+      if (point.timing && !plan_.retime) continue;
+      is_new = true;
+      if (expected_seconds(model.name, across, point.nodes, threads) > plan_.budget)
+        continue;
+      TimedCase timed = timed_case(settings, mesh, threads, plan_.repeat_for);
+      point.timing = timed.timing;
+      point.setup = timed.setup;
+      result = std::move(timed.result);
+    }
+    if (result) result->key = key;
+    if (result || is_known(key)) compare(settings, key, result);
+    if (is_new) file_.put_chart(chart_);
   }
 
  private:
@@ -91,19 +115,21 @@ class ChartRun {
     chart_.scene = scene.common.scene;
     chart_.machine = fmt::format("{}, {}, commit {}", processor_name(),
                                  build_info::compiler, build_info::commit);
-    for (const std::string& law : truth_laws())
-      truth_cases_.push_back(
-          truth_case(plan_.scene, plan_.options, law, plan_.truth_across));
     chart_.law = law_of_scene();
-    const CaseSettings& first = truth_cases_.front();
+    std::vector<std::string> laws{chart_.law};
+    for (const std::string& law : plan_.laws)
+      if (law != chart_.law) laws.push_back(law);
+    for (const std::string& law : laws)
+      truths_planned_.push_back(
+          truth_grids(plan_.scene, plan_.options, law, plan_.truth_across));
+    const CaseSettings& first = truths_planned_.front().front();
     chart_.height = first.body.block.size[2];
     const Mesh& mesh = meshes_.mesh(first.body);
     if (first.test != Test::bending)
       chart_.imposed = largest_imposed_displacement(mesh, mechanical_scene(first, mesh));
-    for (const CaseSettings& coarsest : truth_cases_) {
-      const ThreeCases grids = convergence_grids(coarsest);
+    for (const ThreeCases& grids : truths_planned_) {
       StoredChart::Truth truth{
-          .law = coarsest.method.name, .cell_sizes = grid_sizes(grids), .keys = {}};
+          .law = grids.front().method.name, .cell_sizes = grid_sizes(grids), .keys = {}};
       std::ranges::transform(grids, truth.keys.begin(),
                              [&](const CaseSettings& grid) { return key_of(grid); });
       chart_.truths.push_back(std::move(truth));
@@ -112,6 +138,9 @@ class ChartRun {
       if (identity_of(earlier) == identity_of(chart_)) {
         chart_.points = earlier.points;
         chart_.comparisons = earlier.comparisons;
+        for (const StoredChart::Truth& truth : earlier.truths)
+          if (std::ranges::count(chart_.truths, truth.law, &StoredChart::Truth::law) == 0)
+            chart_.truths.push_back(truth);
       }
   }
 
@@ -120,10 +149,12 @@ class ChartRun {
     return read_charts(path_);
   }
 
-  /// The law that `run` measures deviations from, by default or as the scene says.
+  /// The law that `run` measures deviations from, by default or as the scene says;
+  /// St-Venant-Kirchhoff's where that is none.
   [[nodiscard]] std::string law_of_scene() const {
     const Request first = requests(read_run(plan_.scene, plan_.options)).front();
-    return first.reference ? first.reference->method.name : first.settings.method.name;
+    const Method& method = (first.reference ? *first.reference : first.settings).method;
+    return is_finite_element(method) ? method.name : "fem-stvk";
   }
 
   std::string key_of(const CaseSettings& settings) {
@@ -144,8 +175,8 @@ class ChartRun {
   /// The truths' runs are kept with their fields, which every comparison needs.
   void find_truths() {
     std::vector<Request> all;
-    for (const CaseSettings& coarsest : truth_cases_)
-      for (const CaseSettings& grid : convergence_grids(coarsest))
+    for (const ThreeCases& grids : truths_planned_)
+      for (const CaseSettings& grid : grids)
         all.push_back({.settings = grid, .reference = std::nullopt});
     check_memory(plan_.scene, all);
     Progress progress(plan_.scene + ": truths");
@@ -183,41 +214,22 @@ class ChartRun {
     return chart_.points.back();
   }
 
-  /// What the largest of the model's smaller points says of this one [s]; 0 without any.
-  [[nodiscard]] double expected_seconds(const StoredChart::Point& point) const {
+  [[nodiscard]] CaseSettings settings_of(const ChartModel& model, int across) const {
+    return model_case(plan_.scene, plan_.options, model, across);
+  }
+
+  /// By the largest of the model's smaller points.
+  [[nodiscard]] double expected_seconds(const std::string& model, int across,
+                                        double nodes, int threads) const {
     const StoredChart::Point* smaller = nullptr;
     for (const StoredChart::Point& other : chart_.points)
-      if (other.model == point.model && other.threads == point.threads &&
-          other.across < point.across &&
+      if (other.model == model && other.threads == threads && other.across < across &&
           (smaller == nullptr || other.across > smaller->across))
         smaller = &other;
     if (smaller == nullptr) return 0;
-    const double growth = std::pow(point.nodes / smaller->nodes, 1.5);
-    return growth *
-           (smaller->timing ? smaller->timing->median : plan_.budget);  // too dear itself
-  }
-
-  void measure(const ChartModel& model, int across) {
-    const CaseSettings settings = model_case(plan_.scene, plan_.options, model, across);
-    const Mesh& mesh = meshes_.mesh(settings.body);
-    const std::string key = key_of(settings);
-    check_memory(plan_.scene, {{.settings = settings, .reference = std::nullopt}});
-    std::optional<CaseResult> result;
-    bool is_new = false;
-    for (const int threads : plan_.threads) {
-      StoredChart::Point& point = point_of(model, settings, across, key, threads);
-      if (point.timing && !plan_.retime) continue;
-      is_new = true;
-      if (expected_seconds(point) > plan_.budget) continue;
-      TimedCase timed = timed_case(settings, mesh, threads, plan_.budget);
-      point.timing = timed.timing;
-      point.setup = timed.setup;
-      result = std::move(timed.result);
-    }
-    if (result) result->key = key;
-    const bool was_run = result || is_known(key);
-    if (was_run) compare(settings, key, result);
-    if (is_new) file_.put_chart(chart_);
+    const double seconds =
+        smaller->timing ? smaller->timing->median : plan_.budget;  // too dear itself
+    return seconds * std::pow(nodes / smaller->nodes, 1.5);
   }
 
   /// Adds the case and its deviations from every truth to the file.
@@ -226,12 +238,14 @@ class ChartRun {
     std::vector<Request> missing;
     if (!is_known(key)) missing.push_back({.settings = settings, .reference = {}});
     const bool has_failed = result && !result->measures.volume_error;
-    for (const CaseSettings& truth : truth_cases_) {
+    const bool is_nested = settings.body.shape == BodyShape::block;
+    for (const ThreeCases& grids : truths_planned_) {
+      const CaseSettings& truth = grids.front();
       const Request request{.settings = settings,
                             .reference = truth,
                             .reference_grid = ReferenceGrid::converged};
       const std::string compared = case_key(request, meshes_.mesh(settings.body));
-      if (is_known(compared) || has_failed) continue;
+      if (is_known(compared) || has_failed || !is_nested) continue;
       missing.push_back(request);
       chart_.comparisons.push_back(
           {.key = key, .law = truth.method.name, .compared = compared});
@@ -248,21 +262,46 @@ class ChartRun {
         [&](std::size_t, CaseResult&& one) { put(std::move(one), false); });
   }
 
-  const ChartPlan& plan_;
+  ChartPlan plan_;
   std::filesystem::path path_;
   ResultFile file_;
   StoredCases stored_;           // of the file, before
   std::set<std::string> known_;  // keys added since
   MeshStore meshes_;
-  std::vector<CaseSettings> truth_cases_;  // the coarsest of each law
+  std::vector<ThreeCases> truths_planned_;  // of each law
   std::map<std::string, CaseResult> truths_;
   StoredChart chart_{};
 };
 
-}  // namespace
+ChartRun::ChartRun(const ChartPlan& plan, const std::filesystem::path& file)
+    : state_(std::make_unique<State>(plan, file)) {}
+
+ChartRun::~ChartRun() = default;
+
+void ChartRun::measure(const ChartModel& model, int across) {
+  state_->measure(model, across);
+}
+
+double ChartRun::expected_seconds(const ChartModel& model, int across) {
+  return state_->expected_seconds(model, across);
+}
+
+Chart ChartRun::chart() const {
+  return state_->chart();
+}
 
 Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file) {
-  return ChartRun(plan, file).run();
+  ChartRun run(plan, file);
+  const std::vector<ChartModel>& models =
+      chart_models(chart_body(plan.scene, plan.options).shape);
+  std::size_t done = 0;
+  Progress progress(plan.scene + ": points");
+  for (const ChartModel& model : models)
+    for (const int across : plan.across) {
+      progress.show(done++, models.size() * plan.across.size());
+      run.measure(model, across);
+    }
+  return run.chart();
 }
 
 }  // namespace springcheck

@@ -120,7 +120,8 @@ StoredChart read_chart(hid_t group) {
 std::string identity_of(const StoredChart& chart) {
   std::string text = chart.scene;
   for (const StoredChart::Truth& truth : chart.truths)
-    for (const std::string& key : truth.keys) text += '\n' + key;
+    if (truth.law == chart.law)
+      for (const std::string& key : truth.keys) text += '\n' + key;
   return sha256(text);
 }
 

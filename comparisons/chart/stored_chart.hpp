@@ -51,7 +51,8 @@ struct StoredChart {
   std::vector<Comparison> comparisons;
 };
 
-/// Of scene and truths: charts of the same have the same, whatever else they hold.
+/// Of scene and the truth of its own law: charts of the same have the same, whatever else
+/// they hold.
 std::string identity_of(const StoredChart& chart);
 
 /// Layout, within the group `charts` of a result file:

@@ -295,7 +295,8 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
   expect_bad_input("run compression --size 1e200,1,1", "1e9 m");
   expect_bad_input("run $(printf 'sc\\377ne.toml')", "UTF-8");
   expect_bad_input("compare",
-                   "run, table, reproduce, measure, sweep, merge, stability, list, mesh");
+                   "run, table, reproduce, measure, sweep, merge, stability, chart, "
+                   "advise, list, mesh");
   expect_bad_input("", "subcommand");
 }
 

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/chart/advise.hpp"
+
+namespace springcheck {
+
+/// The case behind a point of a chart that the plan's scene and options made.
+CaseSettings settings_of(const ChartPlan& plan, const ChartPoint& point, BodyShape shape);
+
+/// What the chosen model does without that others of the chart have: corrections, face
+/// diagonals, nonlinear strains, other laws, elements, cells, precision and finer meshes,
+/// each with the figures of the measured alternative. Face diagonals are called
+/// dispensable only where the static path to the full load was found stable without.
+std::vector<std::string> left_out(const Advice& advice, ChartMeasure measure,
+                                  const ChartPlan& plan);
+
+}  // namespace springcheck

@@ -1,0 +1,142 @@
+#define BOOST_TEST_MODULE chart_cli
+#include "program.hpp"
+
+namespace {
+
+// Truths on 1, 2 and 4 cells across are rough, and quick.
+const std::string quick = " --truth 1 --budget 1 ";
+
+const Run& charted() {
+  static const Run run =
+      springcheck("chart compression --sizes 2 --on-threads 1 --out chart.h5" + quick);
+  return run;
+}
+
+std::string advise(const std::string& options) {
+  return "advise compression --out chart.h5" + quick + options;
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The number behind the model of the row: its time [s].
+double time_of_chosen(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("chosen")) continue;
+    std::istringstream words(line);
+    std::vector<std::string> all;
+    for (std::string word; words >> word;) all.push_back(word);
+    return std::stod(all.at(all.size() - 2));  // before the case
+  }
+  BOOST_FAIL("no row 'chosen' in " + text);
+  return 0;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_chart_prints_truths_fronts_and_claims) {
+  const Run& run = charted();
+  BOOST_TEST(run.status == 0, run.err);
+  for (const char* part : {"fem-cauchy-born  plate_force", "Fronts, law fem-stvk",
+                           "equilibrium, force: mss-cf",
+                           "motion, deviation: mss-affine, double", "0 over budget."})
+    BOOST_TEST(holds(run.out, part), run.out);
+}
+
+BOOST_AUTO_TEST_CASE(a_chart_comes_back_from_its_file) {
+  charted();
+  const std::string command =
+      "chart compression --sizes 2 --on-threads 1 --out chart.h5 --format json" + quick;
+  const Json first = json_of(command), again = json_of(command);
+  BOOST_TEST(first.size() == 5U);
+  BOOST_TEST((first == again));  // times too: nothing was measured again
+  const Json retimed = json_of(command + " --retime");
+  BOOST_TEST((retimed != first));
+  for (std::size_t i = 0; i < first[1]["rows"].size(); ++i)
+    BOOST_TEST((retimed[1]["rows"][i]["force"] == first[1]["rows"][i]["force"]));
+}
+
+BOOST_AUTO_TEST_CASE(a_page_has_the_charts_tables) {
+  charted();
+  BOOST_TEST(springcheck("report chart.h5 --out page").status == 0);
+  for (const char* name :
+       {"chart", "chart-truths", "chart-laws", "chart-front", "chart-claims"})
+    BOOST_TEST(fs::exists(folder / "page" / "tables" / (std::string(name) + ".csv")));
+  const Json charts = Json::parse(text_of(folder / "page" / "data" / "charts.json"));
+  BOOST_TEST(charts[0]["scene"] == "compression");
+}
+
+BOOST_AUTO_TEST_CASE(advice_meets_the_tolerance_at_falling_cost) {
+  double last = 1e300;
+  for (const char* tolerance : {"5%", "10%", "25%"}) {
+    const Run run = springcheck(advise(std::string("--tolerance ") + tolerance));
+    BOOST_TEST(run.status == 0, run.out + run.err);
+    const double time = time_of_chosen(run.out);
+    BOOST_TEST(time <= last, run.out);
+    last = time;
+  }
+  const Run ready = springcheck("run ./compression-advised.toml --json");
+  BOOST_TEST(ready.status == 0, ready.err);
+  BOOST_TEST(Json::parse(ready.out)["results"][0]["status"] == "ok");
+}
+
+BOOST_AUTO_TEST_CASE(advice_for_real_time_has_a_step_that_fits_the_frame) {
+  const Run run = springcheck(advise(
+      "--tolerance 25% --measure deviation --real-time .02 --scene-file motion.toml"));
+  BOOST_TEST(run.status == 0, run.out + run.err);
+  BOOST_TEST(holds(run.out, "frame takes [s]"), run.out);
+  const std::string scene = text_of(folder / "motion.toml");
+  BOOST_TEST(holds(scene, "solver = \"semi-implicit\""), scene);
+  BOOST_TEST(holds(scene, "dt = "), scene);
+  BOOST_TEST(springcheck("run motion.toml").status == 0);
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_met_ends_with_the_nearest) {
+  for (const char* wish : {"--tolerance 1e-9", "--tolerance 25% --real-time 1e-12"}) {
+    const Run run = springcheck(advise(std::string(wish) + " --scene-file none.toml"));
+    BOOST_TEST(run.status == 1, run.out + run.err);
+    BOOST_TEST(holds(run.out, "nearest"), run.out);
+    BOOST_TEST(holds(run.out, "meets it"), run.out);
+    BOOST_TEST(!fs::exists(folder / "none.toml"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_of_the_users_own_is_not_lost) {
+  const std::string own = "test = \"compression\"\n";
+  std::ofstream(folder / "own.toml") << own;
+  expect_bad_input(advise("--tolerance 8% --scene-file own.toml"),
+                   "the scene of earlier advice, or none");
+  BOOST_TEST(text_of(folder / "own.toml") == own);
+}
+
+BOOST_AUTO_TEST_CASE(without_a_truth_there_is_no_advice) {
+  const Run run =
+      springcheck("advise compression --tolerance 8% --deformation 95%" + quick);
+  BOOST_TEST(run.status == 1, run.out + run.err);
+  BOOST_TEST(holds(run.err, "no truth"), run.err);
+}
+
+BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
+  expect_bad_input("advise compression --tolerance 0", "a number above 0");
+  expect_bad_input("advise compression --tolerance -8%", "a number above 0");
+  expect_bad_input("advise compression --tolerance much", "a finite strain");
+  expect_bad_input("advise compression --tolerance 8% --measure energy",
+                   "force, volume or deviation");
+  expect_bad_input("advise compression --tolerance 8% --real-time 0",
+                   "a positive finite number");
+  expect_bad_input("advise compression --tolerance 8% --budget 0", "above 0");
+  expect_bad_input("advise kidney --tolerance 8% --measure deviation", "force or volume");
+  expect_bad_input("advise nowhere --tolerance 8%", "nowhere");
+  expect_bad_input("advise traction --tolerance 8%", "a plate or a weight");
+  expect_bad_input("chart compression --out x.h5 --sizes 4,4", "different whole numbers");
+  expect_bad_input("chart compression --out x.h5 --sizes 4,", "different whole numbers");
+  expect_bad_input("chart compression --out x.h5 --sizes 0", "different whole numbers");
+  expect_bad_input("chart compression --out x.h5 --on-threads 5000",
+                   "whole numbers from 1");
+  expect_bad_input("chart compression --out x.h5 --method mss-cf", "--method");
+  expect_bad_input("chart compression", "--out");
+  expect_bad_input("chart affine --out x.h5", "a plate or a weight");
+  BOOST_TEST(!fs::exists(folder / "x.h5"));
+}
