@@ -7,8 +7,8 @@
 #include <functional>
 #include <numbers>
 
-#include "meshing/input_error.hpp"
 #include "reference_rows.hpp"
+#include "refusal.hpp"
 #include "tissue/rheometer.hpp"
 
 using namespace springcheck;
@@ -146,16 +146,6 @@ BOOST_AUTO_TEST_CASE(no_strain_gives_no_stress) {
 }
 
 namespace {
-
-template <class Work>
-std::string refusal(Work work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
-}
 
 std::string refusal_of(const BipowerLaw& law) {
   return refusal([&] { check(law); });
