@@ -37,7 +37,7 @@ inline constexpr int default_branches = 5, most_branches = 32;
 /// and, counted .4, of G'' (tissue's bands are 2 and 5 percent), on samples spaced evenly
 /// in ln. The stresses are linear in all G_i, B_i and eta: non-negative least squares
 /// finds those. The relaxation times are spaced evenly in ln between a first and a last
-/// one, the best of a fixed grid that the range sets. Deterministic; .1 s.
+/// one, the best of a fixed grid that the range sets. Deterministic; tenths of a second.
 ///
 /// More branches hold over a wider range: about one per decade of time.
 /// Throws InputError for a law, range or number of branches that cannot be.

@@ -18,9 +18,9 @@
 // which takes sum M_i C^-1 from S, makes rest free of stress, and is what the free energy
 // below belongs to. F -> Q F leaves C, and so S, as they are.
 //
-// Made for motions that nearly keep their volume. Where they do not, I_i still counts a
-// past change of volume, which in a branch that has relaxed leaves I_i = -ln det C: an
-// expansion would make it negative (taken as 0), a lasting compression hardens a little.
+// Made for motions that nearly keep their volume: I_i counts a lasting change of volume,
+// as - ln det C in a branch that has relaxed. A compression so hardens a little, and an
+// expansion would make I_i negative, which is taken as 0.
 //
 // Source: a network whose strands break and form anew at rest, Green and Tobolsky 1946,
 // J. Chem. Phys. 14, 80, with a stiffness M_i that hardens as the bi-power law does.

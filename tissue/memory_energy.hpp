@@ -20,8 +20,9 @@ double free_energy(const MaxwellModel& model, std::span<const double> state,
 ///         - eta/2 (C_new^-1 - C_old^-1)/dt : (C_new - C_old)/dt
 ///
 /// that is, - sum dpsi/dA_i : dA_i/dt and the dashpot's work. Never negative where the
-/// volume has been kept: then det (C A_i) >= 1. Where it has not, G_i's part and the
-/// dashpot's still are not, but that of B_i can be.
+/// volume is kept, as then det (C A_i) >= 1. Where it is not, G_i's part and the
+/// dashpot's still are not, but B_i's can be: I_i has ln det C for ln det (C A_i). A
+/// percent of volume is enough where strains are smaller than that.
 double dissipation(const MaxwellModel& model, const MemoryStep& step,
                    std::span<const double> before, std::span<const double> after);
 

@@ -39,8 +39,9 @@ Eigen::Matrix3d random_strain(double strain, double volume) {
   return H;
 }
 
-/// The least dissipation over the largest, of 1000 histories of 24 steps each: straight
-/// in ln C between random strains, steps from 1e-4 to 1e3 s, through all organs.
+/// The least dissipation over the largest size that it has in its history, of 1000
+/// histories of 24 steps each: straight in ln C between random strains, steps from 1e-4
+/// to 1e3 s, through all organs.
 double least_dissipation(const std::array<MaxwellModel, 3>& models, double volume) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t history = 0; history < 1000; ++history) {
@@ -50,7 +51,7 @@ double least_dissipation(const std::array<MaxwellModel, 3>& models, double volum
     set_to_rest(state);
     const double strain = std::pow(10, between(-3, 0.2));
     Eigen::Matrix3d from = Eigen::Matrix3d::Zero();
-    double lowest = 0, largest = 0;
+    double lowest = 0, largest = 1e-300;
     for (int knot = 0; knot < 4; ++knot) {
       const Eigen::Matrix3d to = random_strain(strain, volume);
       for (int i = 1; i <= 6; ++i) {
@@ -58,7 +59,7 @@ double least_dissipation(const std::array<MaxwellModel, 3>& models, double volum
         advance(model, step, state, exponential(from + i / 6. * (to - from)));
         const double power = dissipation(model, step, before, state);
         lowest = std::min(lowest, power);
-        largest = std::max(largest, power);
+        largest = std::max(largest, std::abs(power));
       }
       from = to;
     }
@@ -95,8 +96,10 @@ BOOST_AUTO_TEST_CASE(branches_that_do_not_harden_never_give_off_energy) {
   BOOST_TEST(least_dissipation(models, 1) > -1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(hardening_ones_do_where_the_volume_changes_by_tens_of_percent) {
-  BOOST_TEST(least_dissipation(fitted_models(), 1) < -0.01);
+// The bound of what is claimed: a lasting change of volume stays in I, and small strains
+// beside it can then take energy out of B_i's part.
+BOOST_AUTO_TEST_CASE(hardening_ones_can_beside_a_change_of_volume) {
+  BOOST_TEST(least_dissipation(fitted_models(), 0.01) < -0.1);
 }
 
 // Work of S, with the pressure that makes rest free of stress, is energy stored and heat.
