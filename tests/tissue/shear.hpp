@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "tissue/memory.hpp"
+
+namespace springcheck::tissue {
+
+/// C of x -> x + gamma y.
+inline SymmetricTensor sheared(double strain) {
+  return {1, 1 + strain * strain, 1, 0, 0, strain};
+}
+
+/// (F S F^T)_xy of it; J is 1, and a pressure adds nothing.
+inline double shear_stress_of(const SymmetricTensor& S, double strain) {
+  return S[5] + strain * S[1];
+}
+
+/// A point in simple shear, from rest.
+class ShearedPoint {
+ public:
+  explicit ShearedPoint(const MaxwellModel& model)
+      : model_(model), state_(state_size(model.branches.size())) {
+    set_to_rest(state_);
+  }
+
+  /// The stress after one step.
+  double step_to(double strain, const MemoryStep& step) {
+    return shear_stress_of(
+        advance(model_, step, state_, sheared(strain)).second_piola_kirchhoff, strain);
+  }
+  double step_to(double strain, double duration) {
+    return step_to(strain, memory_step(model_, duration));
+  }
+
+  /// The stress after that many equal steps at a constant rate.
+  double move(double from, double to, double duration, int steps) {
+    const MemoryStep step = memory_step(model_, duration / steps);
+    double stress = 0;
+    for (int i = 1; i <= steps; ++i)
+      stress = step_to(from + (to - from) * i / steps, step);
+    return stress;
+  }
+
+  [[nodiscard]] const std::vector<double>& state() const { return state_; }
+
+ private:
+  MaxwellModel model_;
+  std::vector<double> state_;
+};
+
+}  // namespace springcheck::tissue
