@@ -24,6 +24,7 @@
 #include "comparisons/stability/regions_table.hpp"
 #include "comparisons/subdivision_table.hpp"
 #include "comparisons/text_table.hpp"
+#include "comparisons/tissue_table.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -154,17 +155,28 @@ std::string sheet_in_columns(const Sheet& sheet,
 }
 
 const std::vector<std::string>& sheet_names() {
-  static const std::vector<std::string> names{
-      "5.5",          "split",    "elements",          "convergence",
-      "subdivision",  "locking",  "orientation",       "modes",
-      "performance",  "dynamics", "lattice-stability", "regions",
-      "four-springs", "growth"};
+  static const std::vector<std::string> names{"5.5",
+                                              "split",
+                                              "elements",
+                                              "convergence",
+                                              "subdivision",
+                                              "locking",
+                                              "orientation",
+                                              "modes",
+                                              "performance",
+                                              "dynamics",
+                                              "lattice-stability",
+                                              "regions",
+                                              "four-springs",
+                                              "growth",
+                                              "tissue"};
   return names;
 }
 
 const std::vector<std::string>& caseless_sheet_names() {
   static const std::vector<std::string> names{
-      "modes", "performance", "lattice-stability", "regions", "four-springs", "growth"};
+      "modes",  "performance", "lattice-stability", "regions", "four-springs",
+      "growth", "tissue"};
   return names;
 }
 
@@ -185,6 +197,7 @@ SheetPlan plan_sheet(const std::string& name) {
   if (name == "dynamics") return plan_dynamics_table();
   if (name == "performance") return plan_performance_table();
   if (name == "growth") return plan_growth_table();
+  if (name == "tissue") return plan_tissue_table();
   if (name == "lattice-stability") return plan_lattice_stability_table();
   if (name == "regions") return plan_regions_table();
   if (name == "four-springs") return plan_four_springs_table();

@@ -185,6 +185,7 @@ class Search {
   }
 
   void compare_with_neighbours() {
+    caution_of_accidents();  // measures the next finer cells: a neighbour, perhaps
     const std::size_t chosen = *advice_.chosen;
     const auto error = [&](std::size_t i) {
       return *error_with_bar(advice_, i, wish_.measure);
@@ -199,7 +200,6 @@ class Search {
         advice_.dearer = i;
     }
     advice_.left_out = left_out(advice_, wish_.measure, plan_);
-    caution_of_accidents();
   }
 
   /// An error that grows again on finer cells was small because others cancelled in it.
