@@ -1,0 +1,302 @@
+"""Speed against accuracy: what `springcheck chart` measured, with claims and fronts."""
+
+from content import Figure, Section, file_name, paragraph, table, table_links, tabled_number
+from figures import work_precision
+from markupsafe import Markup
+from numbers_shown import formatted, significant, with_bar
+from study import ANSWERS, load_text
+
+_TABLES = ["chart", "chart-front", "chart-laws", "chart-truths", "chart-claims"]
+_KINDS = {
+    "equilibrium": ("time of the solution [s]", "Equilibria: time of a static solution."),
+    "motion": (
+        "real per simulated time [s/s]",
+        "Motions: real time per simulated time, by explicit steps of 0.9 of the method's own stability limit.",
+    ),
+}
+_ANSWERS = {column: (name, unit) for column, name, unit in ANSWERS.values()}
+
+
+def chart(study):
+    """Of every chart: figures against the truth of the scene's own law, claims, front,
+    what failed; figures of the other laws folded away."""
+    if not study.charts:
+        return None
+    section = Section("chart", "Speed against accuracy")
+    rows = {name: _rows_by_chart(study, name) for name in _TABLES if name != "chart-laws"}
+    section.blocks += _introduction(study)
+    section.blocks += _truths(study, rows["chart-truths"])
+    names = []
+    for place, one in enumerate(study.charts):
+        own = {name: parts[place] for name, parts in rows.items()}
+        section.blocks += _scene_blocks(study, one, own, names)
+    section.blocks.append(Markup("<h3>Files</h3>"))
+    for name in _TABLES:
+        section.blocks.append(Markup("<p>{}.</p>{}").format(study.tables[name]["title"], table_links(name)))
+    return section
+
+
+def _rows_by_chart(study, name):
+    """Rows of a table, which has one chart after the other: two may be of one scene."""
+    counts = {
+        "chart": lambda one: len(one["points"]),
+        "chart-front": lambda one: sum(len(front["points"]) for front in one["fronts"]),
+        "chart-truths": lambda one: len(one["truths"]),
+        "chart-claims": lambda one: len(one["claims"]),
+    }
+    rows = iter(study.tables[name]["rows"])
+    return [[next(rows) for _ in range(counts[name](one))] for one in study.charts]
+
+
+def _introduction(study):
+    errors, *times = study.tables["chart"]["notes"]
+    return [
+        paragraph(
+            "Every model on meshes of several sizes: how far it is off what its law converges to, and how "
+            "long it takes. A model is worth its time where no other is both faster and more accurate: on "
+            "the Pareto front. {} Numbers of the figures are in "
+            '<a href="data/charts.json">data/charts.json</a>.',
+            errors,
+        ),
+        *(paragraph("{}", text) for text in times),
+    ]
+
+
+def _truths(study, parts):
+    document, rows = study.tables["chart-truths"], []
+    for one, truths in zip(study.charts, parts):
+        for row, truth in zip(truths, one["truths"]):
+            name, unit = _answer(one)
+            rows.append(
+                [
+                    _heading(study, one),
+                    row["law"],
+                    f"{name} [{unit}]",
+                    _with_bar(document, row, "answer", truth["answer"]["bar"]),
+                    _number(document, row, "answer_order", "{:.2f}"),
+                    _with_bar(document, row, "volume_change", 100 * truth["volume_change"]["bar"]),
+                    _number(document, row, "volume_order", "{:.2f}"),
+                    *(_number(document, row, key, "{:.2g}") for key in ("answer_bar", "volume_bar", "deviation_bar")),
+                ]
+            )
+    heads = ["scene", "law", "answer", "value", "order", "volume change [%]", "order"]
+    heads += [f"{measure} unsure by [%]" for measure in ("force", "volume", "deviation")]
+    notes = [paragraph('<span class="note">{}</span>', note) for note in document["notes"]]
+    return [Markup("<h3>{}</h3>").format(document["title"]), table(heads, rows, name="chart-truths"), *notes]
+
+
+def _answer(one):
+    return _ANSWERS.get(one["answer"], (one["answer"].replace("_", " "), "SI"))
+
+
+def _with_bar(document, row, key, bar):
+    return tabled_number(document, row[key], " ± ".join(with_bar(row[key], bar)), row["case"])
+
+
+def _number(document, row, key, form):
+    if row[key] is None:
+        return "none"
+    return tabled_number(document, row[key], formatted(row[key], form), row["case"])
+
+
+def _heading(study, one):
+    """The scene with its load: a file may hold charts of several."""
+    found = (study.case(point["case"]) for point in one["points"] if point["kind"] == "equilibrium")
+    case = next((case for case in found if case is not None), None)
+    if case is None:
+        return one["scene"]
+    return ", ".join(text for text in (one["scene"], load_text(case), f"nu {case.nu:g}") if text)
+
+
+def _scene_blocks(study, one, rows, names):
+    name, laws = _new_name(file_name(f"chart_{one['scene']}"), names), [truth["law"] for truth in one["truths"]]
+    heading = _heading(study, one)
+    blocks = [Markup("<h3>{}</h3>").format(heading)]
+    if one["law"] not in laws:
+        blocks.append(
+            paragraph("{}, the scene's own law, has no truth here: one of its grids failed.", one["law"])
+        )
+    blocks += _figures(one, one["law"], name, heading)
+    blocks += _claims(study, rows["chart-claims"], name)
+    blocks += _front(study, one, rows["chart-front"], name)
+    blocks += _unusual(study, rows["chart"])
+    others = [figure for law in laws if law != one["law"] for figure in _figures(one, law, name, heading)]
+    if others:
+        words = ", ".join(law for law in laws if law != one["law"])
+        opened = Markup("<details><summary>The same against the truths of {}</summary>").format(words)
+        blocks += [opened, *others, Markup("</details>")]
+    return blocks
+
+
+def _new_name(name, names):
+    """The name, with a number where another chart has it already."""
+    names.append(name)
+    count = names.count(name)
+    return name if count == 1 else f"{name}.{count}"
+
+
+def _figures(one, law, name, heading):
+    """One of each kind: times of the two are never compared."""
+    truth = next((truth for truth in one["truths"] if truth["law"] == law), None)
+    if truth is None:
+        return []
+    figures = [_figure(one, law, truth, kind, name, heading) for kind in _KINDS]
+    return [figure for figure in figures if figure]
+
+
+def _figure(one, law, truth, kind, name, heading):
+    threads = _fewest_threads(one)
+    points = [_point(p, law) for p in one["points"] if p["kind"] == kind and _is_timed(p)]
+    shown = [point for point in points if point.threads == threads]
+    if not shown:
+        return None
+    measures = []
+    for front in one["fronts"]:
+        if (front["kind"], front["law"]) == (kind, law):
+            on_it = [_point(one["points"][place], law) for place in front["points"]]
+            bar = truth["bars"][front["measure"]]
+            title = _measure_title(one, front["measure"])
+            measures.append(work_precision.Measure(front["measure"], title, on_it, bar and 100 * bar))
+    time_label, words = _KINDS[kind]
+    own = "" if law == one["law"] else f"_{file_name(law)}"
+    arguments = (time_label, shown, measures, _groups(shown, law))
+    caption = _caption(one, law, f"{heading}. {words}", threads)
+    return Figure(f"{name}_{kind}{own}", caption, work_precision.draw, arguments)
+
+
+def _caption(one, law, words, threads):
+    on = "one thread" if threads == 1 else f"{threads} threads"
+    is_own = ", the scene's own law" if law == one["law"] else ""
+    return (
+        f"{words} Errors against the truth of {law}{is_own}. Times are medians on {on}, bars their quartiles; "
+        "larger markers are finer meshes. The front counts all numbers of threads: its points have "
+        "the cells across beside them and, in brackets, the threads if more than one. Below the shaded "
+        "height, where it is in sight, the truth itself is unsure, and the front counts no gain. Crosses above the line are "
+        "simulations that failed, at the time they took. Errors below the axis stand on it. "
+        f"Measured on {one['machine']}."
+    )
+
+
+def _is_timed(point):
+    """Whether it was run on so many threads: it may have been over the budget on these and
+    not on others."""
+    return point["median"] is not None
+
+
+def _fewest_threads(one):
+    return min(point["threads"] for point in one["points"])
+
+
+def _point(point, law):
+    errors = point["errors"].get(law, {})
+    return work_precision.Point(
+        model=point["model"],
+        across=point["across"],
+        threads=point["threads"],
+        status=point["status"],
+        time=point["median"],
+        lower=point["lower_quartile"],
+        upper=point["upper_quartile"],
+        errors={name: error if error is None else 100 * error for name, error in errors.items()},
+    )
+
+
+def _measure_title(one, measure):
+    names = {"force": _answer(one)[0], "volume": "volume", "deviation": "places of the nodes"}
+    return names[measure].capitalize()
+
+
+def _groups(points, law):
+    """Rows of the figure, by kind of model, those of the law apart from other laws."""
+    groups = {}
+    for model in dict.fromkeys(point.model for point in points):
+        groups.setdefault(_group(model, law), []).append(model)
+    return [work_precision.Group(title, models) for title, models in groups.items()]
+
+
+def _group(model, law):
+    if model.endswith(", double"):
+        return "Explicit steps,\ndouble precision"
+    if model.endswith(", float"):
+        return "Explicit steps,\nsingle precision"
+    if " on " in model:
+        return "Tetrahedra and prisms"
+    if model.startswith("mss-"):
+        return "Springs on hexahedra"
+    if model.split(":")[0] == law:
+        return "Finite elements of this\nlaw on hexahedra"
+    return "Finite elements of other\nlaws on hexahedra"
+
+
+def _claims(study, rows, name):
+    if not rows:
+        return []
+    document = study.tables["chart-claims"]
+    cells = [
+        [
+            f"{row['kind']}: {row['measure']}",
+            row["springs"],
+            *((row[key], row[key]) for key in ("faster", "as_accurate", "faster_at_equal_accuracy")),
+            Markup('<span data-table="chart-claims" data-cases="{}">{}</span>').format(
+                " ".join(row["cases"]), row["words"]
+            ),
+        ]
+        for row in rows
+    ]
+    heads = ["of", "springs", "faster on the same cells", "as accurate there", "faster at equal accuracy", "by the figures"]
+    notes = [paragraph('<span class="note">{}</span>', note) for note in document["notes"]]
+    title = Markup("<h4>{}</h4>").format(document["title"])
+    return [title, table(heads, cells, name=f"claims-{name}", classes="claims"), *notes]
+
+
+def _front(study, one, rows, name):
+    """Against the truth of the scene's own law."""
+    document = study.tables["chart-front"]
+    own = [row for row in rows if row["law"] == one["law"]]
+    if not own:
+        return []
+    cells = [
+        [
+            f"{row['kind']}: {row['measure']}",
+            row["model"],
+            f"{row['across']:.0f}",
+            f"{row['threads']:.0f}",
+            *(_number(document, row, key, "{:.3g}") for key in ("error", "median", "lower_quartile", "upper_quartile")),
+            " ".join(row["notes"]),
+            (row["case"][:8], "key"),
+        ]
+        for row in own
+    ]
+    heads = ["of", "model", "across", "threads", "off [%]", "time [s, s/s]", "lower quartile", "upper quartile"]
+    title = Markup("<h4>The Pareto front, over all numbers of threads</h4>")
+    return [title, table([*heads, "", "case"], cells, name=f"front-{name}")]
+
+
+def _unusual(study, rows):
+    """Sentences that name what failed, by status, and what was not run."""
+    document, blocks = study.tables["chart"], []
+    over = [row for row in rows if row["median"] is None]
+    if over:
+        text = "<b>Over the budget of time, and not run</b> (a number is of cells across): {}."
+        blocks.append(paragraph(text, _models(document, over)))
+    failed = [row for row in rows if row["median"] is not None and row["status"] != "ok"]
+    for status in dict.fromkeys(row["status"] for row in failed):
+        own = [row for row in failed if row["status"] == status]
+        text = "<b>Failed, {}</b>: {}."
+        blocks.append(paragraph(text, status.replace("_", " "), _models(document, own)))
+    return blocks
+
+
+def _models(document, rows):
+    """"mss-cf on 6, 10 (1, 2 threads); ...": models with their meshes."""
+    parts = []
+    for kind, model in dict.fromkeys((row["kind"], row["model"]) for row in rows):
+        own = [row for row in rows if (row["kind"], row["model"]) == (kind, model)]
+        meshes = []
+        for across in dict.fromkeys(row["across"] for row in own):
+            here = [row for row in own if row["across"] == across]
+            threads = ", ".join(f"{row['threads']:.0f}" for row in here)
+            number = tabled_number(document, across, f"{across:.0f}", here[0]["case"])
+            meshes.append(Markup("{} (threads: {})").format(number, threads))
+        parts.append(Markup("{} on {}").format(model, Markup(", ").join(meshes)))
+    return Markup("; ").join(parts)
