@@ -6,14 +6,16 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.ticker import FixedLocator
 from method_style import TWO_COLUMNS, line
 
 _FRONT = {"color": "#CC3311", "linewidth": 3, "alpha": 0.25, "solid_joinstyle": "miter"}
 _BAND = {"facecolor": "#E9E2CF", "edgecolor": "none", "zorder": 0}
-_CONTEXT = "#C9C9C9"
+_CONTEXT = "#D0D0D0"
 _INK = "#444444"
-_ROW_HEIGHT = 1.42  # inches
-_PANEL = 122, 88  # points of a panel's width and height, near enough to place texts by
+_ROW_HEIGHT = 1.38  # inches
+_FRONT_HEIGHT = 1.35  # rows: texts and the longest legend
+_PANEL = 125, 120  # points of a panel's width and height, near enough to place texts by
 _LANE = 0.1  # height of a status's lane, of the errors' own
 _MOST_BELOW_BAR = 10  # an error that is so much smaller than the bar says nothing more
 _MOST_TO_BAR = 30  # a bar that is so much smaller than all errors is told by its number
@@ -62,40 +64,60 @@ class Group:
     models: list
 
 
-def draw(time_label, points, measures, groups):
-    """Columns: measures. Rows: the front, then groups before all others in grey."""
-    height = _ROW_HEIGHT * (1 + len(groups)) + 0.75
-    figure = Figure((TWO_COLUMNS, height))
-    widths = [1] * len(measures) + [0.68]
-    grid = figure.subplots(1 + len(groups), len(widths), squeeze=False, width_ratios=widths)
-    sizes = marker_sizes(points)
-    statuses = list(dict.fromkeys(p.status for p in points if is_failed(p)))
-    for column, measure in enumerate(measures):
-        scale = _scale(points, measure, statuses)
-        for row in range(1 + len(groups)):
-            axes = grid[row, column]
-            _frame(axes, scale, points, measure)
-            if column == 0:
-                axes.set_ylabel("error [%]")
-                _name_lanes(axes, scale)
-            if row == 0:
-                axes.set_title(measure.title)
-            if row == len(groups):
-                axes.set_xlabel(time_label)
-            else:
-                axes.tick_params(axis="x", labelbottom=False)
-        _draw_front(grid[0, column], scale, measure, sizes)
-        _name_bar(grid[0, column], scale, measure)
-        for row, group in enumerate(groups, 1):
-            for model in group.models:
-                own = [p for p in points if p.model == model]
-                _draw_model(grid[row, column], scale, measure, own, sizes)
-    on_front = list(dict.fromkeys(p.model for m in measures for p in m.front))
-    _legend_beside(grid[0, -1], "Pareto front,\nand all models in grey", on_front)
-    for row, group in enumerate(groups, 1):
-        _legend_beside(grid[row, -1], group.title, group.models)
-    _common_legend(figure, sizes, statuses)
+@dataclass
+class Block:
+    """Rows against one truth: the front, then groups, each before all others in grey."""
+
+    title: str
+    points: list
+    measures: list
+    groups: list
+
+
+def draw(time_label, blocks):
+    """Columns: measures, the same in all blocks. One axis of time for all."""
+    heights = [height for block in blocks for height in [_FRONT_HEIGHT, *(1 for _ in block.groups)]]
+    widths = [1] * len(blocks[0].measures) + [0.68]
+    figure = Figure((TWO_COLUMNS, _ROW_HEIGHT * sum(heights) + 0.75))
+    ratios = {"width_ratios": widths, "height_ratios": heights}
+    grid = figure.subplots(len(heights), len(widths), squeeze=False, **ratios)
+    every = [p for block in blocks for p in [*block.points, *(p for m in block.measures for p in m.front)]]
+    times = min(p.lower for p in every) / 1.5, max(p.upper for p in every) * 1.5
+    sizes = marker_sizes(every)
+    first = 0
+    for block in blocks:
+        _draw_block(grid[first : first + 1 + len(block.groups)], block, times, sizes)
+        first += 1 + len(block.groups)
+    for axes, measure in zip(grid[0], blocks[0].measures):
+        axes.set_title(measure.title)
+    for row in grid[:, :-1]:
+        row[0].set_ylabel("error [%]")
+        for axes in row:
+            axes.tick_params(axis="x", labelbottom=False)
+    for axes in grid[-1, :-1]:
+        axes.tick_params(axis="x", labelbottom=True)
+        axes.set_xlabel(time_label)
+    _common_legend(figure, sizes, any(is_failed(p) for p in every))
     return figure
+
+
+def _draw_block(grid, block, times, sizes):
+    statuses = list(dict.fromkeys(p.status for p in block.points if is_failed(p)))
+    for column, measure in enumerate(block.measures):
+        scale = _scale(block.points, measure, statuses)
+        for axes in grid[:, column]:
+            _frame(axes, times, scale, block.points, measure)
+            if column == 0:
+                _name_lanes(axes, scale)
+        _draw_front(grid[0, column], scale, measure, sizes)
+        _name_bar(grid[0, column], measure)
+        for axes, group in zip(grid[1:, column], block.groups):
+            for model in group.models:
+                _draw_model(axes, scale, measure, [p for p in block.points if p.model == model], sizes)
+    on_front = list(dict.fromkeys(p.model for m in block.measures for p in m.front))
+    _legend_beside(grid[0, -1], block.title, on_front, linestyle="none")
+    for axes, group in zip(grid[1:, -1], block.groups):
+        _legend_beside(axes, group.title, group.models)
 
 
 def is_failed(point):
@@ -151,54 +173,43 @@ def _scale(points, measure, statuses):
     return _Scale(low, high, high * step ** (len(names) + 0.1) if names else high, lanes)
 
 
-def _frame(axes, scale, points, measure):
+def _frame(axes, times, scale, points, measure):
     """Axes with what all rows show: the band, all points in grey, the front's line."""
     axes.set(xscale="log", yscale="log")
-    times = [t for p in [*points, *measure.front] for t in (p.lower, p.upper)]
-    first, last = min(times) / 1.5, max(times) * 1.5
-    axes.set(xlim=(first, last), ylim=(scale.low, scale.top))
-    for axis, low, high in ((axes.xaxis, first, last), (axes.yaxis, scale.low, scale.high)):
-        axis.set_major_locator(_fixed(ticks(low, high)))
-        axis.set_minor_locator(_fixed([]))
+    axes.set(xlim=times, ylim=(scale.low, scale.top))
+    # Of times two are enough: their labels are beside each other.
+    for axis, low, high, fewest in ((axes.xaxis, *times, 2), (axes.yaxis, scale.low, scale.high, 3)):
+        axis.set_major_locator(FixedLocator(ticks(low, high, fewest)))
+        axis.set_minor_locator(FixedLocator([]))
         axis.set_major_formatter("{x:g}")
     if scale.lanes:
         axes.axhline(scale.high, color=_INK, linewidth=0.5)
     if measure.bar and measure.bar > scale.low:
         axes.axhspan(scale.low, measure.bar, **_BAND)
-    grey = {"ls": "none", "color": _CONTEXT, "zorder": 1}
+    # As pixels: so many markers in so many panels would be most of the file.
+    grey = {"ls": "none", "color": _CONTEXT, "zorder": 1, "rasterized": True}
     shown = [p for p in points if not is_failed(p) and p.errors[measure.name] is not None]
     heights = [scale.height(p.errors[measure.name]) for p in shown]
     axes.plot([p.time for p in shown], heights, marker="o", markersize=1.8, **grey)
     lost = [p for p in points if p not in shown]
     axes.plot([p.time for p in lost], [_lane(scale, p) for p in lost], marker="x", markersize=2.5, **grey)
     if measure.front:
-        x = [*(p.time for p in measure.front), last]
+        x = [*(p.time for p in measure.front), times[1]]
         y = [max(scale.height(p.errors[measure.name]), measure.bar or 0) for p in measure.front]
         axes.step(x, [*y, y[-1]], where="post", zorder=1.5, **_FRONT)
 
 
-def _fixed(places):
-    from matplotlib.ticker import FixedLocator
-
-    return FixedLocator(places)
-
-
-def ticks(low, high):
-    """Between the two: decades, thinned out where there are many; of less than two decades
-    also 2 and 5, or every digit."""
+def ticks(low, high, fewest=3):
+    """Between the two: decades, thinned out where there are more than five; 2 and 5 of each
+    as well, or every digit, where there would be fewer than asked for."""
     exponents = range(int(np.floor(np.log10(low))), int(np.ceil(np.log10(high))) + 1)
-
-    def inside(digits):
+    found = []
+    for digits in ([1], [1, 2, 5], range(1, 10)):
         found = [float(f"{digit}e{exponent}") for exponent in exponents for digit in digits]
-        return [value for value in found if low <= value <= high]
-
-    decades = inside([1])
-    if len(decades) > 5:
-        return decades[:: -(-len(decades) // 5)]
-    if len(decades) > 2:
-        return decades
-    few = inside([1, 2, 5])
-    return few if len(few) > 1 else inside(range(1, 10))
+        found = [value for value in found if low <= value <= high]
+        if len(found) >= fewest:
+            break
+    return found[:: -(-len(found) // 5)] if digits == [1] else found
 
 
 def _lane(scale, point):
@@ -212,7 +223,7 @@ def _name_lanes(axes, scale):
         axes.annotate(name.replace("_", " "), (0, height), (-3, 0), color=_INK, **place, **kept)
 
 
-def _name_bar(axes, scale, measure):
+def _name_bar(axes, measure):
     """In the corner of the fastest and most accurate, which is empty."""
     if not measure.bar:
         return
@@ -237,14 +248,9 @@ def _draw_model(axes, scale, measure, points, sizes):
 
 
 def _draw_point(axes, point, height, look, sizes):
-    bar = {"fmt": "none", "ecolor": look["color"], "elinewidth": 0.8, "zorder": 2.5}
-    axes.errorbar([point.time], [height], xerr=_quartile_bar(point), **bar)
+    axes.plot([point.lower, point.upper], [height] * 2, color=look["color"], linewidth=0.8, zorder=2.5)
     marker = {"linestyle": "none", "markersize": sizes[point.across], "zorder": 3, "clip_on": False}
     axes.plot([point.time], [height], **(look | marker))
-
-
-def _quartile_bar(point):
-    return [[max(point.time - point.lower, 0)], [max(point.upper - point.time, 0)]]
 
 
 def _draw_front(axes, scale, measure, sizes):
@@ -266,12 +272,14 @@ def _in_points(axes, x, y):
 
 def text_offsets(places, texts):
     """For each place [points] the nearest offset of its text's middle at which the text
-    covers neither a place nor an earlier text; above and right first, where no front is."""
+    covers neither a place nor an earlier text and stays right of the axis; above and right
+    first, where no front is."""
     angles = np.radians([45, 90, 20, -135, -90, 160, -20, -160])
     boxes, offsets = [(x, y, 3, 3) for x, y in places], []
     for (x, y), text in zip(places, texts):
-        half = (1.8 * len(text), 3)
+        half = (2 * len(text) + 1, 3)
         tried = [(r * np.cos(a), r * np.sin(a)) for r in (7, 10, 13, 17, 21) for a in angles]
+        tried = [o for o in tried if x + o[0] > half[0]]
         free = (o for o in tried if not any(_overlap((x + o[0], y + o[1], *half), box) for box in boxes))
         offset = next(free, tried[0])
         boxes.append((x + offset[0], y + offset[1], *half))
@@ -284,16 +292,16 @@ def _overlap(a, b):
     return abs(a[0] - b[0]) < a[2] + b[2] and abs(a[1] - b[1]) < a[3] + b[3]
 
 
-def _legend_beside(axes, title, models):
+def _legend_beside(axes, title, models, **changes):
     axes.set_axis_off()
-    handles = [Line2D([], [], **(style(model) | {"markersize": 4.5})) for model in models]
+    handles = [Line2D([], [], **(style(model) | {"markersize": 4.5} | changes)) for model in models]
     small = {"fontsize": 5.8, "labelspacing": 0.35, "handlelength": 2.4, "borderaxespad": 0}
     found = axes.legend(handles, models, title=title, loc="upper left", bbox_to_anchor=(-0.12, 1.0), **small)
     found.set_title(title, {"size": 6.3, "weight": "bold"})
     found._legend_box.align = "left"
 
 
-def _common_legend(figure, sizes, statuses):
+def _common_legend(figure, sizes, has_failed):
     """Of what looks the same for all models."""
     handles = [
         Line2D([], [], ls="none", marker="o", color="#777777", markersize=size, label=f"{count} cells across")
@@ -302,6 +310,6 @@ def _common_legend(figure, sizes, statuses):
     handles.append(Line2D([], [], **_FRONT, label="Pareto front, all thread counts"))
     handles.append(Patch(facecolor=_BAND["facecolor"], label="below what the truth may be off"))
     handles.append(Line2D([], [], color="#777777", linewidth=0.8, label="quartiles of the times"))
-    if statuses:
+    if has_failed:
         handles.append(Line2D([], [], ls="none", marker="x", color="#777777", label="failed, at its time"))
     figure.legend(handles=handles, ncols=4, loc="upper center", bbox_to_anchor=(0.5, 0))

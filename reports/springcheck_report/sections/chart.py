@@ -14,6 +14,14 @@ _KINDS = {
         "Motions: real time per simulated time, by explicit steps of 0.9 of the method's own stability limit.",
     ),
 }
+_GROUPS = [
+    "Explicit steps,\ndouble precision",
+    "Explicit steps,\nsingle precision",
+    "Springs on hexahedra",
+    "Finite elements of this\nlaw on hexahedra",
+    "Finite elements of other\nlaws on hexahedra",
+    "Tetrahedra and prisms",
+]
 _ANSWERS = {column: (name, unit) for column, name, unit in ANSWERS.values()}
 
 
@@ -109,22 +117,23 @@ def _heading(study, one):
 
 
 def _scene_blocks(study, one, rows, names):
-    name, laws = _new_name(file_name(f"chart_{one['scene']}"), names), [truth["law"] for truth in one["truths"]]
+    name = _new_name(f"chart_{file_name(one['scene'])}", names)
+    laws = [truth["law"] for truth in one["truths"]]
     heading = _heading(study, one)
     blocks = [Markup("<h3>{}</h3>").format(heading)]
     if one["law"] not in laws:
         blocks.append(
             paragraph("{}, the scene's own law, has no truth here: one of its grids failed.", one["law"])
         )
-    blocks += _figures(one, one["law"], name, heading)
+    blocks += _figures(one, [one["law"]], name, heading)
     blocks += _claims(study, rows["chart-claims"], name)
     blocks += _front(study, one, rows["chart-front"], name)
     blocks += _unusual(study, rows["chart"])
-    others = [figure for law in laws if law != one["law"] for figure in _figures(one, law, name, heading)]
-    if others:
-        words = ", ".join(law for law in laws if law != one["law"])
-        opened = Markup("<details><summary>The same against the truths of {}</summary>").format(words)
-        blocks += [opened, *others, Markup("</details>")]
+    others = [law for law in laws if law != one["law"]]
+    figures = _figures(one, others, name, heading)
+    if figures:
+        opened = Markup("<details><summary>The same against the truths of {}</summary>").format(", ".join(others))
+        blocks += [opened, *figures, Markup("</details>")]
     return blocks
 
 
@@ -135,20 +144,30 @@ def _new_name(name, names):
     return name if count == 1 else f"{name}.{count}"
 
 
-def _figures(one, law, name, heading):
-    """One of each kind: times of the two are never compared."""
-    truth = next((truth for truth in one["truths"] if truth["law"] == law), None)
-    if truth is None:
-        return []
-    figures = [_figure(one, law, truth, kind, name, heading) for kind in _KINDS]
+def _figures(one, laws, name, heading):
+    """One of each kind against the truths of these laws: times of the two kinds are never
+    compared."""
+    truths = [truth for truth in one["truths"] if truth["law"] in laws]
+    figures = [_figure(one, truths, kind, name, heading) for kind in _KINDS]
     return [figure for figure in figures if figure]
 
 
-def _figure(one, law, truth, kind, name, heading):
-    threads = _fewest_threads(one)
+def _figure(one, truths, kind, name, heading):
+    blocks = [block for block in (_block(one, truth, kind) for truth in truths) if block]
+    if not blocks:
+        return None
+    time_label, words = _KINDS[kind]
+    is_own = truths[0]["law"] == one["law"]
+    caption = _caption(one, is_own, f"{heading}. {words}")
+    name = f"{name}_{kind}" if is_own else f"{name}_{kind}_other-laws"
+    return Figure(name, caption, work_precision.draw, (time_label, blocks))
+
+
+def _block(one, truth, kind):
+    law, threads = truth["law"], _fewest_threads(one)
     points = [_point(p, law) for p in one["points"] if p["kind"] == kind and _is_timed(p)]
-    shown = [point for point in points if point.threads == threads]
-    if not shown:
+    points = [point for point in points if point.threads == threads]
+    if not points:
         return None
     measures = []
     for front in one["fronts"]:
@@ -157,23 +176,22 @@ def _figure(one, law, truth, kind, name, heading):
             bar = truth["bars"][front["measure"]]
             title = _measure_title(one, front["measure"])
             measures.append(work_precision.Measure(front["measure"], title, on_it, bar and 100 * bar))
-    time_label, words = _KINDS[kind]
-    own = "" if law == one["law"] else f"_{file_name(law)}"
-    arguments = (time_label, shown, measures, _groups(shown, law))
-    caption = _caption(one, law, f"{heading}. {words}", threads)
-    return Figure(f"{name}_{kind}{own}", caption, work_precision.draw, arguments)
+    title = f"Pareto front against\nthe truth of {law}"
+    groups = _groups(points, law) if law == one["law"] else [_closest(points, law, kind)]
+    return work_precision.Block(title, points, measures, [group for group in groups if group.models])
 
 
-def _caption(one, law, words, threads):
+def _caption(one, is_own, words):
+    threads = _fewest_threads(one)
     on = "one thread" if threads == 1 else f"{threads} threads"
-    is_own = ", the scene's own law" if law == one["law"] else ""
+    law = f"{one['law']}, the scene's own law" if is_own else "other laws, one after the other"
     return (
-        f"{words} Errors against the truth of {law}{is_own}. Times are medians on {on}, bars their quartiles; "
-        "larger markers are finer meshes. The front counts all numbers of threads: its points have "
-        "the cells across beside them and, in brackets, the threads if more than one. Below the shaded "
-        "height, where it is in sight, the truth itself is unsure, and the front counts no gain. Crosses above the line are "
-        "simulations that failed, at the time they took. Errors below the axis stand on it. "
-        f"Measured on {one['machine']}."
+        f"{words} Errors against the truth of {law}. Times are medians on {on}, bars their quartiles; "
+        "larger markers are finer meshes, pale ones all models. The front counts all numbers of threads: its "
+        "points have the cells across beside them and, in brackets, the threads if more than one. In the "
+        "shaded band the truth itself is unsure, and the front counts no gain; where all errors are far "
+        "above it, its height is written alone. Crosses above the line are simulations that failed, at the "
+        f"time they took. Errors below an axis stand on it. Measured on {one['machine']}."
     )
 
 
@@ -202,16 +220,20 @@ def _point(point, law):
 
 
 def _measure_title(one, measure):
-    names = {"force": _answer(one)[0], "volume": "volume", "deviation": "places of the nodes"}
+    names = {"force": _answer(one)[0], "volume": "volume", "deviation": "deviation of the nodes"}
     return names[measure].capitalize()
 
 
 def _groups(points, law):
-    """Rows of the figure, by kind of model, those of the law apart from other laws."""
-    groups = {}
-    for model in dict.fromkeys(point.model for point in points):
-        groups.setdefault(_group(model, law), []).append(model)
-    return [work_precision.Group(title, models) for title, models in groups.items()]
+    """Rows of the figure by kind of model, in the order of _GROUPS."""
+    models = {title: [] for title in _GROUPS}
+    for model in _models_of(points):
+        models[_group(model, law)].append(model)
+    return [work_precision.Group(title, own) for title, own in models.items()]
+
+
+def _models_of(points):
+    return list(dict.fromkeys(point.model for point in points))
 
 
 def _group(model, law):
@@ -223,9 +245,23 @@ def _group(model, law):
         return "Tetrahedra and prisms"
     if model.startswith("mss-"):
         return "Springs on hexahedra"
-    if model.split(":")[0] == law:
+    if _method(model) == law:
         return "Finite elements of this\nlaw on hexahedra"
     return "Finite elements of other\nlaws on hexahedra"
+
+
+def _method(model):
+    return model.split(":")[0]
+
+
+def _closest(points, law, kind):
+    """The row of another law: its own elements and the springs."""
+    if kind == "motion":
+        own = [model for model in _models_of(points) if model.endswith(", double")]
+        return work_precision.Group("Explicit steps,\ndouble precision", own)
+    models = [model for model in _models_of(points) if " on " not in model]
+    own = [model for model in models if model.startswith("mss-") or _method(model) == law]
+    return work_precision.Group(f"Springs and {law}\non hexahedra", own)
 
 
 def _claims(study, rows, name):
@@ -275,28 +311,32 @@ def _front(study, one, rows, name):
 def _unusual(study, rows):
     """Sentences that name what failed, by status, and what was not run."""
     document, blocks = study.tables["chart"], []
+    threads = {row["threads"] for row in rows}
     over = [row for row in rows if row["median"] is None]
     if over:
-        text = "<b>Over the budget of time, and not run</b> (a number is of cells across): {}."
-        blocks.append(paragraph(text, _models(document, over)))
+        text = "<b>Over the budget of time, and not run</b> (numbers are of cells across): {}."
+        blocks.append(paragraph(text, _models(document, over, threads)))
     failed = [row for row in rows if row["median"] is not None and row["status"] != "ok"]
     for status in dict.fromkeys(row["status"] for row in failed):
         own = [row for row in failed if row["status"] == status]
         text = "<b>Failed, {}</b>: {}."
-        blocks.append(paragraph(text, status.replace("_", " "), _models(document, own)))
+        blocks.append(paragraph(text, status.replace("_", " "), _models(document, own, threads)))
     return blocks
 
 
-def _models(document, rows):
-    """"mss-cf on 6, 10 (1, 2 threads); ...": models with their meshes."""
+def _models(document, rows, all_threads):
+    """"mss-cf on 6, 10 (1 thread); ...": models with the meshes, and the threads where it is
+    not so on all numbers of them."""
     parts = []
-    for kind, model in dict.fromkeys((row["kind"], row["model"]) for row in rows):
-        own = [row for row in rows if (row["kind"], row["model"]) == (kind, model)]
-        meshes = []
-        for across in dict.fromkeys(row["across"] for row in own):
-            here = [row for row in own if row["across"] == across]
-            threads = ", ".join(f"{row['threads']:.0f}" for row in here)
-            number = tabled_number(document, across, f"{across:.0f}", here[0]["case"])
-            meshes.append(Markup("{} (threads: {})").format(number, threads))
-        parts.append(Markup("{} on {}").format(model, Markup(", ").join(meshes)))
+    for model in dict.fromkeys(row["model"] for row in rows):
+        meshes = {}
+        for row in rows:
+            if row["model"] == model:
+                meshes.setdefault(row["across"], []).append(row)
+        texts = []
+        for across, here in meshes.items():
+            threads = [f"{row['threads']:.0f}" for row in here]
+            limited = "" if len(threads) == len(all_threads) else f" (threads: {', '.join(threads)})"
+            texts.append(tabled_number(document, across, f"{across:.0f}", here[0]["case"]) + limited)
+        parts.append(Markup("{} on {}").format(model, Markup(", ").join(texts)))
     return Markup("; ").join(parts)
