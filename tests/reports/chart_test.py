@@ -69,7 +69,7 @@ class Charts(unittest.TestCase):
     def drawn(self):
         """(chart, kind, block) of every block of every figure."""
         for name, figure in self.figures.items():
-            one = self.charts[1] if name.startswith("chart_compression.2") else self.charts[0]
+            one = self.charts[1] if name.startswith("chart_compression_2") else self.charts[0]
             kind = next(kind for kind in KINDS if f"_{kind}" in name)
             for block in blocks_of(figure):
                 yield one, kind, block
@@ -82,9 +82,9 @@ class Charts(unittest.TestCase):
         """Against the truth of the scene's own law, where it has one, and of the others."""
         names = [f"chart_compression_{kind}{laws}" for laws in ("", "_other-laws") for kind in KINDS]
         with_own = [
-            "chart_compression.2_" + rest.removeprefix("chart_compression_")
+            "chart_compression_2_" + rest.removeprefix("chart_compression_")
             for rest in names
-            if rest.endswith("laws") or any(t["law"] == self.charts[1]["law"] for t in self.charts[1]["truths"])
+            if rest.endswith("laws") or self.charts[1]["law"] in {t["law"] for t in self.charts[1]["truths"]}
         ]
         self.assertEqual(list(self.figures), names + with_own)
         self.assertEqual(page_text.figures(self.html), names + with_own)
@@ -108,7 +108,7 @@ class Charts(unittest.TestCase):
         for count, one in enumerate(self.charts, 1):
             if all(truth["law"] != one["law"] for truth in one["truths"]):
                 continue
-            name = "chart_compression" if count == 1 else f"chart_compression.{count}"
+            name = "chart_compression" if count == 1 else f"chart_compression_{count}"
             own = [f for f in one["fronts"] if f["law"] == one["law"]]
             expected = [
                 [f"{f['kind']}: {f['measure']}", p["model"], str(p["across"]), str(p["threads"])]
@@ -179,12 +179,17 @@ class Charts(unittest.TestCase):
         self.assertGreater(len(numbers), 100)
         self.assertEqual({n["data-table"] for n in numbers}, {"chart", "chart-front", "chart-truths"})
         for number in numbers:
-            rows = [r for r in self.tables[number["data-table"]]["rows"] if r["case"] == number["data-case"]]
+            rows = self.tables[number["data-table"]]["rows"]
+            if "data-case" in number:
+                rows = [row for row in rows if row["case"] == number["data-case"]]
+            else:  # not run: no case of the file
+                rows = [row for row in rows if row["median"] is None]
             self.assertTrue(any(float(number["value"]) in row.values() for row in rows), number)
             shown = float(number["text"].split()[0])
             self.assertAlmostEqual(shown, float(number["value"]), delta=0.051 * abs(shown) + 1e-12)
-        keys = set(self.study.results.cases.index)
-        self.assertLessEqual({number["data-case"] for number in numbers}, keys)
+        named = {number["data-case"] for number in numbers if "data-case" in number}
+        self.assertGreater(len(named), 10)
+        self.assertLessEqual(named, set(self.study.results.cases.index), "cases of the file")
 
     def test_claims_are_the_programs_own_words(self):
         words = [claim["words"] for one in self.charts for claim in one["claims"]]
@@ -222,9 +227,10 @@ class Charts(unittest.TestCase):
         html = "".join(str(block) for block in section.blocks if not isinstance(block, Figure))
         self.assertNotIn("<b>&", html)
         self.assertIn("a&lt;b&gt;&amp;", html)
-        for name, figure in figures_of(section).items():
+        for name in figures_of(section):
             self.assertRegex(name, r"^[A-Za-z0-9._-]+$")
-            figure.draw(*figure.arguments).canvas.draw()  # no formula
+        first = next(iter(figures_of(section).values()))
+        first.draw(*first.arguments).canvas.draw()  # matplotlib would take the name for a formula
 
     def test_the_browser_draws_it_without_complaint(self):
         driver = browser.chromium(webgl=False)
@@ -246,7 +252,8 @@ class Parts(unittest.TestCase):
     def test_ticks_are_few_and_inside(self):
         for low, high, fewest, expected in [
             (0.0004, 0.3, 2, [0.001, 0.01, 0.1]),
-            (0.3, 60, 3, [0.5, 1, 2, 5, 10, 20, 50]),
+            (0.2, 60, 3, [0.3, 1, 3, 10, 30]),
+            (0.4, 2.5, 3, [0.5, 1, 2]),
             (2.1, 4.9, 3, [3, 4]),
             (1e-7, 1e3, 3, [1e-7, 1e-4, 0.1, 100]),
         ]:
@@ -276,8 +283,8 @@ class Parts(unittest.TestCase):
         ]:
             one, other = work_precision.style(usual), work_precision.style(variant)
             self.assertEqual(one["color"], other["color"])
-            looks = [[look.get(key) for key in ("marker", "fillstyle", "markerfacecolor")] for look in (one, other)]
-            self.assertNotEqual(*looks)
+            keys = ("marker", "fillstyle", "markerfacecolor")
+            self.assertNotEqual(*([look.get(key) for key in keys] for look in (one, other)))
 
     def test_errors_below_the_bar_leave_the_others_room(self):
         errors = [{"force": 1e-9}, {"force": 2.0}, {"force": 8.0}]

@@ -200,11 +200,11 @@ def _frame(axes, times, scale, points, measure):
 
 
 def ticks(low, high, fewest=3):
-    """Between the two: decades, thinned out where there are more than five; 2 and 5 of each
-    as well, or every digit, where there would be fewer than asked for."""
+    """Between the two: decades, thinned out where there are more than five; further digits
+    where there would be fewer than asked for."""
     exponents = range(int(np.floor(np.log10(low))), int(np.ceil(np.log10(high))) + 1)
     found = []
-    for digits in ([1], [1, 2, 5], range(1, 10)):
+    for digits in ([1], [1, 3], [1, 2, 5], range(1, 10)):
         found = [float(f"{digit}e{exponent}") for exponent in exponents for digit in digits]
         found = [value for value in found if low <= value <= high]
         if len(found) >= fewest:

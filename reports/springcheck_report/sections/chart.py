@@ -3,15 +3,16 @@
 from content import Figure, Section, file_name, paragraph, table, table_links, tabled_number
 from figures import work_precision
 from markupsafe import Markup
-from numbers_shown import formatted, significant, with_bar
+from numbers_shown import formatted, with_bar
 from study import ANSWERS, load_text
 
 _TABLES = ["chart", "chart-front", "chart-laws", "chart-truths", "chart-claims"]
 _KINDS = {
-    "equilibrium": ("time of the solution [s]", "Equilibria: time of a static solution."),
+    "equilibrium": ("time of the solution [s]", "Equilibria", "time of a static solution"),
     "motion": (
         "real per simulated time [s/s]",
-        "Motions: real time per simulated time, by explicit steps of 0.9 of the method's own stability limit.",
+        "Motions",
+        "real time per simulated time, by explicit steps of 0.9 of the method's own stability limit",
     ),
 }
 _GROUPS = [
@@ -22,6 +23,8 @@ _GROUPS = [
     "Finite elements of other\nlaws on hexahedra",
     "Tetrahedra and prisms",
 ]
+_BARS = ["answer_bar", "volume_bar", "deviation_bar"]
+_TIMES = ["median", "lower_quartile", "upper_quartile"]
 _ANSWERS = {column: (name, unit) for column, name, unit in ANSWERS.values()}
 
 
@@ -84,7 +87,7 @@ def _truths(study, parts):
                     _number(document, row, "answer_order", "{:.2f}"),
                     _with_bar(document, row, "volume_change", 100 * truth["volume_change"]["bar"]),
                     _number(document, row, "volume_order", "{:.2f}"),
-                    *(_number(document, row, key, "{:.2g}") for key in ("answer_bar", "volume_bar", "deviation_bar")),
+                    *(_number(document, row, key, "{:.2g}") for key in _BARS),
                 ]
             )
     heads = ["scene", "law", "answer", "value", "order", "volume change [%]", "order"]
@@ -132,8 +135,8 @@ def _scene_blocks(study, one, rows, names):
     others = [law for law in laws if law != one["law"]]
     figures = _figures(one, others, name, heading)
     if figures:
-        opened = Markup("<details><summary>The same against the truths of {}</summary>").format(", ".join(others))
-        blocks += [opened, *figures, Markup("</details>")]
+        opened = "<details><summary>The same against the truths of {}</summary>"
+        blocks += [Markup(opened).format(", ".join(others)), *figures, Markup("</details>")]
     return blocks
 
 
@@ -141,7 +144,7 @@ def _new_name(name, names):
     """The name, with a number where another chart has it already."""
     names.append(name)
     count = names.count(name)
-    return name if count == 1 else f"{name}.{count}"
+    return name if count == 1 else f"{name}_{count}"
 
 
 def _figures(one, laws, name, heading):
@@ -156,9 +159,9 @@ def _figure(one, truths, kind, name, heading):
     blocks = [block for block in (_block(one, truth, kind) for truth in truths) if block]
     if not blocks:
         return None
-    time_label, words = _KINDS[kind]
+    time_label, states, times = _KINDS[kind]
     is_own = truths[0]["law"] == one["law"]
-    caption = _caption(one, is_own, f"{heading}. {words}")
+    caption = _caption(one, is_own, f"{states} in {heading}: {times}.")
     name = f"{name}_{kind}" if is_own else f"{name}_{kind}_other-laws"
     return Figure(name, caption, work_precision.draw, (time_label, blocks))
 
@@ -279,7 +282,8 @@ def _claims(study, rows, name):
         ]
         for row in rows
     ]
-    heads = ["of", "springs", "faster on the same cells", "as accurate there", "faster at equal accuracy", "by the figures"]
+    heads = ["of", "springs", "faster on the same cells", "as accurate there"]
+    heads += ["faster at equal accuracy", "by the figures"]
     notes = [paragraph('<span class="note">{}</span>', note) for note in document["notes"]]
     title = Markup("<h4>{}</h4>").format(document["title"])
     return [title, table(heads, cells, name=f"claims-{name}", classes="claims"), *notes]
@@ -291,43 +295,47 @@ def _front(study, one, rows, name):
     own = [row for row in rows if row["law"] == one["law"]]
     if not own:
         return []
+    notes = list(dict.fromkeys(note for row in own for note in row["notes"]))
     cells = [
         [
             f"{row['kind']}: {row['measure']}",
             row["model"],
             f"{row['across']:.0f}",
             f"{row['threads']:.0f}",
-            *(_number(document, row, key, "{:.3g}") for key in ("error", "median", "lower_quartile", "upper_quartile")),
-            " ".join(row["notes"]),
+            *(_number(document, row, key, "{:.3g}") for key in ("error", *_TIMES)),
+            " ".join(str(notes.index(note) + 1) for note in row["notes"]),
             (row["case"][:8], "key"),
         ]
         for row in own
     ]
-    heads = ["of", "model", "across", "threads", "off [%]", "time [s, s/s]", "lower quartile", "upper quartile"]
+    heads = ["of", "model", "across", "threads", "off [%]"]
+    heads += ["time [s, s/s]", "lower quartile", "upper quartile", "notes", "case"]
     title = Markup("<h4>The Pareto front, over all numbers of threads</h4>")
-    return [title, table([*heads, "", "case"], cells, name=f"front-{name}")]
+    items = Markup("").join(Markup("<li>{}</li>").format(note) for note in notes)
+    listed = [Markup('<ol class="note">{}</ol>').format(items)] if notes else []
+    return [title, table(heads, cells, name=f"front-{name}"), *listed]
 
 
 def _unusual(study, rows):
     """Sentences that name what failed, by status, and what was not run."""
-    document, blocks = study.tables["chart"], []
+    blocks = []
     threads = {row["threads"] for row in rows}
     over = [row for row in rows if row["median"] is None]
     if over:
         text = "<b>Over the budget of time, and not run</b> (numbers are of cells across): {}."
-        blocks.append(paragraph(text, _models(document, over, threads)))
+        blocks.append(paragraph(text, _models(study, over, threads)))
     failed = [row for row in rows if row["median"] is not None and row["status"] != "ok"]
     for status in dict.fromkeys(row["status"] for row in failed):
         own = [row for row in failed if row["status"] == status]
         text = "<b>Failed, {}</b>: {}."
-        blocks.append(paragraph(text, status.replace("_", " "), _models(document, own, threads)))
+        blocks.append(paragraph(text, status.replace("_", " "), _models(study, own, threads)))
     return blocks
 
 
-def _models(document, rows, all_threads):
+def _models(study, rows, all_threads):
     """"mss-cf on 6, 10 (1 thread); ...": models with the meshes, and the threads where it is
     not so on all numbers of them."""
-    parts = []
+    document, parts = study.tables["chart"], []
     for model in dict.fromkeys(row["model"] for row in rows):
         meshes = {}
         for row in rows:
@@ -337,6 +345,7 @@ def _models(document, rows, all_threads):
         for across, here in meshes.items():
             threads = [f"{row['threads']:.0f}" for row in here]
             limited = "" if len(threads) == len(all_threads) else f" (threads: {', '.join(threads)})"
-            texts.append(tabled_number(document, across, f"{across:.0f}", here[0]["case"]) + limited)
+            case = here[0]["case"] if study.case(here[0]["case"]) is not None else None  # never run
+            texts.append(tabled_number(document, across, f"{across:.0f}", case) + limited)
         parts.append(Markup("{} on {}").format(model, Markup(", ").join(texts)))
     return Markup("; ").join(parts)
