@@ -166,7 +166,7 @@ def _scale(points, measure, statuses):
         high = max(high, low)
         if measure.bar > low / _MOST_TO_BAR:
             low = min(low, measure.bar / 2)
-    low, high = low / 1.5, high * 1.5
+    low, high = low / 2, high * 1.5  # below there is the bar's text
     names = [*statuses, *(["no error known"] if None in errors else [])]
     step = (high / low) ** _LANE
     lanes = {name: high * step ** (i + 0.6) for i, name in enumerate(names)}
@@ -301,10 +301,14 @@ def _legend_beside(axes, title, models, **changes):
     found._legend_box.align = "left"
 
 
+def _across(count):
+    return "1 cell across" if count == 1 else f"{count} cells across"
+
+
 def _common_legend(figure, sizes, has_failed):
     """Of what looks the same for all models."""
     handles = [
-        Line2D([], [], ls="none", marker="o", color="#777777", markersize=size, label=f"{count} cells across")
+        Line2D([], [], ls="none", marker="o", color="#777777", markersize=size, label=_across(count))
         for count, size in sizes.items()
     ]
     handles.append(Line2D([], [], **_FRONT, label="Pareto front, all thread counts"))
