@@ -64,6 +64,7 @@ class Study:
         from all others.
     tables: JSON documents of tables/ by name. theory: data/theory.json. atlas:
         data/atlas.json, the maps of `springcheck stability`, with how their cases fail.
+    charts: data/charts.json, see comparisons/chart/chart_json.hpp.
     """
 
     results: springcheck_results.Results
@@ -72,6 +73,7 @@ class Study:
     tables: dict
     theory: dict
     atlas: dict
+    charts: list
 
     def __post_init__(self):
         self.field_names = self.results.field_names()
@@ -137,10 +139,11 @@ def read(file, folder):
         known = {row["case"] for row in tables["cases"]["rows"]}
         results.cases = results.cases[results.cases.index.isin(known)]
     theory, atlas = (_document(folder / "data" / name) for name in ("theory.json", "atlas.json"))
+    charts = _document(folder / "data" / "charts.json") or []
     cases = results.cases
     is_limit = _mask(cases["solver"] == "limit") if "solver" in cases else np.zeros(len(cases), bool)
     limits = _prepared(cases[is_limit]) if is_limit.any() else pd.DataFrame()
-    return Study(results, _prepared(cases[~is_limit]), limits, tables, theory, atlas)
+    return Study(results, _prepared(cases[~is_limit]), limits, tables, theory, atlas, charts)
 
 
 def _document(path):

@@ -9,6 +9,7 @@ from sections.atlas import atlas
 from sections.bodies import bending, compression, other_tests, shearing, tension, torsion
 from sections.cases import all_cases, empty_file, files_for_paraview, provenance
 from sections.cells import any_cells, convergence, subdivision
+from sections.chart import chart
 from sections.cost import cost
 from sections.failures import failures
 from sections.laws import error_parts, locking, modes, orientation, spring_constants
@@ -46,6 +47,7 @@ SECTIONS = [
     modes,
     through_time,
     speed,
+    chart,
     cost,
     files_for_paraview,
     all_cases,

@@ -1,0 +1,351 @@
+"""Speed against accuracy: what `springcheck chart` measured, with claims and fronts."""
+
+from content import Figure, Section, file_name, paragraph, table, table_links, tabled_number
+from figures import work_precision
+from markupsafe import Markup
+from numbers_shown import formatted, with_bar
+from study import ANSWERS, load_text
+
+_TABLES = ["chart", "chart-front", "chart-laws", "chart-truths", "chart-claims"]
+_KINDS = {
+    "equilibrium": ("time of the solution [s]", "Equilibria", "time of a static solution"),
+    "motion": (
+        "real per simulated time [s/s]",
+        "Motions",
+        "real time per simulated time, by explicit steps of 0.9 of the method's own stability limit",
+    ),
+}
+_GROUPS = [
+    "Explicit steps,\ndouble precision",
+    "Explicit steps,\nsingle precision",
+    "Springs on hexahedra",
+    "Finite elements of this\nlaw on hexahedra",
+    "Finite elements of other\nlaws on hexahedra",
+    "Tetrahedra and prisms",
+]
+_BARS = ["answer_bar", "volume_bar", "deviation_bar"]
+_TIMES = ["median", "lower_quartile", "upper_quartile"]
+_ANSWERS = {column: (name, unit) for column, name, unit in ANSWERS.values()}
+
+
+def chart(study):
+    """Of every chart: figures against the truth of the scene's own law, claims, front,
+    what failed; figures of the other laws folded away."""
+    if not study.charts:
+        return None
+    section = Section("chart", "Speed against accuracy")
+    rows = {name: _rows_by_chart(study, name) for name in _TABLES if name != "chart-laws"}
+    section.blocks += _introduction(study)
+    section.blocks += _truths(study, rows["chart-truths"])
+    names = []
+    for place, one in enumerate(study.charts):
+        own = {name: parts[place] for name, parts in rows.items()}
+        section.blocks += _scene_blocks(study, one, own, names)
+    section.blocks.append(Markup("<h3>Files</h3>"))
+    for name in _TABLES:
+        section.blocks.append(Markup("<p>{}.</p>{}").format(study.tables[name]["title"], table_links(name)))
+    return section
+
+
+def _rows_by_chart(study, name):
+    """Rows of a table, which has one chart after the other: two may be of one scene."""
+    counts = {
+        "chart": lambda one: len(one["points"]),
+        "chart-front": lambda one: sum(len(front["points"]) for front in one["fronts"]),
+        "chart-truths": lambda one: len(one["truths"]),
+        "chart-claims": lambda one: len(one["claims"]),
+    }
+    rows = iter(study.tables[name]["rows"])
+    return [[next(rows) for _ in range(counts[name](one))] for one in study.charts]
+
+
+def _introduction(study):
+    errors, *times = study.tables["chart"]["notes"]
+    return [
+        paragraph(
+            "Every model on meshes of several sizes: how far it is off what its law converges to, and how "
+            "long it takes. A model is worth its time where no other is both faster and more accurate: on "
+            "the Pareto front. {} Numbers of the figures are in "
+            '<a href="data/charts.json">data/charts.json</a>.',
+            errors,
+        ),
+        *(paragraph("{}", text) for text in times),
+    ]
+
+
+def _truths(study, parts):
+    document, rows = study.tables["chart-truths"], []
+    for one, truths in zip(study.charts, parts):
+        for row, truth in zip(truths, one["truths"]):
+            name, unit = _answer(one)
+            rows.append(
+                [
+                    _heading(study, one),
+                    row["law"],
+                    f"{name} [{unit}]",
+                    _with_bar(document, row, "answer", truth["answer"]["bar"]),
+                    _number(document, row, "answer_order", "{:.2f}"),
+                    _with_bar(document, row, "volume_change", 100 * truth["volume_change"]["bar"]),
+                    _number(document, row, "volume_order", "{:.2f}"),
+                    *(_number(document, row, key, "{:.2g}") for key in _BARS),
+                ]
+            )
+    heads = ["scene", "law", "answer", "value", "order", "volume change [%]", "order"]
+    heads += [f"{measure} unsure by [%]" for measure in ("force", "volume", "deviation")]
+    notes = [paragraph('<span class="note">{}</span>', note) for note in document["notes"]]
+    return [Markup("<h3>{}</h3>").format(document["title"]), table(heads, rows, name="chart-truths"), *notes]
+
+
+def _answer(one):
+    return _ANSWERS.get(one["answer"], (one["answer"].replace("_", " "), "SI"))
+
+
+def _with_bar(document, row, key, bar):
+    return tabled_number(document, row[key], " ± ".join(with_bar(row[key], bar)), row["case"])
+
+
+def _number(document, row, key, form):
+    if row[key] is None:
+        return "none"
+    return tabled_number(document, row[key], formatted(row[key], form), row["case"])
+
+
+def _heading(study, one):
+    """The scene with its load: a file may hold charts of several."""
+    found = (study.case(point["case"]) for point in one["points"] if point["kind"] == "equilibrium")
+    case = next((case for case in found if case is not None), None)
+    if case is None:
+        return one["scene"]
+    return ", ".join(text for text in (one["scene"], load_text(case), f"nu {case.nu:g}") if text)
+
+
+def _scene_blocks(study, one, rows, names):
+    name = _new_name(f"chart_{file_name(one['scene'])}", names)
+    laws = [truth["law"] for truth in one["truths"]]
+    heading = _heading(study, one)
+    blocks = [Markup("<h3>{}</h3>").format(heading)]
+    if one["law"] not in laws:
+        blocks.append(
+            paragraph("{}, the scene's own law, has no truth here: one of its grids failed.", one["law"])
+        )
+    blocks += _figures(one, [one["law"]], name, heading)
+    blocks += _claims(study, rows["chart-claims"], name)
+    blocks += _front(study, one, rows["chart-front"], name)
+    blocks += _unusual(study, rows["chart"])
+    others = [law for law in laws if law != one["law"]]
+    figures = _figures(one, others, name, heading)
+    if figures:
+        opened = "<details><summary>The same against the truths of {}</summary>"
+        blocks += [Markup(opened).format(", ".join(others)), *figures, Markup("</details>")]
+    return blocks
+
+
+def _new_name(name, names):
+    """The name, with a number where another chart has it already."""
+    names.append(name)
+    count = names.count(name)
+    return name if count == 1 else f"{name}_{count}"
+
+
+def _figures(one, laws, name, heading):
+    """One of each kind against the truths of these laws: times of the two kinds are never
+    compared."""
+    truths = [truth for truth in one["truths"] if truth["law"] in laws]
+    figures = [_figure(one, truths, kind, name, heading) for kind in _KINDS]
+    return [figure for figure in figures if figure]
+
+
+def _figure(one, truths, kind, name, heading):
+    blocks = [block for block in (_block(one, truth, kind) for truth in truths) if block]
+    if not blocks:
+        return None
+    time_label, states, times = _KINDS[kind]
+    is_own = truths[0]["law"] == one["law"]
+    caption = _caption(one, is_own, f"{states} in {heading}: {times}.")
+    name = f"{name}_{kind}" if is_own else f"{name}_{kind}_other-laws"
+    return Figure(name, caption, work_precision.draw, (time_label, blocks))
+
+
+def _block(one, truth, kind):
+    law, threads = truth["law"], _fewest_threads(one)
+    points = [_point(p, law) for p in one["points"] if p["kind"] == kind and _is_timed(p)]
+    points = [point for point in points if point.threads == threads]
+    if not points:
+        return None
+    measures = []
+    for front in one["fronts"]:
+        if (front["kind"], front["law"]) == (kind, law):
+            on_it = [_point(one["points"][place], law) for place in front["points"]]
+            bar = truth["bars"][front["measure"]]
+            title = _measure_title(one, front["measure"])
+            measures.append(work_precision.Measure(front["measure"], title, on_it, bar and 100 * bar))
+    title = f"Pareto front against\nthe truth of {law}"
+    groups = _groups(points, law) if law == one["law"] else [_closest(points, law, kind)]
+    return work_precision.Block(title, points, measures, [group for group in groups if group.models])
+
+
+def _caption(one, is_own, words):
+    threads = _fewest_threads(one)
+    on = "one thread" if threads == 1 else f"{threads} threads"
+    law = f"{one['law']}, the scene's own law" if is_own else "other laws, one after the other"
+    return (
+        f"{words} Errors against the truth of {law}. Times are medians on {on}, bars their quartiles; "
+        "larger markers are finer meshes, pale ones all models. The front counts all numbers of threads: its "
+        "points have the cells across beside them and, in brackets, the threads if more than one. In the "
+        "shaded band the truth itself is unsure, and the front counts no gain; where all errors are far "
+        "above it, its height is written alone. Crosses above the line are simulations that failed, at the "
+        f"time they took. Errors below an axis stand on it. Measured on {one['machine']}."
+    )
+
+
+def _is_timed(point):
+    """Whether it was run on so many threads: it may have been over the budget on these and
+    not on others."""
+    return point["median"] is not None
+
+
+def _fewest_threads(one):
+    return min(point["threads"] for point in one["points"])
+
+
+def _point(point, law):
+    errors = point["errors"].get(law, {})
+    return work_precision.Point(
+        model=point["model"],
+        across=point["across"],
+        threads=point["threads"],
+        status=point["status"],
+        time=point["median"],
+        lower=point["lower_quartile"],
+        upper=point["upper_quartile"],
+        errors={name: error if error is None else 100 * error for name, error in errors.items()},
+    )
+
+
+def _measure_title(one, measure):
+    names = {"force": _answer(one)[0], "volume": "volume", "deviation": "deviation of the nodes"}
+    return names[measure].capitalize()
+
+
+def _groups(points, law):
+    """Rows of the figure by kind of model, in the order of _GROUPS."""
+    models = {title: [] for title in _GROUPS}
+    for model in _models_of(points):
+        models[_group(model, law)].append(model)
+    return [work_precision.Group(title, own) for title, own in models.items()]
+
+
+def _models_of(points):
+    return list(dict.fromkeys(point.model for point in points))
+
+
+def _group(model, law):
+    if model.endswith(", double"):
+        return "Explicit steps,\ndouble precision"
+    if model.endswith(", float"):
+        return "Explicit steps,\nsingle precision"
+    if " on " in model:
+        return "Tetrahedra and prisms"
+    if model.startswith("mss-"):
+        return "Springs on hexahedra"
+    if _method(model) == law:
+        return "Finite elements of this\nlaw on hexahedra"
+    return "Finite elements of other\nlaws on hexahedra"
+
+
+def _method(model):
+    return model.split(":")[0]
+
+
+def _closest(points, law, kind):
+    """The row of another law: its own elements and the springs."""
+    if kind == "motion":
+        own = [model for model in _models_of(points) if model.endswith(", double")]
+        return work_precision.Group("Explicit steps,\ndouble precision", own)
+    models = [model for model in _models_of(points) if " on " not in model]
+    own = [model for model in models if model.startswith("mss-") or _method(model) == law]
+    return work_precision.Group(f"Springs and {law}\non hexahedra", own)
+
+
+def _claims(study, rows, name):
+    if not rows:
+        return []
+    document = study.tables["chart-claims"]
+    cells = [
+        [
+            f"{row['kind']}: {row['measure']}",
+            row["springs"],
+            *((row[key], row[key]) for key in ("faster", "as_accurate", "faster_at_equal_accuracy")),
+            Markup('<span data-table="chart-claims" data-cases="{}">{}</span>').format(
+                " ".join(row["cases"]), row["words"]
+            ),
+        ]
+        for row in rows
+    ]
+    heads = ["of", "springs", "faster on the same cells", "as accurate there"]
+    heads += ["faster at equal accuracy", "by the figures"]
+    notes = [paragraph('<span class="note">{}</span>', note) for note in document["notes"]]
+    title = Markup("<h4>{}</h4>").format(document["title"])
+    return [title, table(heads, cells, name=f"claims-{name}", classes="claims"), *notes]
+
+
+def _front(study, one, rows, name):
+    """Against the truth of the scene's own law."""
+    document = study.tables["chart-front"]
+    own = [row for row in rows if row["law"] == one["law"]]
+    if not own:
+        return []
+    notes = list(dict.fromkeys(note for row in own for note in row["notes"]))
+    cells = [
+        [
+            f"{row['kind']}: {row['measure']}",
+            row["model"],
+            f"{row['across']:.0f}",
+            f"{row['threads']:.0f}",
+            *(_number(document, row, key, "{:.3g}") for key in ("error", *_TIMES)),
+            " ".join(str(notes.index(note) + 1) for note in row["notes"]),
+            (row["case"][:8], "key"),
+        ]
+        for row in own
+    ]
+    heads = ["of", "model", "across", "threads", "off [%]"]
+    heads += ["time [s, s/s]", "lower quartile", "upper quartile", "notes", "case"]
+    title = Markup("<h4>The Pareto front, over all numbers of threads</h4>")
+    items = Markup("").join(Markup("<li>{}</li>").format(note) for note in notes)
+    listed = [Markup('<ol class="note">{}</ol>').format(items)] if notes else []
+    return [title, table(heads, cells, name=f"front-{name}"), *listed]
+
+
+def _unusual(study, rows):
+    """Sentences that name what failed, by status, and what was not run."""
+    blocks = []
+    threads = {row["threads"] for row in rows}
+    over = [row for row in rows if row["median"] is None]
+    if over:
+        text = "<b>Over the budget of time, and not run</b> (numbers are of cells across): {}."
+        blocks.append(paragraph(text, _models(study, over, threads)))
+    failed = [row for row in rows if row["median"] is not None and row["status"] != "ok"]
+    for status in dict.fromkeys(row["status"] for row in failed):
+        own = [row for row in failed if row["status"] == status]
+        text = "<b>Failed, {}</b>: {}."
+        blocks.append(paragraph(text, status.replace("_", " "), _models(study, own, threads)))
+    return blocks
+
+
+def _models(study, rows, all_threads):
+    """"mss-cf on 6, 10 (1 thread); ...": models with the meshes, and the threads where it is
+    not so on all numbers of them."""
+    document, parts = study.tables["chart"], []
+    for model in dict.fromkeys(row["model"] for row in rows):
+        meshes = {}
+        for row in rows:
+            if row["model"] == model:
+                meshes.setdefault(row["across"], []).append(row)
+        texts = []
+        for across, here in meshes.items():
+            threads = [f"{row['threads']:.0f}" for row in here]
+            limited = "" if len(threads) == len(all_threads) else f" (threads: {', '.join(threads)})"
+            case = here[0]["case"] if study.case(here[0]["case"]) is not None else None  # never run
+            texts.append(tabled_number(document, across, f"{across:.0f}", case) + limited)
+        parts.append(Markup("{} on {}").format(model, Markup(", ").join(texts)))
+    return Markup("; ").join(parts)
