@@ -376,8 +376,9 @@ int command_line(int argc, char** argv) {
   if (*run || *table || *sweep || *stability || *chart || *advise || *everything)
     restart_with_fitting_blas(argv);
   use_one_blas_thread();
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
+  const tbb::global_control limit(
+      tbb::global_control::max_allowed_parallelism,
+      static_cast<std::size_t>(*chart || *advise ? std::max(threads, cores) : threads));
 
   if (*run) {
     watch.checkpoint = path_or_none(checkpoint);

@@ -9,7 +9,6 @@
 
 #include "comparisons/chart/left_out.hpp"
 #include "comparisons/progress.hpp"
-#include "comparisons/scene_file.hpp"
 #include "comparisons/simulate.hpp"
 
 namespace springcheck {
@@ -23,12 +22,12 @@ class Search {
  public:
   Search(const Wish& wish, const ChartPlan& plan, ChartRun& run)
       : wish_(wish), plan_(plan), run_(run) {
-    const CaseSettings scene = read_run(plan.scene, plan.options).common;
-    shape_ = scene.body.shape;
-    duration_ = scene.dynamics.duration;
+    shape_ = chart_body(plan.scene, plan.options).shape;
     kind_ = wish.frame ? ChartKind::motion : ChartKind::equilibrium;
     for (const ChartModel& model : chart_models(shape_))
       if (model.kind == kind_) alive_.push_back(&model);
+    duration_ = model_case(plan.scene, plan.options, *alive_.front(), sizes.front())
+                    .dynamics.duration;
   }
 
   Advice found() {
@@ -71,7 +70,7 @@ class Search {
     for (const ChartModel* model : next)
       if (goes_on(*model, across)) alive_.push_back(model);
     for (std::size_t i = 0; i < advice_.chart.points.size(); ++i)
-      if (meets(i) && !(*cost(i) > best_)) best_ = *cost(i);
+      if (meets(i) && *cost(i) < best_ && is_stable(i)) best_ = *cost(i);
   }
 
   /// [s] of a solution that is worth trying.
@@ -132,12 +131,15 @@ class Search {
     return frame ? std::optional(frame->seconds / *wish_.frame) : std::nullopt;
   }
 
-  [[nodiscard]] bool meets(std::size_t i) { return meets_tolerance(i) && holds_frame(i); }
+  [[nodiscard]] bool meets(std::size_t i) const {
+    return meets_tolerance(i) && holds_frame(i) &&
+           advice_.chart.points[i].place.timing->median <= plan_.budget;
+  }
 
-  /// Whether the springs of a motion have a stable static path to the full load.
+  /// Whether springs have a stable static path to the full load.
   [[nodiscard]] bool is_stable(std::size_t i) {
     const ChartPoint& point = advice_.chart.points[i];
-    if (!wish_.frame || !point.place.model.starts_with("mss-")) return true;
+    if (!point.place.model.starts_with("mss-")) return true;
     const auto known = stable_.find(point.place.key);
     if (known != stable_.end()) return known->second;
     CaseSettings settings = settings_of(plan_, point, shape_);
@@ -154,7 +156,7 @@ class Search {
     for (const std::size_t i : meeting) {
       if (!is_stable(i)) {
         advice_.cautions.push_back(fmt::format(
-            "{} on {} across would do, but its static path to the full load loses its "
+            "{} on {} across would do, but its path to the full load loses its "
             "stability.",
             advice_.chart.points[i].place.model, advice_.chart.points[i].place.across));
         continue;
@@ -171,10 +173,13 @@ class Search {
         advice_.chosen = i;
     }
     if (advice_.chosen) return;
+    std::vector<std::size_t> candidates;
     for (std::size_t i = 0; i < advice_.chart.points.size(); ++i)
-      if (is_candidate(i) && is_stable(i) &&
-          (!advice_.nearest || distance(i) < distance(*advice_.nearest)))
-        advice_.nearest = i;
+      if (is_candidate(i)) candidates.push_back(i);
+    std::ranges::stable_sort(candidates, {}, [&](std::size_t i) { return distance(i); });
+    const auto nearest =
+        std::ranges::find_if(candidates, [&](std::size_t i) { return is_stable(i); });
+    if (nearest != candidates.end()) advice_.nearest = *nearest;
   }
 
   /// How far a point is from the wish: by the larger of the factors that it misses
@@ -243,9 +248,13 @@ class Search {
 
 std::optional<double> error_with_bar(const Advice& advice, std::size_t point,
                                      ChartMeasure measure) {
-  const auto& error = advice.chart.points[point].errors[advice.truth].of(measure);
+  const ChartPoint& of = advice.chart.points[point];
+  const auto& error = of.errors[advice.truth].of(measure);
   if (!error) return std::nullopt;
-  return *error + advice.chart.truths[advice.truth].bars.of(measure).value_or(0);
+  const auto& bar = measure == ChartMeasure::deviation
+                        ? of.deviation_bars[advice.truth]
+                        : advice.chart.truths[advice.truth].bars.of(measure);
+  return *error + bar.value_or(0);
 }
 
 std::optional<Frame> frame_of(const ChartPoint& point, double duration) {

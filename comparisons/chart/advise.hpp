@@ -46,8 +46,8 @@ std::optional<double> error_with_bar(const Advice& advice, std::size_t point,
 /// The cheapest model that meets the wish: every model is run on finer and finer cells
 /// until it meets the tolerance, its error no longer falls, it fails, or it would cost
 /// more than what has met it (or than the plan's budget) by the growth of chart points.
-/// Of points whose times' quartiles overlap that of the fewest nodes is taken. Motions of
-/// springs count only where the static path to the full load stays stable; equilibria
+/// Of points whose times' quartiles overlap that of the fewest nodes is taken. Springs
+/// count only where the static path to the full load stays stable (solver limit); states
 /// that a detector calls wrinkled, inverted or indefinite never do.
 Advice advise(const Wish& wish, const ChartPlan& plan, ChartRun& run);
 

@@ -29,11 +29,11 @@ std::optional<ChartTruth> truth_of(const StoredChart& chart,
   std::array<double, 3> answers{}, volumes{};
   for (std::size_t i = 0; i < 3; ++i) {
     const StoredCase* grid = find(cases, grids.keys[i]);
-    if (grid == nullptr || !grid->measures.volume_change) return std::nullopt;
+    if (grid == nullptr || grid->status != Status::ok) return std::nullopt;
     const auto answer = answer_of(grid->measures, chart.answer);
     if (!answer) return std::nullopt;
     answers[i] = *answer;
-    volumes[i] = *grid->measures.volume_change;
+    volumes[i] = grid->measures.volume_change.value();
   }
   ChartTruth truth{
       .grids = grids,
@@ -56,8 +56,7 @@ ChartErrors errors_of(const StoredChart& chart, const ChartTruth& truth,
   if (const auto volume = found.measures.volume_change)
     errors.volume =
         std::abs(*volume - truth.volume_change.value) / (truth.imposed / chart.height);
-  if (compared != nullptr && compared->measures.mean_deviation)
-    errors.deviation = *compared->measures.mean_deviation / truth.imposed;
+  if (compared != nullptr) errors.deviation = compared->measures.deviation_l2_relative;
   return errors;
 }
 
@@ -129,10 +128,12 @@ Chart evaluated(const StoredChart& stored, const Cases& cases) {
   for (const StoredChart::Comparison& comparison : stored.comparisons)
     compared[{comparison.key, comparison.law}] = comparison.compared;
   for (const StoredChart::Point& place : stored.points) {
-    ChartPoint point{.place = place,
-                     .found = std::nullopt,
-                     .errors = std::vector<ChartErrors>(chart.truths.size()),
-                     .compared = std::vector<std::string>(chart.truths.size())};
+    ChartPoint point{
+        .place = place,
+        .found = std::nullopt,
+        .errors = std::vector<ChartErrors>(chart.truths.size()),
+        .deviation_bars = std::vector<std::optional<double>>(chart.truths.size()),
+        .compared = std::vector<std::string>(chart.truths.size())};
     if (const StoredCase* found = find(cases, place.key)) point.found = *found;
     for (std::size_t i = 0; point.found && i < chart.truths.size(); ++i) {
       ChartTruth& truth = chart.truths[i];
@@ -141,9 +142,10 @@ Chart evaluated(const StoredChart& stored, const Cases& cases) {
           key == compared.end() ? nullptr : find(cases, key->second);
       if (other != nullptr) point.compared[i] = key->second;
       point.errors[i] = errors_of(stored, truth, *point.found, other);
-      if (other != nullptr && other->measures.reference_bar)
-        truth.bars.deviation = std::max(truth.bars.deviation.value_or(0),
-                                        *other->measures.reference_bar / truth.imposed);
+      if (other == nullptr || !other->measures.reference_bar) continue;
+      point.deviation_bars[i] = *other->measures.reference_bar / truth.imposed;
+      truth.bars.deviation =
+          std::max(truth.bars.deviation.value_or(0), *point.deviation_bars[i]);
     }
     chart.points.push_back(std::move(point));
   }

@@ -15,11 +15,12 @@ namespace springcheck {
 ///
 ///     force      |a - a*|/|a*|          a: plate force, torque, or drop of the tip
 ///     volume     |V - V*|/(V0 e)        e = u/H, the strain that is imposed
-///     deviation  mean over the nodes of |x - x*|/u
+///     deviation  volume-weighted root mean square over the free nodes of |x - x*|/u
 ///
 /// with * for the truth, u the largest displacement that is imposed (bending: the
 /// truth's drop of the tip) and H the height. Of the volume the strain is taken because
-/// V* may be V0.
+/// V* may be V0. Nodes that are held tell nothing of a model: a body without free ones
+/// has no deviation.
 enum class ChartMeasure { force, volume, deviation };
 
 std::string_view name_of(ChartMeasure measure);
@@ -44,8 +45,9 @@ struct ChartTruth {
 
 struct ChartPoint {
   StoredChart::Point place;
-  std::optional<StoredCase> found;    // none where it was not run
-  std::vector<ChartErrors> errors;    // for each truth; none in failed cases
+  std::optional<StoredCase> found;  // none where it was not run
+  std::vector<ChartErrors> errors;  // for each truth; none in failed cases
+  std::vector<std::optional<double>> deviation_bars;  // of each truth on this mesh
   std::vector<std::string> compared;  // keys of the cases that tell them, or ""
 
   /// Whether it is a state to rely on: an equilibrium, or end of a motion, with nothing

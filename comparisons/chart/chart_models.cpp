@@ -15,14 +15,15 @@ namespace {
 std::vector<ChartModel> all_models() {
   using enum ChartKind;
   const Changes tetrahedra{{"cell-type", "tetrahedron"}}, prisms{{"cell-type", "prism"}};
+  const Changes at_rest{{"solver", "static"}};
   std::vector<ChartModel> all;
   for (const char* springs : {"mss-baudet", "mss-nfd", "mss-fd", "mss-cf", "mss-affine"})
-    all.push_back({springs, {{"method", springs}}, equilibrium});
+    all.push_back({springs, Changes{{"method", springs}} + at_rest, equilibrium});
   for (const char* springs : {"mss-affine", "mss-vangelder", "mss-lloyd"})
     all.push_back({fmt::format("{} on tetrahedra", springs),
-                   Changes{{"method", springs}} + tetrahedra, equilibrium});
-  all.push_back(
-      {"mss-affine on prisms", Changes{{"method", "mss-affine"}} + prisms, equilibrium});
+                   Changes{{"method", springs}} + tetrahedra + at_rest, equilibrium});
+  all.push_back({"mss-affine on prisms",
+                 Changes{{"method", "mss-affine"}} + prisms + at_rest, equilibrium});
   for (const char* law : {"fem-hooke", "fem-stvk", "fem-hencky"})
     for (const char* element : {"q1", "q1-sri", "q2"})
       all.push_back({fmt::format("{}:{}", law, element),
@@ -50,15 +51,6 @@ std::vector<ChartModel> all_models() {
        Changes{{"method", "mss-affine"}, {"solver", "semi-implicit"}} + tetrahedra,
        motion});
   return all;
-}
-
-/// Options of motion are for the models that move.
-std::vector<GivenSetting> options_for(ChartKind kind, std::vector<GivenSetting> options) {
-  if (kind == ChartKind::equilibrium)
-    std::erase_if(options, [](const GivenSetting& option) {
-      return option.key == "duration" || option.key == "damping";
-    });
-  return options;
 }
 
 CaseSettings case_with(const std::string& scene, std::vector<GivenSetting> settings,
@@ -91,6 +83,14 @@ std::vector<ChartModel> models_of_kidney() {
 }
 
 }  // namespace
+
+std::vector<GivenSetting> options_for(ChartKind kind, std::vector<GivenSetting> options) {
+  if (kind == ChartKind::equilibrium)
+    std::erase_if(options, [](const GivenSetting& option) {
+      return option.key == "duration" || option.key == "damping";
+    });
+  return options;
+}
 
 std::string_view name_of(ChartKind kind) {
   return kind == ChartKind::equilibrium ? "equilibrium" : "motion";

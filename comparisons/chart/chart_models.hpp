@@ -34,6 +34,9 @@ const std::vector<ChartModel>& chart_models(BodyShape shape = BodyShape::block);
 /// of mss-cf.
 const std::vector<std::string>& truth_laws();
 
+/// Options for models of a kind: those of motion are for the ones that move.
+std::vector<GivenSetting> options_for(ChartKind kind, std::vector<GivenSetting> options);
+
 /// The scene's body, a block or a kidney, which can be cut as finely as wanted. Throws
 /// InputError for another.
 Body chart_body(const std::string& scene, const std::vector<GivenSetting>& options);

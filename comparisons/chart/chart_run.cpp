@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "comparisons/build_info.hpp"
@@ -16,6 +17,7 @@
 #include "comparisons/provenance.hpp"
 #include "comparisons/scene_file.hpp"
 #include "meshing/input_error.hpp"
+#include "meshing/sha256.hpp"
 
 namespace springcheck {
 namespace {
@@ -104,18 +106,21 @@ class ChartRun::State {
       result = std::move(timed.result);
     }
     if (result) result->key = key;
+    const std::size_t comparisons = chart_.comparisons.size();
     if (result || is_known(key)) compare(settings, key, result);
-    if (is_new) file_.put_chart(chart_);
+    if (is_new || chart_.comparisons.size() > comparisons) file_.put_chart(chart_);
   }
 
  private:
   void plan_chart() {
-    const RunSettings scene = read_run(plan_.scene, plan_.options);
+    const RunSettings scene =
+        read_run(plan_.scene, options_for(ChartKind::equilibrium, plan_.options));
     chart_.answer = answer_of(scene.common.test, plan_.scene);
     chart_.scene = scene.common.scene;
     chart_.machine = fmt::format("{}, {}, commit {}", processor_name(),
                                  build_info::compiler, build_info::commit);
     chart_.law = law_of_scene();
+    chart_.settings = settings_of_models();
     std::vector<std::string> laws{chart_.law};
     for (const std::string& law : plan_.laws)
       if (law != chart_.law) laws.push_back(law);
@@ -152,9 +157,21 @@ class ChartRun::State {
   /// The law that `run` measures deviations from, by default or as the scene says;
   /// St-Venant-Kirchhoff's where that is none.
   [[nodiscard]] std::string law_of_scene() const {
-    const Request first = requests(read_run(plan_.scene, plan_.options)).front();
+    const Request first =
+        requests(
+            read_run(plan_.scene, options_for(ChartKind::equilibrium, plan_.options)))
+            .front();
     const Method& method = (first.reference ? *first.reference : first.settings).method;
     return is_finite_element(method) ? method.name : "fem-stvk";
+  }
+
+  /// What determines all models of the chart, whichever they are.
+  [[nodiscard]] std::string settings_of_models() const {
+    std::string all;
+    for (const ChartModel& model :
+         chart_models(chart_body(plan_.scene, plan_.options).shape))
+      all += settings_json(model_case(plan_.scene, plan_.options, model, 2)).dump();
+    return sha256(all);
   }
 
   std::string key_of(const CaseSettings& settings) {
@@ -232,6 +249,11 @@ class ChartRun::State {
     return seconds * std::pow(nodes / smaller->nodes, 1.5);
   }
 
+  [[nodiscard]] bool is_compared(const std::string& compared) const {
+    return std::ranges::count(chart_.comparisons, compared,
+                              &StoredChart::Comparison::compared) > 0;
+  }
+
   /// Adds the case and its deviations from every truth to the file.
   void compare(const CaseSettings& settings, const std::string& key,
                const std::optional<CaseResult>& result) {
@@ -245,10 +267,11 @@ class ChartRun::State {
                             .reference = truth,
                             .reference_grid = ReferenceGrid::converged};
       const std::string compared = case_key(request, meshes_.mesh(settings.body));
-      if (is_known(compared) || has_failed || !is_nested) continue;
-      missing.push_back(request);
-      chart_.comparisons.push_back(
-          {.key = key, .law = truth.method.name, .compared = compared});
+      if (has_failed || !is_nested) continue;
+      if (!is_known(compared)) missing.push_back(request);
+      if (!is_compared(compared))
+        chart_.comparisons.push_back(
+            {.key = key, .law = truth.method.name, .compared = compared});
     }
     const KnownResult known = [&](const Request& request,
                                   const std::string& asked) -> std::optional<CaseResult> {

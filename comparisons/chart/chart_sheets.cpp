@@ -20,7 +20,9 @@ Cell text_cell(std::string text) {
 /// An error, or the status that stands in its place.
 Cell error_cell(const ChartPoint& point, std::size_t truth, ChartMeasure measure) {
   return {.number = in_percent(point.errors[truth].of(measure)),
-          .text = point.found ? std::string(name_of(point.found->status)) : ""};
+          .text = !point.found || point.is_ok()
+                      ? ""
+                      : std::string(name_of(point.found->status))};
 }
 
 std::string status_of(const ChartPoint& point) {
@@ -40,9 +42,8 @@ std::string machines_of(const std::vector<Chart>& charts) {
 const char* const what_errors_are =
     "Errors, against the truth of the law: force, the plate's force or torque or the "
     "tip's drop, over the truth's; volume, |V - V*|/(V0 e) with the imposed strain e; "
-    "deviation, mean distance of the nodes over the largest displacement imposed "
-    "(bending: "
-    "the truth's drop of the tip).";
+    "deviation, volume-weighted root mean square distance of the free nodes over the "
+    "largest displacement imposed (bending: the truth's drop of the tip).";
 
 void add_point(Sheet& sheet, const Chart& chart, const ChartPoint& point,
                const std::optional<std::size_t>& truth) {

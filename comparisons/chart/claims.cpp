@@ -43,10 +43,10 @@ std::optional<std::pair<std::size_t, std::size_t>> same_cells(
 Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
                std::size_t truth, std::size_t springs, std::size_t elements,
                const std::function<bool(const ChartPoint&)>& counts) {
-  const auto error = [&](std::size_t i) {
-    return *chart.points[i].errors[truth].of(measure);
-  };
   const double bar = chart.truths[truth].bars.of(measure).value_or(0);
+  const auto error = [&](std::size_t i) {  // below the bar all are equal
+    return std::max(bar, *chart.points[i].errors[truth].of(measure));
+  };
   Claim claim{.kind = kind,
               .measure = measure,
               .springs = springs,
@@ -134,7 +134,7 @@ std::string claim_text(const Chart& chart, const Claim& claim) {
   };
   std::string text = figures(chart, claim, claim.springs) +
                      (claim.is_faster == Answer::undecided
-                          ? " is as fast as "
+                          ? ": whether that is faster the times do not tell, than "
                           : fmt::format(" is {} than ",
                                         times_as(*elements.seconds() / *springs.seconds(),
                                                  "faster", "slower"))) +
@@ -147,8 +147,8 @@ std::string claim_text(const Chart& chart, const Claim& claim) {
     return text + "No finite elements of the chart are as accurate as it.";
   const ChartPoint& rival = chart.points[*claim.rival];
   if (claim.is_faster_at_equal_accuracy == Answer::undecided)
-    return text + "At least as accurate, and as fast, is " +
-           figures(chart, claim, *claim.rival) + ".";
+    return text + "At least as accurate is " + figures(chart, claim, *claim.rival) +
+           "; which is faster the times do not tell.";
   return text +
          fmt::format("At least as accurate is {}, {}.",
                      figures(chart, claim, *claim.rival),

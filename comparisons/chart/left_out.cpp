@@ -101,7 +101,7 @@ class Words {
   void laws() {
     const std::string law = advice_.chart.stored.law;
     if (name_.method == "fem-hooke") {
-      say_if_measured("No large rotations or strains, Hooke's law does",
+      say_if_measured("Hooke's law does here, beside it St-Venant's",
                       "fem-stvk" + name_.rest);
     } else if (name_.method == "fem-stvk") {
       say_if_measured("Not Hooke's law", "fem-hooke" + name_.rest);

@@ -77,6 +77,7 @@ StoredChart read_chart(hid_t group) {
   const auto height = hdf5::read_numbers(group, "height");
   if (!height) throw std::runtime_error("a chart lacks a height");
   StoredChart chart{.scene = hdf5::read_text(group, "scene").value_or(""),
+                    .settings = hdf5::read_text(group, "settings").value_or(""),
                     .law = hdf5::read_text(group, "law").value_or(""),
                     .answer = hdf5::read_text(group, "answer").value_or(""),
                     .height = height->at(0),
@@ -118,7 +119,7 @@ StoredChart read_chart(hid_t group) {
 }  // namespace
 
 std::string identity_of(const StoredChart& chart) {
-  std::string text = chart.scene;
+  std::string text = chart.scene + '\n' + chart.settings;
   for (const StoredChart::Truth& truth : chart.truths)
     if (truth.law == chart.law)
       for (const std::string& key : truth.keys) text += '\n' + key;
@@ -130,6 +131,7 @@ void write_chart(hid_t charts, const StoredChart& chart) {
   hdf5::remove_link(charts, name);
   const auto group = hdf5::create_group(charts, name);
   hdf5::write_attribute(group, "scene", chart.scene);
+  hdf5::write_attribute(group, "settings", chart.settings);
   hdf5::write_attribute(group, "law", chart.law);
   hdf5::write_attribute(group, "answer", chart.answer);
   hdf5::write_attribute(group, "height", chart.height);

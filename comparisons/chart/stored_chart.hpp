@@ -39,9 +39,10 @@ struct StoredChart {
     std::string key, law, compared;
   };
   std::string scene;
-  std::string law;     // of the scene's own reference
-  std::string answer;  // measure that answers the scene's load: "plate_force", ...
-  double height;       // [m] along the axis
+  std::string settings;  // hash of what else determines its models
+  std::string law;       // of the scene's own reference
+  std::string answer;    // measure that answers the scene's load: "plate_force", ...
+  double height;         // [m] along the axis
   // Largest displacement that is imposed [m]; none in bending, where it is the truth's
   // tip deflection:
   std::optional<double> imposed;
@@ -51,14 +52,14 @@ struct StoredChart {
   std::vector<Comparison> comparisons;
 };
 
-/// Of scene and the truth of its own law: charts of the same have the same, whatever else
-/// they hold.
+/// Of scene, settings and the truth of its own law: charts of the same have the same,
+/// whatever points they hold.
 std::string identity_of(const StoredChart& chart);
 
 /// Layout, within the group `charts` of a result file:
 ///
-///     IDENTITY              attributes scene, law, answer, height, imposed, machine
-///     IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3
+///     IDENTITY              attributes scene, settings, law, answer, height, imposed,
+///     machine IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3
 ///     IDENTITY/points       columns model, kind, across, cells, nodes, threads, key,
 ///                           repetitions, minimum, lower_quartile, median,
 ///                           upper_quartile, maximum, setup, simulated
