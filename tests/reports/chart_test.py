@@ -286,6 +286,25 @@ class Parts(unittest.TestCase):
             keys = ("marker", "fillstyle", "markerfacecolor")
             self.assertNotEqual(*([look.get(key) for key in keys] for look in (one, other)))
 
+    def test_a_failed_point_is_a_cross_of_its_models_colour_at_its_time(self):
+        """And the line to the next finer mesh does not pass over it."""
+        points = [
+            work_precision.Point("mss-cf", 2 + i, 1, status, 10.0**i, 10.0**i, 10.0**i, {"force": 5.0})
+            for i, status in enumerate(["ok", "inverted", "ok"])
+        ]
+        block = work_precision.Block(
+            "t", points, [work_precision.Measure("force", "Force", points[:1], 0.5)],
+            [work_precision.Group("g", ["mss-cf"])])
+        row = work_precision.draw("time [s]", [block]).axes[2]  # after the front and its legend
+        colour = work_precision.style("mss-cf")["color"]
+        own = [line for line in row.lines if line.get_color() == colour]
+        crosses = [line for line in own if line.get_marker() == "x"]
+        self.assertEqual([list(line.get_xdata()) for line in crosses], [[10.0]])
+        self.assertTrue(5 < crosses[0].get_ydata()[0] < row.get_ylim()[1])
+        (curve,) = (line for line in own if len(line.get_xdata()) == 3)
+        self.assertEqual(np.isnan(curve.get_ydata()).tolist(), [False, True, False])
+        self.assertIn("inverted", {text.get_text() for text in row.texts})
+
     def test_errors_below_the_bar_leave_the_others_room(self):
         errors = [{"force": 1e-9}, {"force": 2.0}, {"force": 8.0}]
         points = [work_precision.Point("mss-cf", 2 + i, 1, "ok", 1, 1, 1, e) for i, e in enumerate(errors)]
