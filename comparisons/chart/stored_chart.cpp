@@ -149,7 +149,9 @@ std::vector<StoredChart> read_charts(const std::filesystem::path& file) {
     const auto charts = hdf5::open_group(root, "charts");
     for (const std::string& name : hdf5::links(charts))
       all.push_back(read_chart(hdf5::open_group(charts, name)));
-    std::ranges::stable_sort(all, {}, &StoredChart::scene);
+    std::ranges::stable_sort(all, [](const StoredChart& a, const StoredChart& b) {
+      return a.scene != b.scene ? a.scene < b.scene : a.points.size() > b.points.size();
+    });
     return all;
   });
 }

@@ -68,7 +68,8 @@ std::string identity_of(const StoredChart& chart);
 /// Replaces the chart of the same identity.
 void write_chart(hid_t charts, const StoredChart& chart);
 
-/// The charts of a result file by scene, none of one without. Throws like read_cases.
+/// The charts of a result file by scene, of one scene the fullest first; none of one
+/// without. Throws like read_cases.
 std::vector<StoredChart> read_charts(const std::filesystem::path& file);
 
 }  // namespace springcheck
