@@ -16,6 +16,7 @@
 #include "comparisons/build_info.hpp"
 #include "comparisons/chart/advise_command.hpp"
 #include "comparisons/chart/chart_command.hpp"
+#include "comparisons/chart/chart_models.hpp"
 #include "comparisons/commands.hpp"
 #include "comparisons/gate_command.hpp"
 #include "comparisons/measured/measure_command.hpp"
@@ -91,14 +92,11 @@ std::string check_positive_seconds(const std::string& text) {
 }
 
 /// Settings that charts and advice choose, or that tests of theirs do not read.
-std::set<std::string> charts_vary() {
-  return {"method",     "element",   "cells",     "cell-type",
-          "distortion", "mesh",      "mesh-unit", "fixed",
-          "moved",      "solver",    "dt",        "linear-solver",
-          "dt-ratio",   "force-dt",  "precision", "history",
-          "noise",      "reference", "stiffness", "kappa",
-          "correction", "lattice",   "traction",  "lattice-direction",
-          "plates",     "gradient"};
+std::set<std::string> no_options_of_charts() {
+  std::set<std::string> all{"mesh",     "mesh-unit", "fixed",   "moved",
+                            "traction", "plates",    "gradient"};
+  all.insert(settings_of_charts().begin(), settings_of_charts().end());
+  return all;
 }
 
 /// Refuses a first word that is no command, naming it; CLI11 would only ask for one.
@@ -268,7 +266,7 @@ int command_line(int argc, char** argv) {
       ->add_option("scene", scene,
                    "name of a shipped scene, a .toml file, or all: the thesis's five")
       ->required();
-  const SettingOptions chart_settings(chart, charts_vary());
+  const SettingOptions chart_settings(chart, no_options_of_charts());
   chart->add_option("--out", chart_options.out, "HDF5 file to add the chart to")
       ->required()
       ->check(check_not_empty);
@@ -301,7 +299,7 @@ int command_line(int argc, char** argv) {
       "advise", "Find the cheapest model of a scene that meets a tolerance");
   advise->add_option("scene", scene, "name of a shipped scene, or a .toml file")
       ->required();
-  const SettingOptions advise_settings(advise, charts_vary());
+  const SettingOptions advise_settings(advise, no_options_of_charts());
   advise
       ->add_option("--tolerance", advise_options.tolerance,
                    "largest error, such as 0.08 or 8%")

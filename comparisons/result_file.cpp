@@ -55,12 +55,6 @@ hdf5::Handle group_of(hid_t root, const char* name) {
                                     : hdf5::create_group(root, name);
 }
 
-/// Copies the charts that a file lacks.
-void copy_charts(hid_t from, hid_t to) {
-  for (const std::string& name : hdf5::links(from))
-    if (!hdf5::has_link(to, name)) hdf5::copy_link(from, to, name);
-}
-
 /// Copies the maps that a file lacks, or has without their limits.
 void copy_maps(hid_t from, hid_t to) {
   for (const std::string& name : hdf5::links(from)) {
@@ -263,6 +257,10 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
     if (hdf5::has_link(source, "maps"))
       change([&](hid_t root) {
         copy_maps(hdf5::open_group(source, "maps"), group_of(root, "maps"));
+      });
+    if (hdf5::has_link(source, "charts"))
+      change([&](hid_t root) {
+        merge_charts(hdf5::open_group(source, "charts"), group_of(root, "charts"));
       });
     return 0;
   });

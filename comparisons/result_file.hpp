@@ -66,8 +66,8 @@ class ResultFile {
   void put_chart(const StoredChart& chart);
 
   /// Adds what another result file has and this one lacks: cases with their provenance,
-  /// meshes, fields, maps, charts. Cases that both have stay as they are here, but get fields
-  /// they lack.
+  /// meshes, fields, maps, points of charts (see merged). Cases that both have stay as
+  /// they are here, but get fields they lack.
   struct Absorbed {
     std::size_t added = 0, already_there = 0;
     std::vector<std::string> conflicts;  // cases of other figures, in words

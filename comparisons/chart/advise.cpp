@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "comparisons/chart/left_out.hpp"
+#include "comparisons/memory.hpp"
 #include "comparisons/progress.hpp"
 #include "comparisons/simulate.hpp"
 
@@ -15,7 +16,6 @@ namespace springcheck {
 namespace {
 
 constexpr std::array sizes{2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32};
-constexpr double step_ratio = 0.9;
 constexpr double still_falls = 0.9;  // error over that of the next coarser cells
 
 class Search {
@@ -23,9 +23,8 @@ class Search {
   Search(const Wish& wish, const ChartPlan& plan, ChartRun& run)
       : wish_(wish), plan_(plan), run_(run) {
     shape_ = chart_body(plan.scene, plan.options).shape;
-    kind_ = wish.frame ? ChartKind::motion : ChartKind::equilibrium;
     for (const ChartModel& model : chart_models(shape_))
-      if (model.kind == kind_) alive_.push_back(&model);
+      if (model.kind == wish.kind()) alive_.push_back(&model);
     duration_ = model_case(plan.scene, plan.options, *alive_.front(), sizes.front())
                     .dynamics.duration;
   }
@@ -38,13 +37,21 @@ class Search {
         climb(sizes[i]);
       }
     }
-    take_in();
     choose();
-    if (advice_.chosen) compare_with_neighbours();
+    if (advice_.chosen) {
+      find_neighbours();
+      advice_.left_out = left_out(advice_, wish_.measure, plan_);
+    }
     return std::move(advice_);
   }
 
  private:
+  [[nodiscard]] Judge judge() const { return {wish_, advice_.chart}; }
+  [[nodiscard]] const ChartPoint& point(std::size_t i) const {
+    return advice_.chart.points[i];
+  }
+
+  /// Places stay: points are only added.
   void take_in() {
     advice_.chart = run_.chart();
     const std::string& law = advice_.chart.stored.law;
@@ -59,44 +66,49 @@ class Search {
 
   /// Runs every model that may still win on one size.
   void climb(int across) {
-    std::vector<const ChartModel*> next;
-    for (const ChartModel* model : alive_) {
-      if (run_.expected_seconds(*model, across) > most_seconds()) continue;
-      run_.measure(*model, across);
-      next.push_back(model);
-    }
+    std::vector<const ChartModel*> tried;
+    for (const ChartModel* model : alive_)
+      if (run_if_within(*model, across, most_seconds())) tried.push_back(model);
     take_in();
-    alive_.clear();
-    for (const ChartModel* model : next)
-      if (goes_on(*model, across)) alive_.push_back(model);
-    for (std::size_t i = 0; i < advice_.chart.points.size(); ++i)
-      if (meets(i) && *cost(i) < best_ && is_stable(i)) best_ = *cost(i);
+    for (const std::size_t i : cheapest_first())
+      if (const double cost = *judge().cost(i); cost < best_ && is_sound(i)) best_ = cost;
+    std::erase_if(tried,
+                  [&](const ChartModel* model) { return !goes_on(*model, across); });
+    alive_ = std::move(tried);
+  }
+
+  /// Whether the model was expected to take no longer, and was run.
+  bool run_if_within(const ChartModel& model, int across, double seconds) {
+    if (run_.expected_seconds(model, across) > seconds) return false;
+    run_.measure(model, across);
+    return true;
   }
 
   /// [s] of a solution that is worth trying.
   [[nodiscard]] double most_seconds() const {
     const double of_best = wish_.frame ? best_ * duration_ : best_;
-    return std::min(plan_.budget, of_best);
+    return std::min(wish_.budget, of_best);
   }
 
   /// The model's point on so many cells across; none where it was not run.
   [[nodiscard]] std::optional<std::size_t> point_of(const ChartModel& model,
                                                     int across) const {
-    const auto& points = advice_.chart.points;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (points[i].place.model == model.name && points[i].place.across == across &&
-          points[i].place.threads == plan_.threads.front() && points[i].found)
+    for (std::size_t i = 0; i < advice_.chart.points.size(); ++i) {
+      const StoredChart::Point& place = point(i).place;
+      if (place.model == model.name && place.kind == model.kind &&
+          place.across == across && place.threads == wish_.threads && point(i).found)
         return i;
+    }
     return std::nullopt;
   }
 
   [[nodiscard]] bool goes_on(const ChartModel& model, int across) {
-    const auto point = point_of(model, across);
-    if (!point) return false;
-    const bool fails = !advice_.chart.points[*point].is_ok();
-    const auto error = error_with_bar(advice_, *point, wish_.measure);
-    if (fails || !error) return ++failures_[&model] < 2;
-    if (meets_tolerance(*point)) return false;
+    const auto place = point_of(model, across);
+    if (!place) return false;
+    const auto error = judge().error(*place);
+    if (!point(*place).is_ok() || !error) return ++failures_[&model] < 2;
+    if (judge().meets_tolerance(*place))
+      return !is_sound(*place) && ++failures_[&model] < 3;
     const auto before = last_error_.find(&model);
     const bool is_stuck =
         before != last_error_.end() && *error > still_falls * before->second;
@@ -105,128 +117,124 @@ class Search {
     return stuck_[&model] < 2;
   }
 
-  [[nodiscard]] bool is_candidate(std::size_t i) const {
-    const ChartPoint& point = advice_.chart.points[i];
-    return point.place.kind == kind_ && point.is_ok() && point.seconds() &&
-           point.place.threads == plan_.threads.front() &&
-           point.errors[advice_.truth].of(wish_.measure);
+  /// All points that meet the wish.
+  [[nodiscard]] std::vector<std::size_t> cheapest_first() const {
+    std::vector<std::size_t> meeting;
+    for (std::size_t i = 0; i < advice_.chart.points.size(); ++i)
+      if (judge().meets(i)) meeting.push_back(i);
+    std::ranges::stable_sort(meeting, {},
+                             [&](std::size_t i) { return *judge().cost(i); });
+    return meeting;
   }
 
-  [[nodiscard]] bool meets_tolerance(std::size_t i) const {
-    return is_candidate(i) &&
-           *error_with_bar(advice_, i, wish_.measure) <= wish_.tolerance;
-  }
-
-  [[nodiscard]] bool holds_frame(std::size_t i) const {
-    if (!wish_.frame) return true;
-    const auto frame = frame_of(advice_.chart.points[i], *wish_.frame);
-    return frame && frame->seconds <= *wish_.frame;
-  }
-
-  /// [s] of a solution, or real per simulated.
-  [[nodiscard]] std::optional<double> cost(std::size_t i) const {
-    const ChartPoint& point = advice_.chart.points[i];
-    if (!wish_.frame) return point.seconds();
-    const auto frame = frame_of(point, *wish_.frame);
-    return frame ? std::optional(frame->seconds / *wish_.frame) : std::nullopt;
-  }
-
-  [[nodiscard]] bool meets(std::size_t i) const {
-    return meets_tolerance(i) && holds_frame(i) &&
-           advice_.chart.points[i].place.timing->median <= plan_.budget;
+  /// Whether a point that meets the tolerance is to be relied on.
+  [[nodiscard]] bool is_sound(std::size_t i) {
+    return is_stable(i) && accident(i).empty();
   }
 
   /// Whether springs have a stable static path to the full load.
   [[nodiscard]] bool is_stable(std::size_t i) {
-    const ChartPoint& point = advice_.chart.points[i];
-    if (!point.place.model.starts_with("mss-")) return true;
-    const auto known = stable_.find(point.place.key);
-    if (known != stable_.end()) return known->second;
-    CaseSettings settings = settings_of(plan_, point, shape_);
+    if (!point(i).place.model.starts_with("mss-")) return true;
+    const std::string key = point(i).place.key;
+    if (const auto known = stable_.find(key); known != stable_.end())
+      return known->second;
+    CaseSettings settings = settings_of(plan_, point(i).place);
     settings.solver = Solver::path_limit;
     const Mesh mesh = build_mesh(settings.body);
-    return stable_[point.place.key] = simulate(settings, mesh).status == Status::ok;
+    return stable_[key] = simulate(settings, mesh).status == Status::ok;
+  }
+
+  /// What the next finer cells say against a point that meets the tolerance; nothing
+  /// where they meet it too, or would exceed the budget.
+  [[nodiscard]] const std::string& accident(std::size_t i) {
+    const std::string key = point(i).place.key;
+    if (!accidents_.contains(key)) accidents_[key] = find_accident(i);
+    return accidents_[key];
+  }
+
+  [[nodiscard]] std::string find_accident(std::size_t i) {
+    const StoredChart::Point place = point(i).place;
+    const auto finer = std::ranges::upper_bound(sizes, place.across);
+    if (finer == sizes.end()) return {};
+    const ChartModel& model = model_named(place.model, place.kind, shape_);
+    if (!run_if_within(model, *finer, wish_.budget)) return {};
+    take_in();
+    const auto next = point_of(model, *finer);
+    if (!next || judge().meets_tolerance(*next)) return {};
+    const auto& error = point(*next).errors[advice_.truth].of(wish_.measure);
+    return point(*next).is_ok() && error
+               ? fmt::format(
+                     "On {} across {} is {:.3g} % off: on {} errors cancel that another "
+                     "load or shape may add.",
+                     *finer, place.model, 100 * *error, place.across)
+               : fmt::format("On {} across {} is {}.", *finer, place.model,
+                             name_of(point(*next).found->status));
   }
 
   void choose() {
-    std::vector<std::size_t> meeting;
-    for (std::size_t i = 0; i < advice_.chart.points.size(); ++i)
-      if (meets(i)) meeting.push_back(i);
-    std::ranges::stable_sort(meeting, {}, [&](std::size_t i) { return *cost(i); });
-    for (const std::size_t i : meeting) {
-      if (!is_stable(i)) {
+    std::vector<std::size_t> sound, accidental;
+    for (const std::size_t i : cheapest_first()) {
+      if (!is_stable(i))
         advice_.cautions.push_back(fmt::format(
             "{} on {} across would do, but its path to the full load loses its "
             "stability.",
-            advice_.chart.points[i].place.model, advice_.chart.points[i].place.across));
-        continue;
-      }
-      if (!advice_.chosen) {
-        advice_.chosen = i;
-        continue;
-      }
-      const ChartPoint &best = advice_.chart.points[*advice_.chosen],
-                       &other = advice_.chart.points[i];
-      if (*other.seconds_at(&Timing::lower_quartile) <=
-              *best.seconds_at(&Timing::upper_quartile) &&
-          other.place.nodes < best.place.nodes)
-        advice_.chosen = i;
+            point(i).place.model, point(i).place.across));
+      else if (accident(i).empty())
+        sound.push_back(i);
+      else
+        accidental.push_back(i);
     }
-    if (advice_.chosen) return;
+    if (!sound.empty()) {
+      advice_.chosen = smallest_of_equals(sound);
+    } else if (!accidental.empty()) {
+      advice_.chosen = accidental.front();
+      advice_.cautions.push_back(accident(accidental.front()));
+    } else {
+      find_nearest();
+    }
+  }
+
+  /// Of those that cannot be told from the first, the cheapest, by their times.
+  [[nodiscard]] std::size_t smallest_of_equals(const std::vector<std::size_t>& sound) {
+    const double slow = *point(sound.front()).seconds_at(&Timing::upper_quartile);
+    const auto& models = chart_models(shape_);
+    const auto size = [&](std::size_t i) {
+      const auto rank =
+          std::ranges::find(models, point(i).place.model, &ChartModel::name);
+      return std::pair(estimated_memory(settings_of(plan_, point(i).place)),
+                       rank - models.begin());
+    };
+    std::size_t smallest = sound.front();
+    for (const std::size_t i : sound)
+      if (*point(i).seconds_at(&Timing::lower_quartile) <= slow &&
+          size(i) < size(smallest))
+        smallest = i;
+    return smallest;
+  }
+
+  void find_nearest() {
     std::vector<std::size_t> candidates;
     for (std::size_t i = 0; i < advice_.chart.points.size(); ++i)
-      if (is_candidate(i)) candidates.push_back(i);
-    std::ranges::stable_sort(candidates, {}, [&](std::size_t i) { return distance(i); });
+      if (judge().is_candidate(i)) candidates.push_back(i);
+    std::ranges::stable_sort(candidates, {},
+                             [&](std::size_t i) { return judge().distance(i); });
     const auto nearest =
         std::ranges::find_if(candidates, [&](std::size_t i) { return is_stable(i); });
     if (nearest != candidates.end()) advice_.nearest = *nearest;
   }
 
-  /// How far a point is from the wish: by the larger of the factors that it misses
-  /// tolerance and frame by.
-  [[nodiscard]] double distance(std::size_t i) const {
-    const double accuracy = *error_with_bar(advice_, i, wish_.measure) / wish_.tolerance;
-    return wish_.frame ? std::max(accuracy, cost(i).value_or(INFINITY)) : accuracy;
-  }
-
-  void compare_with_neighbours() {
-    caution_of_accidents();  // measures the next finer cells: a neighbour, perhaps
+  void find_neighbours() {
+    const Judge judged = judge();
     const std::size_t chosen = *advice_.chosen;
-    const auto error = [&](std::size_t i) {
-      return *error_with_bar(advice_, i, wish_.measure);
-    };
     for (std::size_t i = 0; i < advice_.chart.points.size(); ++i) {
-      if (!is_candidate(i) || !cost(i)) continue;
-      if (*cost(i) < *cost(chosen) && !meets(i) &&
-          (!advice_.cheaper || error(i) < error(*advice_.cheaper)))
+      if (!judged.is_candidate(i)) continue;
+      if (*judged.cost(i) < *judged.cost(chosen) && !judged.meets(i) &&
+          (!advice_.cheaper || *judged.error(i) < *judged.error(*advice_.cheaper)))
         advice_.cheaper = i;
-      if (*cost(i) > *cost(chosen) && error(i) < error(chosen) &&
-          (!advice_.dearer || *cost(i) < *cost(*advice_.dearer)))
+      if (*judged.cost(i) > *judged.cost(chosen) &&
+          *judged.error(i) < *judged.error(chosen) &&
+          (!advice_.dearer || *judged.cost(i) < *judged.cost(*advice_.dearer)))
         advice_.dearer = i;
-    }
-    advice_.left_out = left_out(advice_, wish_.measure, plan_);
-  }
-
-  /// An error that grows again on finer cells was small because others cancelled in it.
-  void caution_of_accidents() {
-    const StoredChart::Point chosen = advice_.chart.points[*advice_.chosen].place;
-    const auto finer = std::ranges::upper_bound(sizes, chosen.across);
-    if (finer == sizes.end()) return;
-    for (const ChartModel& model : chart_models(shape_)) {
-      if (model.name != chosen.model || model.kind != chosen.kind) continue;
-      if (run_.expected_seconds(model, *finer) <= plan_.budget)
-        run_.measure(model, *finer);
-      const std::size_t place = *advice_.chosen;
-      take_in();  // places stay: points are only added
-      advice_.chosen = place;
-      const auto next = point_of(model, *finer);
-      if (!next || !is_candidate(*next) || meets_tolerance(*next)) return;
-      advice_.cautions.push_back(fmt::format(
-          "On {} across {} is {:.3g} % off: on {} errors cancel that another load or "
-          "shape may add.",
-          *finer, chosen.model,
-          100 * *advice_.chart.points[*next].errors[advice_.truth].of(wish_.measure),
-          chosen.across));
     }
   }
 
@@ -234,39 +242,17 @@ class Search {
   const ChartPlan& plan_;
   ChartRun& run_;
   BodyShape shape_;
-  ChartKind kind_;
   double duration_;
   Advice advice_{};
   std::vector<const ChartModel*> alive_;
   std::map<const ChartModel*, int> failures_, stuck_;
   std::map<const ChartModel*, double> last_error_;
-  std::map<std::string, bool> stable_;  // by the key of the motion
-  double best_ = INFINITY;              // cost of what meets the wish
+  std::map<std::string, bool> stable_;            // by the key of the point's case
+  std::map<std::string, std::string> accidents_;  // likewise
+  double best_ = INFINITY;  // cost of what meets the wish and is sound
 };
 
 }  // namespace
-
-std::optional<double> error_with_bar(const Advice& advice, std::size_t point,
-                                     ChartMeasure measure) {
-  const ChartPoint& of = advice.chart.points[point];
-  const auto& error = of.errors[advice.truth].of(measure);
-  if (!error) return std::nullopt;
-  const auto& bar = measure == ChartMeasure::deviation
-                        ? of.deviation_bars[advice.truth]
-                        : advice.chart.truths[advice.truth].bars.of(measure);
-  return *error + bar.value_or(0);
-}
-
-std::optional<Frame> frame_of(const ChartPoint& point, double duration) {
-  if (!point.found || !point.found->dt_limit || !point.place.timing) return std::nullopt;
-  const int all_steps = point.found->effort.value_or(Effort{}).steps;
-  if (all_steps == 0) return std::nullopt;
-  const double of_step =
-      (point.place.timing->median - point.place.setup.value_or(0)) / all_steps;
-  const int steps = static_cast<int>(
-      std::max(1., std::ceil(duration / (step_ratio * *point.found->dt_limit))));
-  return Frame{.steps = steps, .dt = duration / steps, .seconds = steps * of_step};
-}
 
 Advice advise(const Wish& wish, const ChartPlan& plan, ChartRun& run) {
   return Search(wish, plan, run).found();

@@ -24,7 +24,11 @@ double positive(const Given& given, double value, const std::string& expected) {
 }
 
 Wish wish_of(const AdviseOptions& options) {
-  Wish wish{.measure = ChartMeasure::force, .tolerance = 0, .frame = std::nullopt};
+  Wish wish{.measure = ChartMeasure::force,
+            .tolerance = 0,
+            .frame = std::nullopt,
+            .budget = options.budget,
+            .threads = 1};
   const Given tolerance = Given::from_text("--tolerance", options.tolerance);
   wish.tolerance =
       positive(tolerance, tolerance.strain(), "a number above 0, such as 0.08 or '8%'");
@@ -84,15 +88,14 @@ std::string scene_text(const std::string& scene, const std::vector<GivenSetting>
                        const std::string& why) {
   std::map<std::string, std::string> settings;
   for (const GivenSetting& setting : read_scene(scene).settings)
-    settings[setting.key] = setting.value.toml();
+    if (!settings_of_charts().contains(setting.key) || setting.key == "reference")
+      settings[setting.key] = setting.value.toml();
   for (const GivenSetting& setting : options)
     settings[setting.key] = setting.value.toml();
   const Body body = chart_body(scene, options);
-  const auto& models = chart_models(body.shape);
-  const auto model = std::ranges::find_if(models, [&](const ChartModel& one) {
-    return one.name == chosen.place.model && one.kind == chosen.place.kind;
-  });
-  for (const auto& [key, value] : model->changes)
+  const ChartModel& model =
+      model_named(chosen.place.model, chosen.place.kind, body.shape);
+  for (const auto& [key, value] : model.changes)
     settings[key] = Given::from_text("advise", value).toml();
   const Cells cells = cells_across(body.block.size, chosen.place.across);
   settings["cells"] = fmt::format("[{}, {}, {}]", cells[0], cells[1], cells[2]);
@@ -171,7 +174,7 @@ ExitStatus advise_command(const std::string& scene,
                        .options = options,
                        .laws = {},
                        .across = {},
-                       .threads = {1},
+                       .threads = {wish.threads},
                        .budget = given.budget,
                        .repeat_for = std::min(1., given.budget),
                        .jobs = given.jobs,

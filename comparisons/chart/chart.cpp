@@ -101,6 +101,11 @@ std::optional<double> ChartPoint::seconds() const {
   return seconds_at(&Timing::median);
 }
 
+std::string status_of(const ChartPoint& point) {
+  if (point.found) return std::string(name_of(point.found->status));
+  return point.place.left_out.value_or("not run");
+}
+
 std::optional<std::size_t> Chart::truth_of(const std::string& law) const {
   const auto found = std::ranges::find(
       truths, law, [](const ChartTruth& truth) { return truth.grids.law; });

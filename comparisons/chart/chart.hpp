@@ -59,6 +59,9 @@ struct ChartPoint {
   [[nodiscard]] std::optional<double> seconds_at(double Timing::*quantile) const;
 };
 
+/// Of its case, or why it was not run.
+std::string status_of(const ChartPoint& point);
+
 /// A chart with its errors.
 struct Chart {
   StoredChart stored;

@@ -63,8 +63,10 @@ std::string chart_text(const Chart& chart) {
   });
   const auto left_out = std::ranges::count_if(
       chart.points, [](const ChartPoint& point) { return !point.found; });
-  return text + fmt::format("\n{} points, {} of them failed, {} over budget.\n",
-                            chart.points.size(), failed, left_out);
+  return text + fmt::format(
+                    "\n{} points, {} of them failed, {} left out: over budget or "
+                    "memory.\n",
+                    chart.points.size(), failed, left_out);
 }
 
 }  // namespace

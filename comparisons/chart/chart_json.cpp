@@ -28,19 +28,18 @@ Json number_json(const ConvergedNumber& number) {
 
 Json point_json(const Chart& chart, const ChartPoint& point) {
   const StoredChart::Point& place = point.place;
-  Json json{
-      {"model", place.model},
-      {"kind", std::string(name_of(place.kind))},
-      {"across", place.across},
-      {"cells", place.cells},
-      {"threads", place.threads},
-      {"status", point.found ? std::string(name_of(point.found->status)) : "over budget"},
-      {"case", place.key},
-      {"lower_quartile", value_or_null(point.seconds_at(&Timing::lower_quartile))},
-      {"median", value_or_null(point.seconds())},
-      {"upper_quartile", value_or_null(point.seconds_at(&Timing::upper_quartile))},
-      {"setup", value_or_null(place.setup)},
-      {"errors", Json::object()}};
+  Json json{{"model", place.model},
+            {"kind", std::string(name_of(place.kind))},
+            {"across", place.across},
+            {"cells", place.cells},
+            {"threads", place.threads},
+            {"status", status_of(point)},
+            {"case", place.key},
+            {"lower_quartile", value_or_null(point.seconds_at(&Timing::lower_quartile))},
+            {"median", value_or_null(point.seconds())},
+            {"upper_quartile", value_or_null(point.seconds_at(&Timing::upper_quartile))},
+            {"setup", value_or_null(place.setup)},
+            {"errors", Json::object()}};
   for (std::size_t i = 0; i < chart.truths.size(); ++i)
     json["errors"][chart.truths[i].grids.law] = errors_json(point.errors[i]);
   return json;

@@ -15,7 +15,7 @@ std::vector<Chart> stored_charts(const std::filesystem::path& file);
 ///     scene, law (of the scene's own reference), answer (a measure), machine
 ///     truths   law; of answer and volume_change (of V0) value, bar, order; bars: of
 ///              force, volume, deviation, as fractions
-///     points   model, kind, across, cells, threads, status ("over budget" where not
+///     points   model, kind, across, cells, threads, status (why, where not
 ///              run), case, times (lower_quartile, median, upper_quartile; seconds, or
 ///              real per simulated) and setup; null where unknown; errors: by law, of
 ///              each measure

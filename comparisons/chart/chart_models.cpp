@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "comparisons/scene_file.hpp"
 #include "meshing/input_error.hpp"
@@ -53,11 +54,18 @@ std::vector<ChartModel> all_models() {
   return all;
 }
 
-CaseSettings case_with(const std::string& scene, std::vector<GivenSetting> settings,
+CaseSettings case_with(const std::string& scene, const std::vector<GivenSetting>& options,
                        const Changes& changes) {
+  SceneFile file = read_scene(scene);
+  std::erase_if(file.settings, [](const GivenSetting& setting) {
+    return settings_of_charts().contains(setting.key);
+  });
+  file.settings.insert(file.settings.end(), options.begin(), options.end());
   for (const auto& [key, value] : changes)
-    settings.push_back({key, Given::from_text("chart", value)});
-  return requests(read_run(scene, settings)).front().settings;
+    file.settings.push_back({key, Given::from_text("chart", value)});
+  return requests(make_run_settings(file.name, file.file, file.settings))
+      .front()
+      .settings;
 }
 
 Changes cells_of(const std::array<double, 3>& size, int across) {
@@ -99,6 +107,21 @@ std::string_view name_of(ChartKind kind) {
 const std::vector<ChartModel>& chart_models(BodyShape shape) {
   static const std::vector<ChartModel> block = all_models(), kidney = models_of_kidney();
   return shape == BodyShape::kidney ? kidney : block;
+}
+
+const ChartModel& model_named(const std::string& name, ChartKind kind, BodyShape shape) {
+  for (const ChartModel& model : chart_models(shape))
+    if (model.name == name && model.kind == kind) return model;
+  throw std::logic_error("no model '" + name + "'");
+}
+
+const std::set<std::string>& settings_of_charts() {
+  static const std::set<std::string> all{
+      "method",  "element",   "cells",      "cell-type",         "distortion",
+      "solver",  "dt",        "dt-ratio",   "force-dt",          "linear-solver",
+      "history", "precision", "noise",      "reference",         "stiffness",
+      "kappa",   "lattice",   "correction", "lattice-direction", "expect"};
+  return all;
 }
 
 Body chart_body(const std::string& scene, const std::vector<GivenSetting>& options) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,13 @@ struct ChartModel {
 /// kinds of cells.
 const std::vector<ChartModel>& chart_models(BodyShape shape = BodyShape::block);
 
+/// The model of that name and kind. Throws std::logic_error without one.
+const ChartModel& model_named(const std::string& name, ChartKind kind, BodyShape shape);
+
+/// Settings that a chart chooses for its models. What a scene file says of them is not
+/// for a chart: models get the step, precision and constants that they have by default.
+const std::set<std::string>& settings_of_charts();
+
 /// Laws of which a chart has a truth each, as methods; fem-cauchy-born's is the lattice
 /// of mss-cf.
 const std::vector<std::string>& truth_laws();
@@ -45,7 +53,8 @@ Body chart_body(const std::string& scene, const std::vector<GivenSetting>& optio
 /// cubes as counts allow.
 Cells cells_across(const std::array<double, 3>& size, int across);
 
-/// The scene's case of a model on so many cells across. Throws InputError for options
+/// The scene's case of a model on so many cells across: the scene without
+/// settings_of_charts, the options, the model's changes. Throws InputError for options
 /// that the model's method does not take, and as chart_body.
 CaseSettings model_case(const std::string& scene,
                         const std::vector<GivenSetting>& options, const ChartModel& model,

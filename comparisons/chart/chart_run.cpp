@@ -1,42 +1,17 @@
 #include "comparisons/chart/chart_run.hpp"
 
-#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
-#include "comparisons/build_info.hpp"
-#include "comparisons/displacement_norms.hpp"
 #include "comparisons/known_results.hpp"
-#include "comparisons/mechanical_scene.hpp"
 #include "comparisons/memory.hpp"
 #include "comparisons/progress.hpp"
-#include "comparisons/provenance.hpp"
-#include "comparisons/scene_file.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/sha256.hpp"
 
 namespace springcheck {
 namespace {
-
-/// The measure that answers a test's load.
-std::string answer_of(Test test, const std::string& scene) {
-  switch (test) {
-    case Test::torsion:
-      return "plate_torque";
-    case Test::bending:
-      return "tip_deflection";
-    case Test::traction:
-    case Test::affine:
-      throw InputError(scene, "test", "one that a plate or a weight answers",
-                       std::string(name_of(test)));
-    default:
-      return "plate_force";
-  }
-}
 
 /// A case timed on so many threads.
 struct TimedCase {
@@ -57,6 +32,7 @@ TimedCase timed_case(const CaseSettings& settings, const Mesh& mesh, int threads
         return result.solve_wall_s;
       },
       budget);
+  if (setups.size() > 1) setups.erase(setups.begin());  // the warm-up's
   return {.result = std::move(result),
           .timing = timing,
           .setup = timing_of(std::move(setups)).median};
@@ -70,7 +46,7 @@ class ChartRun::State {
       : plan_(plan), path_(file), file_(file) {
     if (std::filesystem::exists(file)) stored_ = stored_cases({file});
     warn_of_other_commits(stored_);
-    plan_chart();
+    begin_chart();
     find_truths();
   }
 
@@ -83,23 +59,28 @@ class ChartRun::State {
   [[nodiscard]] double expected_seconds(const ChartModel& model, int across) {
     const CaseSettings settings = settings_of(model, across);
     const Mesh& mesh = meshes_.mesh(settings.body);
-    return expected_seconds(model.name, across, static_cast<double>(mesh.nodes().size()),
+    return expected_seconds(model, static_cast<double>(mesh.nodes().size()),
                             plan_.threads.front());
   }
 
   void measure(const ChartModel& model, int across) {
     const CaseSettings settings = settings_of(model, across);
+    check_mesh_memory(plan_.scene, settings.body);
     const Mesh& mesh = meshes_.mesh(settings.body);
     const std::string key = key_of(settings);
-    check_memory(plan_.scene, {{.settings = settings, .reference = std::nullopt}});
+    const bool fits = estimated_memory(settings) <= available_memory();
     std::optional<CaseResult> result;
     bool is_new = false;
     for (const int threads : plan_.threads) {
       StoredChart::Point& point = point_of(model, settings, across, key, threads);
       if (point.timing && !plan_.retime) continue;
       is_new = true;
-      if (expected_seconds(model.name, across, point.nodes, threads) > plan_.budget)
-        continue;
+      point.left_out.reset();
+      if (!fits)
+        point.left_out = "over memory";
+      else if (expected_seconds(model, point.nodes, threads) > plan_.budget)
+        point.left_out = "over budget";
+      if (point.left_out) continue;
       TimedCase timed = timed_case(settings, mesh, threads, plan_.repeat_for);
       point.timing = timed.timing;
       point.setup = timed.setup;
@@ -112,66 +93,12 @@ class ChartRun::State {
   }
 
  private:
-  void plan_chart() {
-    const RunSettings scene =
-        read_run(plan_.scene, options_for(ChartKind::equilibrium, plan_.options));
-    chart_.answer = answer_of(scene.common.test, plan_.scene);
-    chart_.scene = scene.common.scene;
-    chart_.machine = fmt::format("{}, {}, commit {}", processor_name(),
-                                 build_info::compiler, build_info::commit);
-    chart_.law = law_of_scene();
-    chart_.settings = settings_of_models();
-    std::vector<std::string> laws{chart_.law};
-    for (const std::string& law : plan_.laws)
-      if (law != chart_.law) laws.push_back(law);
-    for (const std::string& law : laws)
-      truths_planned_.push_back(
-          truth_grids(plan_.scene, plan_.options, law, plan_.truth_across));
-    const CaseSettings& first = truths_planned_.front().front();
-    chart_.height = first.body.block.size[2];
-    const Mesh& mesh = meshes_.mesh(first.body);
-    if (first.test != Test::bending)
-      chart_.imposed = largest_imposed_displacement(mesh, mechanical_scene(first, mesh));
-    for (const ThreeCases& grids : truths_planned_) {
-      StoredChart::Truth truth{
-          .law = grids.front().method.name, .cell_sizes = grid_sizes(grids), .keys = {}};
-      std::ranges::transform(grids, truth.keys.begin(),
-                             [&](const CaseSettings& grid) { return key_of(grid); });
-      chart_.truths.push_back(std::move(truth));
-    }
-    for (const StoredChart& earlier : read_charts_of_file())
-      if (identity_of(earlier) == identity_of(chart_)) {
-        chart_.points = earlier.points;
-        chart_.comparisons = earlier.comparisons;
-        for (const StoredChart::Truth& truth : earlier.truths)
-          if (std::ranges::count(chart_.truths, truth.law, &StoredChart::Truth::law) == 0)
-            chart_.truths.push_back(truth);
-      }
-  }
-
-  [[nodiscard]] std::vector<StoredChart> read_charts_of_file() const {
-    if (!std::filesystem::exists(path_)) return {};
-    return read_charts(path_);
-  }
-
-  /// The law that `run` measures deviations from, by default or as the scene says;
-  /// St-Venant-Kirchhoff's where that is none.
-  [[nodiscard]] std::string law_of_scene() const {
-    const Request first =
-        requests(
-            read_run(plan_.scene, options_for(ChartKind::equilibrium, plan_.options)))
-            .front();
-    const Method& method = (first.reference ? *first.reference : first.settings).method;
-    return is_finite_element(method) ? method.name : "fem-stvk";
-  }
-
-  /// What determines all models of the chart, whichever they are.
-  [[nodiscard]] std::string settings_of_models() const {
-    std::string all;
-    for (const ChartModel& model :
-         chart_models(chart_body(plan_.scene, plan_.options).shape))
-      all += settings_json(model_case(plan_.scene, plan_.options, model, 2)).dump();
-    return sha256(all);
+  void begin_chart() {
+    truths_planned_ = planned_truths(plan_);
+    chart_ = planned_chart(plan_, truths_planned_, meshes_);
+    if (!std::filesystem::exists(path_)) return;
+    for (const StoredChart& earlier : read_charts(path_))
+      if (identity_of(earlier) == identity_of(chart_)) chart_ = merged(chart_, earlier);
   }
 
   std::string key_of(const CaseSettings& settings) {
@@ -211,10 +138,7 @@ class ChartRun::State {
 
   StoredChart::Point& point_of(const ChartModel& model, const CaseSettings& settings,
                                int across, const std::string& key, int threads) {
-    const auto found = std::ranges::find_if(chart_.points, [&](const auto& point) {
-      return point.model == model.name && point.key == key && point.threads == threads;
-    });
-    if (found != chart_.points.end()) return *found;
+    if (auto* point = find_point(chart_, model.name, key, threads)) return *point;
     const Mesh& mesh = meshes_.mesh(settings.body);
     chart_.points.push_back({.model = model.name,
                              .kind = model.kind,
@@ -223,6 +147,7 @@ class ChartRun::State {
                              .nodes = static_cast<double>(mesh.nodes().size()),
                              .threads = threads,
                              .key = key,
+                             .left_out = std::nullopt,
                              .timing = std::nullopt,
                              .setup = std::nullopt,
                              .simulated = model.kind == ChartKind::motion
@@ -235,18 +160,23 @@ class ChartRun::State {
     return model_case(plan_.scene, plan_.options, model, across);
   }
 
-  /// By the largest of the model's smaller points.
-  [[nodiscard]] double expected_seconds(const std::string& model, int across,
-                                        double nodes, int threads) const {
-    const StoredChart::Point* smaller = nullptr;
+  [[nodiscard]] double expected_seconds(const ChartModel& model, double nodes,
+                                        int threads) const {
+    std::map<double, double> smaller;  // seconds by nodes
     for (const StoredChart::Point& other : chart_.points)
-      if (other.model == model && other.threads == threads && other.across < across &&
-          (smaller == nullptr || other.across > smaller->across))
-        smaller = &other;
-    if (smaller == nullptr) return 0;
-    const double seconds =
-        smaller->timing ? smaller->timing->median : plan_.budget;  // too dear itself
-    return seconds * std::pow(nodes / smaller->nodes, 1.5);
+      if (other.model == model.name && other.kind == model.kind &&
+          other.threads == threads && other.nodes < nodes && other.timing)
+        smaller[other.nodes] = other.timing->median;
+    if (smaller.empty()) return 0;
+    const auto last = std::prev(smaller.end());
+    double exponent = 1.5;
+    if (smaller.size() > 1) {
+      const auto before = std::prev(last);
+      exponent = std::clamp(
+          std::log(last->second / before->second) / std::log(last->first / before->first),
+          1., 2.5);
+    }
+    return last->second * std::pow(nodes / last->first, exponent);
   }
 
   [[nodiscard]] bool is_compared(const std::string& compared) const {

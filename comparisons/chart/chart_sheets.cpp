@@ -25,11 +25,6 @@ Cell error_cell(const ChartPoint& point, std::size_t truth, ChartMeasure measure
                       : std::string(name_of(point.found->status))};
 }
 
-std::string status_of(const ChartPoint& point) {
-  if (point.found) return std::string(name_of(point.found->status));
-  return "over budget";
-}
-
 std::string machines_of(const std::vector<Chart>& charts) {
   std::string text;
   std::set<std::string> seen;
@@ -151,7 +146,8 @@ Sheet points_sheet(const std::vector<Chart>& charts) {
                 "Time: median; of an equilibrium to a relative residual of 1e-10, of a "
                 "motion real seconds per simulated one at .9 of the method's own "
                 "stability limit, set-up and all. Set-up is of the whole run. "
-                "A point without a time would have taken more than the budget.",
+                "A point without a time would have taken more than the budget, or the "
+                "memory that was left.",
                 machines_of(charts)}};
   for (const Chart& chart : charts) {
     const auto truth = chart.truth_of(chart.stored.law);
@@ -213,11 +209,11 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
                   {"across", "across", "{:.0f}"},
                   {"threads", "threads", "{:.0f}"}},
       .rows = {},
-      .notes = {what_errors_are,
-                "From the fastest to the most accurate, each by 1 % of its error or more "
-                "accurate than all faster ones. Failed states, wrinkled and indefinite "
-                "ones among them, "
-                "have no place on a front."}};
+      .notes = {
+          what_errors_are,
+          "From the fastest to the most accurate, each by 1 % of its error or more "
+          "accurate than all faster ones, over all numbers of threads. Failed "
+          "states, wrinkled and indefinite ones among them, have no place on a front."}};
   for (const Chart& chart : charts)
     for (const ChartKind kind : {ChartKind::equilibrium, ChartKind::motion})
       for (std::size_t truth = 0; truth < chart.truths.size(); ++truth)

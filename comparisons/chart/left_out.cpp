@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "comparisons/simulate.hpp"
 
@@ -73,7 +72,7 @@ class Words {
 
   void corrections() {
     if (name_.method != "mss-fd" && name_.method != "mss-baudet") return;
-    const double nu = settings_of(plan_, chosen_, shape()).material.poisson_ratio;
+    const double nu = settings_of(plan_, chosen_.place).material.poisson_ratio;
     if (name_.method == "mss-fd" && nu == 0.25) {
       words_.emplace_back(
           "No volume correction: at nu = 1/4 its modulus is zero, and springs alone have "
@@ -86,7 +85,7 @@ class Words {
 
   void face_diagonals() {
     if (name_.method != "mss-nfd" && name_.method != "mss-baudet") return;
-    CaseSettings settings = settings_of(plan_, chosen_, shape());
+    CaseSettings settings = settings_of(plan_, chosen_.place);
     settings.solver = Solver::path_limit;
     const Mesh mesh = build_mesh(settings.body);
     const CaseResult limit = simulate(settings, mesh);
@@ -153,10 +152,6 @@ class Words {
     if (finer != nullptr) say("No finer cells", *finer);
   }
 
-  [[nodiscard]] BodyShape shape() const {
-    return chart_body(plan_.scene, plan_.options).shape;
-  }
-
   const Advice& advice_;
   ChartMeasure measure_;
   const ChartPlan& plan_;
@@ -166,14 +161,6 @@ class Words {
 };
 
 }  // namespace
-
-CaseSettings settings_of(const ChartPlan& plan, const ChartPoint& point,
-                         BodyShape shape) {
-  for (const ChartModel& model : chart_models(shape))
-    if (model.name == point.place.model && model.kind == point.place.kind)
-      return model_case(plan.scene, plan.options, model, point.place.across);
-  throw std::logic_error("no model '" + point.place.model + "'");
-}
 
 std::vector<std::string> left_out(const Advice& advice, ChartMeasure measure,
                                   const ChartPlan& plan) {

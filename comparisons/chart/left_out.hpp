@@ -7,9 +7,6 @@
 
 namespace springcheck {
 
-/// The case behind a point of a chart that the plan's scene and options made.
-CaseSettings settings_of(const ChartPlan& plan, const ChartPoint& point, BodyShape shape);
-
 /// What the chosen model does without that others of the chart have: corrections, face
 /// diagonals, nonlinear strains, other laws, elements, cells, precision and finer meshes,
 /// each with the figures of the measured alternative. Face diagonals are called

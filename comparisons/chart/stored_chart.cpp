@@ -27,6 +27,7 @@ Row row_of(const StoredChart::Point& point) {
   Row row{{"model", point.model},
           {"kind", std::string(name_of(point.kind))},
           {"key", point.key}};
+  put(row, "left_out", point.left_out);
   put(row, "across", point.across);
   put(row, "cells", point.cells);
   put(row, "nodes", point.nodes);
@@ -104,6 +105,7 @@ StoredChart read_chart(hid_t group) {
                             .nodes = points.number("nodes", i),
                             .threads = static_cast<int>(points.number("threads", i)),
                             .key = points.text("key", i),
+                            .left_out = points.find_text("left_out", i),
                             .timing = timing_in(points, i),
                             .setup = points.find_number("setup", i),
                             .simulated = points.find_number("simulated", i)});
@@ -119,11 +121,48 @@ StoredChart read_chart(hid_t group) {
 }  // namespace
 
 std::string identity_of(const StoredChart& chart) {
-  std::string text = chart.scene + '\n' + chart.settings;
+  std::string text = chart.scene + '\n' + chart.settings + '\n' + chart.machine;
   for (const StoredChart::Truth& truth : chart.truths)
     if (truth.law == chart.law)
       for (const std::string& key : truth.keys) text += '\n' + key;
   return sha256(text);
+}
+
+StoredChart merged(StoredChart chart, const StoredChart& other) {
+  for (const StoredChart::Truth& truth : other.truths)
+    if (std::ranges::count(chart.truths, truth.law, &StoredChart::Truth::law) == 0)
+      chart.truths.push_back(truth);
+  for (const StoredChart::Point& point : other.points) {
+    StoredChart::Point* own = find_point(chart, point.model, point.key, point.threads);
+    if (own == nullptr)
+      chart.points.push_back(point);
+    else if (!own->timing)
+      *own = point;
+  }
+  for (const StoredChart::Comparison& comparison : other.comparisons)
+    if (std::ranges::count(chart.comparisons, comparison.compared,
+                           &StoredChart::Comparison::compared) == 0)
+      chart.comparisons.push_back(comparison);
+  return chart;
+}
+
+StoredChart::Point* find_point(StoredChart& chart, const std::string& model,
+                               const std::string& key, int threads) {
+  const auto found = std::ranges::find_if(chart.points, [&](const auto& point) {
+    return point.model == model && point.key == key && point.threads == threads;
+  });
+  return found == chart.points.end() ? nullptr : &*found;
+}
+
+void merge_charts(hid_t from, hid_t to) {
+  for (const std::string& name : hdf5::links(from)) {
+    if (!hdf5::has_link(to, name)) {
+      hdf5::copy_link(from, to, name);
+      continue;
+    }
+    const StoredChart own = read_chart(hdf5::open_group(to, name));
+    write_chart(to, merged(own, read_chart(hdf5::open_group(from, name))));
+  }
 }
 
 void write_chart(hid_t charts, const StoredChart& chart) {

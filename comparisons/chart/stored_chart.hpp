@@ -29,10 +29,10 @@ struct StoredChart {
     double cells, nodes;  // of its mesh
     int threads;
     std::string key;
-    // None where the point would have taken more than the budget:
-    std::optional<Timing> timing;
-    std::optional<double> setup;      // [s] of the time, median
-    std::optional<double> simulated;  // [s] of motions
+    std::optional<std::string> left_out;  // why it was not run
+    std::optional<Timing> timing;         // none of what was left out
+    std::optional<double> setup;          // [s] of the time, median
+    std::optional<double> simulated;      // [s] of motions
   };
   /// The same case with its deviations from a truth.
   struct Comparison {
@@ -52,21 +52,34 @@ struct StoredChart {
   std::vector<Comparison> comparisons;
 };
 
-/// Of scene, settings and the truth of its own law: charts of the same have the same,
-/// whatever points they hold.
+/// Of scene, settings, the truth of its own law and the machine: charts of the same have
+/// the same, whatever points they hold. Times of two machines, or of two versions of the
+/// program, are never of one chart.
 std::string identity_of(const StoredChart& chart);
+
+/// The point of a model's case on so many threads; nullptr without.
+StoredChart::Point* find_point(StoredChart& chart, const std::string& model,
+                               const std::string& key, int threads);
+
+/// A chart with the points, truths and comparisons that another of the same identity has
+/// beyond its own; points of its own that were left out give way to those that were run.
+StoredChart merged(StoredChart chart, const StoredChart& other);
 
 /// Layout, within the group `charts` of a result file:
 ///
 ///     IDENTITY              attributes scene, settings, law, answer, height, imposed,
-///     machine IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3
+///                           machine
+///     IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3
 ///     IDENTITY/points       columns model, kind, across, cells, nodes, threads, key,
-///                           repetitions, minimum, lower_quartile, median,
+///                           left_out, repetitions, minimum, lower_quartile, median,
 ///                           upper_quartile, maximum, setup, simulated
 ///     IDENTITY/comparisons  columns key, law, compared
 ///
 /// Replaces the chart of the same identity.
 void write_chart(hid_t charts, const StoredChart& chart);
+
+/// Adds the charts of one group to those of another, see merged.
+void merge_charts(hid_t from, hid_t to);
 
 /// The charts of a result file by scene, of one scene the fullest first; none of one
 /// without. Throws like read_cases.

@@ -8,7 +8,7 @@
 namespace springcheck {
 namespace {
 
-constexpr std::size_t fewest = 3, most = 25;
+constexpr std::size_t most = 25;
 constexpr double little_change = 0.02;
 constexpr int quiet_times = 2;
 
@@ -43,8 +43,7 @@ Timing timed(const std::function<double()>& work, double budget) {
     const double median = timing_of(seconds).median;
     quiet = std::abs(median - last) <= little_change * median ? quiet + 1 : 0;
     last = median;
-  } while ((seconds.size() < fewest || quiet < quiet_times) && seconds.size() < most &&
-           stopwatch.seconds() < budget);
+  } while (quiet < quiet_times && seconds.size() < most && stopwatch.seconds() < budget);
   return timing_of(seconds);
 }
 

@@ -17,8 +17,8 @@ struct Timing {
 Timing timing_of(std::vector<double> seconds);
 
 /// Times a piece of work that returns the seconds that count: one warm-up, then
-/// repetitions until the median of at least three changed by no more than 2 % twice
-/// running, there are 25, or the seconds of all, those that do not count included, reach
+/// repetitions until the median changed by no more than 2 % twice running, so three at
+/// least, there are 25, or the seconds of all, those that do not count included, reach
 /// the budget.
 Timing timed(const std::function<double()>& work, double budget);
 

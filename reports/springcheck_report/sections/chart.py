@@ -111,7 +111,14 @@ def _number(document, row, key, form):
 
 
 def _heading(study, one):
-    """The scene with its load: a file may hold charts of several."""
+    """The scene with its load, and the machine where two charts differ in nothing else."""
+    load = _load(study, one)
+    if sum(_load(study, other) == load for other in study.charts) == 1:
+        return load
+    return f"{load}, on {one['machine']}"
+
+
+def _load(study, one):
     found = (study.case(point["case"]) for point in one["points"] if point["kind"] == "equilibrium")
     case = next((case for case in found if case is not None), None)
     if case is None:

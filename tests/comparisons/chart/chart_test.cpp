@@ -2,7 +2,6 @@
 #include "comparisons/chart/chart.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <cmath>
 
 #include "comparisons/chart/chart_json.hpp"
 #include "comparisons/chart/chart_run.hpp"
@@ -10,6 +9,7 @@
 #include "comparisons/chart/claims.hpp"
 #include "comparisons/chart/pareto.hpp"
 #include "meshing/input_error.hpp"
+#include "tests/comparisons/chart/example_chart.hpp"
 #include "tests/comparisons/own_folder.hpp"
 
 using namespace springcheck;
@@ -17,73 +17,6 @@ using namespace springcheck;
 namespace {
 
 const auto round_off = boost::test_tools::tolerance(1e-12);
-
-StoredCase case_of(double force, double volume_change) {
-  StoredCase stored{.status = Status::ok,
-                    .flags = {},
-                    .reason = {},
-                    .measures = {},
-                    .effort = Effort{},
-                    .linear_iterations = {},
-                    .factorisations = {},
-                    .dt = {},
-                    .dt_limit = {}};
-  stored.measures.plate_force = force;
-  stored.measures.volume_change = volume_change;
-  return stored;
-}
-
-Timing around(double seconds) {
-  return {.repetitions = 3,
-          .minimum = 0.8 * seconds,
-          .lower_quartile = 0.9 * seconds,
-          .median = seconds,
-          .upper_quartile = 1.1 * seconds,
-          .maximum = 1.2 * seconds};
-}
-
-/// A truth of second order: force 10 + 16 h^2, volume change -.02 + .01 h^2, on cells of
-/// 1, 1/2 and 1/4; imposed .1 m on 2 m.
-struct Example {
-  StoredChart chart{.scene = "compression",
-                    .settings = {},
-                    .law = "fem-stvk",
-                    .answer = "plate_force",
-                    .height = 2,
-                    .imposed = 0.1,
-                    .machine = "a machine",
-                    .truths = {{.law = "fem-stvk",
-                                .cell_sizes = {1, 0.5, 0.25},
-                                .keys = {"t1", "t2", "t3"}}},
-                    .points = {},
-                    .comparisons = {}};
-  std::map<std::string, StoredCase> cases{{"t1", case_of(26, -0.01)},
-                                          {"t2", case_of(14, -0.0175)},
-                                          {"t3", case_of(11, -0.019375)}};
-
-  StoredCase& add(const std::string& model, int across, double seconds, double force,
-                  double deviation, ChartKind kind = ChartKind::equilibrium) {
-    const std::string key = model + std::to_string(across);
-    chart.points.push_back(
-        {.model = model,
-         .kind = kind,
-         .across = across,
-         .cells = std::pow(across, 3),
-         .nodes = std::pow(across + 1, 3),
-         .threads = 1,
-         .key = key,
-         .timing = around(seconds),
-         .setup = 0.1 * seconds,
-         .simulated = kind == ChartKind::motion ? std::optional(10.) : std::nullopt});
-    chart.comparisons.push_back(
-        {.key = key, .law = "fem-stvk", .compared = key + " compared"});
-    StoredCase compared = case_of(force, -0.02);
-    compared.measures.deviation_l2_relative = deviation;
-    compared.measures.reference_bar = 1e-4;
-    cases.emplace(key + " compared", compared);
-    return cases.emplace(key, case_of(force, -0.021)).first->second;
-  }
-};
 
 }  // namespace
 
@@ -98,7 +31,7 @@ BOOST_AUTO_TEST_CASE(a_front_is_of_worthwhile_gains) {
 }
 
 BOOST_AUTO_TEST_CASE(errors_are_told_from_the_limit_of_the_truth) {
-  Example example;
+  ExampleChart example;
   example.add("mss-cf", 4, 2, 9, 0.002);
   const Chart chart = evaluated(example.chart, example.cases);
   BOOST_TEST_REQUIRE(chart.truths.size() == 1U);
@@ -117,7 +50,7 @@ BOOST_AUTO_TEST_CASE(errors_are_told_from_the_limit_of_the_truth) {
 }
 
 BOOST_AUTO_TEST_CASE(without_an_imposed_displacement_the_truths_answer_stands_for_it) {
-  Example example;
+  ExampleChart example;
   example.chart.imposed.reset();
   example.add("mss-cf", 4, 2, 9, 0.002);
   const Chart chart = evaluated(example.chart, example.cases);
@@ -126,7 +59,7 @@ BOOST_AUTO_TEST_CASE(without_an_imposed_displacement_the_truths_answer_stands_fo
 }
 
 BOOST_AUTO_TEST_CASE(a_law_whose_grid_failed_has_no_truth) {
-  Example example;
+  ExampleChart example;
   example.add("mss-cf", 4, 2, 9, 0.002);
   example.cases.at("t2").status = Status::indefinite;
   const Chart chart = evaluated(example.chart, example.cases);
@@ -136,14 +69,14 @@ BOOST_AUTO_TEST_CASE(a_law_whose_grid_failed_has_no_truth) {
 }
 
 BOOST_AUTO_TEST_CASE(motions_are_told_by_the_simulated_second) {
-  Example example;
+  ExampleChart example;
   example.add("mss-cf, double", 4, 2, 9, 0.002, ChartKind::motion);
   const Chart chart = evaluated(example.chart, example.cases);
   BOOST_TEST(chart.points.at(0).seconds().value() == 0.2, round_off);
 }
 
 BOOST_AUTO_TEST_CASE(failed_states_have_no_place_on_a_front) {
-  Example example;
+  ExampleChart example;
   example.add("mss-nfd", 4, 1, 12, 0.002).status = Status::wrinkled;
   example.add("mss-cf", 4, 2, 12, 0.002);
   example.add("mss-cf", 8, 20, 11.2, 0.002);
@@ -158,7 +91,7 @@ BOOST_AUTO_TEST_CASE(failed_states_have_no_place_on_a_front) {
 }
 
 BOOST_AUTO_TEST_CASE(claims_are_answered_by_quartiles_and_bars) {
-  Example example;
+  ExampleChart example;
   example.add("mss-cf", 4, 1, 14, 0.002);           // 40 % off
   example.add("fem-stvk:q1-sri", 4, 2, 13, 0.002);  // 30 %: closer by less than 12.5 %
   example.add("fem-stvk:q1-sri", 2, 0.5, 13.5, 0.002);

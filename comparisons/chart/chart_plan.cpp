@@ -1,0 +1,103 @@
+#include "comparisons/chart/chart_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "comparisons/build_info.hpp"
+#include "comparisons/displacement_norms.hpp"
+#include "comparisons/mechanical_scene.hpp"
+#include "comparisons/provenance.hpp"
+#include "comparisons/scene_file.hpp"
+#include "meshing/input_error.hpp"
+#include "meshing/sha256.hpp"
+
+namespace springcheck {
+namespace {
+
+/// The measure that answers a test's load.
+std::string answer_of(Test test, const std::string& scene) {
+  switch (test) {
+    case Test::torsion:
+      return "plate_torque";
+    case Test::bending:
+      return "tip_deflection";
+    case Test::traction:
+    case Test::affine:
+      throw InputError(scene, "test", "one that a plate or a weight answers",
+                       std::string(name_of(test)));
+    default:
+      return "plate_force";
+  }
+}
+
+RunSettings scene_of(const ChartPlan& plan) {
+  return read_run(plan.scene, options_for(ChartKind::equilibrium, plan.options));
+}
+
+/// The law that `run` measures deviations from, by default or as the scene says;
+/// St-Venant-Kirchhoff's where that is none.
+std::string law_of(const ChartPlan& plan) {
+  const Request first = requests(scene_of(plan)).front();
+  const Method& method = (first.reference ? *first.reference : first.settings).method;
+  return is_finite_element(method) ? method.name : "fem-stvk";
+}
+
+/// What determines all models of the chart, whichever they are.
+std::string hash_of_models(const ChartPlan& plan) {
+  std::string all;
+  for (const ChartModel& model : chart_models(chart_body(plan.scene, plan.options).shape))
+    all += settings_json(model_case(plan.scene, plan.options, model, 2)).dump();
+  return sha256(all);
+}
+
+}  // namespace
+
+CaseSettings settings_of(const ChartPlan& plan, const StoredChart::Point& point) {
+  const BodyShape shape = chart_body(plan.scene, plan.options).shape;
+  return model_case(plan.scene, plan.options, model_named(point.model, point.kind, shape),
+                    point.across);
+}
+
+std::vector<ThreeCases> planned_truths(const ChartPlan& plan) {
+  std::vector<std::string> laws{law_of(plan)};
+  for (const std::string& law : plan.laws)
+    if (law != laws.front()) laws.push_back(law);
+  std::vector<ThreeCases> truths;
+  for (const std::string& law : laws)
+    truths.push_back(truth_grids(plan.scene, plan.options, law, plan.truth_across));
+  return truths;
+}
+
+StoredChart planned_chart(const ChartPlan& plan, const std::vector<ThreeCases>& truths,
+                          MeshStore& meshes) {
+  const CaseSettings common = scene_of(plan).common;
+  const CaseSettings& first = truths.front().front();
+  const Mesh& mesh = meshes.mesh(first.body);
+  StoredChart chart{.scene = common.scene,
+                    .settings = hash_of_models(plan),
+                    .law = first.method.name,
+                    .answer = answer_of(common.test, plan.scene),
+                    .height = first.body.block.size[2],
+                    .imposed = std::nullopt,
+                    .machine = fmt::format("{}, {}, commit {}", processor_name(),
+                                           build_info::compiler, build_info::commit),
+                    .truths = {},
+                    .points = {},
+                    .comparisons = {}};
+  if (first.test != Test::bending)
+    chart.imposed = largest_imposed_displacement(mesh, mechanical_scene(first, mesh));
+  for (const ThreeCases& grids : truths) {
+    StoredChart::Truth truth{
+        .law = grids.front().method.name, .cell_sizes = grid_sizes(grids), .keys = {}};
+    std::ranges::transform(grids, truth.keys.begin(), [&](const CaseSettings& grid) {
+      return case_key({.settings = grid, .reference = std::nullopt},
+                      meshes.mesh(grid.body));
+    });
+    chart.truths.push_back(std::move(truth));
+  }
+  return chart;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/chart/stored_chart.hpp"
+#include "comparisons/study.hpp"
+
+namespace springcheck {
+
+/// What a chart is to measure.
+struct ChartPlan {
+  std::string scene;
+  std::vector<GivenSetting> options;  // that replace the scene's
+  std::vector<std::string> laws;      // of truths, beside that of the scene
+  std::vector<int> across;            // cells across the shortest edge
+  std::vector<int> threads;           // of the timed runs
+  double budget;                      // [s] that a point's solution may take
+  double repeat_for;                  // [s] of a point's repetitions, see timed
+  int jobs;                           // truths at once
+  bool retime;                        // what the file has a time of
+  std::optional<int> truth_across{};  // of the coarsest grid, see truth_grids
+};
+
+/// The case behind a point.
+CaseSettings settings_of(const ChartPlan& plan, const StoredChart::Point& point);
+
+/// The grids of the plan's truths, that of the scene's law first.
+std::vector<ThreeCases> planned_truths(const ChartPlan& plan);
+
+/// The chart of a plan before anything is measured. Throws InputError for scenes without
+/// an answer to compare, those of traction and affine, and as chart_body.
+StoredChart planned_chart(const ChartPlan& plan, const std::vector<ThreeCases>& truths,
+                          MeshStore& meshes);
+
+}  // namespace springcheck

@@ -1,0 +1,65 @@
+#include "comparisons/chart/wish.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace springcheck {
+namespace {
+
+constexpr double step_ratio = 0.9;
+
+}  // namespace
+
+std::optional<Frame> frame_of(const ChartPoint& point, double duration) {
+  if (!point.found || !point.found->dt_limit || !point.place.timing) return std::nullopt;
+  const int all_steps = point.found->effort.value_or(Effort{}).steps;
+  if (all_steps == 0) return std::nullopt;
+  const double of_step =
+      (point.place.timing->upper_quartile - point.place.setup.value_or(0)) / all_steps;
+  const int steps = static_cast<int>(
+      std::max(1., std::ceil(duration / (step_ratio * *point.found->dt_limit))));
+  return Frame{.steps = steps, .dt = duration / steps, .seconds = steps * of_step};
+}
+
+Judge::Judge(const Wish& wish, const Chart& chart)
+    : wish_(wish), chart_(chart), truth_(chart.truth_of(chart.stored.law).value()) {}
+
+bool Judge::is_candidate(std::size_t point) const {
+  const ChartPoint& of = chart_.points[point];
+  return of.place.kind == wish_.kind() && of.is_ok() && of.seconds() &&
+         of.place.threads == wish_.threads && error(point) &&
+         (!wish_.frame || frame_of(of, *wish_.frame));
+}
+
+std::optional<double> Judge::error(std::size_t point) const {
+  const ChartPoint& of = chart_.points[point];
+  const auto& error = of.errors[truth_].of(wish_.measure);
+  if (!error) return std::nullopt;
+  const auto& bar = wish_.measure == ChartMeasure::deviation
+                        ? of.deviation_bars[truth_]
+                        : chart_.truths[truth_].bars.of(wish_.measure);
+  return *error + bar.value_or(0);
+}
+
+bool Judge::meets_tolerance(std::size_t point) const {
+  return is_candidate(point) && *error(point) <= wish_.tolerance;
+}
+
+std::optional<double> Judge::cost(std::size_t point) const {
+  const ChartPoint& of = chart_.points[point];
+  if (!wish_.frame) return of.seconds();
+  const auto frame = frame_of(of, *wish_.frame);
+  return frame ? std::optional(frame->seconds / *wish_.frame) : std::nullopt;
+}
+
+bool Judge::meets(std::size_t point) const {
+  return is_candidate(point) && distance(point) <= 1;
+}
+
+double Judge::distance(std::size_t point) const {
+  const double frame = wish_.frame ? *cost(point) : 0;
+  return std::max({*error(point) / wish_.tolerance, frame,
+                   chart_.points[point].place.timing->median / wish_.budget});
+}
+
+}  // namespace springcheck

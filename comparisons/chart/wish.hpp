@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+
+#include "comparisons/chart/chart.hpp"
+
+namespace springcheck {
+
+/// What a user wants of a simulation.
+struct Wish {
+  ChartMeasure measure;
+  double tolerance;  // of its error
+  // [s] of a frame that must be simulated in as much real time; none: an equilibrium is
+  // wanted.
+  std::optional<double> frame;
+  double budget;  // [s] that a solution may take
+  int threads;    // of the points that count
+
+  [[nodiscard]] ChartKind kind() const {
+    return frame ? ChartKind::motion : ChartKind::equilibrium;
+  }
+};
+
+/// A frame of motion: whole steps of at most .9 of the stability limit.
+struct Frame {
+  int steps;
+  double dt;       // [s]
+  double seconds;  // real
+};
+
+/// Of a motion's point, by the upper quartile of its times without set-up: three frames
+/// of four are no slower. None without a limit.
+std::optional<Frame> frame_of(const ChartPoint& point, double duration);
+
+/// The points of a chart, by their places, as a wish judges them.
+class Judge {
+ public:
+  /// Both must outlive it, and the chart must have the truth of its own law.
+  Judge(const Wish& wish, const Chart& chart);
+
+  /// Whether it is of the wish's kind, ok, timed and has the error that is asked for.
+  [[nodiscard]] bool is_candidate(std::size_t point) const;
+
+  /// Error and what the truth may be off, together: what is held against the tolerance.
+  [[nodiscard]] std::optional<double> error(std::size_t point) const;
+  [[nodiscard]] bool meets_tolerance(std::size_t point) const;
+
+  /// [s] of a solution, or real per simulated.
+  [[nodiscard]] std::optional<double> cost(std::size_t point) const;
+
+  /// Tolerance, budget and frame.
+  [[nodiscard]] bool meets(std::size_t point) const;
+
+  /// How far a candidate is from the wish: the largest of the factors that it misses
+  /// tolerance, frame and budget by.
+  [[nodiscard]] double distance(std::size_t point) const;
+
+ private:
+  const Wish& wish_;
+  const Chart& chart_;
+  std::size_t truth_;
+};
+
+}  // namespace springcheck

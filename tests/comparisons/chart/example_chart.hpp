@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "comparisons/chart/chart.hpp"
+
+namespace springcheck {
+
+inline StoredCase case_of(double force, double volume_change) {
+  StoredCase stored{.status = Status::ok,
+                    .flags = {},
+                    .reason = {},
+                    .measures = {},
+                    .effort = Effort{},
+                    .linear_iterations = {},
+                    .factorisations = {},
+                    .dt = {},
+                    .dt_limit = {}};
+  stored.measures.plate_force = force;
+  stored.measures.volume_change = volume_change;
+  return stored;
+}
+
+inline Timing around(double seconds) {
+  return {.repetitions = 3,
+          .minimum = 0.8 * seconds,
+          .lower_quartile = 0.9 * seconds,
+          .median = seconds,
+          .upper_quartile = 1.1 * seconds,
+          .maximum = 1.2 * seconds};
+}
+
+/// A truth of second order: force 10 + 16 h^2, volume change -.02 + .01 h^2, on cells of
+/// 1, 1/2 and 1/4; imposed .1 m on 2 m.
+struct ExampleChart {
+  StoredChart chart{.scene = "compression",
+                    .settings = {},
+                    .law = "fem-stvk",
+                    .answer = "plate_force",
+                    .height = 2,
+                    .imposed = 0.1,
+                    .machine = "a machine",
+                    .truths = {{.law = "fem-stvk",
+                                .cell_sizes = {1, 0.5, 0.25},
+                                .keys = {"t1", "t2", "t3"}}},
+                    .points = {},
+                    .comparisons = {}};
+  std::map<std::string, StoredCase> cases{{"t1", case_of(26, -0.01)},
+                                          {"t2", case_of(14, -0.0175)},
+                                          {"t3", case_of(11, -0.019375)}};
+
+  StoredCase& add(const std::string& model, int across, double seconds, double force,
+                  double deviation, ChartKind kind = ChartKind::equilibrium) {
+    const std::string key = model + std::to_string(across);
+    chart.points.push_back(
+        {.model = model,
+         .kind = kind,
+         .across = across,
+         .cells = std::pow(across, 3),
+         .nodes = std::pow(across + 1, 3),
+         .threads = 1,
+         .key = key,
+         .timing = around(seconds),
+         .setup = 0.1 * seconds,
+         .simulated = kind == ChartKind::motion ? std::optional(10.) : std::nullopt});
+    chart.comparisons.push_back(
+        {.key = key, .law = "fem-stvk", .compared = key + " compared"});
+    StoredCase compared = case_of(force, -0.02);
+    compared.measures.deviation_l2_relative = deviation;
+    compared.measures.reference_bar = 1e-4;
+    cases.emplace(key + " compared", compared);
+    return cases.emplace(key, case_of(force, -0.021)).first->second;
+  }
+};
+
+}  // namespace springcheck
