@@ -276,11 +276,11 @@ int command_line(int argc, char** argv) {
                     "numbers of threads that are timed (default: 1 and all cores)");
   chart
       ->add_option("--budget", chart_options.budget,
-                   "seconds that a point's solution may take (default 60)")
+                   "seconds that a point's solution may take (default 10)")
       ->check(check_positive_seconds);
   chart
       ->add_option("--repeat-for", chart_options.repeat_for,
-                   "seconds for the repetitions of each point (default 2)")
+                   "seconds for the repetitions of each point (default 1)")
       ->check(check_positive_seconds);
   chart->add_option("--format", format,
                     "md, csv, json or latex (default: truths, fronts and claims)");

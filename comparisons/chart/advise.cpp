@@ -196,7 +196,6 @@ class Search {
 
   /// Of those that cannot be told from the first, the cheapest, by their times.
   [[nodiscard]] std::size_t smallest_of_equals(const std::vector<std::size_t>& sound) {
-    const double slow = *point(sound.front()).seconds_at(&Timing::upper_quartile);
     const auto& models = chart_models(shape_);
     const auto size = [&](std::size_t i) {
       const auto rank =
@@ -206,8 +205,7 @@ class Search {
     };
     std::size_t smallest = sound.front();
     for (const std::size_t i : sound)
-      if (*point(i).seconds_at(&Timing::lower_quartile) <= slow &&
-          size(i) < size(smallest))
+      if (!point(sound.front()).is_faster_than(point(i)) && size(i) < size(smallest))
         smallest = i;
     return smallest;
   }

@@ -31,8 +31,9 @@ struct Advice {
 /// path to the full load stays stable (solver limit); states that a detector calls
 /// wrinkled, inverted or indefinite never do.
 ///
-/// Of points whose times' quartiles overlap the cheapest one's it is the one that takes
-/// the least memory, then the first in chart_models, which go from plain to rich.
+/// Of points than which the cheapest one is not faster, as far as times can tell, it is
+/// the one that takes the least memory, then the first in chart_models, which go from
+/// plain to rich.
 ///
 /// Throws std::runtime_error where the scene's law has no truth.
 Advice advise(const Wish& wish, const ChartPlan& plan, ChartRun& run);

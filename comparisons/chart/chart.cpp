@@ -101,6 +101,16 @@ std::optional<double> ChartPoint::seconds() const {
   return seconds_at(&Timing::median);
 }
 
+bool ChartPoint::is_faster_than(const ChartPoint& other) const {
+  constexpr int enough = 3;
+  constexpr double unrepeated_spread = 0.1;
+  const bool is_repeated = std::min(place.timing.value().repetitions,
+                                    other.place.timing.value().repetitions) >= enough;
+  return *seconds_at(&Timing::upper_quartile) <
+             *other.seconds_at(&Timing::lower_quartile) &&
+         (is_repeated || *seconds() < (1 - unrepeated_spread) * *other.seconds());
+}
+
 std::string status_of(const ChartPoint& point) {
   if (point.found) return std::string(name_of(point.found->status));
   return point.place.left_out.value_or("not run");

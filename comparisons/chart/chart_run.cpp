@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "comparisons/known_results.hpp"
 #include "comparisons/memory.hpp"
@@ -106,10 +107,9 @@ class ChartRun::State {
                     meshes_.mesh(settings.body));
   }
 
-  void put(CaseResult&& result, bool with_fields) {
-    const std::vector one{std::move(result)};
-    file_.put(one, with_fields, meshes_);
-    known_.insert(one.front().key);
+  void put(std::span<const CaseResult> results, bool with_fields) {
+    file_.put(results, with_fields, meshes_);
+    for (const CaseResult& result : results) known_.insert(result.key);
   }
 
   [[nodiscard]] bool is_known(const std::string& key) const {
@@ -131,7 +131,7 @@ class ChartRun::State {
         [&](std::size_t, CaseResult&& result) {
           if (!stored_.contains(result.key) ||
               !file_.stored().with_fields.contains(result.key))
-            put(CaseResult(result), true);
+            put({&result, 1}, true);
           truths_.insert_or_assign(result.key, std::move(result));
         });
   }
@@ -210,9 +210,9 @@ class ChartRun::State {
       if (request.reference || asked != key) return std::nullopt;
       return result;
     };
-    run_study(
-        missing, meshes_, 1, [](std::size_t, std::size_t) {}, known,
-        [&](std::size_t, CaseResult&& one) { put(std::move(one), false); });
+    put(run_study(
+            missing, meshes_, 1, [](std::size_t, std::size_t) {}, known),
+        false);
   }
 
   ChartPlan plan_;

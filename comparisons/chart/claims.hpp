@@ -5,8 +5,8 @@
 
 namespace springcheck {
 
-/// What a chart says of a claim; neither where the quartiles of two times overlap, or two
-/// errors differ by less than what the truth may be off.
+/// What a chart says of a claim; neither where two times cannot be told from each other
+/// (is_faster_than), or two errors differ by less than what the truth may be off.
 enum class Answer { yes, no, undecided };
 
 std::string_view name_of(Answer answer);

@@ -75,6 +75,24 @@ BOOST_AUTO_TEST_CASE(motions_are_told_by_the_simulated_second) {
   BOOST_TEST(chart.points.at(0).seconds().value() == 0.2, round_off);
 }
 
+BOOST_AUTO_TEST_CASE(times_are_told_from_each_other_by_their_quartiles) {
+  ExampleChart example;
+  for (const double seconds : {1., 1.2, 1.3})  // quartiles 10 % beside them
+    example.add("mss-cf", static_cast<int>(10 * seconds), seconds, 9, 0.002);
+  Chart chart = evaluated(example.chart, example.cases);
+  const auto& points = chart.points;
+  BOOST_TEST(!points[0].is_faster_than(points[1]));  // 1.1 and 1.08
+  BOOST_TEST(points[0].is_faster_than(points[2]));   // 1.1 and 1.17
+  BOOST_TEST(!points[2].is_faster_than(points[0]));
+  // A single run has no quartiles.
+  const auto once = [](double seconds) { return timing_of({seconds}); };
+  chart.points[0].place.timing = once(1);
+  chart.points[1].place.timing = once(1.1);
+  chart.points[2].place.timing = once(1.15);
+  BOOST_TEST(!points[0].is_faster_than(points[1]));
+  BOOST_TEST(points[0].is_faster_than(points[2]));
+}
+
 BOOST_AUTO_TEST_CASE(failed_states_have_no_place_on_a_front) {
   ExampleChart example;
   example.add("mss-nfd", 4, 1, 12, 0.002).status = Status::wrinkled;

@@ -62,6 +62,7 @@ struct ExampleChart {
          .nodes = std::pow(across + 1, 3),
          .threads = 1,
          .key = key,
+         .left_out = std::nullopt,
          .timing = around(seconds),
          .setup = 0.1 * seconds,
          .simulated = kind == ChartKind::motion ? std::optional(10.) : std::nullopt});
