@@ -10,28 +10,31 @@
 namespace springcheck::tissue {
 namespace {
 
+/// Adds what a branch has to its parts of S.
+void add(const Solid& solid, const BranchModuli& moduli, const SymmetricTensor& A,
+         const Strain& strain, PointStress& sum) {
+  const BranchState branch = branch_state(solid, moduli, A, strain);
+  sum.strands += branch.stiffness / strain.dilation * A;
+  sum.volume += branch.stiffness * volume_share(solid, branch, strain);
+}
+
 /// `store` is given each branch's A after the step.
 template <class Store>
-PointStress stress_with(const MaxwellModel& model, const MemoryStep& step,
-                        std::span<const double> state, const SymmetricTensor& C,
-                        const SymmetricTensor& inverse_C, Store store) {
+PointStress stress_with(const Solid& solid, const MemoryStep& step,
+                        std::span<const double> state, const Strain& strain,
+                        Store store) {
+  const MaxwellModel& model = solid.shear;
   assert(state.size() == state_size(model.branches.size()));
   assert(step.decays.size() == model.branches.size());
-  const double log_det_C = log_determinant(C);
   const SymmetricTensor old_inverse = tensor(state, 0);
-
-  const double M_elastic =
-      branch_state(model, model.elastic, identity(), C, log_det_C).stiffness;
-  PointStress sum{M_elastic * identity() -
-                      model.viscosity / step.duration * (inverse_C - old_inverse),
-                  M_elastic};
+  const SymmetricTensor old_rest = unimodular(old_inverse),
+                        new_rest = strain.dilation * strain.inverse;
+  PointStress sum{-model.viscosity / step.duration * (strain.inverse - old_inverse), 0};
+  add(solid, model.elastic, identity(), strain, sum);
   for (std::size_t i = 0; i < model.branches.size(); ++i) {
     const SymmetricTensor A =
-        after(step.decays[i], tensor(state, i + 1), old_inverse, inverse_C);
-    const double M =
-        branch_state(model, model.branches[i].moduli, A, C, log_det_C).stiffness;
-    sum.second_piola_kirchhoff += M * A;
-    sum.stiffness_sum += M;
+        after(step.decays[i], tensor(state, i + 1), old_rest, new_rest);
+    add(solid, model.branches[i].moduli, A, strain, sum);
     store(i, A);
   }
   return sum;
@@ -44,11 +47,11 @@ void set_to_rest(std::span<double> state) {
   for (std::size_t i = 0; i < state.size() / 6; ++i) tensor(state, i) = identity();
 }
 
-MemoryStep memory_step(const MaxwellModel& model, double duration) {
-  check(model);
+MemoryStep memory_step(const Solid& solid, double duration) {
+  check(solid);
   check_positive("time step [s]", duration);
   MemoryStep step{duration, {}};
-  for (const MaxwellBranch& branch : model.branches) {
+  for (const MaxwellBranch& branch : solid.shear.branches) {
     const double x = duration / branch.relaxation_time;
     // (1 - (1+x) exp(-x))/x, by P(2, x), which keeps its digits at small x.
     const double from_old = boost::math::gamma_p(2, x) / x;
@@ -57,28 +60,47 @@ MemoryStep memory_step(const MaxwellModel& model, double duration) {
   return step;
 }
 
-PointStress stress_after(const MaxwellModel& model, const MemoryStep& step,
+SymmetricTensor second_piola_kirchhoff(const PointStress& stress,
+                                       const SymmetricTensor& C) {
+  const Strain strain = strain_of(C);
+  return stress.strands + strain.J * stress.volume * strain.inverse;
+}
+
+PointStress stress_after(const Solid& solid, const MemoryStep& step,
                          std::span<const double> state, const SymmetricTensor& C) {
-  return stress_with(model, step, state, C, inverse(C),
+  return stress_with(solid, step, state, strain_of(C),
                      [](std::size_t, const SymmetricTensor&) {});
 }
 
-PointStress advance(const MaxwellModel& model, const MemoryStep& step,
-                    std::span<double> state, const SymmetricTensor& C) {
-  const SymmetricTensor inverse_C = inverse(C);
+PointStress stress_at(const Solid& solid, std::span<const double> state,
+                      const SymmetricTensor& C, const SymmetricTensor& rate) {
+  const MaxwellModel& model = solid.shear;
+  assert(state.size() == state_size(model.branches.size()));
+  const Strain strain = strain_of(C);
+  const Eigen::Matrix3d B = matrix_of(strain.inverse);
+  PointStress sum{model.viscosity * symmetric_tensor(B * matrix_of(rate) * B), 0};
+  add(solid, model.elastic, identity(), strain, sum);
+  for (std::size_t i = 0; i < model.branches.size(); ++i)
+    add(solid, model.branches[i].moduli, tensor(state, i + 1), strain, sum);
+  return sum;
+}
+
+PointStress advance(const Solid& solid, const MemoryStep& step, std::span<double> state,
+                    const SymmetricTensor& C) {
+  const Strain strain = strain_of(C);
   const PointStress stress = stress_with(
-      model, step, state, C, inverse_C,
+      solid, step, state, strain,
       [&](std::size_t i, const SymmetricTensor& A) { tensor(state, i + 1) = A; });
-  tensor(state, 0) = inverse_C;
+  tensor(state, 0) = strain.inverse;
   return stress;
 }
 
-void advance(const MaxwellModel& model, const MemoryStep& step, std::span<double> states,
+void advance(const Solid& solid, const MemoryStep& step, std::span<double> states,
              std::span<const SymmetricTensor> C, std::span<PointStress> stresses) {
-  const std::size_t size = state_size(model.branches.size());
+  const std::size_t size = state_size(solid.shear.branches.size());
   assert(states.size() == size * C.size() && stresses.size() == C.size());
   for (std::size_t point = 0; point < C.size(); ++point)
-    stresses[point] = advance(model, step, states.subspan(point * size, size), C[point]);
+    stresses[point] = advance(solid, step, states.subspan(point * size, size), C[point]);
 }
 
 }  // namespace springcheck::tissue

@@ -3,27 +3,41 @@
 #include <span>
 #include <vector>
 
-#include "tissue/maxwell_branches.hpp"
+#include "tissue/solid.hpp"
 #include "tissue/symmetric_tensor.hpp"
 
 // A point of tissue in finite strain: the Maxwell model of simple shear, in terms of
-// C = F^T F. Each branch remembers a tensor A_i, the elastic one's is I:
+// C = F^T F without its change of volume,
 //
-//     dA_i/dt = (C^-1 - A_i)/tau_i,                       A_i = I at rest
-//     I_i = tr(C A_i) - 3 - ln det C,                     M_i of it as in BranchModuli
-//     S = sum M_i A_i - eta d(C^-1)/dt                    second Piola-Kirchhoff [Pa]
+//     C' = C/J^(2/3),   J = sqrt(det C),   det C' = 1
+//
+// Each branch remembers a tensor A_i, the elastic one's is I:
+//
+//     dA_i/dt = (C'^-1 - A_i)/tau_i,              A_i = I at rest
+//     I_i = tr(C' A_i) - 3,                       M_i, as in BranchModuli, of
+//                                                 I_i + r (J-1)^2
+//     S = sum M_i A_i/J^(2/3) - eta d(C^-1)/dt + J v C^-1
+//                                                 second Piola-Kirchhoff [Pa]
+//     v = sum M_i {r (J-1) - (1 + I_i/3)/J}       what resists a growth of volume [Pa]
 //
 // In simple shear I_i is <D^2>_i and sigma_xy = (F S F^T)_xy that of MaxwellModel, at any
-// strain. At rest S = sum M_i I: the caller's volume force adds the pressure - sum M_i/J,
-// which takes sum M_i C^-1 from S, makes rest free of stress, and is what the free energy
-// below belongs to. F -> Q F leaves C, and so S, as they are.
+// strain. Rest is free of stress, and a sudden small strain meets the shear modulus
+// sum M_i and the bulk modulus r sum M_i, which follows the hardening. F -> Q F leaves C,
+// and so S, as they are.
 //
-// Made for motions that nearly keep their volume: I_i counts a lasting change of volume,
-// as - ln det C in a branch that has relaxed. A compression so hardens a little, and an
-// expansion would make I_i negative, which is taken as 0.
+// No motion makes such a point give off energy. A_i is a mean of tensors of determinant 1
+// over the past: as det^(1/3) is concave, det A_i >= 1, and so tr(C' A_i) >= 3
+// det(C' A_i)^(1/3) >= 3, that is, I_i >= 0. S is 2 dpsi/dC and the dashpot's part, of
+//
+//     psi = 1/2 sum W_i(I_i + r (J-1)^2),         W_i' = M_i
+//
+// as dI_i/dC at fixed A_i is A_i/J^(2/3) - (1 + I_i/3) C^-1; and what psi loses as A_i
+// fades is M_i I_i/(2 tau_i). Were A_i to follow C^-1 itself, or kappa = r sum M_i to
+// follow a hardening that leaves the change of volume out, neither would hold.
 //
 // Source: a network whose strands break and form anew at rest, Green and Tobolsky 1946,
-// J. Chem. Phys. 14, 80, with a stiffness M_i that hardens as the bi-power law does.
+// J. Chem. Phys. 14, 80, with a stiffness M_i that hardens as the bi-power law does, and
+// the volume-preserving part C' as Simo 1987, Comput. Methods Appl. Mech. Eng. 60, 153.
 
 namespace springcheck::tissue {
 
@@ -35,9 +49,9 @@ constexpr std::size_t state_size(std::size_t branches) {
 
 void set_to_rest(std::span<double> state);
 
-/// What a step of dt makes of a memory, C^-1 going straight from C_old^-1 to C_new^-1:
+/// What a step of dt makes of a memory, C'^-1 going straight from old to new:
 ///
-///     A <- e A + (1-e-f) C_old^-1 + f C_new^-1
+///     A <- e A + (1-e-f) C'_old^-1 + f C'_new^-1
 ///     e = exp(-dt/tau),  f = 1 - (1-e) tau/dt
 struct Decay {
   double kept, from_old, from_new;  // e, 1-e-f, f; between 0 and 1
@@ -47,43 +61,57 @@ struct MemoryStep {
   std::vector<Decay> decays;  // of each branch
 };
 
-/// Once for each dt > 0, not for each point. Throws InputError for a dt or a model that
+/// Once for each dt > 0, not for each point. Throws InputError for a dt or a solid that
 /// cannot be.
-MemoryStep memory_step(const MaxwellModel& model, double duration);
+MemoryStep memory_step(const Solid& solid, double duration);
 
+/// S in the two parts that springs and the volume force carry.
 struct PointStress {
-  SymmetricTensor second_piola_kirchhoff;  // S [Pa], without the pressure
-  double stiffness_sum;                    // sum M_i [Pa]
+  SymmetricTensor strands;  // sum M_i A_i/J^(2/3) and the dashpot's [Pa]
+  double volume;            // v [Pa]
 };
+
+/// S [Pa], its parts put together.
+SymmetricTensor second_piola_kirchhoff(const PointStress& stress,
+                                       const SymmetricTensor& C);
 
 /// At the end of a step that leads to C, with -eta (C_new^-1 - C_old^-1)/dt for the
 /// dashpot: the branches are of second order in dt, the dashpot of first (exact in a
 /// simple shear at constant rate). C is positive definite; the state is that before the
 /// step and stays so.
-PointStress stress_after(const MaxwellModel& model, const MemoryStep& step,
+PointStress stress_after(const Solid& solid, const MemoryStep& step,
                          std::span<const double> state, const SymmetricTensor& C);
 
-/// The same, and the state becomes that after the step.
-PointStress advance(const MaxwellModel& model, const MemoryStep& step,
-                    std::span<double> state, const SymmetricTensor& C);
+/// At C, which changes at the rate dC/dt [1/s], with the memories as they are: what a
+/// sudden change of C or of its rate meets. The dashpot has eta C^-1 dC/dt C^-1.
+PointStress stress_at(const Solid& solid, std::span<const double> state,
+                      const SymmetricTensor& C, const SymmetricTensor& rate);
+
+/// stress_after, and the state becomes that after the step.
+PointStress advance(const Solid& solid, const MemoryStep& step, std::span<double> state,
+                    const SymmetricTensor& C);
 
 /// The same for many points, whose states follow each other.
-void advance(const MaxwellModel& model, const MemoryStep& step, std::span<double> states,
+void advance(const Solid& solid, const MemoryStep& step, std::span<double> states,
              std::span<const SymmetricTensor> C, std::span<PointStress> stresses);
 
 /// Derivatives of stress_after by the six entries of C; the two places of an entry off
-/// the diagonal change together.
+/// the diagonal change together. With D_i = A_i/J^(2/3) - (1 + I_i/3) C^-1 and
+/// Q_i = D_i + r (J-1) J C^-1, the derivatives of M_i's two arguments,
 ///
-///     dS/dC : H = sum A_i (dM_i/dC : H) - (sum f_i M_i - eta/dt) C^-1 H C^-1
-///     dM_i/dC   = M_i' (A_i - (1 + f_i) C^-1)
+///     d strands : H = sum {M_i' (Q_i : H) - M_i/3 C^-1 : H} A_i/J^(2/3)
+///                     + sum f_i M_i {(C^-1 : H) C^-1/3 - C^-1 H C^-1}
+///                     + eta/dt C^-1 H C^-1
+///     d volume      = sum M_i' {r (J-1) - (1 + I_i/3)/J} Q_i
+///                     + sum M_i {(r J + (1 + I_i/3)/J)/2 C^-1 - D_i/(3 J)}
 ///
-/// The matrix is not symmetric: M_i depends on C by its memory too. With the pressure,
-/// A_i - C^-1 replaces A_i, and it still is not, by f_i.
+/// Put together as S they are symmetric: the C'^-1 that a step adds to A_i does not
+/// change I_i.
 struct PointTangent {
-  Eigen::Matrix<double, 6, 6> stress;  // dS/dC [Pa]
-  SymmetricTensor stiffness_sum;       // d(sum M_i)/dC [Pa]
+  Eigen::Matrix<double, 6, 6> strands;  // [Pa]
+  SymmetricTensor volume;               // [Pa]
 };
-PointTangent tangent_after(const MaxwellModel& model, const MemoryStep& step,
+PointTangent tangent_after(const Solid& solid, const MemoryStep& step,
                            std::span<const double> state, const SymmetricTensor& C);
 
 }  // namespace springcheck::tissue

@@ -17,29 +17,50 @@ inline Eigen::Map<SymmetricTensor> tensor(std::span<double> state, std::size_t i
   return Eigen::Map<SymmetricTensor>(state.data() + 6 * i);
 }
 
-/// I and M of a branch. `I` is as it comes, and counts for M where it is positive.
-struct BranchState {
-  double invariant, stiffness;
+/// C and what follows from it.
+struct Strain {
+  SymmetricTensor C, inverse;
+  double J;         // sqrt(det C)
+  double dilation;  // J^(2/3): C' = C/dilation, C'^-1 = dilation C^-1
 };
 
-inline BranchState branch_state(const MaxwellModel& model, const BranchModuli& moduli,
-                                const SymmetricTensor& A, const SymmetricTensor& C,
-                                double log_det_C) {
-  const double I = contraction(C, A) - 3 - log_det_C;
-  return {I, branch_stiffness(moduli, std::max(I, 0.), model.linear_limit,
-                              model.hardening_index)};
-}
-
-inline SymmetricTensor after(const Decay& decay, const SymmetricTensor& A,
-                             const SymmetricTensor& old_inverse,
-                             const SymmetricTensor& new_inverse) {
-  return decay.kept * A + decay.from_old * old_inverse + decay.from_new * new_inverse;
-}
-
-inline double log_determinant(const SymmetricTensor& C) {
+inline Strain strain_of(const SymmetricTensor& C) {
   const double det = determinant(C);
   assert(det > 0);
-  return std::log(det);
+  return {C, adjugate(C) / det, std::sqrt(det), std::cbrt(det)};
+}
+
+/// C'^-1 of C^-1.
+inline SymmetricTensor unimodular(const SymmetricTensor& inverse_C) {
+  return inverse_C / std::cbrt(determinant(inverse_C));
+}
+
+/// I, what M is taken of, and M.
+struct BranchState {
+  double invariant, hardening_strain, stiffness;
+};
+
+inline BranchState branch_state(const Solid& solid, const BranchModuli& moduli,
+                                const SymmetricTensor& A, const Strain& strain) {
+  const double I = contraction(strain.C, A) / strain.dilation - 3;
+  const double volume_part = solid.bulk_ratio * (strain.J - 1) * (strain.J - 1);
+  const double squares = std::max(I, 0.) + volume_part;  // I < 0 is round-off
+  return {I, squares,
+          branch_stiffness(moduli, squares, solid.shear.linear_limit,
+                           solid.shear.hardening_index)};
+}
+
+/// d psi/dJ over M, what a branch adds to the volume stress: r (J-1) - (1 + I/3)/J.
+inline double volume_share(const Solid& solid, const BranchState& branch,
+                           const Strain& strain) {
+  return solid.bulk_ratio * (strain.J - 1) - (1 + branch.invariant / 3) / strain.J;
+}
+
+/// A after a step, the old and the new C'^-1 given.
+inline SymmetricTensor after(const Decay& decay, const SymmetricTensor& A,
+                             const SymmetricTensor& old_rest,
+                             const SymmetricTensor& new_rest) {
+  return decay.kept * A + decay.from_old * old_rest + decay.from_new * new_rest;
 }
 
 }  // namespace springcheck::tissue

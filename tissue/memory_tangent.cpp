@@ -24,12 +24,12 @@ Tangent product_on_both_sides(const SymmetricTensor& b) {
   return product;
 }
 
-/// dM/dI [Pa]. Infinite at I = 0 if p < 2, where what it multiplies is 0.
-double stiffening(const MaxwellModel& model, const BranchModuli& moduli,
+/// M' [Pa]. Infinite where nothing is strained if p < 2, where what it multiplies is 0.
+double stiffening(const Solid& solid, const BranchModuli& moduli,
                   const BranchState& branch) {
-  if (branch.invariant <= 0) return 0;
-  return (branch.stiffness - moduli.linear) * model.hardening_index /
-         (2 * branch.invariant);
+  if (branch.hardening_strain <= 0) return 0;
+  return (branch.stiffness - moduli.linear) * solid.shear.hardening_index /
+         (2 * branch.hardening_strain);
 }
 
 /// The derivative by the entries of C of a number whose derivative is the tensor X.
@@ -40,28 +40,39 @@ SymmetricTensor by_entries(SymmetricTensor X) {
 
 }  // namespace
 
-PointTangent tangent_after(const MaxwellModel& model, const MemoryStep& step,
+PointTangent tangent_after(const Solid& solid, const MemoryStep& step,
                            std::span<const double> state, const SymmetricTensor& C) {
+  const MaxwellModel& model = solid.shear;
   assert(state.size() == state_size(model.branches.size()));
-  const SymmetricTensor inverse_C = inverse(C), old_inverse = tensor(state, 0);
-  const double log_det_C = log_determinant(C);
-  PointTangent tangent{Tangent::Zero(), SymmetricTensor::Zero()};
-  double following = -model.viscosity / step.duration;  // sum f_i M_i - eta/dt
+  const Strain strain = strain_of(C);
+  const double J = strain.J, r = solid.bulk_ratio;
+  const SymmetricTensor& inverse_C = strain.inverse;
+  const SymmetricTensor old_rest = unimodular(tensor(state, 0)),
+                        new_rest = strain.dilation * inverse_C;
+  Tangent strands = Tangent::Zero();
+  SymmetricTensor volume = SymmetricTensor::Zero();
+  double following = 0;  // sum f_i M_i
   const auto add = [&](const BranchModuli& moduli, const SymmetricTensor& A, double f) {
-    const BranchState branch = branch_state(model, moduli, A, C, log_det_C);
-    const SymmetricTensor dM =
-        stiffening(model, moduli, branch) * by_entries(A - (1 + f) * inverse_C);
-    tangent.stress += A * dM.transpose();
-    tangent.stiffness_sum += dM;
-    following += f * branch.stiffness;
+    const BranchState branch = branch_state(solid, moduli, A, strain);
+    const double M = branch.stiffness, M1 = stiffening(solid, moduli, branch);
+    const double mean_square_stretch = 1 + branch.invariant / 3;
+    const SymmetricTensor strand = A / strain.dilation;
+    const SymmetricTensor D = strand - mean_square_stretch * inverse_C;
+    const SymmetricTensor Q = D + r * (J - 1) * J * inverse_C;
+    strands += strand * by_entries(M1 * Q - M / 3 * inverse_C).transpose();
+    volume += M1 * volume_share(solid, branch, strain) * Q +
+              M * ((r * J + mean_square_stretch / J) / 2 * inverse_C - D / (3 * J));
+    following += f * M;
   };
   add(model.elastic, identity(), 0);
   for (std::size_t i = 0; i < model.branches.size(); ++i)
     add(model.branches[i].moduli,
-        after(step.decays[i], tensor(state, i + 1), old_inverse, inverse_C),
+        after(step.decays[i], tensor(state, i + 1), old_rest, new_rest),
         step.decays[i].from_new);
-  tangent.stress -= following * product_on_both_sides(inverse_C);
-  return tangent;
+  strands +=
+      following / 3 * inverse_C * by_entries(inverse_C).transpose() -
+      (following - model.viscosity / step.duration) * product_on_both_sides(inverse_C);
+  return {strands, by_entries(volume)};
 }
 
 }  // namespace springcheck::tissue

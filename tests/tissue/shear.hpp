@@ -11,31 +11,35 @@ inline SymmetricTensor sheared(double strain) {
   return {1, 1 + strain * strain, 1, 0, 0, strain};
 }
 
-/// (F S F^T)_xy of it; J is 1, and a pressure adds nothing.
-inline double shear_stress_of(const SymmetricTensor& S, double strain) {
-  return S[5] + strain * S[1];
+/// (F S F^T)_xy of it; J is 1, and the volume's part adds nothing.
+inline double shear_stress_of(const PointStress& stress, double strain) {
+  return stress.strands[5] + strain * stress.strands[1];
+}
+
+/// In simple shear any bulk modulus does; this one is that of nu = .499.
+inline Solid sheared_solid(const MaxwellModel& model) {
+  return {model, bulk_ratio_of(0.499)};
 }
 
 /// A point in simple shear, from rest.
 class ShearedPoint {
  public:
   explicit ShearedPoint(const MaxwellModel& model)
-      : model_(model), state_(state_size(model.branches.size())) {
+      : solid_(sheared_solid(model)), state_(state_size(model.branches.size())) {
     set_to_rest(state_);
   }
 
   /// The stress after one step.
   double step_to(double strain, const MemoryStep& step) {
-    return shear_stress_of(
-        advance(model_, step, state_, sheared(strain)).second_piola_kirchhoff, strain);
+    return shear_stress_of(advance(solid_, step, state_, sheared(strain)), strain);
   }
   double step_to(double strain, double duration) {
-    return step_to(strain, memory_step(model_, duration));
+    return step_to(strain, memory_step(solid_, duration));
   }
 
   /// The stress after that many equal steps at a constant rate.
   double move(double from, double to, double duration, int steps) {
-    const MemoryStep step = memory_step(model_, duration / steps);
+    const MemoryStep step = memory_step(solid_, duration / steps);
     double stress = 0;
     for (int i = 1; i <= steps; ++i)
       stress = step_to(from + (to - from) * i / steps, step);
@@ -45,7 +49,7 @@ class ShearedPoint {
   [[nodiscard]] const std::vector<double>& state() const { return state_; }
 
  private:
-  MaxwellModel model_;
+  Solid solid_;
   std::vector<double> state_;
 };
 

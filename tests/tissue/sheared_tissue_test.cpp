@@ -86,7 +86,8 @@ BOOST_DATA_TEST_CASE(small_oscillations_have_the_law_s_moduli, data::make(names)
   for (int i = 0; i <= 24; ++i) {
     const double omega = 0.1 * std::pow(10, i / 8.);
     const MaxwellModel& model = model_of(organ);
-    const MemoryStep step = memory_step(model, 2 * std::numbers::pi / omega / steps);
+    const MemoryStep step =
+        memory_step(sheared_solid(model), 2 * std::numbers::pi / omega / steps);
     ShearedPoint point(model);
     double storage = 0, loss = 0;
     for (int k = 1; k <= periods * steps; ++k) {
@@ -115,7 +116,7 @@ double deviation_over(const std::string& organ, const StrainHistory& history) {
   double difference = 0, norm = 0;
   for (std::size_t i = 1; i < history.times.size(); ++i) {
     const double begin = history.times[i - 1], dt = (history.times[i] - begin) / steps;
-    const MemoryStep step = memory_step(model_of(organ), dt);
+    const MemoryStep step = memory_step(sheared_solid(model_of(organ)), dt);
     for (int k = 1; k <= steps; ++k) {
       const double time = begin + k * dt;
       const double stress_of_point = point.step_to(strain_at(history, time), step);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "dynamics/march.hpp"
+#include "mss/tissue/tissue_body.hpp"
+
+namespace springcheck::mss {
+
+/// Why tissue does not move so, or nothing when it does: it steps explicitly, and keeps
+/// no checkpoints, which would have to hold its memories.
+std::optional<std::string> reason_to_refuse_tissue(const dynamics::Protocol& protocol,
+                                                   const dynamics::Observers& observers);
+
+/// Moves tissue through time by the explicit integrators, from rest with memories at
+/// rest: a step moves the nodes, then the memories, which gives the next forces. The
+/// dashpot's rate is that of the step just made. See dynamics::march; the stability limit
+/// is that of the memories as they are, beside which they can only give way.
+Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueBody& body,
+                             const dynamics::Protocol& protocol,
+                             const dynamics::Observers& observers = {});
+
+}  // namespace springcheck::mss
