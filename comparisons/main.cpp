@@ -289,7 +289,7 @@ int command_line(int argc, char** argv) {
   chart
       ->add_option("--truth", chart_options.truth_across,
                    "cells across of the coarsest of the three grids of q2 that tell the "
-                   "truth (default 4; 3 for bodies much longer than wide)")
+                   "truth (default 4; 2 for bodies much longer than wide)")
       ->check(CLI::Range(1, 1000));
   chart->add_flag("--retime", chart_options.retime,
                   "time again what the file has a time of");
@@ -325,7 +325,7 @@ int command_line(int argc, char** argv) {
   advise
       ->add_option("--truth", advise_options.truth_across,
                    "cells across of the coarsest of the three grids of q2 that tell the "
-                   "truth (default 4; 3 for bodies much longer than wide)")
+                   "truth (default 4; 2 for bodies much longer than wide)")
       ->check(CLI::Range(1, 1000));
   advise->add_option("--jobs", threads, "truths at once, at most (default: all cores)")
       ->check(CLI::Range(1, 1024));

@@ -107,8 +107,9 @@ class Search {
     if (!place) return false;
     const auto error = judge().error(*place);
     if (!point(*place).is_ok() || !error) return ++failures_[&model] < 2;
+    // A sound point has set best_; another one that is cheaper was not sound.
     if (judge().meets_tolerance(*place))
-      return !is_sound(*place) && ++failures_[&model] < 3;
+      return *judge().cost(*place) < best_ && ++failures_[&model] < 3;
     const auto before = last_error_.find(&model);
     const bool is_stuck =
         before != last_error_.end() && *error > still_falls * before->second;
@@ -172,8 +173,10 @@ class Search {
   }
 
   void choose() {
-    std::vector<std::size_t> sound, accidental;
+    std::vector<std::size_t> sound;  // that cannot be told from the first
+    std::optional<std::size_t> accidental;
     for (const std::size_t i : cheapest_first()) {
+      if (!sound.empty() && point(sound.front()).is_faster_than(point(i))) break;
       if (!is_stable(i))
         advice_.cautions.push_back(fmt::format(
             "{} on {} across would do, but its path to the full load loses its "
@@ -181,20 +184,20 @@ class Search {
             point(i).place.model, point(i).place.across));
       else if (accident(i).empty())
         sound.push_back(i);
-      else
-        accidental.push_back(i);
+      else if (!accidental)
+        accidental = i;
     }
     if (!sound.empty()) {
       advice_.chosen = smallest_of_equals(sound);
-    } else if (!accidental.empty()) {
-      advice_.chosen = accidental.front();
-      advice_.cautions.push_back(accident(accidental.front()));
+    } else if (accidental) {
+      advice_.chosen = accidental;
+      advice_.cautions.push_back(accident(*accidental));
     } else {
       find_nearest();
     }
   }
 
-  /// Of those that cannot be told from the first, the cheapest, by their times.
+  /// Of points that cannot be told from each other by their times.
   [[nodiscard]] std::size_t smallest_of_equals(const std::vector<std::size_t>& sound) {
     const auto& models = chart_models(shape_);
     const auto size = [&](std::size_t i) {
@@ -205,8 +208,7 @@ class Search {
     };
     std::size_t smallest = sound.front();
     for (const std::size_t i : sound)
-      if (!point(sound.front()).is_faster_than(point(i)) && size(i) < size(smallest))
-        smallest = i;
+      if (size(i) < size(smallest)) smallest = i;
     return smallest;
   }
 

@@ -174,11 +174,11 @@ ThreeCases truth_grids(const std::string& scene, const std::vector<GivenSetting>
   }
   double finest_nodes = 1;
   for (const int cells : cells_across(body.block.size, 16)) finest_nodes *= 2 * cells + 1;
-  const int coarsest = across.value_or(finest_nodes > most_nodes ? 3 : 4);
-  return convergence_grids(
-      case_with(scene, own,
-                cells_of(body.block.size, coarsest) + elements +
-                    Changes{{"cell-type", "hexahedron"}, {"distortion", "0"}}));
+  const bool is_beam = finest_nodes > most_nodes;
+  Changes changes = cells_of(body.block.size, across.value_or(is_beam ? 2 : 4)) +
+                    elements + Changes{{"cell-type", "hexahedron"}, {"distortion", "0"}};
+  if (is_beam) changes.emplace_back("linear-solver", "direct");
+  return convergence_grids(case_with(scene, own, changes));
 }
 
 }  // namespace springcheck
