@@ -117,7 +117,8 @@ std::vector<std::string> line_of(const std::string& role, const Advice& advice,
       fmt::format("{:.3g}", *point.seconds())};
   if (wish.frame) {
     const auto frame = frame_of(point, *wish.frame);
-    line.push_back(frame ? fmt::format("{} x {:.3g}", frame->steps, frame->dt) : "none");
+    line.push_back(frame ? fmt::format("{:.0f} x {:.3g}", frame->steps, frame->dt)
+                         : "none");
     line.push_back(frame ? fmt::format("{:.3g}", frame->seconds) : "none");
   }
   line.push_back(point.place.key.substr(0, 12));
@@ -168,6 +169,12 @@ ExitStatus advise_command(const std::string& scene,
       given.scene_file.empty() ? std::filesystem::path(name + "-advised.toml")
                                : given.scene_file;
   check_scene_file(scene_file);
+  for (const std::filesystem::path& other :
+       {given.out, std::filesystem::path(read_scene(scene).file)})
+    if (std::filesystem::weakly_canonical(scene_file) ==
+        std::filesystem::weakly_canonical(other))
+      throw InputError("--scene-file", "", "a file that is not read or written otherwise",
+                       "'" + scene_file.string() + "'");
   std::optional<TemporaryFile> temporary;
   if (given.out.empty()) temporary.emplace();
   const ChartPlan plan{.scene = scene,

@@ -16,8 +16,8 @@ std::optional<Frame> frame_of(const ChartPoint& point, double duration) {
   if (all_steps == 0) return std::nullopt;
   const double of_step =
       (point.place.timing->upper_quartile - point.place.setup.value_or(0)) / all_steps;
-  const int steps = static_cast<int>(
-      std::max(1., std::ceil(duration / (step_ratio * *point.found->dt_limit))));
+  const double steps =
+      std::max(1., std::ceil(duration / (step_ratio * *point.found->dt_limit)));
   return Frame{.steps = steps, .dt = duration / steps, .seconds = steps * of_step};
 }
 

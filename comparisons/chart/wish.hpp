@@ -23,7 +23,7 @@ struct Wish {
 
 /// A frame of motion: whole steps of at most .9 of the stability limit.
 struct Frame {
-  int steps;
+  double steps;    // a whole number, which may be beyond those of int
   double dt;       // [s]
   double seconds;  // real
 };

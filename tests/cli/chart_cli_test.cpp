@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_scenes_own_way_to_be_simulated_is_not_a_charts) {
          "method = \"mss-cf\"\nsolver = \"verlet\"\nprecision = \"float\"\n"
          "dt = 1e-6\ndistortion = 0.2\nnoise = 0.01\n";
   const std::string options = " --sizes 2 --on-threads 1 --format json" + quick;
-  const Json plain = json_of("chart compression --out chart.h5" + options),
+  const Json plain = json_of("chart compression --out plain.h5" + options),
              own = json_of("chart ./own-way.toml --out own-way.h5" + options);
   BOOST_TEST(own[1]["rows"].size() == plain[1]["rows"].size());
   for (std::size_t i = 0; i < plain[1]["rows"].size(); ++i)
@@ -163,6 +163,9 @@ BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
                    "a positive finite number");
   expect_bad_input("advise compression --tolerance 8% --budget 0", "above 0");
   expect_bad_input("advise kidney --tolerance 8% --measure deviation", "force or volume");
+  expect_bad_input(
+      "advise compression --tolerance 8% --out same.toml --scene-file same.toml",
+      "not read or written otherwise");
   expect_bad_input("advise nowhere --tolerance 8%", "nowhere");
   expect_bad_input("advise traction --tolerance 8%", "a plate or a weight");
   expect_bad_input("chart compression --out x.h5 --sizes 4,4", "different whole numbers");

@@ -70,6 +70,9 @@ BOOST_AUTO_TEST_CASE(a_frame_has_whole_steps_below_the_limit) {
   // 1000 steps in 1.1 s, the upper quartile, of which .1 s of set-up:
   BOOST_TEST(frame->seconds == 23 * 1e-3, round_off);
 
+  // More steps than an int holds.
+  BOOST_TEST(frame_of(chart.points[0], 1e12).value().dt > 0.99 * 0.9e-3);
+
   Wish wish = force_within(0.3);
   wish.frame = 0.02;
   BOOST_TEST(Judge(wish, chart).cost(0).value() == 0.023 / 0.02, round_off);
