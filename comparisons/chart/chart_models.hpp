@@ -63,7 +63,8 @@ CaseSettings model_case(const std::string& scene,
 /// The three grids of q2, from coarse to fine, whose limit is the truth of a law. Of a
 /// block those of convergence_grids from `across` cells on: 4, or 2 where the finest of
 /// 16 would have more than 10^5 nodes, as beams have, by the direct solver: multigrid
-/// takes four times as long where a beam bends (8 x 8 x 48 cells: 80 s, more than 300).
+/// takes several times as long where a beam bends (fem-stvk on 8 x 8 x 48 cells, beside
+/// other work on two cores: 80 s, and stopped after 300).
 /// Of a kidney, whose meshes are not nested and whose surface they follow ever closer, 4,
 /// 6 and 8 across in proportion to `across`, directly too: multigrid takes four times as
 /// long on such cells.
