@@ -90,7 +90,9 @@ ConvergedField converged_field(std::span<const CaseResult* const> runs, const Bo
       .cell_volumes = {cell_volumes.value.data(),
                        cell_volumes.value.data() + cell_volumes.value.size()},
       .order = field.order,
-      .bar = field.bar.colwise().norm().mean()};
+      .bar = field.bar.colwise().norm().mean(),
+      .node_bars = {}};
+  for (const auto& bar : field.bar.colwise()) converged.node_bars.push_back(bar.norm());
   for (const auto& u : field.value.colwise()) converged.displacements.emplace_back(u);
   return converged;
 }
@@ -102,12 +104,15 @@ ConvergedField finest_field(std::span<const CaseResult* const> runs, const Body&
   ConvergedField field{.displacements = displacements_on(body, finest, meshes),
                        .cell_volumes = cell_volumes_on(body, finest, meshes),
                        .order = std::nullopt,
-                       .bar = 0};
+                       .bar = 0,
+                       .node_bars = {}};
   const Eigen::MatrixXd u = matrix_of(field.displacements);
   const Eigen::MatrixXd change =
       u - matrix_of(displacements_on(body, *runs[runs.size() - 2], meshes));
-  field.bar = std::max(safety_without_order * change.colwise().norm().mean(),
-                       solver_noise * u.colwise().norm().maxCoeff());
+  const double noise = solver_noise * u.colwise().norm().maxCoeff();
+  for (const auto& of_node : change.colwise())
+    field.node_bars.push_back(std::max(safety_without_order * of_node.norm(), noise));
+  field.bar = std::max(safety_without_order * change.colwise().norm().mean(), noise);
   return field;
 }
 
@@ -126,11 +131,15 @@ std::optional<ReferenceField> reference_field(const Request& request,
     field.solution.cell_volumes = cell_volumes_on(body, *runs[0], meshes);
     return field;
   }
-  ConvergedField converged = converged_field(runs, body, meshes);
+  const Cells& coarsest = runs[0]->request.settings.body.block.cells;
+  ConvergedField converged = is_refinement(coarsest, body.block.cells)
+                                 ? converged_field(runs, body, meshes)
+                                 : finest_field(runs, body, meshes);
   field.solution.displacements = std::move(converged.displacements);
   field.solution.cell_volumes = std::move(converged.cell_volumes);
   field.order = converged.order;
   field.bar = converged.bar;
+  field.node_bars = std::move(converged.node_bars);
   return field;
 }
 

@@ -30,6 +30,7 @@ struct ConvergedField {
   std::vector<double> cell_volumes;  // [m^3] deformed, of its cells
   std::optional<double> order;       // of the displacements
   double bar;                        // mean over the nodes of the distance it bounds [m]
+  std::vector<double> node_bars;     // that distance at each
 };
 
 /// A run's displacements at the nodes of a body's mesh: its own ones, or interpolated
@@ -42,19 +43,22 @@ std::vector<Vector3> displacements_on(const Body& body, const CaseResult& run,
 ConvergedField converged_field(std::span<const CaseResult* const> runs, const Body& body,
                                MeshStore& meshes);
 
-/// The field of the finest of the runs, from coarse to fine, with three times its mean
-/// distance from the next as bar (extrapolation.hpp: no order observed).
+/// The field of the finest of the runs, from coarse to fine, with three times its
+/// distance from the next as bars (extrapolation.hpp: no order observed).
 ConvergedField finest_field(std::span<const CaseResult* const> runs, const Body& body,
                             MeshStore& meshes);
 
 /// What deviations are measured against.
 struct ReferenceField {
   Solution solution;                 // displacements and cell volumes, on the case's mesh
-  std::optional<double> order, bar;  // as ConvergedField's, where extrapolated
+  std::optional<double> order, bar;  // as ConvergedField's, of three grids
+  std::vector<double> node_bars{};   // likewise
 };
 
 /// The request's, from the runs of reference_cases(request); none when one of them
-/// failed.
+/// failed. Of three grids it is converged_field where the coarsest refines the case's own
+/// cells, and finest_field elsewhere: what interpolation adds to a coarse grid's errors
+/// does not converge as they do.
 std::optional<ReferenceField> reference_field(const Request& request,
                                               std::span<const CaseResult* const> runs,
                                               MeshStore& meshes);

@@ -60,4 +60,15 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
   measures.cell_volume_ratio_rms_difference = std::sqrt(square_sum / mesh.volume());
 }
 
+Measures::Value reference_bar_l2_relative(const CaseSettings& settings, const Mesh& mesh,
+                                          const Solution& reference,
+                                          const std::vector<double>& node_bars) {
+  const Scene scene = mechanical_scene(settings, mesh);
+  const auto length = imposed_length(settings, scene, mesh, reference);
+  const auto free =
+      over_free_nodes(mesh, scene, [&](std::size_t n) { return node_bars[n]; });
+  if (!length || *length <= 0 || !free) return std::nullopt;
+  return free->root_mean_square / *length;
+}
+
 }  // namespace springcheck

@@ -39,18 +39,23 @@ std::array<int, 3> multiples(const Cells& fine, const Cells& coarse) {
   return {fine[0] / coarse[0], fine[1] / coarse[1], fine[2] / coarse[2]};
 }
 
-/// A place along an axis of a grid: a cell, and the fraction of it that lies before.
-struct Place {
-  int cell;
-  double beyond;  // in [0, 1]
+/// Nodes along an axis of a grid, from `first` on, whose values determine a field's at a
+/// place between them, and by how much each.
+struct Weights {
+  int first;
+  std::vector<double> of;
 };
 
-Place place_on(double size, int cells, double x) {
+/// Lagrange's polynomials, of degree 2 on pairs of cells or 1 on single ones.
+Weights weights_at(double size, int cells, double x) {
   constexpr double rounding = 1e-9;
   double at = std::clamp(x / size * cells, 0., static_cast<double>(cells));
   if (std::abs(at - std::round(at)) < rounding) at = std::round(at);
-  const int cell = std::min(static_cast<int>(at), cells - 1);
-  return {.cell = cell, .beyond = at - cell};
+  const int width = cells % 2 == 0 ? 2 : 1;
+  const int first = std::min(static_cast<int>(at) / width * width, cells - width);
+  const double t = at - first;
+  if (width == 1) return {.first = first, .of = {1 - t, t}};
+  return {.first = first, .of = {(t - 1) * (t - 2) / 2, t * (2 - t), t * (t - 1) / 2}};
 }
 
 }  // namespace
@@ -88,20 +93,21 @@ std::vector<Vector3> interpolated(std::span<const Vector3> field, const Block& g
   std::vector<Vector3> values;
   values.reserve(points.size());
   for (const Vector3& point : points) {
-    std::array<Place, 3> places;
-    for (std::size_t i = 0; i < 3; ++i)
-      places[i] = place_on(grid.size[i], grid.cells[i], point[static_cast<int>(i)]);
+    std::array<Weights, 3> weights;
+    std::array<int, 3> counts{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      weights[i] = weights_at(grid.size[i], grid.cells[i], point[static_cast<int>(i)]);
+      counts[i] = static_cast<int>(weights[i].of.size());
+    }
+    const auto& [along_x, along_y, along_z] = weights;
     Vector3 value = Vector3::Zero();
-    for_each_point({2, 2, 2}, [&](int x, int y, int z, std::size_t) {
-      const std::array<int, 3> side{x, y, z};
-      double weight = 1;
-      std::array<int, 3> node{};
-      for (std::size_t i = 0; i < 3; ++i) {
-        weight *= side[i] == 0 ? 1 - places[i].beyond : places[i].beyond;
-        node[i] = places[i].cell + side[i];
-      }
+    for_each_point(counts, [&](int x, int y, int z, std::size_t) {
+      const double weight = along_x.of[static_cast<std::size_t>(x)] *
+                            along_y.of[static_cast<std::size_t>(y)] *
+                            along_z.of[static_cast<std::size_t>(z)];
       if (weight != 0)
-        value += weight * field[number_of(nodes, node[0], node[1], node[2])];
+        value += weight * field[number_of(nodes, along_x.first + x, along_y.first + y,
+                                          along_z.first + z)];
     });
     values.push_back(value);
   }

@@ -26,9 +26,9 @@ bool is_refinement(const Cells& fine, const Cells& coarse);
 /// Cube root of a cell's mean volume [m].
 double cell_size(const Block& block);
 
-/// A field at points in the block [m], trilinear in each cell of the regular grid at
-/// whose nodes it is given. At a point within 1e-9 cells of a node it is the node's
-/// value.
+/// A field at points in the block [m] from its values at the nodes of a regular grid:
+/// along an axis with an even number of cells quadratic in each pair of them, linear in
+/// each cell along others. At a point within 1e-9 cells of a node it is the node's value.
 std::vector<Vector3> interpolated(std::span<const Vector3> field, const Block& grid,
                                   std::span<const Vector3> points);
 

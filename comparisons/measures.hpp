@@ -74,10 +74,11 @@ struct Measures {
   Value deviation_l2_relative{};  // volume-weighted root mean square
   Value deviation_max_relative{};
   Value cell_volume_ratio_rms_difference{};  // volume-weighted, V/V0 against reference's
-  // Of an extrapolated reference: the order its displacements show, none if they show
-  // none, and the mean distance it may be off [m]; see converged.hpp.
+  // Of a reference on three grids: the order its displacements show, none if they show
+  // none, and the distance they may be off; see converged.hpp.
   Value reference_order{};
-  Value reference_bar{};
+  Value reference_bar{};              // mean over all nodes [m]
+  Value reference_bar_l2_relative{};  // as deviation_l2_relative
 
   // Bending of blocks: the tip is the centre of the end face, a node with even cell
   // counts; with others the displacement is interpolated there.
@@ -130,6 +131,7 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
   visit("cell_volume_ratio_rms_difference", measures.cell_volume_ratio_rms_difference);
   visit("reference_order", measures.reference_order);
   visit("reference_bar", measures.reference_bar);
+  visit("reference_bar_l2_relative", measures.reference_bar_l2_relative);
   visit("tip_deflection", measures.tip_deflection);
   visit("tip_euler_bernoulli", measures.tip_euler_bernoulli);
   visit("tip_timoshenko", measures.tip_timoshenko);
@@ -159,5 +161,11 @@ Measures measure(const CaseSettings& settings, const Mesh& mesh,
 /// Fills in the deviations from the reference, a solution on the same mesh.
 void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
                        const Solution& solution, const Solution& reference);
+
+/// The measure of that name, of a reference on the mesh and the distance that it may be
+/// off at each node [m].
+Measures::Value reference_bar_l2_relative(const CaseSettings& settings, const Mesh& mesh,
+                                          const Solution& reference,
+                                          const std::vector<double>& node_bars);
 
 }  // namespace springcheck

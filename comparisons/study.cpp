@@ -203,6 +203,9 @@ class Study {
           difference(result.solution.displacements, reference->solution.displacements);
       result.measures.reference_order = reference->order;
       result.measures.reference_bar = reference->bar;
+      if (reference->bar)
+        result.measures.reference_bar_l2_relative = reference_bar_l2_relative(
+            request.settings, *own.mesh, reference->solution, reference->node_bars);
     }
     result.request = request;
     result.key = case_key(request, *own.mesh);

@@ -10,18 +10,17 @@
 #include "comparisons/chart/left_out.hpp"
 #include "comparisons/memory.hpp"
 #include "comparisons/progress.hpp"
-#include "comparisons/simulate.hpp"
 
 namespace springcheck {
 namespace {
 
 constexpr std::array sizes{2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32};
 constexpr double still_falls = 0.9;  // error over that of the next coarser cells
-
+constexpr double spread_of_forecasts = 2;
 class Search {
  public:
-  Search(const Wish& wish, const ChartPlan& plan, ChartRun& run)
-      : wish_(wish), plan_(plan), run_(run) {
+  Search(const Wish& wish, const ChartPlan& plan, Measurements& measurements)
+      : wish_(wish), plan_(plan), measurements_(measurements) {
     shape_ = chart_body(plan.scene, plan.options).shape;
     for (const ChartModel& model : chart_models(shape_))
       if (model.kind == wish.kind()) alive_.push_back(&model);
@@ -53,7 +52,7 @@ class Search {
 
   /// Places stay: points are only added.
   void take_in() {
-    advice_.chart = run_.chart();
+    advice_.chart = measurements_.chart();
     const std::string& law = advice_.chart.stored.law;
     const auto truth = advice_.chart.truth_of(law);
     if (!truth)
@@ -79,15 +78,15 @@ class Search {
 
   /// Whether the model was expected to take no longer, and was run.
   bool run_if_within(const ChartModel& model, int across, double seconds) {
-    if (run_.expected_seconds(model, across) > seconds) return false;
-    run_.measure(model, across);
+    if (measurements_.expected_seconds(model, across) > seconds) return false;
+    measurements_.measure(model, across);
     return true;
   }
 
   /// [s] of a solution that is worth trying.
   [[nodiscard]] double most_seconds() const {
     const double of_best = wish_.frame ? best_ * duration_ : best_;
-    return std::min(wish_.budget, of_best);
+    return std::min(wish_.budget, spread_of_forecasts * of_best);
   }
 
   /// The model's point on so many cells across; none where it was not run.
@@ -130,19 +129,13 @@ class Search {
 
   /// Whether a point that meets the tolerance is to be relied on.
   [[nodiscard]] bool is_sound(std::size_t i) {
-    return is_stable(i) && accident(i).empty();
+    return path_of(i).against.empty() && accident(i).empty();
   }
 
-  /// Whether springs have a stable static path to the full load.
-  [[nodiscard]] bool is_stable(std::size_t i) {
-    if (!point(i).place.model.starts_with("mss-")) return true;
-    const std::string key = point(i).place.key;
-    if (const auto known = stable_.find(key); known != stable_.end())
-      return known->second;
-    CaseSettings settings = settings_of(plan_, point(i).place);
-    settings.solver = Solver::path_limit;
-    const Mesh mesh = build_mesh(settings.body);
-    return stable_[key] = simulate(settings, mesh).status == Status::ok;
+  [[nodiscard]] StaticPath path_of(std::size_t i) {
+    const StoredChart::Point& place = point(i).place;
+    return measurements_.static_path(model_named(place.model, place.kind, shape_),
+                                     place.across);
   }
 
   /// What the next finer cells say against a point that meets the tolerance; nothing
@@ -176,12 +169,11 @@ class Search {
     std::vector<std::size_t> sound;  // that cannot be told from the first
     std::optional<std::size_t> accidental;
     for (const std::size_t i : cheapest_first()) {
-      if (!sound.empty() && point(sound.front()).is_faster_than(point(i))) break;
-      if (!is_stable(i))
+      if (!sound.empty() && judge().is_cheaper(sound.front(), i)) break;
+      if (const std::string against = path_of(i).against; !against.empty())
         advice_.cautions.push_back(fmt::format(
-            "{} on {} across would do, but its path to the full load loses its "
-            "stability.",
-            point(i).place.model, point(i).place.across));
+            "{} on {} across would do, but not by a stable path to the full load: {}.",
+            point(i).place.model, point(i).place.across, against));
       else if (accident(i).empty())
         sound.push_back(i);
       else if (!accidental)
@@ -194,6 +186,13 @@ class Search {
       advice_.cautions.push_back(accident(*accidental));
     } else {
       find_nearest();
+    }
+    if (advice_.chosen && !path_of(*advice_.chosen).was_followed) {
+      advice_.is_path_known = false;
+      advice_.cautions.push_back(
+          "Whether its path to the full load is stable was not looked at: that would "
+          "take "
+          "more than the budget.");
     }
   }
 
@@ -218,8 +217,8 @@ class Search {
       if (judge().is_candidate(i)) candidates.push_back(i);
     std::ranges::stable_sort(candidates, {},
                              [&](std::size_t i) { return judge().distance(i); });
-    const auto nearest =
-        std::ranges::find_if(candidates, [&](std::size_t i) { return is_stable(i); });
+    const auto nearest = std::ranges::find_if(
+        candidates, [&](std::size_t i) { return path_of(i).against.empty(); });
     if (nearest != candidates.end()) advice_.nearest = *nearest;
   }
 
@@ -240,22 +239,21 @@ class Search {
 
   const Wish& wish_;
   const ChartPlan& plan_;
-  ChartRun& run_;
+  Measurements& measurements_;
   BodyShape shape_;
   double duration_;
   Advice advice_{};
   std::vector<const ChartModel*> alive_;
   std::map<const ChartModel*, int> failures_, stuck_;
   std::map<const ChartModel*, double> last_error_;
-  std::map<std::string, bool> stable_;            // by the key of the point's case
-  std::map<std::string, std::string> accidents_;  // likewise
+  std::map<std::string, std::string> accidents_;  // by the key of the point's case
   double best_ = INFINITY;  // cost of what meets the wish and is sound
 };
 
 }  // namespace
 
-Advice advise(const Wish& wish, const ChartPlan& plan, ChartRun& run) {
-  return Search(wish, plan, run).found();
+Advice advise(const Wish& wish, const ChartPlan& plan, Measurements& measurements) {
+  return Search(wish, plan, measurements).found();
 }
 
 }  // namespace springcheck

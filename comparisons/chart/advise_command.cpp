@@ -8,6 +8,7 @@
 #include <map>
 
 #include "comparisons/chart/advise.hpp"
+#include "comparisons/chart/chart_run.hpp"
 #include "comparisons/scene_file.hpp"
 #include "comparisons/text_table.hpp"
 #include "meshing/input_error.hpp"
@@ -108,18 +109,20 @@ std::string scene_text(const std::string& scene, const std::vector<GivenSetting>
 std::vector<std::string> line_of(const std::string& role, const Advice& advice,
                                  const Wish& wish, std::size_t i) {
   const ChartPoint& point = advice.chart.points[i];
+  const double error = *point.errors[advice.truth].of(wish.measure);
+  const double unsure = *Judge(wish, advice.chart).error(i) - error;
   std::vector<std::string> line{
       role,
       point.place.model,
       std::to_string(point.place.across),
       fmt::format("{:.0f}", point.place.cells),
-      fmt::format("{:.3g}", 100 * *point.errors[advice.truth].of(wish.measure)),
+      fmt::format("{:.3g} +- {:.2g}", 100 * error, 100 * unsure),
       fmt::format("{:.3g}", *point.seconds())};
   if (wish.frame) {
     const auto frame = frame_of(point, *wish.frame);
     line.push_back(frame ? fmt::format("{:.0f} x {:.3g}", frame->steps, frame->dt)
                          : "none");
-    line.push_back(frame ? fmt::format("{:.3g}", frame->seconds) : "none");
+    line.push_back(frame ? fmt::format("{:.3g}", frame->seconds()) : "none");
   }
   line.push_back(point.place.key.substr(0, 12));
   return line;
@@ -141,6 +144,14 @@ std::string evidence_text(const Advice& advice, const Wish& wish) {
            {"dearer, more accurate", advice.dearer}})
     if (point) lines.push_back(line_of(role, advice, wish, *point));
   return in_columns(lines);
+}
+
+/// Where no model could be shown to meet the tolerance.
+std::string words_of_bar(const Advice& advice, const Wish& wish) {
+  const auto& bar = advice.chart.truths[advice.truth].bars.of(wish.measure);
+  if (!bar || *bar < wish.tolerance) return {};
+  return "Nothing could: the truth itself is not known so well. A finer one (--truth) "
+         "takes longer.\n";
 }
 
 std::string question(const Advice& advice, const Wish& wish) {
@@ -193,8 +204,8 @@ ExitStatus advise_command(const std::string& scene,
   for (const std::string& caution : advice.cautions)
     fmt::print("\nCaution: {}\n", caution);
   if (!advice.chosen) {
-    fmt::print("\nNothing that was tried within {:g} s per solution meets it.\n",
-               given.budget);
+    fmt::print("\nNothing that was tried within {:g} s per solution meets it.\n{}",
+               given.budget, words_of_bar(advice, wish));
     return ExitStatus::fell_short;
   }
   fmt::print("\nLeft out\n");

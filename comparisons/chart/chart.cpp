@@ -1,5 +1,7 @@
 #include "comparisons/chart/chart.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -102,18 +104,20 @@ std::optional<double> ChartPoint::seconds() const {
 }
 
 bool ChartPoint::is_faster_than(const ChartPoint& other) const {
-  constexpr int enough = 3;
-  constexpr double unrepeated_spread = 0.1;
-  const bool is_repeated = std::min(place.timing.value().repetitions,
-                                    other.place.timing.value().repetitions) >= enough;
-  return *seconds_at(&Timing::upper_quartile) <
-             *other.seconds_at(&Timing::lower_quartile) &&
-         (is_repeated || *seconds() < (1 - unrepeated_spread) * *other.seconds());
+  return is_less(
+      scaled(place.timing.value(), 0, 1 / place.simulated.value_or(1)),
+      scaled(other.place.timing.value(), 0, 1 / other.place.simulated.value_or(1)));
+}
+
+std::string time_text(const ChartPoint& point) {
+  return fmt::format("{:.3g} s{}", point.seconds().value(),
+                     point.place.kind == ChartKind::motion ? " per simulated s" : "");
 }
 
 std::string status_of(const ChartPoint& point) {
+  if (!point.place.timing) return point.place.left_out.value_or("not run");
   if (point.found) return std::string(name_of(point.found->status));
-  return point.place.left_out.value_or("not run");
+  return "not in the file";
 }
 
 std::optional<std::size_t> Chart::truth_of(const std::string& law) const {
@@ -157,10 +161,11 @@ Chart evaluated(const StoredChart& stored, const Cases& cases) {
           key == compared.end() ? nullptr : find(cases, key->second);
       if (other != nullptr) point.compared[i] = key->second;
       point.errors[i] = errors_of(stored, truth, *point.found, other);
-      if (other == nullptr || !other->measures.reference_bar) continue;
-      point.deviation_bars[i] = *other->measures.reference_bar / truth.imposed;
-      truth.bars.deviation =
-          std::max(truth.bars.deviation.value_or(0), *point.deviation_bars[i]);
+      if (other == nullptr) continue;
+      point.deviation_bars[i] = other->measures.reference_bar_l2_relative;
+      if (point.deviation_bars[i])
+        truth.bars.deviation =
+            std::max(truth.bars.deviation.value_or(0), *point.deviation_bars[i]);
     }
     chart.points.push_back(std::move(point));
   }

@@ -58,13 +58,14 @@ struct ChartPoint {
   [[nodiscard]] std::optional<double> seconds() const;
   [[nodiscard]] std::optional<double> seconds_at(double Timing::*quantile) const;
 
-  /// Whether the median of its times, which it must have, is told from another's: the
-  /// quartiles do not overlap, and of fewer than three runs, whose quartiles tell little,
-  /// the medians differ by a tenth or more.
+  /// Whether its times, which both must have, are less than another's, see is_less.
   [[nodiscard]] bool is_faster_than(const ChartPoint& other) const;
 };
 
-/// Of its case, or why it was not run.
+/// "0.12 s", or for a motion "0.12 s per simulated s". It must have a time.
+std::string time_text(const ChartPoint& point);
+
+/// Of its case, or why it was not timed.
 std::string status_of(const ChartPoint& point);
 
 /// A chart with its errors.

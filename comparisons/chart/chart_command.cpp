@@ -58,11 +58,11 @@ std::string chart_text(const Chart& chart) {
   for (const Claim& claim : claims(chart))
     text += fmt::format("{}, {}: {}\n", name_of(claim.kind), name_of(claim.measure),
                         claim_text(chart, claim));
-  const auto failed = std::ranges::count_if(chart.points, [](const ChartPoint& point) {
-    return point.found && !point.is_ok();
-  });
   const auto left_out = std::ranges::count_if(
-      chart.points, [](const ChartPoint& point) { return !point.found; });
+      chart.points, [](const ChartPoint& point) { return !point.seconds(); });
+  const auto failed = std::ranges::count_if(chart.points, [](const ChartPoint& point) {
+    return point.seconds() && !point.is_ok();
+  });
   return text + fmt::format(
                     "\n{} points, {} of them failed, {} left out: over budget or "
                     "memory.\n",

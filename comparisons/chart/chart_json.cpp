@@ -64,6 +64,7 @@ Json chart_json(const Chart& chart) {
             {"fronts", fronts_json(chart)},  {"claims", Json::array()}};
   for (const ChartTruth& truth : chart.truths)
     json["truths"].push_back({{"law", truth.grids.law},
+                              {"finest_cell_size", truth.grids.cell_sizes.back()},
                               {"answer", number_json(truth.answer)},
                               {"volume_change", number_json(truth.volume_change)},
                               {"bars", errors_json(truth.bars)}});

@@ -116,11 +116,28 @@ const ChartModel& model_named(const std::string& name, ChartKind kind, BodyShape
 }
 
 const std::set<std::string>& settings_of_charts() {
-  static const std::set<std::string> all{
-      "method",  "element",   "cells",      "cell-type",         "distortion",
-      "solver",  "dt",        "dt-ratio",   "force-dt",          "linear-solver",
-      "history", "precision", "noise",      "reference",         "stiffness",
-      "kappa",   "lattice",   "correction", "lattice-direction", "expect"};
+  static const std::set<std::string> all{"method",
+                                         "element",
+                                         "cells",
+                                         "cell-type",
+                                         "distortion",
+                                         "solver",
+                                         "dt",
+                                         "dt-ratio",
+                                         "force-dt",
+                                         "linear-solver",
+                                         "history",
+                                         "precision",
+                                         "noise",
+                                         "reference",
+                                         "stiffness",
+                                         "kappa",
+                                         "lattice",
+                                         "correction",
+                                         "lattice-direction",
+                                         "expect",
+                                         "stiffness-form",
+                                         "diagonal-ratio"};
   return all;
 }
 
@@ -164,6 +181,10 @@ ThreeCases truth_grids(const std::string& scene, const std::vector<GivenSetting>
   const Changes elements{{"method", law}, {"element", "q2"}};
   if (body.shape == BodyShape::kidney) {
     const int coarsest = across.value_or(4);
+    if (coarsest < 2)
+      throw InputError("--truth", "",
+                       "at least 2 cells across a body whose meshes are not nested",
+                       std::to_string(coarsest));
     const auto grid = [&](int cells_across) {
       return case_with(
           scene, own,

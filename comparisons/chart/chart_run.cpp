@@ -1,18 +1,23 @@
 #include "comparisons/chart/chart_run.hpp"
 
+#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <nlohmann/json.hpp>
 #include <span>
 
+#include "comparisons/build_info.hpp"
 #include "comparisons/known_results.hpp"
 #include "comparisons/memory.hpp"
 #include "comparisons/progress.hpp"
+#include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {
+
+constexpr double growth_of_paths = 1.5;  // exponent of the nodes
 
 /// A case timed on so many threads.
 struct TimedCase {
@@ -39,6 +44,17 @@ TimedCase timed_case(const CaseSettings& settings, const Mesh& mesh, int threads
           .setup = timing_of(std::move(setups)).median};
 }
 
+/// Errors by one version of the program and times by another are not of one chart.
+void refuse_another_commit(const std::filesystem::path& file, const std::string& commit) {
+  if (commit == build_info::commit) return;
+  throw InputError(
+      file.string(), "",
+      fmt::format("a file of cases of commit {}, which this program is, or a "
+                  "new one",
+                  build_info::commit),
+      "cases of commit " + commit);
+}
+
 }  // namespace
 
 class ChartRun::State {
@@ -46,7 +62,10 @@ class ChartRun::State {
   State(const ChartPlan& plan, const std::filesystem::path& file)
       : plan_(plan), path_(file), file_(file) {
     if (std::filesystem::exists(file)) stored_ = stored_cases({file});
-    warn_of_other_commits(stored_);
+    for (const auto& [key, place] : stored_) {
+      refuse_another_commit(file, place.second.commit);
+      know(key, place.second.measures);
+    }
     begin_chart();
     find_truths();
   }
@@ -59,9 +78,35 @@ class ChartRun::State {
 
   [[nodiscard]] double expected_seconds(const ChartModel& model, int across) {
     const CaseSettings settings = settings_of(model, across);
+    if (!fits(settings)) return INFINITY;
     const Mesh& mesh = meshes_.mesh(settings.body);
     return expected_seconds(model, static_cast<double>(mesh.nodes().size()),
                             plan_.threads.front());
+  }
+
+  StaticPath static_path(const ChartModel& model, int across) {
+    if (!model.name.starts_with("mss-")) return {.was_followed = true};
+    CaseSettings settings = settings_of(model, across);
+    settings.solver = Solver::path_limit;
+    // The same of both precisions, and of rest and motion.
+    const std::string key = settings_json(settings).dump();
+    if (const auto known = paths_.find(key); known != paths_.end()) return known->second;
+    const StaticPath coarser =
+        across > 2 ? static_path(model, std::max(2, across * 2 / 3)) : StaticPath{};
+    const Mesh& mesh = meshes_.mesh(settings.body);
+    StaticPath path{.nodes = static_cast<double>(mesh.nodes().size())};
+    if (coarser.nodes > 0)
+      path.seconds =
+          coarser.seconds * std::pow(path.nodes / coarser.nodes, growth_of_paths);
+    if (path.seconds <= plan_.budget) {
+      const CaseResult result = simulate(settings, mesh);
+      path.was_followed = true;
+      path.seconds = result.solve_wall_s;
+      if (result.status != Status::ok)
+        path.against =
+            result.reason.empty() ? std::string(name_of(result.status)) : result.reason;
+    }
+    return paths_[key] = path;
   }
 
   void measure(const ChartModel& model, int across) {
@@ -69,7 +114,6 @@ class ChartRun::State {
     check_mesh_memory(plan_.scene, settings.body);
     const Mesh& mesh = meshes_.mesh(settings.body);
     const std::string key = key_of(settings);
-    const bool fits = estimated_memory(settings) <= available_memory();
     std::optional<CaseResult> result;
     bool is_new = false;
     for (const int threads : plan_.threads) {
@@ -77,7 +121,7 @@ class ChartRun::State {
       if (point.timing && !plan_.retime) continue;
       is_new = true;
       point.left_out.reset();
-      if (!fits)
+      if (!fits(settings))
         point.left_out = "over memory";
       else if (expected_seconds(model, point.nodes, threads) > plan_.budget)
         point.left_out = "over budget";
@@ -109,11 +153,18 @@ class ChartRun::State {
 
   void put(std::span<const CaseResult> results, bool with_fields) {
     file_.put(results, with_fields, meshes_);
-    for (const CaseResult& result : results) known_.insert(result.key);
+    for (const CaseResult& result : results) know(result.key, result.measures);
   }
 
+  void know(const std::string& key, const Measures& measures) {
+    has_failed_[key] = !measures.volume_error;
+  }
   [[nodiscard]] bool is_known(const std::string& key) const {
-    return known_.contains(key) || stored_.contains(key);
+    return has_failed_.contains(key);
+  }
+  [[nodiscard]] bool has_failed(const std::string& key) const {
+    const auto found = has_failed_.find(key);
+    return found != has_failed_.end() && found->second;
   }
 
   /// The truths' runs are kept with their fields, which every comparison needs.
@@ -156,20 +207,25 @@ class ChartRun::State {
     return chart_.points.back();
   }
 
+  [[nodiscard]] static bool fits(const CaseSettings& settings) {
+    return estimated_memory(settings) <= available_memory();
+  }
+
   [[nodiscard]] CaseSettings settings_of(const ChartModel& model, int across) const {
     return model_case(plan_.scene, plan_.options, model, across);
   }
 
   [[nodiscard]] double expected_seconds(const ChartModel& model, double nodes,
                                         int threads) const {
-    std::map<double, double> smaller;  // seconds by nodes
+    std::map<double, double> smaller, failed;  // seconds by nodes
     for (const StoredChart::Point& other : chart_.points)
       if (other.model == model.name && other.kind == model.kind &&
           other.threads == threads && other.nodes < nodes && other.timing)
-        smaller[other.nodes] = other.timing->median;
+        (has_failed(other.key) ? failed : smaller)[other.nodes] = other.timing->median;
+    if (smaller.empty()) smaller = failed;
     if (smaller.empty()) return 0;
     const auto last = std::prev(smaller.end());
-    double exponent = 1.5;
+    double exponent = 1;
     if (smaller.size() > 1) {
       const auto before = std::prev(last);
       exponent = std::clamp(
@@ -189,7 +245,8 @@ class ChartRun::State {
                const std::optional<CaseResult>& result) {
     std::vector<Request> missing;
     if (!is_known(key)) missing.push_back({.settings = settings, .reference = {}});
-    const bool has_failed = result && !result->measures.volume_error;
+    const bool is_state =
+        result ? result->measures.volume_error.has_value() : !has_failed(key);
     const bool is_nested = settings.body.shape == BodyShape::block;
     for (const ThreeCases& grids : truths_planned_) {
       const CaseSettings& truth = grids.front();
@@ -197,7 +254,7 @@ class ChartRun::State {
                             .reference = truth,
                             .reference_grid = ReferenceGrid::converged};
       const std::string compared = case_key(request, meshes_.mesh(settings.body));
-      if (has_failed || !is_nested) continue;
+      if (!is_state || !is_nested) continue;
       if (!is_known(compared)) missing.push_back(request);
       if (!is_compared(compared))
         chart_.comparisons.push_back(
@@ -218,11 +275,12 @@ class ChartRun::State {
   ChartPlan plan_;
   std::filesystem::path path_;
   ResultFile file_;
-  StoredCases stored_;           // of the file, before
-  std::set<std::string> known_;  // keys added since
+  StoredCases stored_;                      // of the file, before
+  std::map<std::string, bool> has_failed_;  // by the keys of the file's cases
   MeshStore meshes_;
   std::vector<ThreeCases> truths_planned_;  // of each law
   std::map<std::string, CaseResult> truths_;
+  std::map<std::string, StaticPath> paths_;  // by settings
   StoredChart chart_{};
 };
 
@@ -235,6 +293,10 @@ void ChartRun::measure(const ChartModel& model, int across) {
   state_->measure(model, across);
 }
 
+StaticPath ChartRun::static_path(const ChartModel& model, int across) {
+  return state_->static_path(model, across);
+}
+
 double ChartRun::expected_seconds(const ChartModel& model, int across) {
   return state_->expected_seconds(model, across);
 }
@@ -244,9 +306,12 @@ Chart ChartRun::chart() const {
 }
 
 Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file) {
-  ChartRun run(plan, file);
   const std::vector<ChartModel>& models =
       chart_models(chart_body(plan.scene, plan.options).shape);
+  for (const int across : plan.across)
+    check_mesh_memory(plan.scene,
+                      model_case(plan.scene, plan.options, models.front(), across).body);
+  ChartRun run(plan, file);
   std::size_t done = 0;
   Progress progress(plan.scene + ": points");
   for (const ChartModel& model : models)

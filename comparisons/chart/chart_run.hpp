@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "comparisons/chart/chart.hpp"
 #include "comparisons/chart/chart_plan.hpp"
+#include "comparisons/chart/measurements.hpp"
 
 namespace springcheck {
 
@@ -16,30 +16,37 @@ namespace springcheck {
 /// memory that the machine has left.
 ///
 /// Bodies that are no blocks have no deviations: their meshes are not nested.
-class ChartRun {
+class ChartRun : public Measurements {
  public:
-  /// Computes the truths. Throws InputError as planned_chart.
+  /// Computes the truths. Throws InputError as planned_chart, and for a file with cases
+  /// of another version of the program.
   ChartRun(const ChartPlan& plan, const std::filesystem::path& file);
-  ~ChartRun();
+  ~ChartRun() override;
 
   /// Measures a model on so many cells across. Throws InputError where their mesh alone
   /// would not fit into the memory.
-  void measure(const ChartModel& model, int across);
+  void measure(const ChartModel& model, int across) override;
 
   /// [s] of the plan's first number of threads, by the median of the model's next smaller
-  /// point and the growth from the one before to it, as a power of the nodes from 1 to
-  /// 5/2; from one point alone 3/2. 0 without any.
-  [[nodiscard]] double expected_seconds(const ChartModel& model, int across);
+  /// point that did not fail, if there is one, and the growth from the one before to it,
+  /// as a power of the nodes from 1 to 5/2; from one point alone 1. 0 without any,
+  /// infinite beyond the memory that is left.
+  [[nodiscard]] double expected_seconds(const ChartModel& model, int across) override;
+
+  /// Followed on 2 cells across and up, as long as the next size is expected to stay
+  /// within the plan's budget: by the time of the one before, times the nodes to 3/2.
+  StaticPath static_path(const ChartModel& model, int across) override;
 
   /// With all that the file holds of the scene.
-  [[nodiscard]] Chart chart() const;
+  [[nodiscard]] Chart chart() const override;
 
  private:
   class State;
   std::unique_ptr<State> state_;
 };
 
-/// Measures all points of the plan.
+/// Measures all points of the plan. Throws InputError as ChartRun, and where the mesh of
+/// a size would not fit into the memory.
 Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file);
 
 }  // namespace springcheck

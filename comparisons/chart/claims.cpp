@@ -38,13 +38,24 @@ std::optional<std::pair<std::size_t, std::size_t>> same_cells(
   return best;
 }
 
+/// Of a point, at least what the truth may be off: errors below tell nothing.
+struct KnownError {
+  double value;
+  bool is_bar;
+};
+
+KnownError known_error(const Chart& chart, ChartMeasure measure, std::size_t i) {
+  const std::size_t truth = *chart.truth_of(chart.stored.law);
+  const double bar = chart.truths[truth].bars.of(measure).value_or(0);
+  const double error = *chart.points[i].errors[truth].of(measure);
+  return {.value = std::max(error, bar), .is_bar = error < bar};
+}
+
 Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
                std::size_t truth, std::size_t springs, std::size_t elements,
                const std::function<bool(const ChartPoint&)>& counts) {
   const double bar = chart.truths[truth].bars.of(measure).value_or(0);
-  const auto error = [&](std::size_t i) {  // below the bar all are equal
-    return std::max(bar, *chart.points[i].errors[truth].of(measure));
-  };
+  const auto error = [&](std::size_t i) { return known_error(chart, measure, i).value; };
   Claim claim{.kind = kind,
               .measure = measure,
               .springs = springs,
@@ -65,16 +76,20 @@ Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
   if (claim.rival)
     claim.is_faster_at_equal_accuracy =
         faster(chart.points[springs], chart.points[*claim.rival]);
+  else if (std::ranges::any_of(chart.points, [&](const ChartPoint& point) {
+             return point.place.kind == kind && !is_of_springs(point) && !point.seconds();
+           }))
+    claim.is_faster_at_equal_accuracy = Answer::undecided;
   return claim;
 }
 
 /// "mss-cf on 10 across (0.21 s, 4.2 % off)".
 std::string figures(const Chart& chart, const Claim& claim, std::size_t i) {
   const ChartPoint& point = chart.points[i];
-  const std::size_t truth = *chart.truth_of(chart.stored.law);
-  return fmt::format("{} on {} across ({:.3g} s, {:.3g} % off)", point.place.model,
-                     point.place.across, *point.seconds(),
-                     100 * *point.errors[truth].of(claim.measure));
+  const KnownError error = known_error(chart, claim.measure, i);
+  return fmt::format("{} on {} across ({}, {}{:.3g} % off)", point.place.model,
+                     point.place.across, time_text(point),
+                     error.is_bar ? "less than " : "", 100 * error.value);
 }
 
 std::string times_as(double ratio, const char* more, const char* less) {
@@ -124,11 +139,10 @@ std::vector<Claim> claims(const Chart& chart) {
 }
 
 std::string claim_text(const Chart& chart, const Claim& claim) {
-  const std::size_t truth = *chart.truth_of(chart.stored.law);
   const ChartPoint& springs = chart.points[claim.springs];
   const ChartPoint& elements = chart.points[claim.elements];
-  const auto error = [&](const ChartPoint& point) {
-    return *point.errors[truth].of(claim.measure);
+  const auto error = [&](std::size_t i) {
+    return known_error(chart, claim.measure, i).value;
   };
   std::string text = figures(chart, claim, claim.springs) +
                      (claim.is_faster == Answer::undecided
@@ -137,12 +151,16 @@ std::string claim_text(const Chart& chart, const Claim& claim) {
                                         times_as(*elements.seconds() / *springs.seconds(),
                                                  "faster", "slower"))) +
                      figures(chart, claim, claim.elements) + " and ";
-  text +=
-      claim.is_as_accurate == Answer::undecided
-          ? "as far off within what the truth is known to. "
-          : times_as(error(springs) / error(elements), "as far off.", "closer.") + " ";
+  text += claim.is_as_accurate == Answer::undecided
+              ? "as far off within what the truth is known to. "
+              : times_as(error(claim.springs) / error(claim.elements), "as far off.",
+                         "closer.") +
+                    " ";
   if (!claim.rival)
-    return text + "No finite elements of the chart are as accurate as it.";
+    return text + "No finite elements of the chart are as accurate as it" +
+           (claim.is_faster_at_equal_accuracy == Answer::undecided
+                ? "; some were left out."
+                : ".");
   const ChartPoint& rival = chart.points[*claim.rival];
   if (claim.is_faster_at_equal_accuracy == Answer::undecided)
     return text + "At least as accurate is " + figures(chart, claim, *claim.rival) +
@@ -173,7 +191,9 @@ Sheet claims_sheet(const std::vector<Chart>& charts) {
           "fewer than three runs differ by less than a tenth, or the errors by less "
           "than what the truth may be off. At equal accuracy: beside the "
           "fastest finite elements of the chart, of any law, cells and size, that are at "
-          "least as accurate."}};
+          "least as accurate; undecided where there are none and some were left out, "
+          "over "
+          "budget or memory. An error below what the truth may be off counts as that."}};
   for (const Chart& chart : charts)
     for (const Claim& claim : claims(chart)) {
       const ChartPoint& springs = chart.points[claim.springs];

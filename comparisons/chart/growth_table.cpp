@@ -5,7 +5,6 @@
 #include <omp.h>
 #include <tbb/task_arena.h>
 
-#include <array>
 #include <cmath>
 
 #include "comparisons/build_info.hpp"
@@ -22,10 +21,6 @@
 namespace springcheck {
 namespace {
 
-/// Cubes of 10^3, 10^4, 10^5 and 10^6 cells, about.
-constexpr std::array across{10, 22, 46, 100};
-/// Direct solvers' factors grow faster than bodies.
-constexpr std::array across_directly{10, 14, 20, 28};
 constexpr double most_seconds = 600;  // expected of one size
 constexpr double steepest = 2;        // exponent by which that is expected
 
@@ -37,7 +32,7 @@ struct Cost {
 struct Growing {
   std::string model, what;
   std::vector<int> across;
-  std::function<Cost(int across)> cost;
+  std::function<std::optional<Cost>(int across)> cost;  // none of a failed solution
   std::function<double(int across)> expected_bytes;
 };
 
@@ -45,7 +40,7 @@ Changes cells_of(int n) {
   return {{"cells", fmt::format("{0},{0},{0}", n)}};
 }
 
-Cost cost_of_step(const char* method, int n) {
+std::optional<Cost> cost_of_step(const char* method, int n) {
   const Stepping steps = stepping({.method = method,
                                    .cells = {n, n, n},
                                    .load = SteppedLoad::plates,
@@ -54,12 +49,13 @@ Cost cost_of_step(const char* method, int n) {
                                    .precision = mss::Precision::double_precision,
                                    .instruction_set = dynamics::best_instruction_set(),
                                    .threads = 1});
-  return {.seconds = time_of_steps(steps.advance).real, .bytes = steps.bytes};
+  return Cost{.seconds = time_of_steps(steps.advance).real, .bytes = steps.bytes};
 }
 
 /// Time of the solution, and the peak of memory that it adds to the mesh.
-Cost cost_of(const CaseSettings& settings,
-             const std::function<Solution(const Mesh&, const Scene&)>& solve) {
+std::optional<Cost> cost_of(
+    const CaseSettings& settings,
+    const std::function<Solution(const Mesh&, const Scene&)>& solve) {
   const Mesh mesh = build_mesh(settings.body);
   const Scene scene = mechanical_scene(settings, mesh);
   malloc_trim(0);
@@ -67,11 +63,12 @@ Cost cost_of(const CaseSettings& settings,
   reset_peak_memory();
   const Stopwatch stopwatch;
   tbb::task_arena arena(1);
-  arena.execute([&] { solve(mesh, scene); });
-  return {.seconds = stopwatch.seconds(), .bytes = peak_memory() - before};
+  const Solution solution = arena.execute([&] { return solve(mesh, scene); });
+  if (solution.status != SolveStatus::ok) return std::nullopt;
+  return Cost{.seconds = stopwatch.seconds(), .bytes = peak_memory() - before};
 }
 
-Cost cost_of_springs(int n, mss::LinearSolver linear_solver) {
+std::optional<Cost> cost_of_springs(int n, mss::LinearSolver linear_solver) {
   const CaseSettings settings =
       case_of_scene("compression", Changes{{"method", "mss-cf"}} + cells_of(n));
   return cost_of(settings, [&](const Mesh& mesh, const Scene& scene) {
@@ -89,17 +86,16 @@ CaseSettings elements_of(int n, const std::string& linear_solver) {
                                           cells_of(n));
 }
 
-Cost cost_of_elements(int n, const std::string& linear_solver) {
+std::optional<Cost> cost_of_elements(int n, const std::string& linear_solver) {
   const CaseSettings settings = elements_of(n, linear_solver);
   return cost_of(settings, [&](const Mesh& mesh, const Scene& scene) {
     return fem_reference::solve(mesh, scene, reference_settings(settings));
   });
 }
 
-std::vector<Growing> all_growing() {
+std::vector<Growing> all_growing(const std::vector<int>& wide,
+                                 const std::vector<int>& narrow) {
   std::vector<Growing> all;
-  const std::vector<int> wide(across.begin(), across.end());
-  const std::vector<int> narrow(across_directly.begin(), across_directly.end());
   for (const char* method :
        {"naive", "mss-nfd", "mss-cf", "mss-affine", "fem-explicit-1p", "fem-explicit-8p"})
     all.push_back(
@@ -154,15 +150,16 @@ void add_rows(Sheet& sheet, const Growing& growing) {
       reason = "not run: more memory than is left";
     else if (expected > most_seconds)
       reason = fmt::format("not run: may take {:.0f} s", expected);
+    const std::optional<Cost> cost = reason.empty() ? growing.cost(n) : std::nullopt;
+    if (reason.empty() && !cost) reason = "failed";
     if (!reason.empty()) {
-      left_out.push_back(fmt::format("{}, {}, {:.0f} cells {}.", growing.model,
+      left_out.push_back(fmt::format("{}, {}, {:.0f} cells: {}.", growing.model,
                                      growing.what, count, reason));
       continue;
     }
-    const Cost cost = growing.cost(n);
     cells.push_back(count);
-    seconds.push_back(cost.seconds);
-    bytes.push_back(cost.bytes);
+    seconds.push_back(cost->seconds);
+    bytes.push_back(cost->bytes);
   }
   const auto time_exponent = fitted_order(cells, seconds),
              memory_exponent = fitted_order(cells, bytes);
@@ -180,7 +177,10 @@ void add_rows(Sheet& sheet, const Growing& growing) {
          .notes = i + 1 == cells.size() ? left_out : std::vector<std::string>{}});
 }
 
-Sheet measured_sheet() {
+}  // namespace
+
+Sheet growth_sheet(const std::vector<int>& across,
+                   const std::vector<int>& across_directly) {
   omp_set_max_active_levels(0);  // see simulate
   Sheet sheet{
       .name = "growth",
@@ -202,7 +202,7 @@ Sheet measured_sheet() {
           "step each; memory: the arrays and constants that move, without mesh. "
           "Equilibria: compression by 5 % at nu = .25, set-up and all, once; memory: "
           "peak beyond the mesh."}};
-  const std::vector<Growing> all = all_growing();
+  const std::vector<Growing> all = all_growing(across, across_directly);
   Progress progress("series");
   for (std::size_t i = 0; i < all.size(); ++i) {
     progress.show(i, all.size());
@@ -211,11 +211,9 @@ Sheet measured_sheet() {
   return sheet;
 }
 
-}  // namespace
-
 SheetPlan plan_growth_table() {
   return {.requests = {}, .make = [](std::span<const CaseResult>, MeshStore&) {
-            return measured_sheet();
+            return growth_sheet({10, 22, 46, 100}, {10, 14, 20, 28});
           }};
 }
 

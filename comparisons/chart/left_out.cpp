@@ -41,24 +41,29 @@ class Words {
   }
 
  private:
-  /// The measured point of a model, as fine as the chosen one unless told otherwise.
-  [[nodiscard]] const ChartPoint* point_of(const std::string& model, int across) const {
-    for (const ChartPoint& point : advice_.chart.points)
-      if (point.place.model == model && point.place.across == across &&
-          point.place.kind == chosen_.place.kind &&
-          point.place.threads == chosen_.place.threads && point.found && point.seconds())
-        return &point;
-    return nullptr;
-  }
+  /// The measured point of a model on cells as near to the chosen one's as there are.
   [[nodiscard]] const ChartPoint* beside(const std::string& model) const {
-    return point_of(model, chosen_.place.across);
+    const ChartPoint* nearest = nullptr;
+    const auto distance = [&](const ChartPoint& point) {
+      return std::abs(point.place.across - chosen_.place.across);
+    };
+    for (const ChartPoint& point : advice_.chart.points)
+      if (point.place.model == model && is_comparable(point) &&
+          (nearest == nullptr || distance(point) < distance(*nearest)))
+        nearest = &point;
+    return nearest;
+  }
+
+  [[nodiscard]] bool is_comparable(const ChartPoint& point) const {
+    return point.place.kind == chosen_.place.kind &&
+           point.place.threads == chosen_.place.threads && point.found && point.seconds();
   }
 
   /// "2.1 % off in 0.12 s", or its failure.
   [[nodiscard]] std::string figures(const ChartPoint& point) const {
     const auto& error = point.errors[advice_.truth].of(measure_);
     if (!point.is_ok() || !error) return fmt::format("{}", name_of(point.found->status));
-    return fmt::format("{:.3g} % off in {:.3g} s", 100 * *error, *point.seconds());
+    return fmt::format("{:.3g} % off in {}", 100 * *error, time_text(point));
   }
 
   void say(const std::string& what, const ChartPoint& point) {
@@ -85,6 +90,7 @@ class Words {
 
   void face_diagonals() {
     if (name_.method != "mss-nfd" && name_.method != "mss-baudet") return;
+    if (!advice_.is_path_known) return;
     words_.emplace_back(
         "No face diagonals: without them the path to the full load stays stable on these "
         "cells (its tangent positive definite).");
@@ -119,7 +125,14 @@ class Words {
   }
 
   void other_cells() {
-    if (name_.rest.find(" on ") != std::string::npos) return;
+    if (const std::size_t on = chosen_.place.model.find(" on ");
+        on != std::string::npos) {
+      const std::size_t end = chosen_.place.model.find(',', on);
+      std::string on_hexahedra = chosen_.place.model;
+      on_hexahedra.erase(on, end == std::string::npos ? end : end - on);
+      say_if_measured("No hexahedra", on_hexahedra);
+      return;
+    }
     for (const char* cells : {" on tetrahedra", " on prisms"})
       say_if_measured(fmt::format("No cells{}", cells),
                       chosen_.place.model + std::string(cells));
@@ -135,10 +148,8 @@ class Words {
   void finer_cells() {
     const ChartPoint* finer = nullptr;
     for (const ChartPoint& point : advice_.chart.points)
-      if (point.place.model == chosen_.place.model &&
-          point.place.kind == chosen_.place.kind &&
-          point.place.threads == chosen_.place.threads && point.found &&
-          point.seconds() && point.place.across > chosen_.place.across &&
+      if (point.place.model == chosen_.place.model && is_comparable(point) &&
+          point.place.across > chosen_.place.across &&
           (finer == nullptr || point.place.across < finer->place.across))
         finer = &point;
     if (finer != nullptr) say("No finer cells", *finer);

@@ -31,6 +31,22 @@ Timing timing_of(std::vector<double> seconds) {
           .maximum = seconds.back()};
 }
 
+Timing scaled(Timing timing, double less, double factor) {
+  for (double Timing::*seconds :
+       {&Timing::minimum, &Timing::lower_quartile, &Timing::median,
+        &Timing::upper_quartile, &Timing::maximum})
+    timing.*seconds = (timing.*seconds - less) * factor;
+  return timing;
+}
+
+bool is_less(const Timing& timing, const Timing& other) {
+  constexpr int enough = 3;
+  constexpr double unrepeated_spread = 0.1;
+  const bool is_repeated = std::min(timing.repetitions, other.repetitions) >= enough;
+  return timing.upper_quartile < other.lower_quartile &&
+         (is_repeated || timing.median < (1 - unrepeated_spread) * other.median);
+}
+
 Timing timed(const std::function<double()>& work, double budget) {
   const Stopwatch stopwatch;
   const double warm_up = work();

@@ -14,11 +14,12 @@ std::optional<Frame> frame_of(const ChartPoint& point, double duration) {
   if (!point.found || !point.found->dt_limit || !point.place.timing) return std::nullopt;
   const int all_steps = point.found->effort.value_or(Effort{}).steps;
   if (all_steps == 0) return std::nullopt;
-  const double of_step =
-      (point.place.timing->upper_quartile - point.place.setup.value_or(0)) / all_steps;
   const double steps =
       std::max(1., std::ceil(duration / (step_ratio * *point.found->dt_limit)));
-  return Frame{.steps = steps, .dt = duration / steps, .seconds = steps * of_step};
+  return Frame{.steps = steps,
+               .dt = duration / steps,
+               .timing = scaled(*point.place.timing, point.place.setup.value_or(0),
+                                steps / all_steps)};
 }
 
 Judge::Judge(const Wish& wish, const Chart& chart)
@@ -49,7 +50,14 @@ std::optional<double> Judge::cost(std::size_t point) const {
   const ChartPoint& of = chart_.points[point];
   if (!wish_.frame) return of.seconds();
   const auto frame = frame_of(of, *wish_.frame);
-  return frame ? std::optional(frame->seconds / *wish_.frame) : std::nullopt;
+  return frame ? std::optional(frame->seconds() / *wish_.frame) : std::nullopt;
+}
+
+bool Judge::is_cheaper(std::size_t point, std::size_t other) const {
+  const ChartPoint &one = chart_.points[point], &another = chart_.points[other];
+  if (!wish_.frame) return one.is_faster_than(another);
+  return is_less(frame_of(one, *wish_.frame).value().timing,
+                 frame_of(another, *wish_.frame).value().timing);
 }
 
 bool Judge::meets(std::size_t point) const {

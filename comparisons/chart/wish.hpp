@@ -23,13 +23,15 @@ struct Wish {
 
 /// A frame of motion: whole steps of at most .9 of the stability limit.
 struct Frame {
-  double steps;    // a whole number, which may be beyond those of int
-  double dt;       // [s]
-  double seconds;  // real
+  double steps;   // a whole number, which may be beyond those of int
+  double dt;      // [s]
+  Timing timing;  // [s] real
+
+  /// Three frames of four are no slower.
+  [[nodiscard]] double seconds() const { return timing.upper_quartile; }
 };
 
-/// Of a motion's point, by the upper quartile of its times without set-up: three frames
-/// of four are no slower. None without a limit.
+/// Of a motion's point, by its times without set-up. None without a limit.
 std::optional<Frame> frame_of(const ChartPoint& point, double duration);
 
 /// The points of a chart, by their places, as a wish judges them.
@@ -47,6 +49,9 @@ class Judge {
 
   /// [s] of a solution, or real per simulated.
   [[nodiscard]] std::optional<double> cost(std::size_t point) const;
+
+  /// Whether a candidate costs less than another, as far as times can tell.
+  [[nodiscard]] bool is_cheaper(std::size_t point, std::size_t other) const;
 
   /// Tolerance, budget and frame.
   [[nodiscard]] bool meets(std::size_t point) const;

@@ -19,7 +19,7 @@ import study as study_module  # noqa: E402
 from content import Figure  # noqa: E402
 from figures import work_precision  # noqa: E402
 from program import springcheck  # noqa: E402
-from sections.chart import chart  # noqa: E402
+from sections.chart import _heading, chart  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 
 # The finer mesh is beyond the second's fraction for some. Compressed by 35 % some fail, among them
@@ -164,7 +164,7 @@ class Charts(unittest.TestCase):
         over = {p["model"] for p in self.charts[0]["points"] if p["median"] is None}
         self.assertTrue(over)
         text = unescape(self.html)
-        sentence = text[text.index("Over the budget") :]
+        sentence = text[text.index("Not run, over budget") :]
         sentence = sentence[: sentence.index("</p>")]
         for model in over:
             self.assertIn(f"{model} on <data", sentence)
@@ -204,6 +204,17 @@ class Charts(unittest.TestCase):
         laws = {truth["law"] for truth in self.charts[1]["truths"]}
         missing = f"{self.charts[1]['law']}, the scene's own law, has no truth here"
         self.assertEqual(missing in unescape(self.html), self.charts[1]["law"] not in laws)
+
+    def test_headings_tell_charts_of_the_same_load_apart(self):
+        one, other = self.study.charts[0], copy.deepcopy(self.study.charts[0])
+        alike = copy.copy(self.study)
+        alike.charts = [one, other]
+        self.assertEqual(_heading(alike, one), _heading(self.study, one))
+        other["machine"] = "another machine"
+        self.assertTrue(_heading(alike, other).endswith(", on another machine"))
+        other["machine"] = one["machine"]
+        other["truths"][0]["finest_cell_size"] = 0.001
+        self.assertTrue(_heading(alike, other).endswith(", truths on cells down to 1 mm"))
 
     def test_one_section_has_the_title(self):
         self.assertEqual(self.page.count("<h2>Speed against accuracy</h2>"), 1)

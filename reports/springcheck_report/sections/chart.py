@@ -111,11 +111,18 @@ def _number(document, row, key, form):
 
 
 def _heading(study, one):
-    """The scene with its load, and the machine where two charts differ in nothing else."""
+    """The scene with its load, and what tells it from other charts of the same."""
     load = _load(study, one)
-    if sum(_load(study, other) == load for other in study.charts) == 1:
-        return load
-    return f"{load}, on {one['machine']}"
+    alike = [other for other in study.charts if _load(study, other) == load]
+    for difference in (_finest_cells, lambda chart: f"on {chart['machine']}"):
+        if any(difference(other) != difference(one) for other in alike):
+            load = f"{load}, {difference(one)}"
+    return load
+
+
+def _finest_cells(one):
+    sizes = [f"{1000 * truth['finest_cell_size']:.3g}" for truth in one["truths"]]
+    return f"truths on cells down to {min(sizes, key=float, default='no')} mm"
 
 
 def _load(study, one):
@@ -328,9 +335,10 @@ def _unusual(study, rows):
     blocks = []
     threads = {row["threads"] for row in rows}
     over = [row for row in rows if row["median"] is None]
-    if over:
-        text = "<b>Over the budget of time, and not run</b> (numbers are of cells across): {}."
-        blocks.append(paragraph(text, _models(study, over, threads)))
+    for reason in dict.fromkeys(row["status"] for row in over):
+        own = [row for row in over if row["status"] == reason]
+        text = "<b>Not run, {}</b> (numbers are of cells across): {}."
+        blocks.append(paragraph(text, reason, _models(study, own, threads)))
     failed = [row for row in rows if row["median"] is not None and row["status"] != "ok"]
     for status in dict.fromkeys(row["status"] for row in failed):
         own = [row for row in failed if row["status"] == status]

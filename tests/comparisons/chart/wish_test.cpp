@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(a_frame_has_whole_steps_below_the_limit) {
   BOOST_TEST(frame.value().steps == 23);  // .02/.0009 = 22.2
   BOOST_TEST(frame->dt == 0.02 / 23, round_off);
   // 1000 steps in 1.1 s, the upper quartile, of which .1 s of set-up:
-  BOOST_TEST(frame->seconds == 23 * 1e-3, round_off);
+  BOOST_TEST(frame->seconds() == 23 * 1e-3, round_off);
 
   // More steps than an int holds.
   BOOST_TEST(frame_of(chart.points[0], 1e12).value().dt > 0.99 * 0.9e-3);

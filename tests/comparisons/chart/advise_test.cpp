@@ -1,0 +1,192 @@
+#define BOOST_TEST_MODULE advise
+#include "comparisons/chart/advise.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <limits>
+
+#include "tests/comparisons/chart/example_chart.hpp"
+
+using namespace springcheck;
+
+namespace {
+
+/// What a model shows on so many cells across.
+struct Shown {
+  double seconds, percent_off;
+  Status status = Status::ok;
+};
+
+/// Figures that are made up, beside the truth of ExampleChart, 10 N +- 12.5 %. Models
+/// without any would not fit into the memory.
+class Rehearsed : public Measurements {
+ public:
+  std::map<std::string, std::map<int, Shown>> shown;  // by model, cells across
+  std::map<std::string, StaticPath> paths;            // by model, where not stable
+  std::vector<std::string> measured;                  // in this order
+
+  double expected_seconds(const ChartModel& model, int across) override {
+    const Shown* found = find(model, across);
+    return found ? found->seconds : std::numeric_limits<double>::infinity();
+  }
+
+  void measure(const ChartModel& model, int across) override {
+    const std::string name = model.name + " " + std::to_string(across);
+    if (std::ranges::count(measured, name) > 0) return;
+    measured.push_back(name);
+    const Shown found = *find(model, across);
+    example_
+        .add(model.name, across, found.seconds, 10 * (1 + found.percent_off / 100), 0.002,
+             model.kind)
+        .status = found.status;
+  }
+
+  StaticPath static_path(const ChartModel& model, int) override {
+    const auto found = paths.find(model.name);
+    return found == paths.end() ? StaticPath{.was_followed = true} : found->second;
+  }
+
+  [[nodiscard]] Chart chart() const override {
+    return evaluated(example_.chart, example_.cases);
+  }
+
+ private:
+  [[nodiscard]] const Shown* find(const ChartModel& model, int across) const {
+    const auto found = shown.find(model.name);
+    if (found == shown.end() || !found->second.contains(across)) return nullptr;
+    return &found->second.at(across);
+  }
+
+  ExampleChart example_;
+};
+
+/// Within 30 % with the truth's 12.5.
+Advice advice_of(Rehearsed& rehearsed, double tolerance = 0.3) {
+  const Wish wish{.measure = ChartMeasure::force,
+                  .tolerance = tolerance,
+                  .frame = std::nullopt,
+                  .budget = 10,
+                  .threads = 1};
+  const ChartPlan plan{.scene = "compression",
+                       .options = {},
+                       .laws = {},
+                       .across = {},
+                       .threads = {1},
+                       .budget = 10,
+                       .repeat_for = 1,
+                       .jobs = 1,
+                       .retime = false};
+  return advise(wish, plan, rehearsed);
+}
+
+std::string name_of(const Advice& advice, const std::optional<std::size_t>& place) {
+  if (!place) return "none";
+  const StoredChart::Point& point = advice.chart.points[*place].place;
+  return point.model + " " + std::to_string(point.across);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_cheapest_of_those_that_meet_the_tolerance_is_chosen) {
+  Rehearsed rehearsed;
+  rehearsed.shown["mss-cf"] = {{2, {1, 40}}, {3, {2, 20}}, {4, {4, 15}}, {5, {6, 12}}};
+  rehearsed.shown["fem-stvk:q1-sri"] = {{2, {2.5, 10}}, {3, {5, 5}}};
+  const Advice advice = advice_of(rehearsed);
+  BOOST_TEST(name_of(advice, advice.chosen.value()) == "fem-stvk:q1-sri 2");
+  BOOST_TEST(name_of(advice, advice.cheaper) == "mss-cf 3");  // 20 + 12.5 % is too much
+  BOOST_TEST(name_of(advice, advice.dearer) == "fem-stvk:q1-sri 3");
+  BOOST_TEST(!advice.nearest.has_value());
+  BOOST_TEST(advice.cautions.empty());
+  // mss-cf on 4 across may still cost less than expected, on 5 it cannot.
+  BOOST_TEST(std::ranges::count(rehearsed.measured, "mss-cf 4") == 1);
+  BOOST_TEST(std::ranges::count(rehearsed.measured, "mss-cf 5") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(errors_that_only_cancelled_are_passed_over) {
+  Rehearsed rehearsed;
+  rehearsed.shown["mss-baudet"] = {{2, {1, 1}}, {3, {2, 50}}};
+  rehearsed.shown["mss-nfd"] = {
+      {2, {1.5, 1}}, {3, {2, 1, Status::wrinkled}}, {4, {3, 50}}};
+  rehearsed.shown["mss-cf"] = {{2, {2, 40}}, {3, {4, 10}}, {4, {6, 10}}};
+  const Advice advice = advice_of(rehearsed);
+  BOOST_TEST(name_of(advice, advice.chosen.value()) == "mss-cf 3");
+  BOOST_TEST(advice.cautions.empty());
+}
+
+BOOST_AUTO_TEST_CASE(they_are_taken_with_a_caution_where_nothing_else_is_left) {
+  Rehearsed rehearsed;
+  rehearsed.shown["mss-baudet"] = {{2, {1, 1}}, {3, {2, 50}}};
+  Advice advice = advice_of(rehearsed);
+  BOOST_TEST(name_of(advice, advice.chosen.value()) == "mss-baudet 2");
+  BOOST_TEST_REQUIRE(advice.cautions.size() == 1U);
+  BOOST_TEST(advice.cautions[0].starts_with("On 3 across mss-baudet is 50 % off"));
+
+  Rehearsed failing;
+  failing.shown["mss-baudet"] = {{2, {1, 1}}, {3, {2, 1, Status::wrinkled}}};
+  advice = advice_of(failing);
+  BOOST_TEST(advice.cautions.at(0) == "On 3 across mss-baudet is wrinkled.");
+}
+
+BOOST_AUTO_TEST_CASE(springs_need_a_stable_path_as_far_as_it_can_be_followed) {
+  Rehearsed rehearsed;
+  rehearsed.shown["mss-nfd"] = {{2, {1, 1}}, {3, {2, 1}}};
+  rehearsed.shown["mss-cf"] = {{2, {3, 1}}, {3, {4, 1}}};
+  rehearsed.paths["mss-nfd"] = {.was_followed = true, .against = "it wrinkles at 3 %"};
+  Advice advice = advice_of(rehearsed);
+  BOOST_TEST(name_of(advice, advice.chosen.value()) == "mss-cf 2");
+  BOOST_TEST(advice.is_path_known);
+  BOOST_TEST_REQUIRE(advice.cautions.size() == 2U);  // on 2 and on 3 across
+  BOOST_TEST(advice.cautions[0] ==
+             "mss-nfd on 2 across would do, but not by a stable path to the full load: "
+             "it wrinkles at 3 %.");
+
+  rehearsed.paths["mss-nfd"] = {.was_followed = false};
+  advice = advice_of(rehearsed);
+  BOOST_TEST(name_of(advice, advice.chosen.value()) == "mss-nfd 2");
+  BOOST_TEST(!advice.is_path_known);
+  BOOST_TEST(advice.cautions.size() == 1U);
+}
+
+// Quartiles are 10 % beside the medians.
+BOOST_AUTO_TEST_CASE(of_equal_costs_the_smaller_and_plainer_model_is_taken) {
+  Rehearsed rehearsed;
+  rehearsed.shown["fem-stvk:q1-sri"] = {
+      {2, {0.3, 60}}, {3, {0.6, 50}}, {4, {1, 1}}, {5, {3, 1}}};
+  rehearsed.shown["mss-cf"] = {{2, {0.3, 60}}, {3, {1.1, 1}}, {4, {3, 1}}};
+  rehearsed.shown["mss-fd"] = {{2, {0.3, 60}}, {3, {1.15, 1}}, {4, {3, 1}}};
+  rehearsed.shown["mss-baudet"] = {{2, {1.3, 1}}, {3, {3, 1}}};  // dearer
+  const Advice advice = advice_of(rehearsed);
+  BOOST_TEST(name_of(advice, advice.chosen.value()) == "mss-fd 3");
+}
+
+BOOST_AUTO_TEST_CASE(what_exceeds_the_budget_or_fails_is_not_chosen) {
+  Rehearsed rehearsed;
+  rehearsed.shown["mss-nfd"] = {
+      {2, {1, 1, Status::indefinite}}, {3, {1, 1, Status::indefinite}}, {4, {1, 1}}};
+  rehearsed.shown["mss-cf"] = {{2, {1, 60}}, {3, {2, 40}}, {4, {11, 1}}};
+  const Advice advice = advice_of(rehearsed);
+  BOOST_TEST(!advice.chosen.has_value());
+  BOOST_TEST(name_of(advice, advice.nearest) == "mss-cf 3");
+  // Twice failed: not tried again.
+  BOOST_TEST(std::ranges::count(rehearsed.measured, "mss-nfd 4") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(words_name_what_is_left_out_with_its_figures) {
+  Rehearsed rehearsed;
+  rehearsed.shown["mss-nfd"] = {{2, {0.5, 60}}, {3, {1, 10}}, {4, {2, 8}}};
+  rehearsed.shown["mss-cf"] = {{2, {1.5, 40}}};
+  Advice advice = advice_of(rehearsed);
+  BOOST_TEST(name_of(advice, advice.chosen.value()) == "mss-nfd 3");
+  std::vector<std::string> expected{
+      "No face diagonals: without them the path to the full load stays stable on these "
+      "cells (its tangent positive definite).",
+      "No finer cells: mss-nfd on 4 across is 8 % off in 2 s."};
+  BOOST_TEST(advice.left_out == expected, boost::test_tools::per_element());
+
+  // On tetrahedra; hexahedra were measured on other cells only.
+  Rehearsed tetrahedra;
+  tetrahedra.shown["mss-affine on tetrahedra"] = {{2, {0.5, 60}}, {3, {1, 10}}};
+  tetrahedra.shown["mss-affine"] = {{2, {1.2, 40}}};
+  advice = advice_of(tetrahedra);
+  expected = {"No hexahedra: mss-affine on 2 across is 40 % off in 1.2 s."};
+  BOOST_TEST(advice.left_out == expected, boost::test_tools::per_element());
+}

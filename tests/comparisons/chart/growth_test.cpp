@@ -1,0 +1,59 @@
+#define BOOST_TEST_MODULE growth
+#include <boost/test/unit_test.hpp>
+#include <map>
+
+#include "comparisons/chart/growth_table.hpp"
+
+using namespace springcheck;
+
+namespace {
+
+std::size_t column(const Sheet& sheet, const std::string& key) {
+  const auto found = std::ranges::find(sheet.columns, key, &Column::key);
+  BOOST_TEST_REQUIRE((found != sheet.columns.end()), key);
+  return static_cast<std::size_t>(found - sheet.columns.begin());
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_series_has_its_sizes_and_exponents) {
+  const Sheet sheet = growth_sheet({4, 10}, {3, 10});
+  std::map<std::string, std::vector<const SheetRow*>> series;
+  for (const SheetRow& row : sheet.rows) {
+    BOOST_TEST(row.cells.size() == sheet.columns.size());
+    BOOST_TEST(row.notes.empty());  // nothing was left out
+    series[row.cells[0].text + ", " + row.cells[1].text].push_back(&row);
+  }
+  BOOST_TEST(series.size() == 10U);
+  const auto cells = column(sheet, "cells"), seconds = column(sheet, "seconds"),
+             exponent = column(sheet, "time_exponent"),
+             per_cell = column(sheet, "ns_per_cell");
+  for (const auto& [name, rows] : series) {
+    BOOST_TEST_CONTEXT(name) {
+      BOOST_TEST_REQUIRE(rows.size() == 2U);
+      const bool is_direct = name.ends_with("direct");
+      const double few = *rows[0]->cells[cells].number,
+                   many = *rows[1]->cells[cells].number;
+      BOOST_TEST(few == (is_direct ? 27 : 64));
+      BOOST_TEST(many == 1000);
+      const double first = *rows[0]->cells[seconds].number,
+                   last = *rows[1]->cells[seconds].number;
+      BOOST_TEST(last > first);
+      BOOST_TEST(*rows[1]->cells[per_cell].number == 1e9 * last / many,
+                 boost::test_tools::tolerance(1e-12));
+      // Of two sizes the fit is the slope between them.
+      BOOST_TEST(*rows[1]->cells[exponent].number ==
+                     std::log(last / first) / std::log(many / few),
+                 boost::test_tools::tolerance(1e-9));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_would_not_fit_is_named) {
+  const Sheet sheet = growth_sheet({4, 100000}, {2});
+  std::size_t named = 0;
+  for (const SheetRow& row : sheet.rows)
+    for (const std::string& note : row.notes)
+      named += note.ends_with("more memory than is left.") ? 1 : 0;
+  BOOST_TEST(named == 8U);  // of the series that are not direct
+}
