@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numeric>
 
 namespace springcheck {
 namespace {
@@ -47,6 +49,24 @@ std::vector<Vector3> face_displacements(std::span<const CaseResult* const> runs)
   OnThreeGrids on_grids;
   for (std::size_t i = 0; i < 3; ++i) on_grids[i] = *runs[i]->measures.face_displacement;
   return {extrapolate(sizes_of(runs), on_grids, solver_noise * on_grids[2].norm()).value};
+}
+
+/// The finest run's field, how far it may be off being known at the coarsest one's nodes.
+ConvergedField finest_with_bars_of_coarsest(std::span<const CaseResult* const> runs,
+                                            const Body& body, MeshStore& meshes) {
+  const Body& coarsest = runs[0]->request.settings.body;
+  const ConvergedField there = converged_field(runs, coarsest, meshes);
+  std::vector<Vector3> bars;
+  for (const double bar : there.node_bars) bars.emplace_back(bar, 0, 0);
+  ConvergedField field = finest_field(runs, body, meshes);
+  field.order = there.order;
+  field.node_bars.clear();
+  // Quadratic, so below 0 between nodes of very different bars.
+  for (const Vector3& bar : interpolated(bars, coarsest.block, meshes.mesh(body).nodes()))
+    field.node_bars.push_back(std::abs(bar.x()));
+  field.bar = std::accumulate(field.node_bars.begin(), field.node_bars.end(), 0.) /
+              static_cast<double>(field.node_bars.size());
+  return field;
 }
 
 }  // namespace
@@ -131,10 +151,10 @@ std::optional<ReferenceField> reference_field(const Request& request,
     field.solution.cell_volumes = cell_volumes_on(body, *runs[0], meshes);
     return field;
   }
-  const Cells& coarsest = runs[0]->request.settings.body.block.cells;
-  ConvergedField converged = is_refinement(coarsest, body.block.cells)
+  const Body& coarsest = runs[0]->request.settings.body;
+  ConvergedField converged = are_nodes_of(coarsest.block, meshes.mesh(body).nodes())
                                  ? converged_field(runs, body, meshes)
-                                 : finest_field(runs, body, meshes);
+                                 : finest_with_bars_of_coarsest(runs, body, meshes);
   field.solution.displacements = std::move(converged.displacements);
   field.solution.cell_volumes = std::move(converged.cell_volumes);
   field.order = converged.order;

@@ -56,9 +56,10 @@ struct ReferenceField {
 };
 
 /// The request's, from the runs of reference_cases(request); none when one of them
-/// failed. Of three grids it is converged_field where the coarsest refines the case's own
-/// cells, and finest_field elsewhere: what interpolation adds to a coarse grid's errors
-/// does not converge as they do.
+/// failed. Of three grids it is converged_field where the case's nodes are nodes of the
+/// coarsest. Elsewhere it is the finest run's field, with the bars, 1.25 times the
+/// distance to what the grids converge to, that are known at the coarsest's nodes: what
+/// interpolation adds to a coarse grid's errors does not converge as they do.
 std::optional<ReferenceField> reference_field(const Request& request,
                                               std::span<const CaseResult* const> runs,
                                               MeshStore& meshes);

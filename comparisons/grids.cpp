@@ -46,9 +46,10 @@ struct Weights {
   std::vector<double> of;
 };
 
+constexpr double rounding = 1e-9;  // of a cell
+
 /// Lagrange's polynomials, of degree 2 on pairs of cells or 1 on single ones.
 Weights weights_at(double size, int cells, double x) {
-  constexpr double rounding = 1e-9;
   double at = std::clamp(x / size * cells, 0., static_cast<double>(cells));
   if (std::abs(at - std::round(at)) < rounding) at = std::round(at);
   const int width = cells % 2 == 0 ? 2 : 1;
@@ -112,6 +113,16 @@ std::vector<Vector3> interpolated(std::span<const Vector3> field, const Block& g
     values.push_back(value);
   }
   return values;
+}
+
+bool are_nodes_of(const Block& grid, std::span<const Vector3> points) {
+  return std::ranges::all_of(points, [&](const Vector3& point) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double at = point[static_cast<int>(i)] / grid.size[i] * grid.cells[i];
+      if (std::abs(at - std::round(at)) > rounding) return false;
+    }
+    return true;
+  });
 }
 
 std::vector<double> summed_over_coarse_cells(std::span<const double> values,

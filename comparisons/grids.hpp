@@ -32,6 +32,9 @@ double cell_size(const Block& block);
 std::vector<Vector3> interpolated(std::span<const Vector3> field, const Block& grid,
                                   std::span<const Vector3> points);
 
+/// Whether all points are nodes of the regular grid, within 1e-9 of its cells.
+bool are_nodes_of(const Block& grid, std::span<const Vector3> points);
+
 /// For each coarse cell, the sum of `values` over the fine cells in it.
 std::vector<double> summed_over_coarse_cells(std::span<const double> values,
                                              const Cells& fine, const Cells& coarse);

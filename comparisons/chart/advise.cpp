@@ -17,6 +17,12 @@ namespace {
 constexpr std::array sizes{2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32};
 constexpr double still_falls = 0.9;  // error over that of the next coarser cells
 constexpr double spread_of_forecasts = 2;
+/// What the next finer cells say of a point that meets the tolerance.
+struct OnFinerCells {
+  bool were_seen = false;  // not beyond the budget
+  std::string against{};   // empty where they meet it too
+};
+
 class Search {
  public:
   Search(const Wish& wish, const ChartPlan& plan, Measurements& measurements)
@@ -109,11 +115,12 @@ class Search {
     // A sound point has set best_; another one that is cheaper was not sound.
     if (judge().meets_tolerance(*place))
       return *judge().cost(*place) < best_ && ++failures_[&model] < 3;
+    const double off = *point(*place).errors[advice_.truth].of(wish_.measure);
     const auto before = last_error_.find(&model);
     const bool is_stuck =
-        before != last_error_.end() && *error > still_falls * before->second;
+        before != last_error_.end() && off > still_falls * before->second;
     stuck_[&model] = is_stuck ? stuck_[&model] + 1 : 0;
-    last_error_[&model] = *error;
+    last_error_[&model] = off;
     return stuck_[&model] < 2;
   }
 
@@ -129,7 +136,7 @@ class Search {
 
   /// Whether a point that meets the tolerance is to be relied on.
   [[nodiscard]] bool is_sound(std::size_t i) {
-    return path_of(i).against.empty() && accident(i).empty();
+    return path_of(i).against.empty() && on_finer_cells(i).against.empty();
   }
 
   [[nodiscard]] StaticPath path_of(std::size_t i) {
@@ -138,31 +145,33 @@ class Search {
                                      place.across);
   }
 
-  /// What the next finer cells say against a point that meets the tolerance; nothing
-  /// where they meet it too, or would exceed the budget.
-  [[nodiscard]] const std::string& accident(std::size_t i) {
+  [[nodiscard]] const OnFinerCells& on_finer_cells(std::size_t i) {
     const std::string key = point(i).place.key;
-    if (!accidents_.contains(key)) accidents_[key] = find_accident(i);
-    return accidents_[key];
+    if (!on_finer_cells_.contains(key)) on_finer_cells_[key] = look_at_finer_cells(i);
+    return on_finer_cells_[key];
   }
 
-  [[nodiscard]] std::string find_accident(std::size_t i) {
+  /// By the error alone: what the truth may be off differs from mesh to mesh.
+  [[nodiscard]] OnFinerCells look_at_finer_cells(std::size_t i) {
     const StoredChart::Point place = point(i).place;
     const auto finer = std::ranges::upper_bound(sizes, place.across);
-    if (finer == sizes.end()) return {};
     const ChartModel& model = model_named(place.model, place.kind, shape_);
-    if (!run_if_within(model, *finer, wish_.budget)) return {};
+    if (finer == sizes.end() || !run_if_within(model, *finer, wish_.budget)) return {};
     take_in();
     const auto next = point_of(model, *finer);
-    if (!next || judge().meets_tolerance(*next)) return {};
+    if (!next) return {};
     const auto& error = point(*next).errors[advice_.truth].of(wish_.measure);
-    return point(*next).is_ok() && error
-               ? fmt::format(
-                     "On {} across {} is {:.3g} % off: on {} errors cancel that another "
-                     "load or shape may add.",
-                     *finer, place.model, 100 * *error, place.across)
-               : fmt::format("On {} across {} is {}.", *finer, place.model,
-                             name_of(point(*next).found->status));
+    if (!point(*next).is_ok() || !error)
+      return {.were_seen = true,
+              .against = fmt::format("On {} across {} is {}.", *finer, place.model,
+                                     name_of(point(*next).found->status))};
+    if (*error <= wish_.tolerance) return {.were_seen = true};
+    return {
+        .were_seen = true,
+        .against = fmt::format(
+            "On {} across {} is {:.3g} % off: on {} errors cancel that another load or "
+            "shape may add.",
+            *finer, place.model, 100 * *error, place.across)};
   }
 
   void choose() {
@@ -174,7 +183,7 @@ class Search {
         advice_.cautions.push_back(fmt::format(
             "{} on {} across would do, but not by a stable path to the full load: {}.",
             point(i).place.model, point(i).place.across, against));
-      else if (accident(i).empty())
+      else if (on_finer_cells(i).against.empty())
         sound.push_back(i);
       else if (!accidental)
         accidental = i;
@@ -183,7 +192,7 @@ class Search {
       advice_.chosen = smallest_of_equals(sound);
     } else if (accidental) {
       advice_.chosen = accidental;
-      advice_.cautions.push_back(accident(*accidental));
+      advice_.cautions.push_back(on_finer_cells(*accidental).against);
     } else {
       find_nearest();
     }
@@ -191,9 +200,12 @@ class Search {
       advice_.is_path_known = false;
       advice_.cautions.push_back(
           "Whether its path to the full load is stable was not looked at: that would "
-          "take "
-          "more than the budget.");
+          "take more than the budget or the memory that is left.");
     }
+    if (advice_.chosen && !on_finer_cells(*advice_.chosen).were_seen)
+      advice_.cautions.push_back(
+          "Whether its errors only cancel was not looked at: finer cells would take more "
+          "than the budget or the memory that is left.");
   }
 
   /// Of points that cannot be told from each other by their times.
@@ -246,7 +258,7 @@ class Search {
   std::vector<const ChartModel*> alive_;
   std::map<const ChartModel*, int> failures_, stuck_;
   std::map<const ChartModel*, double> last_error_;
-  std::map<std::string, std::string> accidents_;  // by the key of the point's case
+  std::map<std::string, OnFinerCells> on_finer_cells_;  // by the key of the point's case
   double best_ = INFINITY;  // cost of what meets the wish and is sound
 };
 

@@ -29,11 +29,11 @@ struct Advice {
 /// times.
 ///
 /// A point counts where its model, if the budget allows it, meets the tolerance on the
-/// next finer cells too: else its error was small because others cancelled in it, and it
-/// is taken, with a caution, only where no other is. Springs count only where the static
-/// path to the full load stays stable (solver limit), or where following it would take
-/// more than the budget by that on coarser cells; states that a detector calls wrinkled,
-/// inverted or indefinite never do.
+/// next finer cells too, the truth's bar apart: else its error was small because others
+/// cancelled in it, and it is taken, with a caution, only where no other is. Springs
+/// count only where the static path to the full load stays stable (solver limit), or
+/// where following it would take more than the budget by that on coarser cells; states
+/// that a detector calls wrinkled, inverted or indefinite never do.
 ///
 /// Of points than which the cheapest one is not faster, as far as times can tell, it is
 /// the one that takes the least memory, then the first in chart_models, which go from

@@ -4,12 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 
 #include "comparisons/chart/advise.hpp"
 #include "comparisons/chart/chart_run.hpp"
 #include "comparisons/scene_file.hpp"
+#include "comparisons/simulate.hpp"
 #include "comparisons/text_table.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
@@ -83,13 +85,13 @@ void check_scene_file(const std::filesystem::path& file) {
                      "another file, which would be lost");
 }
 
-/// The scene with what the chosen point changes.
+/// The scene with what the chosen point changes, beside the law that it is judged by.
 std::string scene_text(const std::string& scene, const std::vector<GivenSetting>& options,
-                       const ChartPoint& chosen, const std::optional<Frame>& frame,
-                       const std::string& why) {
+                       const ChartPoint& chosen, const std::string& law,
+                       const std::optional<Frame>& frame, const std::string& why) {
   std::map<std::string, std::string> settings;
   for (const GivenSetting& setting : read_scene(scene).settings)
-    if (!settings_of_charts().contains(setting.key) || setting.key == "reference")
+    if (!settings_of_charts().contains(setting.key))
       settings[setting.key] = setting.value.toml();
   for (const GivenSetting& setting : options)
     settings[setting.key] = setting.value.toml();
@@ -100,6 +102,7 @@ std::string scene_text(const std::string& scene, const std::vector<GivenSetting>
     settings[key] = Given::from_text("advise", value).toml();
   const Cells cells = cells_across(body.block.size, chosen.place.across);
   settings["cells"] = fmt::format("[{}, {}, {}]", cells[0], cells[1], cells[2]);
+  settings["reference"] = Given::from_text("advise", law).toml();
   if (frame) settings["dt"] = fmt::format("{}", frame->dt);
   std::string text = fmt::format("{}: {}\n", first_line, why);
   for (const auto& [key, value] : settings) text += fmt::format("{} = {}\n", key, value);
@@ -128,6 +131,30 @@ std::vector<std::string> line_of(const std::string& role, const Advice& advice,
   return line;
 }
 
+/// What the advised steps of a motion, which keep their length, meet on the way; nothing
+/// where all is well.
+std::string caution_of_steps(const ChartPlan& plan, const ChartPoint& chosen,
+                             const Frame& frame) {
+  CaseSettings settings = settings_of(plan, chosen.place);
+  settings.dynamics.time_step = frame.dt;
+  const CaseResult result = simulate(settings, build_mesh(settings.body));
+  if (result.status == Status::ok && result.reason.empty()) return {};
+  return fmt::format("with steps of {:.3g} s it is {}{}", frame.dt,
+                     name_of(result.status),
+                     result.reason.empty() ? "" : ": " + result.reason);
+}
+
+/// The shortest frame that the point can hold, if there is one.
+std::string words_of_frame(const ChartPoint& point) {
+  constexpr double one_second = 1;  // any time of many steps
+  const auto frame = frame_of(point, one_second);
+  if (!frame) return {};
+  const double real = frame->seconds();
+  if (real > 1) return fmt::format("It is {:.3g} times slower than real time.\n", real);
+  return fmt::format("It holds frames of {:.2g} s, a step each, and longer ones.\n",
+                     real / frame->steps);
+}
+
 std::string evidence_text(const Advice& advice, const Wish& wish) {
   TextLines lines{{"", "model", "across", "cells", "off [%]",
                    wish.frame ? "real s per simulated s" : "time [s]"}};
@@ -148,8 +175,10 @@ std::string evidence_text(const Advice& advice, const Wish& wish) {
 
 /// Where no model could be shown to meet the tolerance.
 std::string words_of_bar(const Advice& advice, const Wish& wish) {
-  const auto& bar = advice.chart.truths[advice.truth].bars.of(wish.measure);
-  if (!bar || *bar < wish.tolerance) return {};
+  for (std::size_t i = 0; i < advice.chart.points.size(); ++i)
+    if (advice.chart.bar(i, wish.measure, advice.truth).value_or(INFINITY) <
+        wish.tolerance)
+      return {};
   return "Nothing could: the truth itself is not known so well. A finer one (--truth) "
          "takes longer.\n";
 }
@@ -204,16 +233,23 @@ ExitStatus advise_command(const std::string& scene,
   for (const std::string& caution : advice.cautions)
     fmt::print("\nCaution: {}\n", caution);
   if (!advice.chosen) {
-    fmt::print("\nNothing that was tried within {:g} s per solution meets it.\n{}",
-               given.budget, words_of_bar(advice, wish));
+    fmt::print("\nNothing that was tried within {:g} s per solution meets it.\n{}{}",
+               given.budget, words_of_bar(advice, wish),
+               wish.frame && advice.nearest
+                   ? words_of_frame(advice.chart.points[*advice.nearest])
+                   : "");
     return ExitStatus::fell_short;
   }
-  fmt::print("\nLeft out\n");
-  for (const std::string& words : advice.left_out) fmt::print("- {}\n", words);
   const ChartPoint& chosen = advice.chart.points[*advice.chosen];
   const auto frame = wish.frame ? frame_of(chosen, *wish.frame) : std::nullopt;
-  const std::string text =
-      scene_text(scene, options, chosen, frame, question(advice, wish));
+  if (frame)
+    if (const std::string caution = caution_of_steps(plan, chosen, *frame);
+        !caution.empty())
+      fmt::print("\nCaution: {}\n", caution);
+  fmt::print("\nLeft out\n");
+  for (const std::string& words : advice.left_out) fmt::print("- {}\n", words);
+  const std::string text = scene_text(scene, options, chosen, advice.chart.stored.law,
+                                      frame, question(advice, wish));
   write_whole_stream(scene_file, [&](std::ostream& out) { out << text; });
   fmt::print("\nRun it: springcheck run {}{}\n", scene_file.has_parent_path() ? "" : "./",
              scene_file.string());

@@ -127,14 +127,20 @@ std::optional<std::size_t> Chart::truth_of(const std::string& law) const {
   return static_cast<std::size_t>(found - truths.begin());
 }
 
+std::optional<double> Chart::bar(std::size_t point, ChartMeasure measure,
+                                 std::size_t truth) const {
+  return measure == ChartMeasure::deviation ? points[point].deviation_bars[truth]
+                                            : truths[truth].bars.of(measure);
+}
+
 std::vector<std::size_t> Chart::front(ChartKind kind, ChartMeasure measure,
                                       std::size_t truth) const {
-  const double bar = truths[truth].bars.of(measure).value_or(0);
   std::vector<Cost> costs(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& error = points[i].errors[truth].of(measure);
     if (points[i].place.kind == kind && points[i].is_ok() && error)
-      costs[i] = {.error = std::max(*error, bar), .seconds = points[i].seconds()};
+      costs[i] = {.error = std::max(*error, bar(i, measure, truth).value_or(0)),
+                  .seconds = points[i].seconds()};
   }
   return pareto_front(costs);
 }

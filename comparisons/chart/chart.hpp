@@ -77,6 +77,10 @@ struct Chart {
   /// Place of the truth of a law; none without.
   [[nodiscard]] std::optional<std::size_t> truth_of(const std::string& law) const;
 
+  /// What the truth may be off, of a measure, beside a point: of deviations on its mesh.
+  [[nodiscard]] std::optional<double> bar(std::size_t point, ChartMeasure measure,
+                                          std::size_t truth) const;
+
   /// Of one kind and one truth, the front over its points that are ok, see pareto_front;
   /// an error below what the truth may be off counts as that.
   [[nodiscard]] std::vector<std::size_t> front(ChartKind kind, ChartMeasure measure,

@@ -65,7 +65,7 @@ std::string chart_text(const Chart& chart) {
   });
   return text + fmt::format(
                     "\n{} points, {} of them failed, {} left out: over budget or "
-                    "memory.\n",
+                    "memory, or not applicable.\n",
                     chart.points.size(), failed, left_out);
 }
 
@@ -79,19 +79,22 @@ ExitStatus chart_command(const std::string& scene,
   std::vector<std::string> scenes{scene};
   if (scene == "all")
     scenes = {"compression", "tension", "shearing", "torsion", "bending"};
+  std::vector<ChartPlan> plans;
+  for (const std::string& one : scenes)
+    plans.push_back({.scene = one,
+                     .options = options,
+                     .laws = truth_laws(),
+                     .across = across,
+                     .threads = threads,
+                     .budget = chart.budget,
+                     .repeat_for = std::min(chart.repeat_for, chart.budget),
+                     .jobs = chart.jobs,
+                     .retime = chart.retime,
+                     .truth_across = chart.truth_across});
+  for (const ChartPlan& plan : plans) check_plan(plan);
   std::vector<Chart> charts;
-  for (const std::string& one : scenes) {
-    charts.push_back(make_chart({.scene = one,
-                                 .options = options,
-                                 .laws = truth_laws(),
-                                 .across = across,
-                                 .threads = threads,
-                                 .budget = chart.budget,
-                                 .repeat_for = std::min(chart.repeat_for, chart.budget),
-                                 .jobs = chart.jobs,
-                                 .retime = chart.retime,
-                                 .truth_across = chart.truth_across},
-                                chart.out));
+  for (const ChartPlan& plan : plans) {
+    charts.push_back(make_chart(plan, chart.out));
     if (!chart.format) fmt::print("{}\n", chart_text(charts.back()));
   }
   if (chart.format) fmt::print("{}", format_sheets(chart_sheets(charts), *chart.format));

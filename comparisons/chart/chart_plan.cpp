@@ -8,6 +8,7 @@
 #include "comparisons/build_info.hpp"
 #include "comparisons/displacement_norms.hpp"
 #include "comparisons/mechanical_scene.hpp"
+#include "comparisons/memory.hpp"
 #include "comparisons/provenance.hpp"
 #include "comparisons/scene_file.hpp"
 #include "meshing/input_error.hpp"
@@ -58,6 +59,14 @@ CaseSettings settings_of(const ChartPlan& plan, const StoredChart::Point& point)
   const BodyShape shape = chart_body(plan.scene, plan.options).shape;
   return model_case(plan.scene, plan.options, model_named(point.model, point.kind, shape),
                     point.across);
+}
+
+void check_plan(const ChartPlan& plan) {
+  planned_truths(plan);
+  for (const ChartModel& model : chart_models(chart_body(plan.scene, plan.options).shape))
+    for (const int across : plan.across)
+      check_mesh_memory(plan.scene,
+                        model_case(plan.scene, plan.options, model, across).body);
 }
 
 std::vector<ThreeCases> planned_truths(const ChartPlan& plan) {

@@ -26,6 +26,10 @@ struct ChartPlan {
 /// The case behind a point.
 CaseSettings settings_of(const ChartPlan& plan, const StoredChart::Point& point);
 
+/// Throws InputError where options do not suit one of the models, or its mesh on one of
+/// the sizes would not fit into the memory; as truth_grids, too.
+void check_plan(const ChartPlan& plan);
+
 /// The grids of the plan's truths, that of the scene's law first.
 std::vector<ThreeCases> planned_truths(const ChartPlan& plan);
 

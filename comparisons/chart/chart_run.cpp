@@ -98,10 +98,13 @@ class ChartRun::State {
     if (coarser.nodes > 0)
       path.seconds =
           coarser.seconds * std::pow(path.nodes / coarser.nodes, growth_of_paths);
-    if (path.seconds <= plan_.budget) {
+    if (path.seconds <= plan_.budget && fits(settings)) {
       const CaseResult result = simulate(settings, mesh);
       path.was_followed = true;
-      path.seconds = result.solve_wall_s;
+      // Of the whole load, for finer cells, which may get farther.
+      constexpr double least = 0.01;
+      path.seconds =
+          result.solve_wall_s / std::clamp(result.solution.load_fraction, least, 1.);
       if (result.status != Status::ok)
         path.against =
             result.reason.empty() ? std::string(name_of(result.status)) : result.reason;
@@ -125,8 +128,16 @@ class ChartRun::State {
         point.left_out = "over memory";
       else if (expected_seconds(model, point.nodes, threads) > plan_.budget)
         point.left_out = "over budget";
-      if (point.left_out) continue;
+      if (point.left_out) {
+        point.timing.reset();
+        point.setup.reset();
+        continue;
+      }
       TimedCase timed = timed_case(settings, mesh, threads, plan_.repeat_for);
+      if (timed.result.status == Status::refused) {
+        point.left_out = "not applicable";
+        continue;
+      }
       point.timing = timed.timing;
       point.setup = timed.setup;
       result = std::move(timed.result);
@@ -306,12 +317,10 @@ Chart ChartRun::chart() const {
 }
 
 Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file) {
+  check_plan(plan);
+  ChartRun run(plan, file);
   const std::vector<ChartModel>& models =
       chart_models(chart_body(plan.scene, plan.options).shape);
-  for (const int across : plan.across)
-    check_mesh_memory(plan.scene,
-                      model_case(plan.scene, plan.options, models.front(), across).body);
-  ChartRun run(plan, file);
   std::size_t done = 0;
   Progress progress(plan.scene + ": points");
   for (const ChartModel& model : models)

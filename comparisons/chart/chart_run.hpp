@@ -45,8 +45,7 @@ class ChartRun : public Measurements {
   std::unique_ptr<State> state_;
 };
 
-/// Measures all points of the plan. Throws InputError as ChartRun, and where the mesh of
-/// a size would not fit into the memory.
+/// Measures all points of the plan. Throws InputError as ChartRun and check_plan.
 Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file);
 
 }  // namespace springcheck

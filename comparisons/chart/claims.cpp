@@ -46,7 +46,7 @@ struct KnownError {
 
 KnownError known_error(const Chart& chart, ChartMeasure measure, std::size_t i) {
   const std::size_t truth = *chart.truth_of(chart.stored.law);
-  const double bar = chart.truths[truth].bars.of(measure).value_or(0);
+  const double bar = chart.bar(i, measure, truth).value_or(0);
   const double error = *chart.points[i].errors[truth].of(measure);
   return {.value = std::max(error, bar), .is_bar = error < bar};
 }
@@ -54,7 +54,9 @@ KnownError known_error(const Chart& chart, ChartMeasure measure, std::size_t i) 
 Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
                std::size_t truth, std::size_t springs, std::size_t elements,
                const std::function<bool(const ChartPoint&)>& counts) {
-  const double bar = chart.truths[truth].bars.of(measure).value_or(0);
+  const auto bar = [&](std::size_t i) {
+    return chart.bar(i, measure, truth).value_or(0);
+  };
   const auto error = [&](std::size_t i) { return known_error(chart, measure, i).value; };
   Claim claim{.kind = kind,
               .measure = measure,
@@ -63,8 +65,8 @@ Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
               .is_faster = faster(chart.points[springs], chart.points[elements]),
               .is_as_accurate = Answer::undecided,
               .rival = std::nullopt,
-              .is_faster_at_equal_accuracy = Answer::yes};
-  if (std::abs(error(springs) - error(elements)) > bar)
+              .is_faster_at_equal_accuracy = Answer::undecided};
+  if (std::abs(error(springs) - error(elements)) > std::max(bar(springs), bar(elements)))
     claim.is_as_accurate = error(springs) < error(elements) ? Answer::yes : Answer::no;
   for (std::size_t i = 0; i < chart.points.size(); ++i) {
     const ChartPoint& point = chart.points[i];
@@ -76,10 +78,6 @@ Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
   if (claim.rival)
     claim.is_faster_at_equal_accuracy =
         faster(chart.points[springs], chart.points[*claim.rival]);
-  else if (std::ranges::any_of(chart.points, [&](const ChartPoint& point) {
-             return point.place.kind == kind && !is_of_springs(point) && !point.seconds();
-           }))
-    claim.is_faster_at_equal_accuracy = Answer::undecided;
   return claim;
 }
 
@@ -157,14 +155,11 @@ std::string claim_text(const Chart& chart, const Claim& claim) {
                          "closer.") +
                     " ";
   if (!claim.rival)
-    return text + "No finite elements of the chart are as accurate as it" +
-           (claim.is_faster_at_equal_accuracy == Answer::undecided
-                ? "; some were left out."
-                : ".");
-  const ChartPoint& rival = chart.points[*claim.rival];
+    return text + "No finite elements of the chart are as accurate as it.";
   if (claim.is_faster_at_equal_accuracy == Answer::undecided)
     return text + "At least as accurate is " + figures(chart, claim, *claim.rival) +
            "; which is faster the times do not tell.";
+  const ChartPoint& rival = chart.points[*claim.rival];
   return text +
          fmt::format("At least as accurate is {}, {}.",
                      figures(chart, claim, *claim.rival),

@@ -72,9 +72,11 @@ std::optional<Cost> cost_of_springs(int n, mss::LinearSolver linear_solver) {
   const CaseSettings settings =
       case_of_scene("compression", Changes{{"method", "mss-cf"}} + cells_of(n));
   return cost_of(settings, [&](const Mesh& mesh, const Scene& scene) {
-    const mss::Network network = mss::build_network(
-        mesh, scene.material,
-        {.method = mss::Method::cf, .stiffness_form = settings.stiffness_form});
+    const mss::Network network =
+        mss::build_network(mesh, scene.material,
+                           {.method = mss::Method::cf,
+                            .stiffness_form = settings.stiffness_form,
+                            .diagonal_ratio = settings.diagonal_ratio});
     return mss::find_equilibrium(mesh, scene, network, 1, linear_solver);
   });
 }
@@ -140,7 +142,6 @@ std::vector<Growing> all_growing(const std::vector<int>& wide,
 
 void add_rows(Sheet& sheet, const Growing& growing) {
   std::vector<double> cells, seconds, bytes;
-  std::vector<std::string> left_out;
   for (const int n : growing.across) {
     const double count = std::pow(n, 3);
     const double expected =
@@ -153,28 +154,30 @@ void add_rows(Sheet& sheet, const Growing& growing) {
     const std::optional<Cost> cost = reason.empty() ? growing.cost(n) : std::nullopt;
     if (reason.empty() && !cost) reason = "failed";
     if (!reason.empty()) {
-      left_out.push_back(fmt::format("{}, {}, {:.0f} cells: {}.", growing.model,
-                                     growing.what, count, reason));
+      sheet.notes.push_back(fmt::format("{}, {}, {:.0f} cells: {}.", growing.model,
+                                        growing.what, count, reason));
       continue;
     }
     cells.push_back(count);
     seconds.push_back(cost->seconds);
     bytes.push_back(cost->bytes);
   }
-  const auto time_exponent = fitted_order(cells, seconds),
-             memory_exponent = fitted_order(cells, bytes);
+  std::optional<double> time_exponent, memory_exponent;
+  if (cells.size() > 1) {
+    time_exponent = fitted_order(cells, seconds);
+    memory_exponent = fitted_order(cells, bytes);
+  }
   for (std::size_t i = 0; i < cells.size(); ++i)
     sheet.rows.push_back(
-        {.cells = {{.text = growing.model},
-                   {.text = growing.what},
-                   {.number = cells[i]},
-                   {.number = seconds[i]},
-                   {.number = 1e9 * seconds[i] / cells[i]},
-                   {.number = time_exponent},
-                   {.number =
-                        bytes[i] > 0 ? std::optional(bytes[i] / 1e6) : std::nullopt},
-                   {.number = memory_exponent}},
-         .notes = i + 1 == cells.size() ? left_out : std::vector<std::string>{}});
+        {.cells = {
+             {.text = growing.model},
+             {.text = growing.what},
+             {.number = cells[i]},
+             {.number = seconds[i]},
+             {.number = 1e9 * seconds[i] / cells[i]},
+             {.number = time_exponent},
+             {.number = bytes[i] > 0 ? std::optional(bytes[i] / 1e6) : std::nullopt},
+             {.number = memory_exponent}}});
 }
 
 }  // namespace

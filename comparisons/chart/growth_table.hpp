@@ -12,7 +12,7 @@ namespace springcheck {
 /// bodies, and have sizes of their own. Measured on one thread, one body at a time; no
 /// case is behind it, and no two runs give the same digits. Sizes that need more memory
 /// than is left, that are expected to take more than ten minutes, or whose solution fails
-/// are named in the notes of their series' last row.
+/// are named in the notes.
 Sheet growth_sheet(const std::vector<int>& across,
                    const std::vector<int>& across_directly);
 

@@ -36,10 +36,9 @@ std::optional<double> Judge::error(std::size_t point) const {
   const ChartPoint& of = chart_.points[point];
   const auto& error = of.errors[truth_].of(wish_.measure);
   if (!error) return std::nullopt;
-  const auto& bar = wish_.measure == ChartMeasure::deviation
-                        ? of.deviation_bars[truth_]
-                        : chart_.truths[truth_].bars.of(wish_.measure);
-  return *error + bar.value_or(0);
+  const auto bar = chart_.bar(point, wish_.measure, truth_);
+  if (!bar) return std::nullopt;
+  return *error + *bar;
 }
 
 bool Judge::meets_tolerance(std::size_t point) const {

@@ -44,6 +44,7 @@ class Judge {
   [[nodiscard]] bool is_candidate(std::size_t point) const;
 
   /// Error and what the truth may be off, together: what is held against the tolerance.
+  /// None where either is not known.
   [[nodiscard]] std::optional<double> error(std::size_t point) const;
   [[nodiscard]] bool meets_tolerance(std::size_t point) const;
 

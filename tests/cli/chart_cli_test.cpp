@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(a_chart_prints_truths_fronts_and_claims) {
   for (const char* part :
        {"fem-cauchy-born  plate_force", "Fronts, law fem-stvk",
         "equilibrium, force: mss-cf", "motion, deviation: mss-affine, double",
-        "0 left out: over budget or memory."})
+        "0 left out: over budget or memory, or not applicable."})
     BOOST_TEST(holds(run.out, part), run.out);
 }
 
@@ -138,6 +138,18 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_met_ends_with_the_nearest) {
     BOOST_TEST(holds(run.out, "meets it"), run.out);
     BOOST_TEST(!fs::exists(folder / "none.toml"));
   }
+}
+
+// Its own reference is on a grid that refines the cells it had.
+BOOST_AUTO_TEST_CASE(an_advised_scene_runs_whatever_the_reference_was) {
+  const std::string scene = text_of(SCENES "/compression.toml");
+  std::ofstream(folder / "finer-reference.toml")
+      << scene << "reference = \"fem-stvk@20\"\n";
+  const Run run = springcheck(
+      "advise ./finer-reference.toml --tolerance 25% --scene-file advised.toml" + quick);
+  BOOST_TEST(run.status == 0, run.out + run.err);
+  BOOST_TEST(springcheck("run ./advised.toml").status == 0);
+  BOOST_TEST(holds(text_of(folder / "advised.toml"), "reference = \"fem-stvk\""));
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_of_the_users_own_is_not_lost) {

@@ -76,6 +76,34 @@ BOOST_AUTO_TEST_CASE(deviations_from_a_finer_grid_are_taken_at_the_shared_nodes)
              tolerance(1e-12));
 }
 
+// On cells that the coarsest grid does not refine. On the finest grid's own the case is
+// the reference itself, which is known no better for that; the bar there and on cells of
+// another size is that of the coarsest grid's nodes, in the mean over a finer mesh.
+BOOST_AUTO_TEST_CASE(on_other_cells_the_finest_grid_is_the_reference) {
+  MeshStore meshes;
+  const CaseSettings coarsest =
+      requests(run_of("shearing", {"method=fem-hencky", "deformation=.1", "cells=2,2,2"}))
+          .front()
+          .settings;
+  const auto measures_on = [&](int across) {
+    Request request{.settings = coarsest,
+                    .reference = coarsest,
+                    .reference_grid = ReferenceGrid::converged};
+    request.settings.body.block.cells = {across, across, across};
+    return run_study({request}, meshes, 1, [](std::size_t, std::size_t) {})
+        .front()
+        .measures;
+  };
+  const Measures on_2 = measures_on(2), on_3 = measures_on(3), on_8 = measures_on(8);
+  BOOST_TEST(*on_8.deviation_l2_relative < 1e-12);
+  BOOST_TEST(*on_3.deviation_l2_relative > *on_3.reference_bar_l2_relative);
+  BOOST_TEST(on_3.reference_order.value() == on_2.reference_order.value());
+  for (const Measures& m : {on_3, on_8}) {
+    BOOST_TEST(*m.reference_bar_l2_relative > *on_2.reference_bar_l2_relative / 2);
+    BOOST_TEST(*m.reference_bar_l2_relative < *on_2.reference_bar_l2_relative * 2);
+  }
+}
+
 // Under a traction deviations are divided by the reference's own face displacement, not
 // by one read off at the coarse nodes; with three grids, by what it converges to: beyond
 // the finest grid's, by less than the last change. Exact: the same simulations.

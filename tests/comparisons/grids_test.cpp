@@ -41,6 +41,37 @@ BOOST_AUTO_TEST_CASE(trilinear_fields_are_interpolated_exactly) {
     BOOST_TEST((found[n] - field_at(mixed.nodes()[n])).norm() < 1e-13);
 }
 
+// Along axes with an even number of cells (x and y here) squares are met too, between the
+// nodes as well; along the others not.
+BOOST_AUTO_TEST_CASE(quadratic_fields_are_interpolated_exactly_on_pairs_of_cells) {
+  const auto field_at = [](const Vector3& x) {
+    const auto [a, b, c] = std::tuple(x.x() / 0.05, x.y() / 0.03, x.z() / 0.02);
+    return Vector3(a * a * b * b * c, 1 - a * a + b * b, c * c);
+  };
+  const Mesh grid = generate_block({size, fine});
+  std::vector<Vector3> on_fine;
+  for (const Vector3& x : grid.nodes()) on_fine.push_back(field_at(x));
+  const Mesh mixed = generate_block({size, {5, 5, 5}, CellPattern::mixed, 0.2});
+  const auto found = interpolated(on_fine, {size, fine}, mixed.nodes());
+  double off_along_z = 0;
+  for (std::size_t n = 0; n < found.size(); ++n) {
+    const Vector3 error = found[n] - field_at(mixed.nodes()[n]);
+    BOOST_TEST(error.head<2>().norm() < 1e-13);
+    off_along_z = std::max(off_along_z, std::abs(error.z()));
+  }
+  BOOST_TEST(off_along_z > 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(nodes_are_told_from_other_points) {
+  const Mesh on_coarse = generate_block({size, coarse});
+  BOOST_TEST(are_nodes_of({size, fine}, generate_block({size, {3, 2, 3}}).nodes()));
+  BOOST_TEST(are_nodes_of({size, fine}, on_coarse.nodes()));
+  BOOST_TEST(!are_nodes_of({size, coarse}, generate_block({size, fine}).nodes()));
+  BOOST_TEST(!are_nodes_of(
+      {size, {5, 5, 5}},
+      generate_block({size, {5, 5, 5}, CellPattern::hexahedron, 0.2}).nodes()));
+}
+
 // A squeezed block, so that cells differ: the fine cells' volumes add up to the coarse
 // cells' where faces stay plane.
 BOOST_AUTO_TEST_CASE(fine_cells_are_summed_into_the_coarse_cell_around_them) {

@@ -143,7 +143,8 @@ BOOST_AUTO_TEST_CASE(springs_need_a_stable_path_as_far_as_it_can_be_followed) {
   advice = advice_of(rehearsed);
   BOOST_TEST(name_of(advice, advice.chosen.value()) == "mss-nfd 2");
   BOOST_TEST(!advice.is_path_known);
-  BOOST_TEST(advice.cautions.size() == 1U);
+  BOOST_TEST_REQUIRE(advice.cautions.size() == 1U);
+  BOOST_TEST(advice.cautions[0].starts_with("Whether its path"));
 }
 
 // Quartiles are 10 % beside the medians.
@@ -168,6 +169,24 @@ BOOST_AUTO_TEST_CASE(what_exceeds_the_budget_or_fails_is_not_chosen) {
   BOOST_TEST(name_of(advice, advice.nearest) == "mss-cf 3");
   // Twice failed: not tried again.
   BOOST_TEST(std::ranges::count(rehearsed.measured, "mss-nfd 4") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(finer_cells_that_were_not_looked_at_are_a_caution) {
+  Rehearsed rehearsed;
+  rehearsed.shown["mss-cf"] = {{2, {1, 40}}, {3, {2, 10}}};
+  const Advice advice = advice_of(rehearsed);
+  BOOST_TEST(name_of(advice, advice.chosen.value()) == "mss-cf 3");
+  BOOST_TEST_REQUIRE(advice.cautions.size() == 1U);
+  BOOST_TEST(advice.cautions[0].starts_with("Whether its errors only cancel"));
+}
+
+// Held against the tolerance by its error alone: with the truth's 12.5 % it is beyond.
+BOOST_AUTO_TEST_CASE(the_truths_bar_makes_no_accident_of_finer_cells) {
+  Rehearsed rehearsed;
+  rehearsed.shown["mss-cf"] = {{2, {1, 15}}, {3, {2, 25}}};
+  const Advice advice = advice_of(rehearsed);
+  BOOST_TEST(name_of(advice, advice.chosen.value()) == "mss-cf 2");
+  BOOST_TEST(advice.cautions.empty());
 }
 
 BOOST_AUTO_TEST_CASE(words_name_what_is_left_out_with_its_figures) {
