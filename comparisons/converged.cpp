@@ -51,21 +51,43 @@ std::vector<Vector3> face_displacements(std::span<const CaseResult* const> runs)
   return {extrapolate(sizes_of(runs), on_grids, solver_noise * on_grids[2].norm()).value};
 }
 
-/// The finest run's field, how far it may be off being known at the coarsest one's nodes.
-ConvergedField finest_with_bars_of_coarsest(std::span<const CaseResult* const> runs,
-                                            const Body& body, MeshStore& meshes) {
-  const Body& coarsest = runs[0]->request.settings.body;
-  const ConvergedField there = converged_field(runs, coarsest, meshes);
-  std::vector<Vector3> bars;
-  for (const double bar : there.node_bars) bars.emplace_back(bar, 0, 0);
+/// Least order by which the root mean square of an interpolation's error falls: where
+/// plates end, displacements go as r^a with a > 1/2, over areas that go as r.
+constexpr double order_of_interpolation = 1.5;
+
+/// The finest run's field. Its own error is known at the middle grid's nodes, by the
+/// order that the coarsest's show; between its nodes there is that of the interpolation,
+/// known from what every other node would give.
+ConvergedField finest_with_bars(std::span<const CaseResult* const> runs, const Body& body,
+                                MeshStore& meshes) {
+  const GridSizes sizes = sizes_of(runs);
+  const double ratio = sizes[1] / sizes[2];
+  const Body& middle = runs[1]->request.settings.body;
+  const Body& finest = runs[2]->request.settings.body;
+  const std::vector<Vector3>& nodes = meshes.mesh(body).nodes();
   ConvergedField field = finest_field(runs, body, meshes);
-  field.order = there.order;
-  field.node_bars.clear();
-  // Quadratic, so below 0 between nodes of very different bars.
-  for (const Vector3& bar : interpolated(bars, coarsest.block, meshes.mesh(body).nodes()))
-    field.node_bars.push_back(std::abs(bar.x()));
+  field.order = converged_field(runs, runs[0]->request.settings.body, meshes).order;
+  const double part = field.order
+                          ? safety_with_order / (std::pow(ratio, *field.order) - 1)
+                          : safety_without_order;
+  const std::vector<Vector3> thinned = displacements_on(middle, *runs[2], meshes);
+  const std::vector<Vector3>& coarser = runs[1]->solution.displacements;
+  std::vector<Vector3> own_bars;
+  for (std::size_t n = 0; n < thinned.size(); ++n)
+    own_bars.emplace_back(part * (thinned[n] - coarser[n]).norm(), 0, 0);
+  const auto own_bars_here = interpolated(own_bars, middle.block, nodes),
+             thinned_here = interpolated(thinned, middle.block, nodes);
+  const double part_between =
+      safety_with_order / (std::pow(ratio, order_of_interpolation) - 1);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    // Quadratic, and so below 0 beside a node of a large bar.
+    field.node_bars[n] = std::abs(own_bars_here[n].x());
+    if (!are_nodes_of(finest.block, std::span(&nodes[n], 1)))
+      field.node_bars[n] +=
+          part_between * (thinned_here[n] - field.displacements[n]).norm();
+  }
   field.bar = std::accumulate(field.node_bars.begin(), field.node_bars.end(), 0.) /
-              static_cast<double>(field.node_bars.size());
+              static_cast<double>(nodes.size());
   return field;
 }
 
@@ -154,7 +176,7 @@ std::optional<ReferenceField> reference_field(const Request& request,
   const Body& coarsest = runs[0]->request.settings.body;
   ConvergedField converged = are_nodes_of(coarsest.block, meshes.mesh(body).nodes())
                                  ? converged_field(runs, body, meshes)
-                                 : finest_with_bars_of_coarsest(runs, body, meshes);
+                                 : finest_with_bars(runs, body, meshes);
   field.solution.displacements = std::move(converged.displacements);
   field.solution.cell_volumes = std::move(converged.cell_volumes);
   field.order = converged.order;

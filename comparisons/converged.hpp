@@ -57,9 +57,10 @@ struct ReferenceField {
 
 /// The request's, from the runs of reference_cases(request); none when one of them
 /// failed. Of three grids it is converged_field where the case's nodes are nodes of the
-/// coarsest. Elsewhere it is the finest run's field, with the bars, 1.25 times the
-/// distance to what the grids converge to, that are known at the coarsest's nodes: what
-/// interpolation adds to a coarse grid's errors does not converge as they do.
+/// coarsest. Elsewhere what interpolation adds to a coarse grid's errors does not converge
+/// as they do: there it is the finest run's field, with bars of what it may be off itself,
+/// by the order that the coarsest's nodes show, and of the interpolation between its
+/// nodes, 1.25/(2^(3/2) - 1) times what leaving out every other node changes.
 std::optional<ReferenceField> reference_field(const Request& request,
                                               std::span<const CaseResult* const> runs,
                                               MeshStore& meshes);

@@ -276,7 +276,7 @@ int command_line(int argc, char** argv) {
                     "numbers of threads that are timed (default: 1 and all cores)");
   chart
       ->add_option("--budget", chart_options.budget,
-                   "seconds that a point's solution may take (default 5)")
+                   "seconds that a point's solution may take (default 8)")
       ->check(check_positive_seconds);
   chart
       ->add_option("--repeat-for", chart_options.repeat_for,

@@ -12,7 +12,7 @@ namespace springcheck {
 struct ChartOptions {
   std::string sizes = "4,6,10,16";  // cells across
   std::string threads{};            // "1,2"; empty: 1 and all
-  double budget = 5;                // [s] that a point's solution may take
+  double budget = 8;                // [s] that a point's solution may take
   double repeat_for = 1;            // [s] of a point's repetitions
   std::filesystem::path out{};
   std::optional<TableFormat> format{};  // none: truths, fronts and claims for a terminal

@@ -77,12 +77,14 @@ BOOST_AUTO_TEST_CASE(deviations_from_a_finer_grid_are_taken_at_the_shared_nodes)
 }
 
 // On cells that the coarsest grid does not refine. On the finest grid's own the case is
-// the reference itself, which is known no better for that; the bar there and on cells of
-// another size is that of the coarsest grid's nodes, in the mean over a finer mesh.
+// the reference itself, which is known no better for that: less well than at the coarsest
+// grid's nodes, which are farther from the plates' edges. Between the finest grid's nodes
+// the bar of interpolation joins it, and covers what is seen there.
 BOOST_AUTO_TEST_CASE(on_other_cells_the_finest_grid_is_the_reference) {
   MeshStore meshes;
   const CaseSettings coarsest =
-      requests(run_of("shearing", {"method=fem-hencky", "deformation=.1", "cells=2,2,2"}))
+      requests(run_of("compression", {"method=fem-hencky", "deformation=.1",
+                                      "cells=2,2,2", "element=q2"}))
           .front()
           .settings;
   const auto measures_on = [&](int across) {
@@ -94,14 +96,19 @@ BOOST_AUTO_TEST_CASE(on_other_cells_the_finest_grid_is_the_reference) {
         .front()
         .measures;
   };
-  const Measures on_2 = measures_on(2), on_3 = measures_on(3), on_8 = measures_on(8);
+  const Measures on_2 = measures_on(2), on_6 = measures_on(6), on_8 = measures_on(8);
+  for (const Measures& m : {on_2, on_6, on_8})
+    BOOST_TEST_MESSAGE("deviation " << *m.deviation_l2_relative << ", bar "
+                                    << *m.reference_bar_l2_relative);
   BOOST_TEST(*on_8.deviation_l2_relative < 1e-12);
-  BOOST_TEST(*on_3.deviation_l2_relative > *on_3.reference_bar_l2_relative);
-  BOOST_TEST(on_3.reference_order.value() == on_2.reference_order.value());
-  for (const Measures& m : {on_3, on_8}) {
-    BOOST_TEST(*m.reference_bar_l2_relative > *on_2.reference_bar_l2_relative / 2);
-    BOOST_TEST(*m.reference_bar_l2_relative < *on_2.reference_bar_l2_relative * 2);
-  }
+  BOOST_TEST(on_8.reference_order.value() == on_2.reference_order.value());
+  BOOST_TEST(*on_8.reference_bar_l2_relative > *on_2.reference_bar_l2_relative);
+  BOOST_TEST(*on_8.reference_bar_l2_relative < *on_2.reference_bar_l2_relative * 20);
+  BOOST_TEST(*on_6.reference_bar_l2_relative > 2 * *on_8.reference_bar_l2_relative);
+  // q2 on 6 cells is hardly farther from the limit than on 8: most of its deviation is
+  // what lies between the reference's nodes.
+  BOOST_TEST(*on_6.deviation_l2_relative < *on_2.deviation_l2_relative);
+  BOOST_TEST(*on_6.deviation_l2_relative < 2 * *on_6.reference_bar_l2_relative);
 }
 
 // Under a traction deviations are divided by the reference's own face displacement, not
