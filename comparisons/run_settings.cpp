@@ -64,17 +64,67 @@ void check_motion(const RunSettings& run, const Settings& settings) {
   const auto moves = [&](const Method& method) {
     CaseSettings with = run.common;
     with.method = method;
-    return springcheck::goes_through_time(with);
+    return has_history(with);
   };
   if (std::ranges::any_of(run.methods, moves)) return;
   for (const std::string key :
-       {"history", "dt", "dt-ratio", "force-dt", "duration", "damping", "precision"}) {
+       {"history", "dt", "dt-ratio", "force-dt", "duration", "rate", "load-times",
+        "load-fractions", "damping", "precision"}) {
     const auto found = settings.find(key);
     if (found == settings.end()) continue;
     if (key == "history" || found->second.place() == "--" + key)
       found->second.refuse(
           fmt::format("no {} without a solver that goes through time", key));
   }
+}
+
+/// The time over which the load acts, and how: given as a duration, by a rate of the
+/// deformation or by points.
+void read_load(CaseSettings& common, const Settings& settings) {
+  constexpr double usual = 10;  // [s]
+  const auto given = [&](const char* key) {
+    const auto found = settings.find(std::string_view(key));
+    return found == settings.end() ? nullptr : &found->second;
+  };
+  const Given *duration = given("duration"), *rate = given("rate"),
+              *times = given("load-times"), *fractions = given("load-fractions");
+  for (const auto& [one, others] :
+       std::initializer_list<std::pair<const Given*, const char*>>{
+           {rate, "a duration"}, {times, "a duration or rate"}})
+    if (one != nullptr && (duration != nullptr || (one == times && rate != nullptr)))
+      one->refuse(fmt::format("no value beside {}, which it would replace", others));
+  if ((times == nullptr) != (fractions == nullptr))
+    (times ? times : fractions)->refuse("both load-times and load-fractions, or neither");
+  Dynamics& dynamics = common.dynamics;
+  dynamics.duration = duration ? duration->positive_number() : usual;
+  if (rate != nullptr) {
+    const double per_second = rate->positive_number();
+    const double deformation = common.test == Test::affine
+                                   ? common.gradient.cwiseAbs().maxCoeff()
+                                   : std::abs(common.deformation.value_or(0));
+    if (deformation == 0) rate->refuse("no rate in a test without a deformation");
+    dynamics.duration = deformation / per_second;
+  }
+  if (times != nullptr) {
+    dynamics.load = load_path_of(*times, *fractions);
+    dynamics.duration = dynamics.load.back().time;
+  }
+}
+
+/// The law of mss-tissue.
+Tissue tissue_of(const Settings& settings, const std::string& file) {
+  const auto organ = settings.find(std::string_view("organ")),
+             law = settings.find(std::string_view("law"));
+  if (organ != settings.end() && law != settings.end())
+    law->second.refuse("no law beside an organ, which has one");
+  constexpr int steps = 50;
+  return {.law = organ != settings.end()
+                     ? organ_of(organ->second)
+                     : law_of(required(settings, "law", file,
+                                       "K,n,GAMMA_LIM,p of mss-tissue, or an organ")),
+          .branches =
+              value_or(settings, "branches", tissue::default_branches, branch_count_of),
+          .steps = value_or(settings, "time-steps", steps, time_steps_of)};
 }
 
 /// "N" or "NX,NY,NZ" behind a reference's '@'.
@@ -158,13 +208,17 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   };
   const Test test = test_of(need("test", "the name of a test"));
   check_applicable(settings, test);
+  const std::vector<Method> methods = methods_of(need("method", "a list of methods"));
+  const bool all_are_tissue = std::ranges::all_of(methods, is_tissue);
 
   CaseSettings common{
       .scene = name,
       .test = test,
       .body = body_of(settings, file, test),
       .material = {.young_modulus =
-                       need("young", "Young's modulus [Pa]").positive_number(),
+                       all_are_tissue  // which does not read it
+                           ? value_or(settings, "young", 1., &Given::positive_number)
+                           : need("young", "Young's modulus [Pa]").positive_number(),
                    .poisson_ratio = poisson_ratio_of(need("nu", "a number in (-1, 0.5)")),
                    .density = need("density", "a density [kg/m^3]").positive_number()},
       .gravity = Vector3::Zero(),
@@ -188,7 +242,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
           value_or(settings, "correction", mss::VolumeCorrection::on, correction_of),
       .solver = value_or(settings, "solver", std::optional<Solver>{}, solver_named),
       .dynamics =
-          {.duration = value_or(settings, "duration", 10., &Given::positive_number),
+          {.duration = 0,  // read_load
            .time_step = value_or(settings, "dt", std::optional<double>{}, time_step_of),
            .step_ratio = value_or(settings, "dt-ratio", 0.9, &Given::positive_number),
            .force_time_step = value_or(settings, "force-dt", false, &Given::truth),
@@ -207,12 +261,13 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
     common.gradient = gradient_of(need("gradient", "nine numbers, row by row"));
   else
     common.deformation = deformation_of(need("deformation", "a strain or angle"), test);
+  read_load(common, settings);
 
   RunSettings run{
       .common = common,
       .cells_place =
           settings.at(common.body.shape == BodyShape::file ? "mesh" : "cells").place(),
-      .methods = methods_of(need("method", "a list of methods")),
+      .methods = methods,
       .reference = std::nullopt,
       .expect = value_or(settings, "expect", std::vector{Status::ok}, expect_of)};
   if (const auto reference = settings.find(std::string_view("reference"));
@@ -222,6 +277,10 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   check_method_runs(run, settings, {"fem-cauchy-born"}, {"lattice", "lattice-direction"});
   check_method_runs(run, settings, {"mss-custom"}, {"stiffness", "kappa"});
   check_method_runs(run, settings, {"mss-vangelder", "mss-lloyd"}, {"correction"});
+  check_method_runs(run, settings, {"mss-tissue", "fem-tissue"},
+                    {"organ", "law", "branches", "time-steps"});
+  if (runs(run, "mss-tissue") || runs(run, "fem-tissue"))
+    run.common.tissue = tissue_of(settings, file);
   if (runs(run, "mss-custom"))
     run.common.constants = mss::LatticeConstants{
         .stiffness = stiffness_of(need("stiffness", "KE,KF,KC of mss-custom [N/m]")),
@@ -243,8 +302,10 @@ std::vector<Request> requests(const RunSettings& run) {
     if (reference.grid == ReferenceGrid::converged || !reference.cells.empty())
       request.reference->body = grid_beside(reference, run.common.body);
     request.reference_grid = reference.grid;
-    if (solver_of(request.settings) == Solver::path_limit) {
-      request.reference.reset();  // a limit is no state at the load
+    const bool is_limit = solver_of(request.settings) == Solver::path_limit;
+    if (is_limit || (is_tissue(method) && !run.reference)) {
+      // A limit is no state at the load, and no other law is tissue's.
+      request.reference.reset();
       request.reference_grid = ReferenceGrid::one;
       all.push_back(request);
       continue;
