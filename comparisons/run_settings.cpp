@@ -14,6 +14,7 @@
 #include "comparisons/grids.hpp"
 #include "comparisons/setting_values.hpp"
 #include "meshing/input_error.hpp"
+#include "tissue/maxwell_fit.hpp"
 
 namespace springcheck {
 namespace {
@@ -78,50 +79,66 @@ void check_motion(const RunSettings& run, const Settings& settings) {
   }
 }
 
+/// The one that is given of settings that replace each other; nullptr without. Options
+/// replace what the scene has. Throws InputError where two stand in the same place.
+const Given* one_of(const Settings& settings,
+                    std::initializer_list<std::string_view> keys) {
+  const Given* chosen = nullptr;
+  const auto is_option = [](const Given& given) {
+    return given.place().starts_with("--");
+  };
+  for (const std::string_view key : keys) {
+    const auto found = settings.find(key);
+    if (found == settings.end()) continue;
+    const Given& given = found->second;
+    if (chosen != nullptr && is_option(*chosen) == is_option(given))
+      given.refuse("no value beside that of " + chosen->place() +
+                   ", which it would replace");
+    if (chosen == nullptr || is_option(given)) chosen = &given;
+  }
+  return chosen;
+}
+
+const Given* find(const Settings& settings, std::string_view key) {
+  const auto found = settings.find(key);
+  return found == settings.end() ? nullptr : &found->second;
+}
+
 /// The time over which the load acts, and how: given as a duration, by a rate of the
 /// deformation or by points.
 void read_load(CaseSettings& common, const Settings& settings) {
   constexpr double usual = 10;  // [s]
-  const auto given = [&](const char* key) {
-    const auto found = settings.find(std::string_view(key));
-    return found == settings.end() ? nullptr : &found->second;
-  };
-  const Given *duration = given("duration"), *rate = given("rate"),
-              *times = given("load-times"), *fractions = given("load-fractions");
-  for (const auto& [one, others] :
-       std::initializer_list<std::pair<const Given*, const char*>>{
-           {rate, "a duration"}, {times, "a duration or rate"}})
-    if (one != nullptr && (duration != nullptr || (one == times && rate != nullptr)))
-      one->refuse(fmt::format("no value beside {}, which it would replace", others));
-  if ((times == nullptr) != (fractions == nullptr))
-    (times ? times : fractions)->refuse("both load-times and load-fractions, or neither");
+  const Given* given = one_of(settings, {"duration", "rate", "load-times"});
   Dynamics& dynamics = common.dynamics;
-  dynamics.duration = duration ? duration->positive_number() : usual;
-  if (rate != nullptr) {
-    const double per_second = rate->positive_number();
+  dynamics.duration = usual;
+  if (const Given* fractions = find(settings, "load-fractions");
+      fractions != nullptr && find(settings, "load-times") == nullptr)
+    fractions->refuse("no load-fractions without load-times");
+  if (given == nullptr) return;
+  if (given == find(settings, "duration")) {
+    dynamics.duration = given->positive_number();
+  } else if (given == find(settings, "rate")) {
+    const double rate = given->positive_number();
     const double deformation = common.test == Test::affine
                                    ? common.gradient.cwiseAbs().maxCoeff()
                                    : std::abs(common.deformation.value_or(0));
-    if (deformation == 0) rate->refuse("no rate in a test without a deformation");
-    dynamics.duration = deformation / per_second;
-  }
-  if (times != nullptr) {
-    dynamics.load = load_path_of(*times, *fractions);
+    if (deformation == 0) given->refuse("no rate in a test without a deformation");
+    dynamics.duration = deformation / rate;
+  } else {
+    const Given* fractions = find(settings, "load-fractions");
+    if (fractions == nullptr) given->refuse("load-fractions beside load-times");
+    dynamics.load = load_path_of(*given, *fractions);
     dynamics.duration = dynamics.load.back().time;
   }
 }
 
-/// The law of mss-tissue.
+/// The law of tissue.
 Tissue tissue_of(const Settings& settings, const std::string& file) {
-  const auto organ = settings.find(std::string_view("organ")),
-             law = settings.find(std::string_view("law"));
-  if (organ != settings.end() && law != settings.end())
-    law->second.refuse("no law beside an organ, which has one");
+  const Given* given = one_of(settings, {"organ", "law"});
+  if (given == nullptr)
+    throw InputError(file, "law", "K,n,GAMMA_LIM,p of tissue, or an organ", "nothing");
   constexpr int steps = 50;
-  return {.law = organ != settings.end()
-                     ? organ_of(organ->second)
-                     : law_of(required(settings, "law", file,
-                                       "K,n,GAMMA_LIM,p of mss-tissue, or an organ")),
+  return {.law = given == find(settings, "organ") ? organ_of(*given) : law_of(*given),
           .branches =
               value_or(settings, "branches", tissue::default_branches, branch_count_of),
           .steps = value_or(settings, "time-steps", steps, time_steps_of)};

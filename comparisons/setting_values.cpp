@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "meshing/input_error.hpp"
+#include "tissue/maxwell_fit.hpp"
 
 namespace springcheck {
 namespace {

@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(a_held_shear_has_a_history_and_a_place_in_result_files) {
   BOOST_TEST(result["history"]["load_fraction"].back() == 1);
   const std::vector<double> energy = result["history"]["strain_energy"];
   BOOST_TEST(energy[3] > energy[7]);  // it relaxes
-  BOOST_TEST(springcheck("export held.h5 --format csv").status == 0);
+  BOOST_TEST(springcheck("report held.h5 --out page").status == 0);
 }
 
 BOOST_AUTO_TEST_CASE(strains_beyond_the_fit_are_flagged) {
@@ -68,11 +68,12 @@ BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
     expect_bad_input(small + options, expected);
   };
   refused("--organ brain", "liver, kidney, spleen");
-  refused("--law 1,2,3,4", "no law beside an organ");
+  refused("--organ liver --law 1,.1,.2,.3", "no value beside that of --organ");
   refused("--rate 0", "positive");
   refused("--rate -1", "positive");
-  refused("--rate 1 --duration 2", "--rate");
-  refused("--load-times 1,2", "both load-times and load-fractions");
+  refused("--rate 1 --duration 2", "no value beside that of --duration");
+  refused("--load-times 1,2", "load-fractions beside load-times");
+  refused("--load-fractions 1", "no load-fractions without load-times");
   refused("--load-times 2,1 --load-fractions 1,1", "ascending");
   refused("--load-times -1,1 --load-fractions 1,1", "above 0");
   refused("--load-times 1 --load-fractions 1,1", "a fraction for each of 1 times");
