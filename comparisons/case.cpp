@@ -51,18 +51,31 @@ void add_reference_settings(nlohmann::json& json, const CaseSettings& settings) 
     json["diagonal-ratio"] = settings.diagonal_ratio;
 }
 
-void add_dynamics(nlohmann::json& json, const Dynamics& dynamics) {
+/// The load through time, and when it is looked at.
+void add_load(nlohmann::json& json, const Dynamics& dynamics) {
   json["duration"] = dynamics.duration;
-  json["damping"] = dynamics.damping_ratio;
+  for (const auto& [time, fraction] : dynamics.load) {
+    json["load-times"].push_back(time);
+    json["load-fractions"].push_back(fraction);
+  }
+  if (dynamics.history > 0) json["history"] = dynamics.history;
+}
+
+void add_time_step(nlohmann::json& json, const Dynamics& dynamics) {
   json["force-dt"] = dynamics.force_time_step;
-  json["precision"] = name_of(dynamics.precision);
   if (dynamics.time_step) {
     json["dt"] = *dynamics.time_step;
   } else {
     json["dt"] = "auto";
     json["dt-ratio"] = dynamics.step_ratio;
   }
-  if (dynamics.history > 0) json["history"] = dynamics.history;
+}
+
+void add_dynamics(nlohmann::json& json, const Dynamics& dynamics) {
+  json["damping"] = dynamics.damping_ratio;
+  json["precision"] = name_of(dynamics.precision);
+  add_load(json, dynamics);
+  add_time_step(json, dynamics);
 }
 
 /// Settings of the springs alone.
@@ -96,6 +109,20 @@ void add_spring_settings(nlohmann::json& json, const CaseSettings& settings) {
     json["seed"] = settings.seed;
     json["noise"] = settings.noise;
   }
+}
+
+void add_tissue_settings(nlohmann::json& json, const CaseSettings& settings) {
+  const auto& [law, branches, steps] = settings.tissue.value();
+  json.erase("young");
+  json["law"] = {law.consistency, law.linear_index, law.linear_limit,
+                 law.hardening_index};
+  json["branches"] = branches;
+  json["solver"] = name_of(solver_of(settings));
+  add_load(json, settings.dynamics);
+  if (goes_through_time(settings))
+    add_time_step(json, settings.dynamics);
+  else
+    json["time-steps"] = steps;
 }
 
 void add_explicit_settings(nlohmann::json& json, const CaseSettings& settings) {
@@ -187,6 +214,10 @@ bool goes_through_time(const CaseSettings& settings) {
   return solver != Solver::static_equilibrium && solver != Solver::path_limit;
 }
 
+bool has_history(const CaseSettings& settings) {
+  return goes_through_time(settings) || is_tissue(settings.method);
+}
+
 std::string_view name_of(mss::StiffnessForm form) {
   return form == mss::StiffnessForm::shear_modulus ? "mu" : "E";
 }
@@ -256,6 +287,8 @@ nlohmann::json settings_json(const CaseSettings& settings) {
     add_reference_settings(json, settings);
   else if (is_explicit_element(settings.method))
     add_explicit_settings(json, settings);
+  else if (is_tissue(settings.method))
+    add_tissue_settings(json, settings);
   else if (const auto* measured = std::get_if<Measured>(&settings.method.model))
     add_measured_settings(json, *measured);
   else

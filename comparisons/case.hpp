@@ -7,6 +7,7 @@
 #include "comparisons/body.hpp"
 #include "comparisons/methods.hpp"
 #include "mss/solve.hpp"
+#include "tissue/bipower_law.hpp"
 
 namespace springcheck {
 
@@ -36,13 +37,21 @@ enum class Solver {
 };
 
 struct Dynamics {
-  double duration;                  // [s] over which the load grows
+  double duration;                  // [s] over which the load acts
   std::optional<double> time_step;  // [s]; none: step_ratio of the stability limit
   double step_ratio;
   bool force_time_step;  // run even above the stability limit
   double damping_ratio;  // zeta of critical
   mss::Precision precision;
-  int history;  // samples on the way
+  int history;                // samples on the way, on each straight piece of the load
+  dynamics::LoadPath load{};  // none: it grows in proportion to the time
+};
+
+/// Of mss-tissue and fem-tissue.
+struct Tissue {
+  tissue::BipowerLaw law;
+  int branches;
+  int steps;  // of the quasi-static solver, on each straight piece of the load
 };
 
 const std::vector<Test>& all_tests();
@@ -86,16 +95,19 @@ struct CaseSettings {
   std::optional<mss::LatticeConstants> constants;  // of mss-custom, at this cell size
   mss::VolumeCorrection correction;                // of mss-vangelder and mss-lloyd
   std::optional<Solver> solver;                    // none: the method's own
-  Dynamics dynamics;                               // of solvers through time
+  Dynamics dynamics;                               // of solvers through time, and tissue
   unsigned seed;                                   // of the static solver
   double noise;  // [cell edges] of a static solution, which is solved again from there
+  std::optional<Tissue> tissue{};  // where tissue runs
 };
 
 /// The solver given, or else the static one, and of explicit elements semi-implicit
 /// Euler; the other finite elements are static anyway.
 Solver solver_of(const CaseSettings& settings);
 
+/// With inertia. Tissue has a history without, by the static solver.
 bool goes_through_time(const CaseSettings& settings);
+bool has_history(const CaseSettings& settings);
 
 /// The finite elements' part of the settings.
 fem_reference::Settings reference_settings(const CaseSettings& settings);

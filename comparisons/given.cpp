@@ -175,6 +175,21 @@ std::array<double, 3> Given::three_numbers() const {
   return finite_numbers<3>("three finite numbers");
 }
 
+std::array<double, 4> Given::four_numbers() const {
+  return finite_numbers<4>("four finite numbers");
+}
+
+std::vector<double> Given::numbers() const {
+  std::vector<double> all;
+  for (const Scalar& value : values_) {
+    const auto number = number_in(value);
+    if (!number || !std::isfinite(*number)) refuse("finite numbers");
+    all.push_back(*number);
+  }
+  if (all.empty()) refuse("at least one finite number");
+  return all;
+}
+
 std::array<double, 9> Given::nine_numbers() const {
   return finite_numbers<9>("nine finite numbers, row by row");
 }

@@ -43,7 +43,9 @@ class Given {
   [[nodiscard]] std::string toml() const;                // as a scene file writes it
   [[nodiscard]] std::array<double, 2> two_numbers() const;
   [[nodiscard]] std::array<double, 3> three_numbers() const;
+  [[nodiscard]] std::array<double, 4> four_numbers() const;
   [[nodiscard]] std::array<double, 9> nine_numbers() const;
+  [[nodiscard]] std::vector<double> numbers() const;  // finite, at least one
   [[nodiscard]] std::array<std::int64_t, 3> three_integers() const;
 
   /// A strain: a number, or text in percent, "5%".

@@ -93,8 +93,10 @@ std::string check_positive_seconds(const std::string& text) {
 
 /// Settings that charts and advice choose, or that tests of theirs do not read.
 std::set<std::string> no_options_of_charts() {
-  std::set<std::string> all{"mesh",     "mesh-unit", "fixed",   "moved",
-                            "traction", "plates",    "gradient"};
+  std::set<std::string> all{"mesh",          "mesh-unit", "fixed",      "moved",
+                            "traction",      "plates",    "gradient",   "organ",
+                            "law",           "branches",  "time-steps", "load-times",
+                            "load-fractions"};
   all.insert(settings_of_charts().begin(), settings_of_charts().end());
   return all;
 }

@@ -88,7 +88,8 @@ void measure_affine(Measures& measures, const Scene& scene, const Mesh& mesh,
     measures.mean_stress = stress;
   }
   const auto deviation = over_free_nodes(mesh, scene, [&](std::size_t n) {
-    return (solution.displacements[n] - *scene.boundary_gradient * mesh.nodes()[n])
+    return (solution.displacements[n] -
+            solution.load_fraction * (*scene.boundary_gradient * mesh.nodes()[n]))
         .norm();
   });
   if (deviation)

@@ -18,11 +18,15 @@ struct Measured {
   std::string forces;  // empty without
 };
 
+/// Models of living tissue, whose law has no Young's modulus.
+enum class TissueModel { springs, elements };
+
 /// A method by its name on the command line: springs, a law for finite elements, or an
 /// element that steps explicitly; or by the user's name for what is measured.
 struct Method {
   std::string name;
-  std::variant<mss::Method, fem_reference::Law, fem_reference::ExplicitElement, Measured>
+  std::variant<mss::Method, fem_reference::Law, fem_reference::ExplicitElement, Measured,
+               TissueModel>
       model;
   std::string_view description;
 };
@@ -64,6 +68,10 @@ inline bool is_explicit_element(const Method& method) {
 
 inline bool is_measured(const Method& method) {
   return std::holds_alternative<Measured>(method.model);
+}
+
+inline bool is_tissue(const Method& method) {
+  return std::holds_alternative<TissueModel>(method.model);
 }
 
 /// Whether its springs have the constants that the user gives.

@@ -53,7 +53,7 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
            {"source", settings_json(settings).value("source", Json())},
            {"solver", settings_json(settings).value("solver", Json())},
            {"nu", settings.material.poisson_ratio},
-           {"young", settings.material.young_modulus},
+           {"young", settings_json(settings).value("young", Json())},
            {"density", settings.material.density},
            {"deformation", json(settings.deformation)},
            {"traction", settings.test == Test::traction
@@ -64,6 +64,7 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
                             : Json()},
            {"stiffness", settings_json(settings).value("stiffness", Json())},
            {"kappa", settings_json(settings).value("kappa", Json())},
+           {"law", settings_json(settings).value("law", Json())},
            {"mesh",
             {{"cells", mesh.cells().size()},
              {"nodes", mesh.nodes().size()},

@@ -32,12 +32,17 @@ std::string dynamics_text(const CaseResult& result) {
   const Solution& solution = result.solution;
   if (!m.kinetic_energy || !solution.dt) return {};
   const CaseSettings& settings = result.request.settings;
+  const std::string inertia =
+      is_tissue(settings.method)  // has no modulus for a pressure wave, nor that damping
+          ? ""
+          : fmt::format(
+                "{:.3g} runs of a pressure wave through the height, damping {:g}, ",
+                m.transit_count.value_or(0), settings.dynamics.damping_ratio);
   return fmt::format(
-      "{}: {} {} of {:.4g} s to {:g} s{}, {:.3g} runs of a pressure wave through the "
-      "height, damping {:g}, kinetic energy {:.2g} of the strain energy{}.\n",
+      "{}: {} {} of {:.4g} s to {:g} s{}, {}kinetic energy {:.2g} of the strain "
+      "energy{}.\n",
       label(settings), solution.steps, solution.steps == 1 ? "step" : "steps",
-      *solution.dt, settings.dynamics.duration, stable_up_to(solution),
-      m.transit_count.value_or(0), settings.dynamics.damping_ratio,
+      *solution.dt, settings.dynamics.duration, stable_up_to(solution), inertia,
       *m.kinetic_energy / m.strain_energy.value_or(0), lacking_samples(result));
 }
 

@@ -14,6 +14,7 @@
 #include "comparisons/grids.hpp"
 #include "comparisons/setting_values.hpp"
 #include "meshing/input_error.hpp"
+#include "tissue/maxwell_fit.hpp"
 
 namespace springcheck {
 namespace {
@@ -64,17 +65,83 @@ void check_motion(const RunSettings& run, const Settings& settings) {
   const auto moves = [&](const Method& method) {
     CaseSettings with = run.common;
     with.method = method;
-    return springcheck::goes_through_time(with);
+    return has_history(with);
   };
   if (std::ranges::any_of(run.methods, moves)) return;
   for (const std::string key :
-       {"history", "dt", "dt-ratio", "force-dt", "duration", "damping", "precision"}) {
+       {"history", "dt", "dt-ratio", "force-dt", "duration", "rate", "load-times",
+        "load-fractions", "damping", "precision"}) {
     const auto found = settings.find(key);
     if (found == settings.end()) continue;
     if (key == "history" || found->second.place() == "--" + key)
       found->second.refuse(
           fmt::format("no {} without a solver that goes through time", key));
   }
+}
+
+/// The one that is given of settings that replace each other; nullptr without. Options
+/// replace what the scene has. Throws InputError where two stand in the same place.
+const Given* one_of(const Settings& settings,
+                    std::initializer_list<std::string_view> keys) {
+  const Given* chosen = nullptr;
+  const auto is_option = [](const Given& given) {
+    return given.place().starts_with("--");
+  };
+  for (const std::string_view key : keys) {
+    const auto found = settings.find(key);
+    if (found == settings.end()) continue;
+    const Given& given = found->second;
+    if (chosen != nullptr && is_option(*chosen) == is_option(given))
+      given.refuse("no value beside that of " + chosen->place() +
+                   ", which it would replace");
+    if (chosen == nullptr || is_option(given)) chosen = &given;
+  }
+  return chosen;
+}
+
+const Given* find(const Settings& settings, std::string_view key) {
+  const auto found = settings.find(key);
+  return found == settings.end() ? nullptr : &found->second;
+}
+
+/// The time over which the load acts, and how: given as a duration, by a rate of the
+/// deformation or by points.
+void read_load(CaseSettings& common, const Settings& settings) {
+  constexpr double usual = 10;  // [s]
+  const Given* given = one_of(settings, {"duration", "rate", "load-times"});
+  Dynamics& dynamics = common.dynamics;
+  dynamics.duration = usual;
+  if (const Given* fractions = find(settings, "load-fractions");
+      fractions != nullptr && find(settings, "load-times") == nullptr)
+    fractions->refuse("no load-fractions without load-times");
+  if (given == nullptr) return;
+  if (given == find(settings, "duration")) {
+    dynamics.duration = given->positive_number();
+  } else if (given == find(settings, "rate")) {
+    const double rate = given->positive_number();
+    const double deformation = common.test == Test::affine
+                                   ? common.gradient.cwiseAbs().maxCoeff()
+                                   : std::abs(common.deformation.value_or(0));
+    if (deformation == 0) given->refuse("no rate in a test without a deformation");
+    dynamics.duration = deformation / rate;
+  } else {
+    const Given* fractions = find(settings, "load-fractions");
+    if (fractions == nullptr) given->refuse("load-fractions beside load-times");
+    dynamics.load = load_path_of(*given, *fractions);
+    dynamics.duration = dynamics.load.back().time;
+  }
+}
+
+/// The law of tissue.
+Tissue tissue_of(const Settings& settings, const std::string& file) {
+  const Given* given = one_of(settings, {"organ", "law"});
+  if (given == nullptr)
+    throw InputError(file, "law", "K,n,GAMMA_LIM,p of tissue, or an organ", "nothing");
+  constexpr int steps = 50;
+  return {.law = given == find(settings, "organ") ? organ_of(*given) : law_of(*given),
+          .branches =
+              value_or(settings, "branches", tissue::default_branches, branch_count_of),
+          .steps = value_or(settings, "time-steps", steps, time_steps_of)};
 }
 
 /// "N" or "NX,NY,NZ" behind a reference's '@'.
@@ -158,13 +225,17 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   };
   const Test test = test_of(need("test", "the name of a test"));
   check_applicable(settings, test);
+  const std::vector<Method> methods = methods_of(need("method", "a list of methods"));
+  const bool all_are_tissue = std::ranges::all_of(methods, is_tissue);
 
   CaseSettings common{
       .scene = name,
       .test = test,
       .body = body_of(settings, file, test),
       .material = {.young_modulus =
-                       need("young", "Young's modulus [Pa]").positive_number(),
+                       all_are_tissue  // which does not read it
+                           ? value_or(settings, "young", 1., &Given::positive_number)
+                           : need("young", "Young's modulus [Pa]").positive_number(),
                    .poisson_ratio = poisson_ratio_of(need("nu", "a number in (-1, 0.5)")),
                    .density = need("density", "a density [kg/m^3]").positive_number()},
       .gravity = Vector3::Zero(),
@@ -188,7 +259,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
           value_or(settings, "correction", mss::VolumeCorrection::on, correction_of),
       .solver = value_or(settings, "solver", std::optional<Solver>{}, solver_named),
       .dynamics =
-          {.duration = value_or(settings, "duration", 10., &Given::positive_number),
+          {.duration = 0,  // read_load
            .time_step = value_or(settings, "dt", std::optional<double>{}, time_step_of),
            .step_ratio = value_or(settings, "dt-ratio", 0.9, &Given::positive_number),
            .force_time_step = value_or(settings, "force-dt", false, &Given::truth),
@@ -207,12 +278,13 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
     common.gradient = gradient_of(need("gradient", "nine numbers, row by row"));
   else
     common.deformation = deformation_of(need("deformation", "a strain or angle"), test);
+  read_load(common, settings);
 
   RunSettings run{
       .common = common,
       .cells_place =
           settings.at(common.body.shape == BodyShape::file ? "mesh" : "cells").place(),
-      .methods = methods_of(need("method", "a list of methods")),
+      .methods = methods,
       .reference = std::nullopt,
       .expect = value_or(settings, "expect", std::vector{Status::ok}, expect_of)};
   if (const auto reference = settings.find(std::string_view("reference"));
@@ -222,6 +294,10 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   check_method_runs(run, settings, {"fem-cauchy-born"}, {"lattice", "lattice-direction"});
   check_method_runs(run, settings, {"mss-custom"}, {"stiffness", "kappa"});
   check_method_runs(run, settings, {"mss-vangelder", "mss-lloyd"}, {"correction"});
+  check_method_runs(run, settings, {"mss-tissue", "fem-tissue"},
+                    {"organ", "law", "branches", "time-steps"});
+  if (runs(run, "mss-tissue") || runs(run, "fem-tissue"))
+    run.common.tissue = tissue_of(settings, file);
   if (runs(run, "mss-custom"))
     run.common.constants = mss::LatticeConstants{
         .stiffness = stiffness_of(need("stiffness", "KE,KF,KC of mss-custom [N/m]")),
@@ -243,8 +319,10 @@ std::vector<Request> requests(const RunSettings& run) {
     if (reference.grid == ReferenceGrid::converged || !reference.cells.empty())
       request.reference->body = grid_beside(reference, run.common.body);
     request.reference_grid = reference.grid;
-    if (solver_of(request.settings) == Solver::path_limit) {
-      request.reference.reset();  // a limit is no state at the load
+    const bool is_limit = solver_of(request.settings) == Solver::path_limit;
+    if (is_limit || (is_tissue(method) && !run.reference)) {
+      // A limit is no state at the load, and no other law is tissue's.
+      request.reference.reset();
       request.reference_grid = ReferenceGrid::one;
       all.push_back(request);
       continue;

@@ -64,13 +64,28 @@ const std::vector<SettingKey>& option_keys() {
        "what becomes of it)"},
       {"force-dt", "run even with a time step above the stability limit"},
       {"duration", "time over which the load grows in dynamics [s] (default 10)"},
+      {"rate",
+       "of the deformation or the largest component of a gradient, in place of a "
+       "duration [1/s]: it is reached in deformation/rate"},
+      {"load-times", "times [s], ascending, of load-fractions; in place of a duration"},
+      {"load-fractions",
+       "of the load at those times, straight between them and from 0 at rest: "
+       "'0,1' after '1,2' holds still for a second"},
+      {"organ",
+       "liver, kidney or spleen: Golec 2018's law of it, for mss-tissue and fem-tissue"},
+      {"law",
+       "K,n,GAMMA_LIM,p of tissue's bi-power law: K [Pa s^n], others without unit"},
+      {"branches", "Maxwell branches of tissue, 2 to 32 (default 5)"},
+      {"time-steps",
+       "of tissue's static solver, on each straight piece of the load (default 50)"},
       {"damping",
        "in dynamics, fraction of critical (default 0.05): dashpots of springs, drag of "
        "fem-explicit methods"},
       {"precision", "of explicit steps: double (default) or float"},
       {"history",
        "samples of deformation, volume, plate force and torque, and energies at equal "
-       "distances in time, in dynamics (default: none)"},
+       "distances in time, on each straight piece of the load; in dynamics and of tissue "
+       "(default: none)"},
       {"seed",
        "of distorted and mixed meshes, and of the choice between equal directions out of "
        "an unstable state (default 1)"},

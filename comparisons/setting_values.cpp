@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "meshing/input_error.hpp"
+#include "tissue/maxwell_fit.hpp"
 
 namespace springcheck {
 namespace {
@@ -23,6 +24,15 @@ Value one_of(const Given& given, const std::string& text,
   }
   given.refuse("one of " + names);
 }
+
+int count_of(const Given& given, int least, int most) {
+  const std::int64_t count = given.integer();
+  if (count < least || count > most)
+    given.refuse(fmt::format("an integer in [{}, {}]", least, most));
+  return static_cast<int>(count);
+}
+
+constexpr int million = 1'000'000;
 
 }  // namespace
 
@@ -85,6 +95,44 @@ double poisson_ratio_of(const Given& given) {
   const double nu = given.finite_number();
   if (!(nu > -1 && nu < 0.5)) given.refuse("a number in (-1, 0.5)");
   return nu;
+}
+
+tissue::BipowerLaw organ_of(const Given& given) {
+  const std::string name = given.text();
+  for (const tissue::Organ& organ : tissue::organs())
+    if (organ.name == name) return organ.law;
+  given.refuse("one of " + names_of(tissue::organs()));
+}
+
+tissue::BipowerLaw law_of(const Given& given) {
+  const auto [K, n, limit, p] = given.four_numbers();
+  if (!(K > 0 && n > 0 && n < 1 && limit > 0 && p > 0))
+    given.refuse("K > 0, n between 0 and 1, GAMMA_LIM > 0 and p > 0");
+  return {
+      .consistency = K, .linear_index = n, .linear_limit = limit, .hardening_index = p};
+}
+
+int branch_count_of(const Given& given) {
+  return count_of(given, 2, tissue::most_branches);
+}
+
+int time_steps_of(const Given& given) {
+  return count_of(given, 1, million);
+}
+
+dynamics::LoadPath load_path_of(const Given& times, const Given& fractions) {
+  const std::vector<double> at = times.numbers(), of = fractions.numbers();
+  if (at.size() != of.size())
+    fractions.refuse(fmt::format("a fraction for each of {} times", at.size()));
+  dynamics::LoadPath path;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (at[i] <= (i == 0 ? 0 : at[i - 1])) times.refuse("times above 0 [s], ascending");
+    if (std::abs(of[i]) > 1) fractions.refuse("fractions from -1 to 1");
+    path.push_back({.time = at[i], .fraction = of[i]});
+  }
+  if (std::ranges::all_of(of, [](double fraction) { return fraction == 0; }))
+    fractions.refuse("fractions that are not all 0");
+  return path;
 }
 
 double deformation_of(const Given& given, Test test) {
@@ -154,9 +202,7 @@ mss::Precision precision_of(const Given& given) {
 }
 
 int sample_count_of(const Given& given) {
-  const std::int64_t count = given.integer();
-  if (count < 1 || count > 1'000'000) given.refuse("an integer in [1, 1000000]");
-  return static_cast<int>(count);
+  return count_of(given, 1, million);
 }
 
 std::vector<Status> expect_of(const Given& given) {

@@ -39,6 +39,15 @@ double not_negative_of(const Given& given);
 std::optional<double> time_step_of(const Given& given);  // none: auto
 unsigned seed_of(const Given& given);
 
+/// The law of an organ, or of four parameters.
+tissue::BipowerLaw organ_of(const Given& given);
+tissue::BipowerLaw law_of(const Given& given);
+int branch_count_of(const Given& given);
+int time_steps_of(const Given& given);
+
+/// Times above 0, ascending, with a fraction for each, not all 0.
+dynamics::LoadPath load_path_of(const Given& times, const Given& fractions);
+
 /// A strain or, in torsion, an angle: positive but in uniaxial, whose sign is free.
 double deformation_of(const Given& given, Test test);
 

@@ -175,8 +175,7 @@ const std::vector<std::string>& sheet_names() {
 
 const std::vector<std::string>& caseless_sheet_names() {
   static const std::vector<std::string> names{
-      "modes",  "performance", "lattice-stability", "regions", "four-springs",
-      "growth", "tissue"};
+      "modes", "performance", "lattice-stability", "regions", "four-springs", "growth"};
   return names;
 }
 

@@ -14,6 +14,7 @@
 #include "comparisons/hourglassing.hpp"
 #include "comparisons/mechanical_scene.hpp"
 #include "comparisons/progress.hpp"
+#include "comparisons/tissue_case.hpp"
 #include "comparisons/wrinkles.hpp"
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "meshing/input_error.hpp"
@@ -44,7 +45,8 @@ dynamics::Protocol protocol_of(const CaseSettings& settings) {
           .duration = settings.dynamics.duration,
           .time_step = settings.dynamics.time_step,
           .step_ratio = settings.dynamics.step_ratio,
-          .force_time_step = settings.dynamics.force_time_step};
+          .force_time_step = settings.dynamics.force_time_step,
+          .load = settings.dynamics.load};
 }
 
 std::optional<mss::DynamicsSettings> spring_dynamics(const CaseSettings& settings,
@@ -78,6 +80,8 @@ Solution solve(const CaseSettings& settings, const Mesh& mesh, int threads,
     return fem_reference::solve(mesh, scene, reference_settings(settings));
   if (is_explicit_element(settings.method))
     return solve_explicitly(settings, mesh, scene, threads, observers);
+  if (is_tissue(settings.method))
+    return solve_tissue(settings, mesh, scene, protocol_of(settings), observers);
   return mss::solve(mesh, scene,
                     {.network = {.method = std::get<mss::Method>(settings.method.model),
                                  .stiffness_form = settings.stiffness_form,
@@ -185,7 +189,8 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
     Measures& measures = result.measures;
     measures = measure(settings, mesh, solution);
     measures.kinetic_energy = solution.kinetic_energy;
-    if (solution.kinetic_energy) measures.transit_count = transit_count(settings, mesh);
+    if (solution.kinetic_energy && !is_tissue(settings.method))
+      measures.transit_count = transit_count(settings, mesh);
     if (const auto seen = measure_wrinkling(mesh, mechanical_scene(settings, mesh),
                                             solution.displacements)) {
       measures.wrinkle_alternation = seen->alternation;

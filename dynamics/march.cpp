@@ -40,6 +40,7 @@ class March {
         motion_(motion),
         protocol_(protocol),
         observers_(observers),
+        load_(protocol.load.empty() ? ramp(protocol.duration) : protocol.load),
         prescribed_(prescribed_components(body.mesh, body.scene)),
         is_free_(free_components(body.mesh, prescribed_)),
         far_(lost * body_size(body.mesh.nodes())) {
@@ -129,12 +130,13 @@ class March {
   }
 
  private:
-  [[nodiscard]] double fraction() const { return now_.time / protocol_.duration; }
+  [[nodiscard]] double fraction() const { return load_fraction(load_, now_.time); }
 
-  /// Whether one of so many equal parts of the duration ended in the step just made.
+  /// Whether one of so many equal parts of a piece of the load ended in the step just
+  /// made.
   [[nodiscard]] bool ended_part_of(int parts) const {
     const auto passed = [&](double time) {
-      return std::floor(time / protocol_.duration * parts + 1e-9);
+      return std::floor(pieces_passed(load_, time) * parts + 1e-9);
     };
     return passed(now_.time) > passed(now_.time - now_.last_dt);
   }
@@ -242,6 +244,7 @@ class March {
   Motion& motion_;
   const Protocol& protocol_;
   const Observers& observers_;
+  LoadPath load_;
   std::vector<PrescribedComponent> prescribed_;
   std::vector<bool> is_free_;
   double far_;

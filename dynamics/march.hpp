@@ -6,19 +6,21 @@
 #include <string>
 
 #include "dynamics/integrators.hpp"
+#include "dynamics/load_path.hpp"
 #include "dynamics/motion.hpp"
 #include "dynamics/stable_step.hpp"
 
 namespace springcheck::dynamics {
 
-/// What is marched through time: the supports move and the loads grow in proportion to
-/// the time, from rest to the full load at the end.
+/// What is marched through time, from rest: the supports move and the loads grow along a
+/// path.
 struct Protocol {
   Integrator integrator;
-  double duration;                  // [s]
+  double duration;                  // [s], to the last point of the load
   std::optional<double> time_step;  // [s]; none: step_ratio of the stability limit
   double step_ratio = 0.9;          // above 1 it is run all the same
   bool force_time_step;             // run even above the stability limit
+  LoadPath load{};                  // empty: ramp(duration)
 };
 
 /// A step was found to be above the stability limit.
@@ -55,7 +57,9 @@ struct Moment {
 
 /// Who follows a march. Empty functions are not called.
 struct Observers {
-  int samples = 0;  // moments at equal distances in time, the end among them
+  // Moments at equal distances in time on each straight piece of the load, its end among
+  // them:
+  int samples = 0;
   std::function<void(const Moment&)> sample{};
   std::function<void(const Checkpoint&)> checkpoint{};
   double seconds_between_checkpoints = 60;            // of real time

@@ -123,6 +123,8 @@ struct Solution {
   std::optional<double> dt{};              // [s] dynamics only: of the last step
   std::optional<double>
       dt_limit{};  // [s] dynamics only: largest stable step looked at last
+  // [-] tissue only: of any cell on the way, in simple shear the strain:
+  std::optional<double> largest_shear_strain{};
 };
 
 /// The Solution of a method that does not cover the scene.

@@ -128,8 +128,8 @@ CaseResult measured_case(const RunSettings& run, const std::string& label,
                            .displacements = fields.displacements,
                            .reactions = fields.forces,
                            .lever_arms = LeverArms::deformed,
-                           .strain_energy = 0,  // this and what follows: not known
-                           .load_fraction = 0,
+                           .strain_energy = 0,  // not known, like what follows but:
+                           .load_fraction = 1,
                            .steps = 0,
                            .force_evaluations = 0});
   if (own.status == Status::not_converged) refuse_overflow(own.reason);

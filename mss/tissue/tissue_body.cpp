@@ -1,12 +1,12 @@
 #include "mss/tissue/tissue_body.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <map>
 
 #include "meshing/cell_geometry.hpp"
-#include "mss/box_lattice.hpp"
 #include "mss/masses.hpp"
 #include "tissue/memory_energy.hpp"
 
@@ -27,38 +27,39 @@ void for_each_cell(const TissueBody& body, std::span<Number> memories,
   assert(memories.size() == size * body.cells.size());
   for (std::size_t c = 0; c < body.cells.size(); ++c)
     visit(c, memories.subspan(c * size, size),
-          right_cauchy_green(positions_of(body, c, positions), body.edges[c]));
+          right_cauchy_green(body.shape(c), positions_of(body, c, positions)));
+}
+
+/// Where a cell's nodes are from the first, in steps of 1e-9 of its size: equal for cells
+/// that are translations of each other.
+std::vector<std::int64_t> outline(const CornerPositions& x) {
+  const double step = 1e-9 * std::cbrt(std::abs(cell_volume(x)));
+  // To a power of two, so that cells whose volumes differ by round-off share it.
+  const double rounded = std::exp2(std::floor(std::log2(step)));
+  std::vector<std::int64_t> places;
+  for (Eigen::Index a = 1; a < x.cols(); ++a)
+    for (int i = 0; i < 3; ++i)
+      places.push_back(std::llround((x(i, a) - x(i, 0)) / rounded));
+  return places;
 }
 
 }  // namespace
 
-std::optional<std::string> reason_to_refuse_tissue(const Mesh& mesh) {
-  for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
-    const CornerPositions x = corners(mesh.cells()[c], mesh.nodes());
-    const CellType type = type_of(mesh.cells()[c]);
-    if (type != CellType::hexahedron)
-      return fmt::format("tissue needs cubic cells, and cell {} is a {}", c,
-                         name_of(type));
-    const auto box = box_edges(x);
-    if (!box || !is_cube(*box))
-      return fmt::format("tissue needs cubic cells, and hexahedron {} is none", c);
-  }
-  return std::nullopt;
-}
-
 TissueBody build_tissue_body(const Mesh& mesh, const tissue::Solid& solid,
                              double density) {
   check(solid);
-  assert(!reason_to_refuse_tissue(mesh));
   TissueBody body{.solid = solid,
                   .rest_positions = mesh.nodes(),
                   .cells = mesh.cells(),
-                  .edges = {},
+                  .shapes = {},
+                  .shape_of = {},
                   .masses = std::vector<double>(mesh.nodes().size(), 0.)};
+  std::map<std::vector<std::int64_t>, std::size_t> known;
   for (const CellNodes& cell : mesh.cells()) {
     const CornerPositions x = corners(cell, mesh.nodes());
-    const std::array<double, 3> box = box_edges(x).value();
-    body.edges.push_back((box[0] + box[1] + box[2]) / 3);
+    const auto [found, is_new] = known.emplace(outline(x), body.shapes.size());
+    if (is_new) body.shapes.push_back(tissue_shape(x));
+    body.shape_of.push_back(found->second);
     const std::vector<double> volumes = nodal_volumes(x);
     for (std::size_t a = 0; a < cell.size(); ++a)
       body.masses[cell[a]] += density * volumes[a];
@@ -72,12 +73,9 @@ std::vector<double> memories_at_rest(const TissueBody& body) {
   return memories;
 }
 
-HexahedronPositions positions_of(const TissueBody& body, std::size_t cell,
-                                 std::span<const Vector3> positions) {
-  HexahedronPositions x;
-  for (std::size_t a = 0; a < 8; ++a)
-    x.col(static_cast<Index>(a)) = positions[body.cells[cell][a]];
-  return x;
+CornerPositions positions_of(const TissueBody& body, std::size_t cell,
+                             std::span<const Vector3> positions) {
+  return corners(body.cells[cell], positions);
 }
 
 void stresses_after(const TissueBody& body, const tissue::MemoryStep& step,
@@ -107,8 +105,8 @@ void stresses_at(const TissueBody& body, std::span<const double> memories,
                 [&](std::size_t c, std::span<const double> memory,
                     const tissue::SymmetricTensor& C) {
                   const tissue::SymmetricTensor rate = right_cauchy_green_rate(
-                      positions_of(body, c, positions), positions_of(body, c, velocities),
-                      body.edges[c]);
+                      body.shape(c), positions_of(body, c, positions),
+                      positions_of(body, c, velocities));
                   stresses[c] = tissue::stress_at(body.solid, memory, C, rate);
                 });
 }
@@ -117,11 +115,22 @@ void nodal_forces(const TissueBody& body, std::span<const tissue::PointStress> s
                   std::span<const Vector3> positions, std::span<Vector3> forces) {
   std::ranges::fill(forces, Vector3::Zero());
   for (std::size_t c = 0; c < body.cells.size(); ++c) {
-    const HexahedronPositions f =
-        tissue_forces(positions_of(body, c, positions), body.edges[c], stresses[c]);
-    for (std::size_t a = 0; a < 8; ++a)
+    const CornerPositions f =
+        tissue_forces(body.shape(c), positions_of(body, c, positions), stresses[c]);
+    for (std::size_t a = 0; a < body.cells[c].size(); ++a)
       forces[body.cells[c][a]] += f.col(static_cast<Index>(a));
   }
+}
+
+double largest_shear_strain(const TissueBody& body, std::span<const Vector3> positions) {
+  double largest = 0;
+  for (std::size_t c = 0; c < body.cells.size(); ++c) {
+    const tissue::SymmetricTensor C =
+        right_cauchy_green(body.shape(c), positions_of(body, c, positions));
+    const double square = C.head<3>().sum() / std::cbrt(tissue::determinant(C)) - 3;
+    largest = std::max(largest, std::sqrt(std::max(square, 0.)));
+  }
+  return largest;
 }
 
 double free_energy(const TissueBody& body, std::span<const double> memories,
@@ -130,8 +139,8 @@ double free_energy(const TissueBody& body, std::span<const double> memories,
   for_each_cell(body, memories, positions,
                 [&](std::size_t c, std::span<const double> memory,
                     const tissue::SymmetricTensor& C) {
-                  const double h = body.edges[c];
-                  energy += h * h * h * tissue::free_energy(body.solid, memory, C);
+                  energy +=
+                      body.shape(c).volume * tissue::free_energy(body.solid, memory, C);
                 });
   return energy;
 }

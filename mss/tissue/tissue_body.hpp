@@ -1,8 +1,6 @@
 #pragma once
 
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "meshing/mesh.hpp"
@@ -10,28 +8,29 @@
 
 namespace springcheck::mss {
 
-/// A body of living tissue in cubes, at rest in the mesh's positions.
+/// A body of living tissue, at rest in the mesh's positions.
 struct TissueBody {
   tissue::Solid solid;
   std::vector<Vector3> rest_positions;  // [m]
-  std::vector<CellNodes> cells;         // hexahedra
-  std::vector<double> edges;            // h of each cell [m]
-  std::vector<double> masses;           // [kg], of the nodes
+  std::vector<CellNodes> cells;
+  std::vector<TissueShape> shapes;    // each once
+  std::vector<std::size_t> shape_of;  // each cell
+  std::vector<double> masses;         // [kg], of the nodes
+
+  [[nodiscard]] const TissueShape& shape(std::size_t cell) const {
+    return shapes[shape_of[cell]];
+  }
 };
 
-/// Why tissue cannot be made of these cells, or nothing when it can: they must be cubes,
-/// to 1e-6 of their edge.
-std::optional<std::string> reason_to_refuse_tissue(const Mesh& mesh);
-
-/// density [kg/m^3]. The mesh must not be one that reason_to_refuse_tissue names.
+/// Of any cells; density [kg/m^3].
 TissueBody build_tissue_body(const Mesh& mesh, const tissue::Solid& solid,
                              double density);
 
 /// The memories of all cells, state_size each, in one list.
 std::vector<double> memories_at_rest(const TissueBody& body);
 
-HexahedronPositions positions_of(const TissueBody& body, std::size_t cell,
-                                 std::span<const Vector3> positions);
+CornerPositions positions_of(const TissueBody& body, std::size_t cell,
+                             std::span<const Vector3> positions);
 
 /// The stress of each cell at the end of a step that leads to the positions; advance: and
 /// the memories become those after the step.
@@ -51,7 +50,11 @@ void stresses_at(const TissueBody& body, std::span<const double> memories,
 void nodal_forces(const TissueBody& body, std::span<const tissue::PointStress> stresses,
                   std::span<const Vector3> positions, std::span<Vector3> forces);
 
-/// What the cells have stored [J], sum h^3 psi.
+/// sqrt(tr C' - 3) of the cell where it is largest [-], C' as in memory.hpp: in simple
+/// shear the strain.
+double largest_shear_strain(const TissueBody& body, std::span<const Vector3> positions);
+
+/// What the cells have stored [J], sum V psi.
 double free_energy(const TissueBody& body, std::span<const double> memories,
                    std::span<const Vector3> positions);
 

@@ -1,62 +1,67 @@
 #pragma once
 
+#include "meshing/cell_geometry.hpp"
 #include "mss/deformation.hpp"
 #include "tissue/memory.hpp"
 
-// A cube of living tissue: what it remembers acts in its mean deformation, and is carried
-// by springs without rest length along its edges and diagonals and by the volume force of
-// Golec 2018, Eq. 5.17.
+// A cell of living tissue, of any type: what it remembers acts in its mean deformation,
+// and is carried by springs without rest length between its nodes and by the volume force
+// of Golec 2018, Eq. 5.17.
 
 namespace springcheck::mss {
 
-/// Positions of a hexahedron's nodes as columns, in the mesh's order [m].
-using HexahedronPositions = Eigen::Matrix<double, 3, 8>;
-/// On the positions stacked column by column.
-using Matrix24 = Eigen::Matrix<double, 24, 24>;
+/// What forces need of a cell's shape at rest. Cells that are translations of each other
+/// have the same.
+struct TissueShape {
+  double volume;              // V [m^3]
+  CornerPositions gradients;  // G_a = B_a/V [1/m], B_a = cell_volume_gradient
+  // What of the nodes' positions is not affine, P x: symmetric, P = P P. None in
+  // tetrahedra.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8> hourglasses;
+};
 
-/// F = [X Y Z]/h of the means X, Y, Z of the four edges along each of the cube's own axes
-/// 0-1, 0-3, 0-4; h its edge at rest [m]. For a cube turned by R it is F R of the
-/// deformation gradient, with which C = F^T F is in the cube's axes: an isotropic law
-/// does not care.
-/// Source: Golec 2018, Eq. 5.18.
-Matrix3 mean_deformation_gradient(const HexahedronPositions& x, double edge);
+TissueShape tissue_shape(const CornerPositions& rest);
+
+/// F = sum x_a (x) G_a, the cell's mean deformation gradient.
+/// Source: Golec 2018, Eq. 5.18, for cubes.
+Matrix3 mean_deformation_gradient(const TissueShape& shape, const CornerPositions& x);
 
 /// C = F^T F of that.
-tissue::SymmetricTensor right_cauchy_green(const HexahedronPositions& x, double edge);
+tissue::SymmetricTensor right_cauchy_green(const TissueShape& shape,
+                                           const CornerPositions& x);
 
 /// dC/dt of it, v the nodes' velocities [m/s].
-tissue::SymmetricTensor right_cauchy_green_rate(const HexahedronPositions& x,
-                                                const HexahedronPositions& v,
-                                                double edge);
+tissue::SymmetricTensor right_cauchy_green_rate(const TissueShape& shape,
+                                                const CornerPositions& x,
+                                                const CornerPositions& v);
 
 /// Forces on the nodes [N], of the strands' S and the volume stress v:
 ///
-///     f_a = sum w h t d over the springs at a - h^3 v cof F G_a
+///     f_a = sum_b w_ab (x_b - x_a) - V v cof F G_a
+///     w_ab = - V G_a . S G_b - c P_ab,   c = V^(1/3) S_m/2,   S_m = tr S/3
 ///
-/// A spring pulls along the current d between its ends, w = 1/4, 1/2, 1 for edges, face
-/// and inner diagonals, which 4, 2 and 1 cells share; with S_m = tr S/3 its t [Pa] is
-///
-///     edges along j      11/35 S_m + S_jj - S_m
-///     face diagonals     3/35 S_m + S_jk/2 along e_j + e_k, - S_jk/2 along e_j - e_k
-///     inner diagonals    3/35 S_m
-///
-/// so that sum w t r r^T over a cell's springs is h^2 S. S_m is shared as 11/3 : 1 : 1,
-/// the ratio of the lattice of A = 1 (shear_modulus_form): at rest, under the tension
-/// sum M_i, it is what resists hourglasses. G_a = (+-1, +-1, +-1)/(4h) is the derivative
-/// of F by x_a.
+/// A spring of no rest length between every two nodes, of the stiffness w_ab. Their sum
+/// is - V F S G_a - c P_ab x_b: the first alone is what a homogeneous cell has of S, and
+/// leaves hourglasses free; the second, which is nothing in affine states, resists them.
+/// In a cube whose edges bend as a beam of E = 3 S_m the energy is S_m h/4 for each unit
+/// of P x: at rest, under the tension S_m = sum M_i, that is tissue's E near nu = 1/2.
 ///
 /// No net force and no torque in any state. In a homogeneous deformation it is
-/// - h^3 F S G_a with the whole S of second_piola_kirchhoff.
+/// - V F S G_a with the whole S of second_piola_kirchhoff.
 ///
-/// Source: own; the volume force after Golec 2018, Eq. 5.17.
-HexahedronPositions tissue_forces(const HexahedronPositions& x, double edge,
-                                  const tissue::PointStress& stress);
+/// Source: own; the volume force after Golec 2018, Eq. 5.17, the projection after
+/// Flanagan and Belytschko, Int. J. Numer. Methods Eng. 17 (1981) 679.
+CornerPositions tissue_forces(const TissueShape& shape, const CornerPositions& x,
+                              const tissue::PointStress& stress);
+
+/// On the positions stacked column by column.
+using TissueStiffness = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 24, 24>;
 
 /// Minus their derivative by the positions, the stress following C by `tangent` [N/m].
 /// Symmetric in homogeneous states; elsewhere the springs' pull is not quite that of an
-/// energy, as their tensions follow the mean C alone.
-Matrix24 tissue_stiffness(const HexahedronPositions& x, double edge,
-                          const tissue::PointStress& stress,
-                          const tissue::PointTangent& tangent);
+/// energy, as their stiffness follows the mean C alone.
+TissueStiffness tissue_stiffness(const TissueShape& shape, const CornerPositions& x,
+                                 const tissue::PointStress& stress,
+                                 const tissue::PointTangent& tangent);
 
 }  // namespace springcheck::mss

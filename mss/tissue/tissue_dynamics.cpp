@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "dynamics/small_motions.hpp"
@@ -111,7 +112,8 @@ Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueB
   Vectors load = traction_forces(mesh, scene);
   for (std::size_t n = 0; n < load.size(); ++n) load[n] += body.masses[n] * scene.gravity;
   TissueMotion motion(mesh, scene, body, protocol.integrator, load);
-  const double edge = *std::ranges::min_element(body.edges);
+  const double edge =
+      std::cbrt(std::ranges::min_element(body.shapes, {}, &TissueShape::volume)->volume);
   const dynamics::SmallMotions small{
       .forces = {},
       .state = motion.state(),
@@ -119,7 +121,12 @@ Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueB
       .is_free = free_components(mesh, prescribed_components(mesh, scene)),
       .amplitude = dynamics::probe * edge,
       .has_dashpots = body.solid.shear.viscosity > 0};
-  return dynamics::march(
+  double largest_strain = 0;
+  const auto look_at_strain = [&] {
+    largest_strain = std::max(
+        largest_strain, largest_shear_strain(body, motion.positions_in(motion.state())));
+  };
+  Solution solution = dynamics::march(
       {.mesh = mesh,
        .scene = scene,
        .masses = body.masses,
@@ -136,6 +143,7 @@ Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueB
                       }},
        .stable_step =
            [&](const std::optional<State>& state, const dynamics::StableStep* near) {
+             look_at_strain();
              return dynamics::largest_stable_step(small, motion,
                                                   dynamics::Precision::double_precision,
                                                   state, protocol.integrator, near);
@@ -146,6 +154,10 @@ Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueB
            body.solid.bulk_ratio * tissue::instantaneous_modulus(body.solid.shear), edge),
        .undamped = "without a viscosity the elastic branch swings undamped"},
       motion, protocol, observers);
+  if (solution.status == SolveStatus::refused) return solution;
+  look_at_strain();
+  solution.largest_shear_strain = largest_strain;
+  return solution;
 }
 
 }  // namespace springcheck::mss

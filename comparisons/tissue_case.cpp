@@ -1,0 +1,83 @@
+#include "comparisons/tissue_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem_reference/tissue/solve_tissue.hpp"
+#include "meshing/stopwatch.hpp"
+#include "mss/tissue/solve_tissue.hpp"
+
+namespace springcheck {
+namespace {
+
+Solution solved(const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
+                const mss::TissueSettings& tissue, const dynamics::Observers& observers) {
+  if (solver_of(settings) == Solver::path_limit)
+    return refused("tissue has no limit: it gives way with time");
+  if (std::get<TissueModel>(settings.method.model) == TissueModel::springs)
+    return mss::solve_tissue(mesh, scene, tissue, observers);
+  if (tissue.protocol)
+    return refused("fem-tissue goes through equilibria; mss-tissue moves");
+  return fem_reference::solve_tissue(mesh, scene, tissue.solid, tissue.quasi_static,
+                                     observers);
+}
+
+}  // namespace
+
+Solution solve_tissue(const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
+                      const dynamics::Protocol& protocol,
+                      const dynamics::Observers& observers) {
+  const auto& [law, branches, steps] = settings.tissue.value();
+  const dynamics::LoadPath load =
+      protocol.load.empty() ? dynamics::ramp(protocol.duration) : protocol.load;
+  const Stopwatch stopwatch;
+  const tissue::MaxwellFit fit = tissue::fit_maxwell_model(law, {}, branches);
+  const double fit_wall_s = stopwatch.seconds();
+  Solution solution = solved(
+      settings, mesh, scene,
+      {.solid = {.shear = fit.model,
+                 .bulk_ratio = tissue::bulk_ratio_of(settings.material.poisson_ratio)},
+       .quasi_static = {.load = load, .steps = steps},
+       .protocol = goes_through_time(settings) ? std::optional(protocol) : std::nullopt},
+      observers);
+  solution.setup_wall_s += fit_wall_s;
+  if (!solution.largest_shear_strain) return solution;
+  const std::string beyond =
+      extrapolation(fit.range, load, *solution.largest_shear_strain);
+  if (!beyond.empty()) solution.reason += (solution.reason.empty() ? "" : "; ") + beyond;
+  return solution;
+}
+
+std::string extrapolation(const tissue::FitRange& range, const dynamics::LoadPath& load,
+                          double largest_strain) {
+  std::string text;
+  const auto say = [&](const std::string& what) {
+    text += (text.empty() ? "extrapolated beyond the fitted range: " : ", ") + what;
+  };
+  if (largest_strain > range.strains.to * (1 + 1e-9))  // round-off
+    say(fmt::format("shear strains of {:.3g} (fitted to {:g})", largest_strain,
+                    range.strains.to));
+  if (largest_strain < range.strains.from) return text;
+  double largest_fraction = 0, slowest = INFINITY, fastest = 0;
+  dynamics::LoadPoint from{.time = 0, .fraction = 0};
+  for (const dynamics::LoadPoint& to : load) {
+    largest_fraction = std::max(largest_fraction, std::abs(to.fraction));
+    const double rate = std::abs(to.fraction - from.fraction) / (to.time - from.time);
+    if (rate > 0) slowest = std::min(slowest, rate);
+    fastest = std::max(fastest, rate);
+    from = to;
+  }
+  constexpr double leeway = 1.1;
+  const double of_load = largest_strain / largest_fraction;
+  for (const double rate : {slowest * of_load, fastest * of_load}) {
+    if (rate * leeway >= range.rates.from && rate <= leeway * range.rates.to) continue;
+    say(fmt::format("rates of {:.3g} 1/s (fitted from {:g} to {:g})", rate,
+                    range.rates.from, range.rates.to));
+    break;
+  }
+  return text;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,46 @@
+#include "dynamics/load_path.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace springcheck::dynamics {
+namespace {
+
+/// A place on a path: a piece, and the part of it that has passed.
+struct Place {
+  std::size_t piece;
+  LoadPoint from, to;
+  double part;
+};
+
+Place place_on(const LoadPath& path, double time) {
+  assert(!path.empty());
+  const auto next = std::ranges::lower_bound(path, time, {}, &LoadPoint::time);
+  const auto piece =
+      static_cast<std::size_t>(std::min(next, path.end() - 1) - path.begin());
+  const LoadPoint from =
+      piece == 0 ? LoadPoint{.time = 0, .fraction = 0} : path[piece - 1];
+  const LoadPoint to = path[piece];
+  return {.piece = piece,
+          .from = from,
+          .to = to,
+          .part = (time - from.time) / (to.time - from.time)};
+}
+
+}  // namespace
+
+LoadPath ramp(double duration) {
+  return {{.time = duration, .fraction = 1}};
+}
+
+double load_fraction(const LoadPath& path, double time) {
+  const Place place = place_on(path, time);
+  return place.from.fraction + place.part * (place.to.fraction - place.from.fraction);
+}
+
+double pieces_passed(const LoadPath& path, double time) {
+  const Place place = place_on(path, time);
+  return static_cast<double>(place.piece) + place.part;
+}
+
+}  // namespace springcheck::dynamics

@@ -1,0 +1,196 @@
+#include "fem_reference/tissue/solve_tissue.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "fem_reference/loads.hpp"
+#include "fem_reference/solve.hpp"
+#include "fem_reference/stiffness_matrix.hpp"
+#include "fem_reference/supports.hpp"
+#include "fem_reference/tissue/tissue_cell.hpp"
+#include "meshing/stopwatch.hpp"
+
+namespace springcheck::fem_reference {
+namespace {
+
+using Eigen::Index;
+
+class RememberingElements final : public dynamics::RememberingBody {
+ public:
+  RememberingElements(const Mesh& mesh, const Scene& scene, const tissue::Solid& solid)
+      : rest_(mesh.nodes()),
+        solid_(solid),
+        body_(discretise(mesh, Element::q1_sri)),
+        prescribed_(Supports(mesh, scene, body_).prescribed()),
+        stiffness_(body_, prescribed_) {
+    const Vector3 weight = scene.material.density * scene.gravity;
+    load_ = body_load(body_, [&](const Vector3&) { return weight; });
+    for (const Traction& traction : scene.tractions)
+      load_ += traction_load(body_, traction);
+    for (const Cell& cell : body_.cells) {
+      first_.push_back(states_.size());
+      states_.resize(states_.size() +
+                     static_cast<std::size_t>(cell.shape->weights.size()) *
+                         tissue::state_size(solid.shear.branches.size()));
+    }
+    first_.push_back(states_.size());
+    tissue::set_to_rest(states_);
+    tangents_.resize(body_.cells.size());
+  }
+
+  [[nodiscard]] std::vector<Vector3> load() const override { return by_node(load_); }
+
+  [[nodiscard]] std::vector<Vector3> forces_after(
+      double dt, std::span<const Vector3> positions) override {
+    const Eigen::VectorXd u = displacements(positions);
+    const tissue::MemoryStep& step = step_of(dt);
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(u.size());
+    double squares = 0;
+    for (std::size_t c = 0; c < body_.cells.size(); ++c) {
+      const Cell& cell = body_.cells[c];
+      const TissueCellForces of = fem_reference::forces_after(
+          {.solid = solid_, .step = step, .shape = *cell.shape, .states = states(c)},
+          of_cell(u, cell));
+      for (std::size_t a = 0; a < cell.nodes.size(); ++a)
+        forces.segment<3>(static_cast<Index>(3 * cell.nodes[a])) -=
+            of.forces.col(static_cast<Index>(a));
+      squares += of.strand_square;
+    }
+    force_scale_ = std::sqrt(squares);
+    return by_node(forces);
+  }
+
+  [[nodiscard]] double force_scale() const override { return force_scale_; }
+
+  void linearise(double dt, std::span<const Vector3> positions) override {
+    const Eigen::VectorXd u = displacements(positions);
+    const tissue::MemoryStep& step = step_of(dt);
+    stiffness_.clear();
+    for (std::size_t c = 0; c < body_.cells.size(); ++c) {
+      const Cell& cell = body_.cells[c];
+      tangents_[c] = tangent_after(
+          {.solid = solid_, .step = step, .shape = *cell.shape, .states = states(c)},
+          of_cell(u, cell));
+      stiffness_.add(cell, tangents_[c]);
+    }
+    stiffness_.finish();
+    SparseMatrix matrix = stiffness_.matrix();
+    constexpr double first_shift = 1e-4;  // of the largest entry
+    double shift = first_shift * stiffness_.largest_diagonal();
+    for (; !direct_.factor_definite(matrix); shift *= 4) {
+      if (!std::isfinite(shift) || shift > 1e6 * stiffness_.largest_diagonal())
+        throw std::runtime_error("a tangent that no shift makes positive definite");
+      for (Index i = 0; i < matrix.rows(); ++i) matrix.coeffRef(i, i) += shift;
+    }
+  }
+
+  [[nodiscard]] std::vector<Vector3> stiffness_times(
+      std::span<const Vector3> moves) const override {
+    std::vector<Vector3> result(moves.size(), Vector3::Zero());
+    CellVectors of;
+    for (std::size_t c = 0; c < body_.cells.size(); ++c) {
+      const std::vector<NodeIndex>& nodes = body_.cells[c].nodes;
+      of.resize(3, static_cast<Index>(nodes.size()));
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        of.col(static_cast<Index>(a)) = moves[nodes[a]];
+      const Eigen::VectorXd f = tangents_[c] * of.reshaped();
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        result[nodes[a]] += f.segment<3>(static_cast<Index>(3 * a));
+    }
+    return result;
+  }
+
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& forces) override {
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Index>(prescribed_.size()));
+    Index unknown = 0;
+    for (std::size_t i = 0; i < prescribed_.size(); ++i)
+      if (!prescribed_[i]) all[static_cast<Index>(i)] = forces[unknown++];
+    all = direct_.solve(all);
+    Eigen::VectorXd moves(forces.size());
+    unknown = 0;
+    for (std::size_t i = 0; i < prescribed_.size(); ++i)
+      if (!prescribed_[i]) moves[unknown++] = all[static_cast<Index>(i)];
+    return moves;
+  }
+
+  void advance(double dt, std::span<const Vector3> positions) override {
+    const Eigen::VectorXd u = displacements(positions);
+    for (std::size_t c = 0; c < body_.cells.size(); ++c)
+      fem_reference::advance(solid_, step_of(dt), *body_.cells[c].shape,
+                             std::span(states_).subspan(first_[c], states(c).size()),
+                             of_cell(u, body_.cells[c]));
+  }
+
+  [[nodiscard]] double free_energy(std::span<const Vector3> positions) const override {
+    const Eigen::VectorXd u = displacements(positions);
+    double energy = 0;
+    for (std::size_t c = 0; c < body_.cells.size(); ++c)
+      energy += fem_reference::free_energy(solid_, *body_.cells[c].shape, states(c),
+                                           of_cell(u, body_.cells[c]));
+    return energy;
+  }
+
+  [[nodiscard]] double largest_shear_strain(
+      std::span<const Vector3> positions) const override {
+    const Eigen::VectorXd u = displacements(positions);
+    double largest = 0;
+    for (const Cell& cell : body_.cells)
+      largest = std::max(
+          largest, fem_reference::largest_shear_strain(*cell.shape, of_cell(u, cell)));
+    return largest;
+  }
+
+  [[nodiscard]] int factorisations() const override { return direct_.factorisations(); }
+
+ private:
+  [[nodiscard]] std::span<const double> states(std::size_t cell) const {
+    return std::span(states_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
+  }
+
+  [[nodiscard]] Eigen::VectorXd displacements(std::span<const Vector3> positions) const {
+    Eigen::VectorXd u(static_cast<Index>(3 * positions.size()));
+    for (std::size_t n = 0; n < positions.size(); ++n)
+      u.segment<3>(static_cast<Index>(3 * n)) = positions[n] - rest_[n];
+    return u;
+  }
+
+  static std::vector<Vector3> by_node(const Eigen::VectorXd& nodal) {
+    std::vector<Vector3> vectors;
+    for (Index i = 0; i < nodal.size(); i += 3) vectors.emplace_back(nodal.segment<3>(i));
+    return vectors;
+  }
+
+  const tissue::MemoryStep& step_of(double dt) {
+    if (step_.duration != dt) step_ = tissue::memory_step(solid_, dt);
+    return step_;
+  }
+
+  std::vector<Vector3> rest_;
+  tissue::Solid solid_;
+  Discretisation body_;
+  std::vector<bool> prescribed_;
+  StiffnessMatrix stiffness_;
+  DirectSolver direct_;
+  Eigen::VectorXd load_;            // [N] at the full load
+  std::vector<double> states_;      // of all Gauss points, cell by cell
+  std::vector<std::size_t> first_;  // of each cell, and the end
+  std::vector<CellMatrix> tangents_;
+  tissue::MemoryStep step_{.duration = 0, .decays = {}};
+  double force_scale_ = 0;
+};
+
+}  // namespace
+
+Solution solve_tissue(const Mesh& mesh, const Scene& scene, const tissue::Solid& solid,
+                      const dynamics::QuasiStaticSettings& settings,
+                      const dynamics::Observers& observers) {
+  const Stopwatch stopwatch;
+  RememberingElements elements(mesh, scene, solid);
+  const double setup_wall_s = stopwatch.seconds();
+  Solution solution =
+      dynamics::find_quasi_static(mesh, scene, elements, settings, observers);
+  solution.setup_wall_s += setup_wall_s;
+  return solution;
+}
+
+}  // namespace springcheck::fem_reference

@@ -1,0 +1,89 @@
+#define BOOST_TEST_MODULE tissue_cli
+#include "program.hpp"
+
+namespace {
+
+const std::string small = "run tissue-shearing --cells 2,2,2 ";
+
+Json result_of(const std::string& options) {
+  const Run run = springcheck(small + options + " --json");
+  BOOST_TEST(run.status == 0, run.err);
+  return Json::parse(run.out)["results"][0];
+}
+
+/// The law's stress at a strain of 1 [Pa], by the table of tissue.
+double law_of(const std::string& organ, double rate) {
+  static const Json rows = json_of("table tissue --format json")["rows"];
+  for (const Json& row : rows)
+    if (row["organ"] == organ && row["rate"] == rate && row["strain"] == 1)
+      return row["law"];
+  BOOST_FAIL("no row of " + organ);
+  return 0;
+}
+
+}  // namespace
+
+// Within the fitted branches' 2 %.
+BOOST_AUTO_TEST_CASE(sheared_organs_have_the_laws_stress) {
+  for (const char* organ : {"liver", "kidney", "spleen"})
+    for (const double rate : {0.0151, 0.67}) {
+      const Json result =
+          result_of(std::string("--organ ") + organ + " --rate " + std::to_string(rate));
+      const double stress = result["mean_stress"][0][2];
+      BOOST_TEST(stress == law_of(organ, rate), boost::test_tools::tolerance(0.02));
+      BOOST_TEST(result["young"].is_null());
+      BOOST_TEST(result["reason"].is_null());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_law_of_ones_own_is_the_organs_of_the_same_numbers) {
+  const std::string scene = text_of(SCENES "/tissue-shearing.toml");
+  const std::string organ = "organ = \"spleen\"";
+  std::string own = scene;
+  own.replace(own.find(organ), organ.size(), "law = [861, 0.1138, 0.40, 4.17]");
+  std::ofstream(folder / "own.toml") << own;
+  const Json a = json_of("run ./own.toml --cells 2,2,2 --json")["results"][0],
+             b = result_of("--organ liver");
+  BOOST_TEST(a["mean_stress"].dump() == b["mean_stress"].dump());
+}
+
+BOOST_AUTO_TEST_CASE(a_held_shear_has_a_history_and_a_place_in_result_files) {
+  const Json result =
+      result_of("--load-times 7.5,17.5 --load-fractions 1,1 --history 4 --out held.h5");
+  BOOST_TEST(result["history"]["time"].size() == 8U);
+  BOOST_TEST(result["history"]["load_fraction"].back() == 1);
+  const std::vector<double> energy = result["history"]["strain_energy"];
+  BOOST_TEST(energy[3] > energy[7]);  // it relaxes
+  BOOST_TEST(springcheck("report held.h5 --out page").status == 0);
+}
+
+BOOST_AUTO_TEST_CASE(strains_beyond_the_fit_are_flagged) {
+  const Json result = result_of("--gradient 0,0,1.4,0,0,0,0,0,0");
+  BOOST_TEST(result["status"] == "ok");
+  BOOST_TEST(std::string(result["reason"]).find("extrapolated") == 0U);
+}
+
+BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
+  const auto refused = [](const std::string& options, const std::string& expected) {
+    expect_bad_input(small + options, expected);
+  };
+  refused("--organ brain", "liver, kidney, spleen");
+  refused("--organ liver --law 1,.1,.2,.3", "no value beside that of --organ");
+  refused("--rate 0", "positive");
+  refused("--rate -1", "positive");
+  refused("--rate 1 --duration 2", "no value beside that of --duration");
+  refused("--load-times 1,2", "load-fractions beside load-times");
+  refused("--load-fractions 1", "no load-fractions without load-times");
+  refused("--load-times 2,1 --load-fractions 1,1", "ascending");
+  refused("--load-times -1,1 --load-fractions 1,1", "above 0");
+  refused("--load-times 1 --load-fractions 1,1", "a fraction for each of 1 times");
+  refused("--load-times 1 --load-fractions 0", "not all 0");
+  refused("--branches 1", "[2, 32]");
+  refused("--time-steps 0", "[1, 1000000]");
+  expect_bad_input("run compression --organ spleen", "no organ without mss-tissue");
+  expect_bad_input("run compression --method mss-tissue", "K,n,GAMMA_LIM,p");
+  for (const char* law :
+       {"0,.1,.2,.3", "1,0,.2,.3", "1,1,.2,.3", "1,.1,0,.3", "1,.1,.2,0"})
+    expect_bad_input(std::string("run compression --method mss-tissue --law ") + law,
+                     "n between 0 and 1");
+}
