@@ -1,5 +1,7 @@
 #include "comparisons/case.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 namespace springcheck {
@@ -51,12 +53,21 @@ void add_reference_settings(nlohmann::json& json, const CaseSettings& settings) 
     json["diagonal-ratio"] = settings.diagonal_ratio;
 }
 
+/// A list of any length, as options have it: a column of a result file holds texts, or
+/// lists of one length.
+std::string joined(const dynamics::LoadPath& load, double dynamics::LoadPoint::*number) {
+  std::string text;
+  for (const dynamics::LoadPoint& point : load)
+    text += (text.empty() ? "" : ",") + fmt::format("{}", point.*number);
+  return text;
+}
+
 /// The load through time, and when it is looked at.
 void add_load(nlohmann::json& json, const Dynamics& dynamics) {
   json["duration"] = dynamics.duration;
-  for (const auto& [time, fraction] : dynamics.load) {
-    json["load-times"].push_back(time);
-    json["load-fractions"].push_back(fraction);
+  if (!dynamics.load.empty()) {
+    json["load-times"] = joined(dynamics.load, &dynamics::LoadPoint::time);
+    json["load-fractions"] = joined(dynamics.load, &dynamics::LoadPoint::fraction);
   }
   if (dynamics.history > 0) json["history"] = dynamics.history;
 }
@@ -114,8 +125,8 @@ void add_spring_settings(nlohmann::json& json, const CaseSettings& settings) {
 void add_tissue_settings(nlohmann::json& json, const CaseSettings& settings) {
   const auto& [law, branches, steps] = settings.tissue.value();
   json.erase("young");
-  json["law"] = {law.consistency, law.linear_index, law.linear_limit,
-                 law.hardening_index};
+  json["law"] = fmt::format("{},{},{},{}", law.consistency, law.linear_index,
+                            law.linear_limit, law.hardening_index);
   json["branches"] = branches;
   json["solver"] = name_of(solver_of(settings));
   add_load(json, settings.dynamics);
