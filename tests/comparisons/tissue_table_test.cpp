@@ -1,20 +1,11 @@
 #define BOOST_TEST_MODULE tissue_table
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <map>
 
-#include "comparisons/sheet.hpp"
+#include "tests/comparisons/sheet_column.hpp"
 
 using namespace springcheck;
-
-namespace {
-
-std::size_t column(const Sheet& sheet, const std::string& key) {
-  const auto found = std::ranges::find(sheet.columns, key, &Column::key);
-  BOOST_TEST_REQUIRE((found != sheet.columns.end()), key);
-  return static_cast<std::size_t>(found - sheet.columns.begin());
-}
-
-}  // namespace
 
 // The bands that tissue is to hold for three organs and rates: 1 % root mean square of
 // ln, 2 % at most. The thesis's force, which no rate changes, is off the fastest by more.

@@ -1,20 +1,12 @@
 #define BOOST_TEST_MODULE growth
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <map>
 
 #include "comparisons/chart/growth_table.hpp"
+#include "tests/comparisons/sheet_column.hpp"
 
 using namespace springcheck;
-
-namespace {
-
-std::size_t column(const Sheet& sheet, const std::string& key) {
-  const auto found = std::ranges::find(sheet.columns, key, &Column::key);
-  BOOST_TEST_REQUIRE((found != sheet.columns.end()), key);
-  return static_cast<std::size_t>(found - sheet.columns.begin());
-}
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_series_has_its_sizes_and_exponents) {
   const Sheet sheet = growth_sheet({4, 10}, {3, 10});
