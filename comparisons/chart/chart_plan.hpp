@@ -17,7 +17,7 @@ struct ChartPlan {
   std::vector<int> across;            // cells across the shortest edge
   std::vector<int> threads;           // of the timed runs
   double budget;                      // [s] that a point's solution may take
-  double repeat_for;                  // [s] of a point's repetitions, see timed
+  double repeat_for;                  // [s] of a point's repetitions, in all rounds
   int jobs;                           // truths at once
   bool retime;                        // what the file has a time of
   std::optional<int> truth_across{};  // of the coarsest grid, see truth_grids

@@ -19,11 +19,11 @@ namespace {
 
 constexpr double growth_of_paths = 1.5;  // exponent of the nodes
 
-/// A case timed on so many threads.
+/// A case timed on so many threads, in one round.
 struct TimedCase {
   CaseResult result;
-  Timing timing;
-  double setup;  // [s] median
+  std::vector<double> times;  // [s]
+  double setup;               // [s] median
 };
 
 TimedCase timed_case(const CaseSettings& settings, const Mesh& mesh, int threads,
@@ -31,7 +31,7 @@ TimedCase timed_case(const CaseSettings& settings, const Mesh& mesh, int threads
   tbb::task_arena arena(threads);
   CaseResult result;
   std::vector<double> setups;
-  const Timing timing = timed(
+  std::vector<double> times = timed(
       [&] {
         result = arena.execute([&] { return simulate(settings, mesh, threads); });
         setups.push_back(result.solution.setup_wall_s);
@@ -40,8 +40,8 @@ TimedCase timed_case(const CaseSettings& settings, const Mesh& mesh, int threads
       budget);
   if (setups.size() > 1) setups.erase(setups.begin());  // the warm-up's
   return {.result = std::move(result),
-          .timing = timing,
-          .setup = timing_of(std::move(setups)).median};
+          .times = std::move(times),
+          .setup = timing_of({std::move(setups)}).median};
 }
 
 /// Errors by one version of the program and times by another are not of one chart.
@@ -123,6 +123,7 @@ class ChartRun::State {
       StoredChart::Point& point = point_of(model, settings, across, key, threads);
       if (point.timing && !plan_.retime) continue;
       is_new = true;
+      point.times.clear();
       point.left_out.reset();
       if (!fits(settings))
         point.left_out = "over memory";
@@ -133,12 +134,13 @@ class ChartRun::State {
         point.setup.reset();
         continue;
       }
-      TimedCase timed = timed_case(settings, mesh, threads, plan_.repeat_for);
+      TimedCase timed = timed_case(settings, mesh, threads, seconds_of_round());
       if (timed.result.status == Status::refused) {
         point.left_out = "not applicable";
         continue;
       }
-      point.timing = timed.timing;
+      point.times.push_back(std::move(timed.times));
+      point.timing = timing_of(point.times);
       point.setup = timed.setup;
       result = std::move(timed.result);
     }
@@ -146,6 +148,24 @@ class ChartRun::State {
     const std::size_t comparisons = chart_.comparisons.size();
     if (result || is_known(key)) compare(settings, key, result);
     if (is_new || chart_.comparisons.size() > comparisons) file_.put_chart(chart_);
+  }
+
+  void time_again(const ChartModel& model, int across, int round) {
+    const CaseSettings settings = settings_of(model, across);
+    const Mesh& mesh = meshes_.mesh(settings.body);
+    const std::string key = key_of(settings);
+    bool is_new = false;
+    for (const int threads : plan_.threads) {
+      StoredChart::Point* const point = find_point(chart_, model.name, key, threads);
+      if (point == nullptr || !point->timing || point->timing->rounds >= round ||
+          point->timing->median > plan_.repeat_for)
+        continue;
+      point->times.push_back(
+          timed_case(settings, mesh, threads, seconds_of_round()).times);
+      point->timing = timing_of(point->times);
+      is_new = true;
+    }
+    if (is_new) file_.put_chart(chart_);
   }
 
  private:
@@ -210,6 +230,7 @@ class ChartRun::State {
                              .threads = threads,
                              .key = key,
                              .left_out = std::nullopt,
+                             .times = {},
                              .timing = std::nullopt,
                              .setup = std::nullopt,
                              .simulated = model.kind == ChartKind::motion
@@ -217,6 +238,8 @@ class ChartRun::State {
                                               : std::nullopt});
     return chart_.points.back();
   }
+
+  [[nodiscard]] double seconds_of_round() const { return plan_.repeat_for / most_rounds; }
 
   [[nodiscard]] static bool fits(const CaseSettings& settings) {
     return estimated_memory(settings) <= available_memory();
@@ -304,6 +327,10 @@ void ChartRun::measure(const ChartModel& model, int across) {
   state_->measure(model, across);
 }
 
+void ChartRun::time_again(const ChartModel& model, int across, int round) {
+  state_->time_again(model, across, round);
+}
+
 StaticPath ChartRun::static_path(const ChartModel& model, int across) {
   return state_->static_path(model, across);
 }
@@ -323,11 +350,15 @@ Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file) {
       chart_models(chart_body(plan.scene, plan.options).shape);
   std::size_t done = 0;
   Progress progress(plan.scene + ": points");
-  for (const ChartModel& model : models)
-    for (const int across : plan.across) {
-      progress.show(done++, models.size() * plan.across.size());
-      run.measure(model, across);
-    }
+  for (int round = 1; round <= most_rounds; ++round)
+    for (const ChartModel& model : models)
+      for (const int across : plan.across) {
+        progress.show(done++, most_rounds * models.size() * plan.across.size());
+        if (round == 1)
+          run.measure(model, across);
+        else
+          run.time_again(model, across, round);
+      }
   return run.chart();
 }
 

@@ -27,6 +27,10 @@ class ChartRun : public Measurements {
   /// would not fit into the memory.
   void measure(const ChartModel& model, int across) override;
 
+  /// Times its points in this further round, where they were measured, took no longer
+  /// than the plan's repeat_for and have not had so many rounds.
+  void time_again(const ChartModel& model, int across, int round);
+
   /// [s] of the plan's first number of threads, by the median of the model's next smaller
   /// point that did not fail, if there is one, and the growth from the one before to it,
   /// as a power of the nodes from 1 to 5/2; from one point alone 1. 0 without any,
@@ -45,7 +49,8 @@ class ChartRun : public Measurements {
   std::unique_ptr<State> state_;
 };
 
-/// Measures all points of the plan. Throws InputError as ChartRun and check_plan.
+/// Measures all points of the plan, in most_rounds rounds. Throws InputError as ChartRun
+/// and check_plan.
 Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file);
 
 }  // namespace springcheck

@@ -1,6 +1,10 @@
 #include "comparisons/chart/stored_chart.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 #include <tuple>
 
@@ -13,6 +17,26 @@ namespace {
 
 constexpr std::array size_columns{"size_1", "size_2", "size_3"};
 constexpr std::array key_columns{"key_1", "key_2", "key_3"};
+
+/// "0.1,0.12;0.11": rounds of times.
+std::string text_of(const TimedRounds& times) {
+  std::vector<std::string> rounds;
+  for (const std::vector<double>& round : times)
+    rounds.push_back(fmt::format("{}", fmt::join(round, ",")));
+  return fmt::format("{}", fmt::join(rounds, ";"));
+}
+
+TimedRounds times_in(const std::string& text) {
+  TimedRounds times;
+  std::istringstream rounds(text);
+  for (std::string round; std::getline(rounds, round, ';');) {
+    std::istringstream numbers(round);
+    times.emplace_back();
+    for (std::string number; std::getline(numbers, number, ',');)
+      times.back().push_back(std::stod(number));
+  }
+  return times;
+}
 
 Row row_of(const StoredChart::Truth& truth) {
   Row row{{"law", truth.law}};
@@ -41,6 +65,7 @@ Row row_of(const StoredChart::Point& point) {
   put(row, "median", point.timing->median);
   put(row, "upper_quartile", point.timing->upper_quartile);
   put(row, "maximum", point.timing->maximum);
+  if (!point.times.empty()) row["times"] = text_of(point.times);
   return row;
 }
 
@@ -63,14 +88,12 @@ ChartKind kind_named(const std::string& name) {
   throw std::runtime_error("a chart has a point of kind '" + name + "'");
 }
 
-std::optional<Timing> timing_in(const TableRows& points, std::size_t i) {
-  if (!points.find_number("median", i)) return std::nullopt;
-  return Timing{.repetitions = static_cast<int>(points.number("repetitions", i)),
-                .minimum = points.number("minimum", i),
-                .lower_quartile = points.number("lower_quartile", i),
-                .median = points.number("median", i),
-                .upper_quartile = points.number("upper_quartile", i),
-                .maximum = points.number("maximum", i)};
+/// Of older files, which keep no single times, the median alone.
+TimedRounds times_of(const TableRows& points, std::size_t i) {
+  const auto median = points.find_number("median", i);
+  if (!median) return {};
+  const auto times = points.find_text("times", i);
+  return times ? times_in(*times) : TimedRounds{{*median}};
 }
 
 StoredChart read_chart(hid_t group) {
@@ -97,7 +120,9 @@ StoredChart read_chart(hid_t group) {
     chart.truths.push_back(std::move(truth));
   }
   const TableRows points(hdf5::open_group(group, "points"), "a chart's point");
-  for (std::size_t i = 0; i < points.count(); ++i)
+  for (std::size_t i = 0; i < points.count(); ++i) {
+    TimedRounds times = times_of(points, i);
+    const auto timing = times.empty() ? std::nullopt : std::optional(timing_of(times));
     chart.points.push_back({.model = points.text("model", i),
                             .kind = kind_named(points.text("kind", i)),
                             .across = static_cast<int>(points.number("across", i)),
@@ -106,9 +131,11 @@ StoredChart read_chart(hid_t group) {
                             .threads = static_cast<int>(points.number("threads", i)),
                             .key = points.text("key", i),
                             .left_out = points.find_text("left_out", i),
-                            .timing = timing_in(points, i),
+                            .times = std::move(times),
+                            .timing = timing,
                             .setup = points.find_number("setup", i),
                             .simulated = points.find_number("simulated", i)});
+  }
   const TableRows comparisons(hdf5::open_group(group, "comparisons"),
                               "a chart's comparison");
   for (std::size_t i = 0; i < comparisons.count(); ++i)

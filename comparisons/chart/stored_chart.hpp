@@ -30,6 +30,7 @@ struct StoredChart {
     int threads;
     std::string key;
     std::optional<std::string> left_out;  // why it was not run
+    TimedRounds times{};                  // [s] behind the timing
     std::optional<Timing> timing;         // none of what was left out
     std::optional<double> setup;          // [s] of the time, median
     std::optional<double> simulated;      // [s] of motions
@@ -72,7 +73,8 @@ StoredChart merged(StoredChart chart, const StoredChart& other);
 ///     IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3
 ///     IDENTITY/points       columns model, kind, across, cells, nodes, threads, key,
 ///                           left_out, repetitions, minimum, lower_quartile, median,
-///                           upper_quartile, maximum, setup, simulated
+///                           upper_quartile, maximum, setup, simulated, times (all of
+///                           them, rounds with ';' between, as the figures follow from)
 ///     IDENTITY/comparisons  columns key, law, compared
 ///
 /// Replaces the chart of the same identity.

@@ -19,48 +19,63 @@ double quantile(const std::vector<double>& ordered, double fraction) {
   return std::lerp(ordered[below], ordered[above], place - std::floor(place));
 }
 
+double median_of(std::vector<double> seconds) {
+  std::ranges::sort(seconds);
+  return quantile(seconds, 0.5);
+}
+
 }  // namespace
 
-Timing timing_of(std::vector<double> seconds) {
-  std::ranges::sort(seconds);
-  return {.repetitions = static_cast<int>(seconds.size()),
-          .minimum = seconds.front(),
-          .lower_quartile = quantile(seconds, 0.25),
-          .median = quantile(seconds, 0.5),
-          .upper_quartile = quantile(seconds, 0.75),
-          .maximum = seconds.back()};
+Timing timing_of(const TimedRounds& rounds) {
+  std::vector<double> all, medians;
+  for (const std::vector<double>& round : rounds) {
+    all.insert(all.end(), round.begin(), round.end());
+    medians.push_back(median_of(round));
+  }
+  std::ranges::sort(all);
+  const auto [fastest, slowest] = std::ranges::minmax(medians);
+  return {.repetitions = static_cast<int>(all.size()),
+          .minimum = all.front(),
+          .lower_quartile = quantile(all, 0.25),
+          .median = quantile(all, 0.5),
+          .upper_quartile = quantile(all, 0.75),
+          .maximum = all.back(),
+          .rounds = static_cast<int>(rounds.size()),
+          .fastest_round = fastest,
+          .slowest_round = slowest};
 }
 
 Timing scaled(Timing timing, double less, double factor) {
   for (double Timing::*seconds :
        {&Timing::minimum, &Timing::lower_quartile, &Timing::median,
-        &Timing::upper_quartile, &Timing::maximum})
+        &Timing::upper_quartile, &Timing::maximum, &Timing::fastest_round,
+        &Timing::slowest_round})
     timing.*seconds = (timing.*seconds - less) * factor;
   return timing;
 }
 
 bool is_less(const Timing& timing, const Timing& other) {
-  constexpr int enough = 3;
-  constexpr double unrepeated_spread = 0.1;
-  const bool is_repeated = std::min(timing.repetitions, other.repetitions) >= enough;
+  constexpr double spread_of_a_round = 0.2;
+  if (std::min(timing.rounds, other.rounds) >= most_rounds)
+    return timing.slowest_round < other.fastest_round;
   return timing.upper_quartile < other.lower_quartile &&
-         (is_repeated || timing.median < (1 - unrepeated_spread) * other.median);
+         timing.median < (1 - spread_of_a_round) * other.median;
 }
 
-Timing timed(const std::function<double()>& work, double budget) {
+std::vector<double> timed(const std::function<double()>& work, double budget) {
   const Stopwatch stopwatch;
   const double warm_up = work();
-  if (stopwatch.seconds() >= budget) return timing_of({warm_up});
+  if (stopwatch.seconds() >= budget) return {warm_up};
   std::vector<double> seconds;
   int quiet = 0;
   double last = 0;
   do {
     seconds.push_back(work());
-    const double median = timing_of(seconds).median;
+    const double median = median_of(seconds);
     quiet = std::abs(median - last) <= little_change * median ? quiet + 1 : 0;
     last = median;
   } while (quiet < quiet_times && seconds.size() < most && stopwatch.seconds() < budget);
-  return timing_of(seconds);
+  return seconds;
 }
 
 }  // namespace springcheck

@@ -24,12 +24,8 @@ inline StoredCase case_of(double force, double volume_change) {
 }
 
 inline Timing around(double seconds) {
-  return {.repetitions = 3,
-          .minimum = 0.8 * seconds,
-          .lower_quartile = 0.9 * seconds,
-          .median = seconds,
-          .upper_quartile = 1.1 * seconds,
-          .maximum = 1.2 * seconds};
+  return timing_of(
+      {{0.8 * seconds, 0.9 * seconds, seconds, 1.1 * seconds, 1.2 * seconds}});
 }
 
 /// A truth of second order: force 10 + 16 h^2, volume change -.02 + .01 h^2, on cells of
