@@ -64,8 +64,12 @@ std::string joined(const dynamics::LoadPath& load, double dynamics::LoadPoint::*
 
 /// The load through time, and when it is looked at.
 void add_load(nlohmann::json& json, const Dynamics& dynamics) {
+  if (const auto& oscillation = dynamics.oscillation) {
+    json["angular-frequency"] = oscillation->angular_frequency;
+    json["cycles"] = oscillation->cycles;
+  }
   json["duration"] = dynamics.duration;
-  if (!dynamics.load.empty()) {
+  if (!dynamics.load.empty() && !dynamics.oscillation) {
     json["load-times"] = joined(dynamics.load, &dynamics::LoadPoint::time);
     json["load-fractions"] = joined(dynamics.load, &dynamics::LoadPoint::fraction);
   }

@@ -93,10 +93,21 @@ std::string check_positive_seconds(const std::string& text) {
 
 /// Settings that charts and advice choose, or that tests of theirs do not read.
 std::set<std::string> no_options_of_charts() {
-  std::set<std::string> all{"mesh",          "mesh-unit", "fixed",      "moved",
-                            "traction",      "plates",    "gradient",   "organ",
-                            "law",           "branches",  "time-steps", "load-times",
-                            "load-fractions"};
+  std::set<std::string> all{"mesh",
+                            "mesh-unit",
+                            "fixed",
+                            "moved",
+                            "traction",
+                            "plates",
+                            "gradient",
+                            "organ",
+                            "law",
+                            "branches",
+                            "time-steps",
+                            "load-times",
+                            "load-fractions",
+                            "angular-frequency",
+                            "cycles"};
   all.insert(settings_of_charts().begin(), settings_of_charts().end());
   return all;
 }

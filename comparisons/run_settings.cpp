@@ -70,7 +70,7 @@ void check_motion(const RunSettings& run, const Settings& settings) {
   if (std::ranges::any_of(run.methods, moves)) return;
   for (const std::string key :
        {"history", "dt", "dt-ratio", "force-dt", "duration", "rate", "load-times",
-        "load-fractions", "damping", "precision"}) {
+        "load-fractions", "angular-frequency", "cycles", "damping", "precision"}) {
     const auto found = settings.find(key);
     if (found == settings.end()) continue;
     if (key == "history" || found->second.place() == "--" + key)
@@ -104,16 +104,24 @@ const Given* find(const Settings& settings, std::string_view key) {
   return found == settings.end() ? nullptr : &found->second;
 }
 
+/// A setting that another one needs beside it.
+void check_beside(const Settings& settings, const std::string& key,
+                  const std::string& other) {
+  if (const Given* given = find(settings, key);
+      given != nullptr && find(settings, other) == nullptr)
+    given->refuse("no " + key + " without " + other);
+}
+
 /// The time over which the load acts, and how: given as a duration, by a rate of the
-/// deformation or by points.
+/// deformation, by points or as an oscillation.
 void read_load(CaseSettings& common, const Settings& settings) {
   constexpr double usual = 10;  // [s]
-  const Given* given = one_of(settings, {"duration", "rate", "load-times"});
+  const Given* given =
+      one_of(settings, {"duration", "rate", "load-times", "angular-frequency"});
   Dynamics& dynamics = common.dynamics;
   dynamics.duration = usual;
-  if (const Given* fractions = find(settings, "load-fractions");
-      fractions != nullptr && find(settings, "load-times") == nullptr)
-    fractions->refuse("no load-fractions without load-times");
+  check_beside(settings, "load-fractions", "load-times");
+  check_beside(settings, "cycles", "angular-frequency");
   if (given == nullptr) return;
   if (given == find(settings, "duration")) {
     dynamics.duration = given->positive_number();
@@ -124,6 +132,14 @@ void read_load(CaseSettings& common, const Settings& settings) {
                                    : std::abs(common.deformation.value_or(0));
     if (deformation == 0) given->refuse("no rate in a test without a deformation");
     dynamics.duration = deformation / rate;
+  } else if (given == find(settings, "angular-frequency")) {
+    constexpr double usual_cycles = 5;
+    dynamics.oscillation = {
+        .angular_frequency = given->positive_number(),
+        .cycles = value_or(settings, "cycles", usual_cycles, cycles_of)};
+    dynamics.load = dynamics::oscillation(dynamics.oscillation->angular_frequency,
+                                          dynamics.oscillation->cycles);
+    dynamics.duration = dynamics.load.back().time;
   } else {
     const Given* fractions = find(settings, "load-fractions");
     if (fractions == nullptr) given->refuse("load-fractions beside load-times");

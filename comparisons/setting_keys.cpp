@@ -71,6 +71,9 @@ const std::vector<SettingKey>& option_keys() {
       {"load-fractions",
        "of the load at those times, straight between them and from 0 at rest: "
        "'0,1' after '1,2' holds still for a second"},
+      {"angular-frequency",
+       "of a load that swings, sin(omega t) [rad/s]; in place of a duration"},
+      {"cycles", "of that load, also parts of one (default 5)"},
       {"organ",
        "liver, kidney or spleen: Golec 2018's law of it, for mss-tissue and fem-tissue"},
       {"law",
@@ -103,7 +106,7 @@ const std::vector<SettingKey>& scene_only_keys() {
   static const std::vector<SettingKey> keys{
       {"test",
        "compression, tension, shearing, torsion, bending, uniaxial, traction or affine"},
-      {"body", "block (default) or kidney"},
+      {"body", "block (default), kidney or disc"},
       {"gravity", "acceleration in bending [m/s^2]"},
       {"expect", "statuses that end a run of one method with exit status 0"}};
   return keys;

@@ -135,6 +135,13 @@ dynamics::LoadPath load_path_of(const Given& times, const Given& fractions) {
   return path;
 }
 
+double cycles_of(const Given& given) {
+  constexpr double most = 1000;
+  const double cycles = given.positive_number();
+  if (cycles > most) given.refuse("at most 1000 cycles");
+  return cycles;
+}
+
 double deformation_of(const Given& given, Test test) {
   constexpr double largest = 100;  // keeps squares of strains far from overflow
   const double deformation = test == Test::torsion ? given.angle() : given.strain();

@@ -47,6 +47,7 @@ int time_steps_of(const Given& given);
 
 /// Times above 0, ascending, with a fraction for each, not all 0.
 dynamics::LoadPath load_path_of(const Given& times, const Given& fractions);
+double cycles_of(const Given& given);
 
 /// A strain or, in torsion, an angle: positive but in uniaxial, whose sign is free.
 double deformation_of(const Given& given, Test test);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numbers>
 
 namespace springcheck::dynamics {
 namespace {
@@ -31,6 +33,17 @@ Place place_on(const LoadPath& path, double time) {
 
 LoadPath ramp(double duration) {
   return {{.time = duration, .fraction = 1}};
+}
+
+LoadPath oscillation(double angular_frequency, double cycles) {
+  constexpr double pieces_per_cycle = 64;
+  const int pieces = static_cast<int>(std::ceil(cycles * pieces_per_cycle - 1e-9));
+  LoadPath path;
+  for (int piece = 1; piece <= pieces; ++piece) {
+    const double angle = 2 * std::numbers::pi * cycles * piece / pieces;
+    path.push_back({.time = angle / angular_frequency, .fraction = std::sin(angle)});
+  }
+  return path;
 }
 
 double load_fraction(const LoadPath& path, double time) {

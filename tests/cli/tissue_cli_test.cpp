@@ -57,6 +57,20 @@ BOOST_AUTO_TEST_CASE(a_held_shear_has_a_history_and_a_place_in_result_files) {
   BOOST_TEST(springcheck("report held.h5 --out page").status == 0);
 }
 
+// The stress is that of the strain a quarter of a cycle before it, in part: it is largest
+// before the strain is.
+BOOST_AUTO_TEST_CASE(an_oscillation_has_the_stress_on_its_way) {
+  const Json result = json_of("run tissue-oscillation --cycles 2 --json")["results"][0];
+  const std::vector<double> stress = result["history"]["stress_xz"],
+                            load = result["history"]["load_fraction"];
+  BOOST_TEST_REQUIRE(stress.size() == 128U);
+  BOOST_TEST(load[79] == 1, boost::test_tools::tolerance(1e-12));
+  const auto largest = std::max_element(stress.begin() + 64, stress.end());
+  BOOST_TEST((largest - stress.begin()) < 79);
+  BOOST_TEST(*largest > stress[79]);
+  BOOST_TEST(result["mean_stress"][0][2] == stress.back());
+}
+
 BOOST_AUTO_TEST_CASE(strains_beyond_the_fit_are_flagged) {
   const Json result = result_of("--gradient 0,0,1.4,0,0,0,0,0,0");
   BOOST_TEST(result["status"] == "ok");
@@ -78,6 +92,10 @@ BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
   refused("--load-times -1,1 --load-fractions 1,1", "above 0");
   refused("--load-times 1 --load-fractions 1,1", "a fraction for each of 1 times");
   refused("--load-times 1 --load-fractions 0", "not all 0");
+  refused("--cycles 2", "no cycles without angular-frequency");
+  refused("--angular-frequency 0", "positive");
+  refused("--angular-frequency 1 --cycles 0", "positive");
+  refused("--angular-frequency 1 --rate 1", "no value beside that of --rate");
   refused("--branches 1", "[2, 32]");
   refused("--time-steps 0", "[1, 1000000]");
   expect_bad_input("run compression --organ spleen", "no organ without mss-tissue");

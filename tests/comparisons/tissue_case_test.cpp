@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE tissue_case
-#include "comparisons/tissue_case.hpp"
+#include "comparisons/tissue/tissue_case.hpp"
 
 #include <boost/test/unit_test.hpp>
 

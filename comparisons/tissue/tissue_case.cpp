@@ -1,4 +1,4 @@
-#include "comparisons/tissue_case.hpp"
+#include "comparisons/tissue/tissue_case.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ Solution solved(const CaseSettings& settings, const Mesh& mesh, const Scene& sce
 }  // namespace
 
 Solution solve_tissue(const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
-                      const dynamics::Protocol& protocol,
+                      const dynamics::Protocol& protocol, int threads,
                       const dynamics::Observers& observers) {
   const auto& [law, branches, steps] = settings.tissue.value();
   const dynamics::LoadPath load =
@@ -40,7 +40,8 @@ Solution solve_tissue(const CaseSettings& settings, const Mesh& mesh, const Scen
       {.solid = {.shear = fit.model,
                  .bulk_ratio = tissue::bulk_ratio_of(settings.material.poisson_ratio)},
        .quasi_static = {.load = load, .steps = steps},
-       .protocol = goes_through_time(settings) ? std::optional(protocol) : std::nullopt},
+       .protocol = goes_through_time(settings) ? std::optional(protocol) : std::nullopt,
+       .threads = threads},
       observers);
   solution.setup_wall_s += fit_wall_s;
   if (!solution.largest_shear_strain) return solution;

@@ -10,9 +10,9 @@ namespace springcheck {
 /// Runs a case of mss-tissue or fem-tissue: branches fitted to its law
 /// (fit_maxwell_model, its range by default), the bulk ratio of its Poisson ratio
 /// (bulk_ratio_of). Where strains or their rates leave the range of the fit, the
-/// solution's reason says that it is an extrapolation.
+/// solution's reason says that it is an extrapolation. Threads: of steps through time.
 Solution solve_tissue(const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
-                      const dynamics::Protocol& protocol,
+                      const dynamics::Protocol& protocol, int threads,
                       const dynamics::Observers& observers);
 
 /// What of a load that shears the body by `largest_strain` at most is outside the range;

@@ -1,0 +1,150 @@
+#define BOOST_TEST_MODULE tissue_kernel
+#include <boost/test/unit_test.hpp>
+#include <random>
+
+#include "meshing/generators/block.hpp"
+#include "meshing/generators/disc.hpp"
+#include "mss/tissue/tissue_motion.hpp"
+#include "tissue_scenes.hpp"
+
+using namespace springcheck;
+using namespace springcheck::mss;
+using dynamics::State;
+
+namespace {
+
+std::vector<Vector3> random_vectors(std::size_t count, double size) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> component(-size, size);
+  std::vector<Vector3> vectors(count);
+  for (Vector3& x : vectors)
+    x = {component(random), component(random), component(random)};
+  return vectors;
+}
+
+double largest(const std::vector<Vector3>& vectors) {
+  double size = 0;
+  for (const Vector3& x : vectors) size = std::max(size, x.norm());
+  return size;
+}
+
+double difference(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
+  BOOST_TEST_REQUIRE(a.size() == b.size());
+  double size = 0;
+  for (std::size_t n = 0; n < a.size(); ++n) size = std::max(size, (a[n] - b[n]).norm());
+  return size;
+}
+
+/// Two bodies' memories A_i, without the first tensor of each cell.
+double difference(const std::vector<double>& a, const std::vector<double>& b,
+                  std::size_t state_size) {
+  BOOST_TEST_REQUIRE(a.size() == b.size());
+  double size = 0;
+  for (std::size_t n = 0; n < a.size(); ++n)
+    if (n % state_size >= 6) size = std::max(size, std::abs(a[n] - b[n]));
+  return size;
+}
+
+struct Named {
+  std::string name;
+  Mesh mesh;
+};
+
+/// Cells all alike and in a grid, in a grid, and free; of numbers that fill no register.
+std::vector<Named> meshes() {
+  const Block block{.size = {5 * h, 3 * h, 4 * h}, .cells = {5, 3, 4}};
+  Block distorted = block;
+  distorted.distortion = 0.2;
+  return {{"alike", generate_block(block)},
+          {"distorted", generate_block(distorted)},
+          {"disc", generate_disc(
+                       {.diameter = 6 * h, .height = 2 * h, .across = 6, .layers = 2})}};
+}
+
+}  // namespace
+
+// A tenth of the edge in every direction, so that no term of the law is small. What is
+// not the same is the order of sums, and powers by series: a few last places, of forces
+// that cancel to a hundredth.
+BOOST_AUTO_TEST_CASE(kernels_step_as_plain_loops_do) {
+  for (const auto& [name, mesh] : meshes())
+    for (const char* organ : {"spleen", "liver"}) {
+      const TissueBody body = build_tissue_body(mesh, solid_of(organ, 0.45), density);
+      const Scene scene = between_glued_plates({0.1 * h, 0, 0.05 * h});
+      const std::vector<Vector3> load = random_vectors(mesh.nodes().size(), 1e-4);
+      const auto motion = [&](Kernel kernel, dynamics::InstructionSet set) {
+        auto made = std::make_unique<TissueMotion>(
+            mesh, scene, body, load,
+            TissueMotionSettings{.integrator = dynamics::Integrator::semi_implicit_euler,
+                                 .threads = 2,
+                                 .kernel = kernel},
+            set);
+        made->restore({.displacements = random_vectors(mesh.nodes().size(), 0.1 * h),
+                       .velocities = random_vectors(mesh.nodes().size(), 0.5 * h)});
+        for (int step = 1; step <= 20; ++step)
+          made->advance(
+              {.dt = 1e-4,
+               .kick = 1e-4,
+               .load_fraction = step / 20.,
+               .motions_before = dynamics::support_motions(scene, (step - 1) / 20.),
+               .motions = dynamics::support_motions(scene, step / 20.)});
+        return made;
+      };
+      const auto plain = motion(Kernel::plain, dynamics::InstructionSet::portable);
+      const State expected = plain->state();
+      const std::vector<Vector3> forces = plain->forces_at(expected);
+      BOOST_TEST(largest(expected.velocities) > 0.1 * h);
+      for (const dynamics::InstructionSet set : dynamics::all_instruction_sets) {
+        if (!dynamics::is_available(set)) continue;
+        BOOST_TEST_CONTEXT(name << ", " << organ << ", " << dynamics::name_of(set)) {
+          const auto fast = motion(Kernel::fast, set);
+          const State state = fast->state();
+          BOOST_TEST(difference(state.displacements, expected.displacements) <
+                     1e-12 * largest(expected.displacements));
+          BOOST_TEST(difference(state.velocities, expected.velocities) <
+                     1e-11 * largest(expected.velocities));
+          BOOST_TEST(difference(fast->forces_at(state), forces) <
+                     1e-11 * largest(forces));
+          BOOST_TEST(difference(fast->memories(), plain->memories(),
+                                tissue::state_size(body.solid.shear.branches.size())) <
+                     1e-12);
+        }
+      }
+    }
+}
+
+// Looking at forces elsewhere leaves the memories, and on from where it was the motion
+// goes the same way, to the rounding of sums.
+BOOST_AUTO_TEST_CASE(a_look_changes_nothing) {
+  for (const auto& [name, mesh] : meshes()) {
+    const TissueBody body = build_tissue_body(mesh, solid_of("spleen", 0.45), density);
+    const Scene scene = between_glued_plates({0, 0, 0});
+    const std::vector<Vector3> load(mesh.nodes().size(), Vector3::Zero());
+    const auto end = [&](bool looks) {
+      TissueMotion motion(mesh, scene, body, load,
+                          {.integrator = dynamics::Integrator::semi_implicit_euler});
+      motion.restore({.displacements = random_vectors(mesh.nodes().size(), 0.1 * h),
+                      .velocities = random_vectors(mesh.nodes().size(), 0.)});
+      const auto still = dynamics::support_motions(scene, 1);
+      for (int step = 0; step < 20; ++step) {
+        if (looks && step == 10) {
+          const State here = motion.state();
+          const std::vector<double> memories = motion.memories();
+          static_cast<void>(motion.forces_at(
+              {.displacements = random_vectors(mesh.nodes().size(), 0.2 * h),
+               .velocities = random_vectors(mesh.nodes().size(), h)}));
+          BOOST_TEST((motion.memories() == memories));
+          motion.restore(here);
+        }
+        motion.advance({.dt = 1e-4,
+                        .kick = 1e-4,
+                        .load_fraction = 1,
+                        .motions_before = still,
+                        .motions = still});
+      }
+      return motion.state().displacements;
+    };
+    const std::vector<Vector3> expected = end(false);
+    BOOST_TEST(difference(end(true), expected) < 1e-12 * largest(expected), name);
+  }
+}
