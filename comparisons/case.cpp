@@ -131,7 +131,7 @@ void add_tissue_settings(nlohmann::json& json, const CaseSettings& settings) {
   json.erase("young");
   json["law"] = fmt::format("{},{},{},{}", law.consistency, law.linear_index,
                             law.linear_limit, law.hardening_index);
-  json["branches"] = branches;
+  if (!is_thesis_tissue(settings.method)) json["branches"] = branches;
   json["solver"] = name_of(solver_of(settings));
   add_load(json, settings.dynamics);
   if (goes_through_time(settings))

@@ -310,9 +310,12 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   check_method_runs(run, settings, {"fem-cauchy-born"}, {"lattice", "lattice-direction"});
   check_method_runs(run, settings, {"mss-custom"}, {"stiffness", "kappa"});
   check_method_runs(run, settings, {"mss-vangelder", "mss-lloyd"}, {"correction"});
-  check_method_runs(run, settings, {"mss-tissue", "fem-tissue"},
-                    {"organ", "law", "branches", "time-steps"});
-  if (runs(run, "mss-tissue") || runs(run, "fem-tissue"))
+  const std::vector<std::string_view> of_branches{"mss-tissue", "fem-tissue"};
+  std::vector<std::string_view> of_tissue = of_branches;
+  of_tissue.insert(of_tissue.end(), {"mss-thesis-tissue", "mss-thesis-tissue-relative"});
+  check_method_runs(run, settings, of_branches, {"branches"});
+  check_method_runs(run, settings, of_tissue, {"organ", "law", "time-steps"});
+  if (std::ranges::any_of(of_tissue, [&](auto method) { return runs(run, method); }))
     run.common.tissue = tissue_of(settings, file);
   if (runs(run, "mss-custom"))
     run.common.constants = mss::LatticeConstants{

@@ -8,20 +8,47 @@
 #include "fem_reference/tissue/solve_tissue.hpp"
 #include "meshing/stopwatch.hpp"
 #include "mss/tissue/solve_tissue.hpp"
+#include "mss/tissue/thesis_springs.hpp"
 
 namespace springcheck {
 namespace {
 
 Solution solved(const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
                 const mss::TissueSettings& tissue, const dynamics::Observers& observers) {
-  if (solver_of(settings) == Solver::path_limit)
-    return refused("tissue has no limit: it gives way with time");
   if (std::get<TissueModel>(settings.method.model) == TissueModel::springs)
     return mss::solve_tissue(mesh, scene, tissue, observers);
   if (tissue.protocol)
     return refused("fem-tissue goes through equilibria; mss-tissue moves");
   return fem_reference::solve_tissue(mesh, scene, tissue.solid, tissue.quasi_static,
                                      observers);
+}
+
+/// Table 4.2 has no limit but of the organs of Table 4.1.
+std::optional<double> limit_fitted_by_hand(const tissue::BipowerLaw& law) {
+  for (const tissue::Organ& organ : tissue::organs())
+    if (organ.law == law) return tissue::hand_fitted_limit(organ.name);
+  return std::nullopt;
+}
+
+Solution solve_thesis_tissue(const CaseSettings& settings, const Mesh& mesh,
+                             const Scene& scene,
+                             const dynamics::QuasiStaticSettings& quasi_static,
+                             const dynamics::Observers& observers) {
+  const tissue::BipowerLaw& law = settings.tissue->law;
+  if (goes_through_time(settings))
+    return refused("Eq. 4.4's dashpots have no constant: there is no motion of it");
+  const auto limit = limit_fitted_by_hand(law);
+  if (!limit)
+    return refused("Golec 2018 fitted limits by hand, to liver, kidney and spleen alone");
+  const bool is_printed =
+      std::get<TissueModel>(settings.method.model) == TissueModel::thesis_springs;
+  return mss::move_thesis_springs(
+      mesh, scene,
+      {.law = law,
+       .strain_limit = *limit,
+       .elongation =
+           is_printed ? tissue::Elongation::in_metres : tissue::Elongation::relative},
+      quasi_static, observers);
 }
 
 }  // namespace
@@ -32,6 +59,11 @@ Solution solve_tissue(const CaseSettings& settings, const Mesh& mesh, const Scen
   const auto& [law, branches, steps] = settings.tissue.value();
   const dynamics::LoadPath load =
       protocol.load.empty() ? dynamics::ramp(protocol.duration) : protocol.load;
+  const dynamics::QuasiStaticSettings quasi_static{.load = load, .steps = steps};
+  if (solver_of(settings) == Solver::path_limit)
+    return refused("tissue has no limit: it gives way with time");
+  if (is_thesis_tissue(settings.method))
+    return solve_thesis_tissue(settings, mesh, scene, quasi_static, observers);
   const Stopwatch stopwatch;
   const tissue::MaxwellFit fit = tissue::fit_maxwell_model(law, {}, branches);
   const double fit_wall_s = stopwatch.seconds();
@@ -39,7 +71,7 @@ Solution solve_tissue(const CaseSettings& settings, const Mesh& mesh, const Scen
       settings, mesh, scene,
       {.solid = {.shear = fit.model,
                  .bulk_ratio = tissue::bulk_ratio_of(settings.material.poisson_ratio)},
-       .quasi_static = {.load = load, .steps = steps},
+       .quasi_static = quasi_static,
        .protocol = goes_through_time(settings) ? std::optional(protocol) : std::nullopt,
        .threads = threads},
       observers);

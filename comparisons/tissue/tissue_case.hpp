@@ -7,10 +7,11 @@
 
 namespace springcheck {
 
-/// Runs a case of mss-tissue or fem-tissue: branches fitted to its law
+/// Runs a case of tissue: branches fitted to its law
 /// (fit_maxwell_model, its range by default), the bulk ratio of its Poisson ratio
-/// (bulk_ratio_of). Where strains or their rates leave the range of the fit, the
-/// solution's reason says that it is an extrapolation. Threads: of steps through time.
+/// (bulk_ratio_of); or of the thesis's springs, which have no branches. Where strains or
+/// their rates leave the range of the fit, the solution's reason says that it is an
+/// extrapolation. Threads: of steps through time.
 Solution solve_tissue(const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
                       const dynamics::Protocol& protocol, int threads,
                       const dynamics::Observers& observers);

@@ -71,6 +71,25 @@ BOOST_AUTO_TEST_CASE(an_oscillation_has_the_stress_on_its_way) {
   BOOST_TEST(result["mean_stress"][0][2] == stress.back());
 }
 
+// As the table has it, which needs no simulation for it: in cells of 5 mm.
+BOOST_AUTO_TEST_CASE(the_thesiss_springs_run_as_the_table_has_them) {
+  for (const auto& [method, column] :
+       {std::pair{"mss-thesis-tissue", "thesis"},
+        std::pair{"mss-thesis-tissue-relative", "repaired"}}) {
+    const Json result =
+        json_of(std::string("run tissue-shearing --json --time-steps 5 --cells 10,10,10 "
+                            "--organ liver --method ") +
+                method)["results"][0];
+    const double stress = result["mean_stress"][0][2];
+    for (const Json& row : json_of("table tissue --format json")["rows"])
+      if (row["organ"] == "liver" && row["strain"] == 1)
+        BOOST_TEST(double(row[column]) == stress, boost::test_tools::tolerance(1e-6));
+  }
+  const Run other = springcheck(
+      "run tissue-shearing --cells 2,2,2 --method mss-thesis-tissue --law 900,.1,.3,4");
+  BOOST_TEST(other.out.find("to liver, kidney and spleen alone") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(strains_beyond_the_fit_are_flagged) {
   const Json result = result_of("--gradient 0,0,1.4,0,0,0,0,0,0");
   BOOST_TEST(result["status"] == "ok");
@@ -99,6 +118,7 @@ BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
   refused("--branches 1", "[2, 32]");
   refused("--time-steps 0", "[1, 1000000]");
   expect_bad_input("run compression --organ spleen", "no organ without mss-tissue");
+  refused("--method mss-thesis-tissue --branches 3", "no branches without mss-tissue");
   expect_bad_input("run compression --method mss-tissue", "K,n,GAMMA_LIM,p");
   for (const char* law :
        {"0,.1,.2,.3", "1,0,.2,.3", "1,1,.2,.3", "1,.1,0,.3", "1,.1,.2,0"})
