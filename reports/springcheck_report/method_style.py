@@ -20,6 +20,8 @@ _COLOURS = {
     "mss-vangelder": "#B8A600",
     "mss-lloyd": "#8B5A2B",
     "mss-custom": "#5E81AC",
+    "mss-tissue": "#7A0177",
+    "fem-tissue": "#4D4D4D",
 }
 _MARKERS = {
     "mss-cf": "o",
@@ -36,6 +38,8 @@ _MARKERS = {
     "mss-vangelder": ">",
     "mss-lloyd": "p",
     "mss-custom": "d",
+    "mss-tissue": "*",
+    "fem-tissue": "p",
 }
 _OTHERS = ["#AA3377", "#228833", "#BB5566", "#004488", "#997700"]
 
