@@ -54,7 +54,7 @@ struct Dynamics {
   std::optional<Oscillation> oscillation{};  // whose path the load is
 };
 
-/// Of mss-tissue and fem-tissue.
+/// Of methods of tissue.
 struct Tissue {
   tissue::BipowerLaw law;
   int branches;

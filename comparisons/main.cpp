@@ -184,7 +184,8 @@ int command_line(int argc, char** argv) {
           "name", name,
           "5.1, 5.2, 5.3, 5.4, 5.5, deviation, bending, subdivision, locking, "
           "orientation, modes, dynamics, performance, lattice-stability, regions, "
-          "four-springs, tissue; split, elements, convergence and growth take "
+          "four-springs, tissue, tissue-relaxation, tissue-oscillation; tissue-torsion, "
+          "split, elements, convergence and growth take "
           "minutes")
       ->required();
   table->add_option("--from", from, "result files to take cases from; computes the rest")

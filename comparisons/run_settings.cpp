@@ -112,6 +112,20 @@ void check_beside(const Settings& settings, const std::string& key,
     given->refuse("no " + key + " without " + other);
 }
 
+/// Where the load is negative: what is drawn apart comes together. `given` is named.
+void check_reversed(const CaseSettings& common, const Given& given) {
+  if (common.dynamics.load.empty()) return;
+  const double least =
+      std::ranges::min_element(common.dynamics.load, {}, &dynamics::LoadPoint::fraction)
+          ->fraction;
+  if (least >= 0) return;
+  const bool pulls = common.test == Test::tension || common.test == Test::uniaxial;
+  if (pulls && 1 + least * *common.deformation <= 0)
+    given.refuse("no load that presses the plates through each other");
+  if (common.test == Test::affine && turns_inside_out(least * common.gradient))
+    given.refuse("no load that turns the body inside out");
+}
+
 /// The time over which the load acts, and how: given as a duration, by a rate of the
 /// deformation, by points or as an oscillation.
 void read_load(CaseSettings& common, const Settings& settings) {
@@ -146,14 +160,16 @@ void read_load(CaseSettings& common, const Settings& settings) {
     dynamics.load = load_path_of(*given, *fractions);
     dynamics.duration = dynamics.load.back().time;
   }
+  check_reversed(common, *given);
 }
 
-/// The law of tissue.
-Tissue tissue_of(const Settings& settings, const std::string& file) {
+/// The law of tissue, and how its time is cut; where the load swings each 64th of a cycle
+/// is a piece of it.
+Tissue tissue_of(const Settings& settings, const std::string& file, bool oscillates) {
   const Given* given = one_of(settings, {"organ", "law"});
   if (given == nullptr)
     throw InputError(file, "law", "K,n,GAMMA_LIM,p of tissue, or an organ", "nothing");
-  constexpr int steps = 50;
+  const int steps = oscillates ? 1 : 50;
   return {.law = given == find(settings, "organ") ? organ_of(*given) : law_of(*given),
           .branches =
               value_or(settings, "branches", tissue::default_branches, branch_count_of),
@@ -316,7 +332,8 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   check_method_runs(run, settings, of_branches, {"branches"});
   check_method_runs(run, settings, of_tissue, {"organ", "law", "time-steps"});
   if (std::ranges::any_of(of_tissue, [&](auto method) { return runs(run, method); }))
-    run.common.tissue = tissue_of(settings, file);
+    run.common.tissue =
+        tissue_of(settings, file, run.common.dynamics.oscillation.has_value());
   if (runs(run, "mss-custom"))
     run.common.constants = mss::LatticeConstants{
         .stiffness = stiffness_of(need("stiffness", "KE,KF,KC of mss-custom [N/m]")),

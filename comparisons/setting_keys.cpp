@@ -74,13 +74,15 @@ const std::vector<SettingKey>& option_keys() {
       {"angular-frequency",
        "of a load that swings, sin(omega t) [rad/s]; in place of a duration"},
       {"cycles", "of that load, also parts of one (default 5)"},
-      {"organ",
-       "liver, kidney or spleen: Golec 2018's law of it, for mss-tissue and fem-tissue"},
+      {"organ", "liver, kidney or spleen: Golec 2018's law of it, for methods of tissue"},
       {"law",
-       "K,n,GAMMA_LIM,p of tissue's bi-power law: K [Pa s^n], others without unit"},
+       "K,n,GAMMA_LIM,p of tissue's bi-power law, but for mss-thesis-tissue: K [Pa s^n], "
+       "others without unit"},
       {"branches", "Maxwell branches of tissue, 2 to 32 (default 5)"},
       {"time-steps",
-       "of tissue's static solver, on each straight piece of the load (default 50)"},
+       "of tissue's static solver, on each straight piece of the load (default 50), of a "
+       "load "
+       "that swings on each 64th of a cycle (default 1)"},
       {"damping",
        "in dynamics, fraction of critical (default 0.05): dashpots of springs, drag of "
        "fem-explicit methods"},

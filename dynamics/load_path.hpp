@@ -22,6 +22,10 @@ LoadPath oscillation(double angular_frequency, double cycles);
 /// The fraction at a time from 0 to that of the last point.
 double load_fraction(const LoadPath& path, double time);
 
+/// The places where a path turns, its last point among them: what rises or falls all the
+/// way is one piece.
+LoadPath turning_points(const LoadPath& path);
+
 /// Straight pieces that ended by a time, and the part of the present one that has passed.
 double pieces_passed(const LoadPath& path, double time);
 

@@ -6,19 +6,20 @@
 // instruction set.
 namespace springcheck::dynamics::SPRINGCHECK_PATH {
 
-typedef std::int64_t Bits __attribute__((vector_size(register_bytes)));
+typedef std::uint64_t Bits __attribute__((vector_size(register_bytes)));
 
 /// log2(x) of positive normal numbers, x = 2^e m with m from sqrt(1/2) to sqrt(2):
 /// e + 2/ln 2 artanh(t), t = (m-1)/(m+1), by its series up to t^19. Of 0 below -1022.
 [[gnu::always_inline]] inline Pack<double> log2(Pack<double> x) {
-  constexpr std::int64_t root_of_half = 0x3fe6a09e667f3bcd, bias = 1023;
+  constexpr std::uint64_t root_of_half = 0x3fe6a09e667f3bcd, bias = 1023;
   const Bits bits = (Bits)x;
   const Bits exponent = (bits - root_of_half + (bias << 52)) >> 52;  // + bias
   const Pack<double> m = (Pack<double>)(bits - ((exponent - bias) << 52));
   // A small whole number as the last bits of 2^52.
-  constexpr std::int64_t bits_of_2_52 = 0x4330000000000000;
-  const Pack<double> e = (Pack<double>)(exponent | bits_of_2_52) - (0x1p52 + bias);
-  const Pack<double> t = (m - 1) / (m + 1), s = t * t;
+  constexpr std::uint64_t bits_of_2_52 = 0x4330000000000000;
+  const Pack<double> e =
+      (Pack<double>)(exponent | bits_of_2_52) - (0x1p52 + static_cast<double>(bias));
+  const Pack<double> t = (m - 1) * reciprocal<double>(m + 1), s = t * t;
   Pack<double> sum = all(1. / 19);
   for (int k = 17; k > 0; k -= 2) sum = sum * s + 1. / k;
   constexpr double two_over_ln_2 = 2.885390081777926814719849362003784070;

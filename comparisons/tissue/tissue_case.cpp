@@ -23,6 +23,10 @@ Solution solved(const CaseSettings& settings, const Mesh& mesh, const Scene& sce
                                      observers);
 }
 
+dynamics::LoadPath load_of(const Dynamics& dynamics) {
+  return dynamics.load.empty() ? dynamics::ramp(dynamics.duration) : dynamics.load;
+}
+
 /// Table 4.2 has no limit but of the organs of Table 4.1.
 std::optional<double> limit_fitted_by_hand(const tissue::BipowerLaw& law) {
   for (const tissue::Organ& organ : tissue::organs())
@@ -57,9 +61,8 @@ Solution solve_tissue(const CaseSettings& settings, const Mesh& mesh, const Scen
                       const dynamics::Protocol& protocol, int threads,
                       const dynamics::Observers& observers) {
   const auto& [law, branches, steps] = settings.tissue.value();
-  const dynamics::LoadPath load =
-      protocol.load.empty() ? dynamics::ramp(protocol.duration) : protocol.load;
-  const dynamics::QuasiStaticSettings quasi_static{.load = load, .steps = steps};
+  const dynamics::QuasiStaticSettings quasi_static{.load = load_of(settings.dynamics),
+                                                   .steps = steps};
   if (solver_of(settings) == Solver::path_limit)
     return refused("tissue has no limit: it gives way with time");
   if (is_thesis_tissue(settings.method))
@@ -78,12 +81,12 @@ Solution solve_tissue(const CaseSettings& settings, const Mesh& mesh, const Scen
   solution.setup_wall_s += fit_wall_s;
   if (!solution.largest_shear_strain) return solution;
   const std::string beyond =
-      extrapolation(fit.range, load, *solution.largest_shear_strain);
+      extrapolation(fit.range, settings.dynamics, *solution.largest_shear_strain);
   if (!beyond.empty()) solution.reason += (solution.reason.empty() ? "" : "; ") + beyond;
   return solution;
 }
 
-std::string extrapolation(const tissue::FitRange& range, const dynamics::LoadPath& load,
+std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamics,
                           double largest_strain) {
   std::string text;
   const auto say = [&](const std::string& what) {
@@ -92,10 +95,17 @@ std::string extrapolation(const tissue::FitRange& range, const dynamics::LoadPat
   if (largest_strain > range.strains.to * (1 + 1e-9))  // round-off
     say(fmt::format("shear strains of {:.3g} (fitted to {:g})", largest_strain,
                     range.strains.to));
-  if (largest_strain < range.strains.from) return text;
+  if (largest_strain < range.strains.from) {
+    if (dynamics.oscillation &&
+        !range.angular_frequencies.contains(dynamics.oscillation->angular_frequency))
+      say(fmt::format("{:g} rad/s (fitted from {:g} to {:g})",
+                      dynamics.oscillation->angular_frequency,
+                      range.angular_frequencies.from, range.angular_frequencies.to));
+    return text;
+  }
   double largest_fraction = 0, slowest = INFINITY, fastest = 0;
   dynamics::LoadPoint from{.time = 0, .fraction = 0};
-  for (const dynamics::LoadPoint& to : load) {
+  for (const dynamics::LoadPoint& to : dynamics::turning_points(load_of(dynamics))) {
     largest_fraction = std::max(largest_fraction, std::abs(to.fraction));
     const double rate = std::abs(to.fraction - from.fraction) / (to.time - from.time);
     if (rate > 0) slowest = std::min(slowest, rate);

@@ -17,10 +17,10 @@ Solution solve_tissue(const CaseSettings& settings, const Mesh& mesh, const Scen
                       const dynamics::Observers& observers);
 
 /// What of a load that shears the body by `largest_strain` at most is outside the range;
-/// empty where nothing is. Rates are those of the load's straight pieces in proportion,
-/// to a tenth, and count where strains are within the range's: smaller ones are linear,
-/// and have the range of angular frequencies.
-std::string extrapolation(const tissue::FitRange& range, const dynamics::LoadPath& load,
+/// empty where nothing is. Rates are means over the ways between the load's turning
+/// points, in proportion to it and to a tenth, and count where strains are within the
+/// range's: smaller ones are linear, and have the range of angular frequencies.
+std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamics,
                           double largest_strain);
 
 }  // namespace springcheck

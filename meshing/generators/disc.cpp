@@ -37,7 +37,8 @@ void check(const Disc& disc) {
   namespace geo = ::gmsh::model::geo;
   const int of_sector = std::max(1, disc.across / 4),
             of_core = disc.across - 2 * of_sector;
-  // So that cells are alike along x, and no flatter than a third of that elsewhere.
+  // Cells are alike along x where `across` is a multiple of 4; beyond .35 those of the
+  // sectors would be too flat at their spokes.
   const double core_corner =
       std::min(0.35, std::numbers::sqrt2 / 2 * of_core / disc.across);
   const int centre = geo::addPoint(0, 0, 0);

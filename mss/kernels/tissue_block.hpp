@@ -35,9 +35,14 @@ struct TissueBlock {
   // The n-th is constants[n] where cells are alike, and else at place_in_packs:
   std::vector<double> constants;
   std::vector<std::uint8_t> is_cell;  // where cells are alike
-  // C'^-1 of the last step, then A_1 to A_N, at place_in_packs:
-  std::vector<double> memories;
+  std::vector<double> memories;       // A_1 to A_N, at place_in_packs
 };
+
+/// Numbers of a cell's memory. C'^-1 of the last step is not among them: see
+/// tissue::short_memory_step.
+constexpr std::size_t tissue_memory_size(std::size_t branches) {
+  return 6 * branches;
+}
 
 inline constexpr std::size_t own_tissue_constants = 55;
 

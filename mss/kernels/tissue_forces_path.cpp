@@ -204,8 +204,9 @@ class Stress {
                                   const Tensor& A) {
     const P I = contraction(C_, A) * inverse_dilation_ - 3;
     const P squares = larger<double>(I, P{}) + volume_part_;
-    const P M = branch.linear +
-                branch.hardening * power(squares * law_.inverse_square, law_.exponent);
+    P M = all(branch.linear);
+    if (branch.hardening > 0)
+      M += branch.hardening * power(squares * law_.inverse_square, law_.exponent);
     const P on_strands = M * inverse_dilation_;
     for (std::size_t i = 0; i < 6; ++i) strands[i] += on_strands * A[i];
     volume += M * (resisted_ - (1 + I * (1. / 3)) * inverse_J_);
@@ -235,7 +236,8 @@ class CellForces {
     for (std::size_t i = 0; i < 3; ++i) f[i][i] += 1;
     const Tensor C = right_cauchy_green(f);
     Tensor inverse = adjugate(C);
-    for (P& entry : inverse) entry /= J * J;
+    const P by_square = 1 / (J * J);
+    for (P& entry : inverse) entry *= by_square;
 
     const Stress stress =
         remembered(cell, C, inverse, dilation, Stress(law_, C, growth, J, 1 / dilation));
@@ -265,7 +267,7 @@ class CellForces {
 
   /// Where the n-th tensor of a memory is.
   [[nodiscard]] double* memory(std::size_t n, std::size_t cell) const {
-    const std::size_t size = tissue::state_size(law_.branches.size());
+    const std::size_t size = tissue_memory_size(law_.branches.size());
     return block_.memories.data() + cell * size + 6 * n * width<double>;
   }
   [[gnu::always_inline]] Tensor memory_tensor(std::size_t n, std::size_t cell) const {
@@ -286,19 +288,15 @@ class CellForces {
                                            Stress stress) const {
     constexpr double one = 1;
     stress.add(law_.elastic, Tensor{all(one), all(one), all(one), P{}, P{}, P{}});
-    Tensor old_rest{}, new_rest{};
-    if constexpr (advances) {
-      old_rest = memory_tensor(0, cell);
-      for (std::size_t i = 0; i < 6; ++i) new_rest[i] = dilation * inverse[i];
-      keep(new_rest, 0, cell);
-    }
+    Tensor at_rest{};
+    if constexpr (advances)
+      for (std::size_t i = 0; i < 6; ++i) at_rest[i] = dilation * inverse[i];
     for (std::size_t n = 0; n < law_.branches.size(); ++n) {
-      Tensor A = memory_tensor(n + 1, cell);
+      Tensor A = memory_tensor(n, cell);
       if constexpr (advances) {
         const auto& [kept, from_old, from_new] = step_->decays[n];
-        for (std::size_t i = 0; i < 6; ++i)
-          A[i] = kept * A[i] + from_old * old_rest[i] + from_new * new_rest[i];
-        keep(A, n + 1, cell);
+        for (std::size_t i = 0; i < 6; ++i) A[i] = kept * A[i] + from_new * at_rest[i];
+        keep(A, n, cell);
       }
       stress.add(law_.branches[n], A);
     }

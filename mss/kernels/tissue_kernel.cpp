@@ -1,7 +1,7 @@
 #include "mss/kernels/tissue_kernel.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -92,7 +92,7 @@ TissueBlock tissue_block(const TissueBody& body, const Block& block,
     for (std::size_t n = 0; n < own.size(); ++n)
       tissue.constants[place_in_packs(number, n, own.size(), lanes)] = own[n];
   });
-  const std::size_t size = tissue::state_size(body.solid.shear.branches.size());
+  const std::size_t size = tissue_memory_size(body.solid.shear.branches.size());
   std::vector<double> rest(size);
   tissue::set_to_rest(rest);
   tissue.memories.resize(size * count);
@@ -133,14 +133,16 @@ TissueForces tissue_kernel(const TissueBody& body, const std::vector<Block>& blo
     (*step != nullptr ? kernel.advances : kernel.looks)(*constants, kernel.block, *step,
                                                         arrays);
   };
-  const auto memories = [&body, kernels, blocks, lanes] {
-    const std::size_t size = tissue::state_size(body.solid.shear.branches.size());
-    std::vector<double> all(size * body.cells.size());
-    for (std::size_t b = 0; b < blocks.size(); ++b)
-      dynamics::for_each_cell(blocks[b], [&](std::size_t cell, const auto&) {
-        const std::size_t number = dynamics::number_of(blocks[b], cell, lanes);
+  const auto memories = [&body, kernels, lanes](const std::vector<Block>& of) {
+    const std::size_t branches = body.solid.shear.branches.size(),
+                      size = tissue_memory_size(branches),
+                      state_size = tissue::state_size(branches);
+    std::vector<double> all = memories_at_rest(body);
+    for (std::size_t b = 0; b < of.size(); ++b)
+      dynamics::for_each_cell(of[b], [&](std::size_t cell, const auto&) {
+        const std::size_t number = dynamics::number_of(of[b], cell, lanes);
         for (std::size_t n = 0; n < size; ++n)
-          all[blocks[b].cells[cell] * size + n] =
+          all[(of[b].cells[cell] + 1) * state_size - size + n] =
               (*kernels)[b].block.memories[place_in_packs(number, n, size, lanes)];
       });
     return all;
@@ -178,9 +180,9 @@ TissueForces plain_tissue_forces(const TissueBody& body) {
       for (std::size_t i = 0; i < 3; ++i)
         arrays.force[i][n] = forces[n][static_cast<Index>(i)];
   };
-  return {.forces = {.lanes = 1, .add = add}, .step = step, .memories = [room] {
-            return room->memories;
-          }};
+  return {.forces = {.lanes = 1, .add = add},
+          .step = step,
+          .memories = [room](const std::vector<Block>&) { return room->memories; }};
 }
 
 }  // namespace springcheck::mss

@@ -15,8 +15,8 @@ struct TissueForces {
   // What forces.add makes of the memories before it takes their stress; where it points
   // to none they stay as they are:
   std::shared_ptr<const tissue::MemoryStep*> step;
-  // In the order of memories_at_rest, in place of C^-1 what the kernel keeps of it:
-  std::function<std::vector<double>()> memories;
+  // A_i as memories_at_rest has them, beside a C^-1 of no meaning; given the blocks:
+  std::function<std::vector<double>(const std::vector<dynamics::Block>& blocks)> memories;
 };
 
 /// On blocks of hexahedra, in a grid or not: nodal_forces of stresses_at, after a step of

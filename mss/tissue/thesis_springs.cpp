@@ -6,11 +6,10 @@
 #include "meshing/stopwatch.hpp"
 #include "mss/direct_solver.hpp"
 #include "mss/forces.hpp"
+#include "mss/tangent.hpp"
 
 namespace springcheck::mss {
 namespace {
-
-using Eigen::Index;
 
 /// The network's cells with the volume correction alone.
 Network without_springs(const Network& network) {
@@ -51,7 +50,8 @@ class ThesisSprings final : public dynamics::RememberingBody {
       forces[spring.a] += pull / length * d;
       forces[spring.b] -= pull / length * d;
     }
-    force_scale_ = std::sqrt(squares);
+    // Of the largest tensions so far: they all vanish where the body comes back to rest.
+    force_scale_ = std::max(force_scale_, std::sqrt(squares));
     return forces;
   }
 
@@ -115,11 +115,7 @@ class ThesisSprings final : public dynamics::RememberingBody {
           tangent_stiffness(spring_, stiffness, rest_length, length) * along +
           tension(spring_, stiffness, rest_length, length) / length *
               (Matrix3::Identity() - along);
-      const auto i = static_cast<Index>(3 * ends[0]), j = static_cast<Index>(3 * ends[1]);
-      matrix.block<3, 3>(i, i) += block;
-      matrix.block<3, 3>(j, j) += block;
-      matrix.block<3, 3>(i, j) -= block;
-      matrix.block<3, 3>(j, i) -= block;
+      add_between(matrix, ends, block);
     }
   }
 

@@ -12,7 +12,7 @@ namespace springcheck::mss {
 /// Eq. 4.4's dashpots have no constant. Of the scene's material the density is read.
 ///
 /// Refused where mss-cf is. See dynamics::find_quasi_static; residuals are measured by
-/// the norm of the springs' tensions. Source: Golec 2018, section 4.4.
+/// the largest norm of the springs' tensions so far. Source: Golec 2018, section 4.4.
 Solution move_thesis_springs(const Mesh& mesh, const Scene& scene,
                              const tissue::ThesisSpring& spring,
                              const dynamics::QuasiStaticSettings& settings,

@@ -64,7 +64,8 @@ Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueB
        .scene = scene,
        .masses = body.masses,
        .load = load,
-       // In the state of the motion, where alone march asks for them:
+       // March asks for both in the state of the motion alone, and goes on from there:
+       // the look restores that very state.
        .forces = {.internal =
                       [&](const State& state, std::span<Vector3> forces) {
                         std::ranges::copy(motion.forces_at(state), forces.begin());

@@ -23,7 +23,7 @@ TissueMotion::TissueMotion(const Mesh& mesh, const Scene& scene, const TissueBod
                            std::span<const Vector3> load,
                            const TissueMotionSettings& settings,
                            dynamics::InstructionSet set)
-    : body_(body) {
+    : mesh_(mesh), body_(body) {
   auto blocks = settings.kernel == Kernel::fast ? blocks_for_kernel(mesh) : std::nullopt;
   forces_ = blocks ? tissue_kernel(body, *blocks, set) : plain_tissue_forces(body);
   motion_ = dynamics::explicit_motion<double>(
@@ -38,9 +38,13 @@ TissueMotion::TissueMotion(const Mesh& mesh, const Scene& scene, const TissueBod
        .threads = blocks ? settings.threads : 1});
 }
 
+std::vector<double> TissueMotion::memories() const {
+  return forces_.memories(blocks_for_kernel(mesh_).value_or(std::vector<Block>{}));
+}
+
 void TissueMotion::advance(const dynamics::StepTo& step) {
   if (step.dt != memory_step_.duration)
-    memory_step_ = tissue::memory_step(body_.solid, step.dt);
+    memory_step_ = tissue::short_memory_step(body_.solid, step.dt);
   *forces_.step = &memory_step_;
   motion_->advance(step);
   *forces_.step = nullptr;

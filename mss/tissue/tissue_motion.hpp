@@ -16,11 +16,11 @@ struct TissueMotionSettings {
 };
 
 /// Steps tissue through time from rest with memories at rest: a step moves the nodes,
-/// then the memories, which gives the next forces. The dashpot's rate is that of the
-/// nodes' velocities.
+/// then the memories by a short_memory_step, which gives the next forces. The dashpot's
+/// rate is that of the nodes' velocities.
 class TissueMotion final : public dynamics::Motion {
  public:
-  /// load: one entry per node [N], at the full load. The body outlives the motion.
+  /// load: one entry per node [N], at the full load. Mesh and body outlive the motion.
   TissueMotion(const Mesh& mesh, const Scene& scene, const TissueBody& body,
                std::span<const Vector3> load, const TissueMotionSettings& settings,
                dynamics::InstructionSet set = dynamics::best_instruction_set());
@@ -35,9 +35,10 @@ class TissueMotion final : public dynamics::Motion {
   void restore(const dynamics::State& state) override { motion_->restore(state); }
 
   /// As TissueForces has them.
-  [[nodiscard]] std::vector<double> memories() const { return forces_.memories(); }
+  [[nodiscard]] std::vector<double> memories() const;
 
  private:
+  const Mesh& mesh_;
   const TissueBody& body_;
   TissueForces forces_;
   std::unique_ptr<dynamics::Motion> motion_;

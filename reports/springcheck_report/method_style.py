@@ -22,6 +22,8 @@ _COLOURS = {
     "mss-custom": "#5E81AC",
     "mss-tissue": "#7A0177",
     "fem-tissue": "#4D4D4D",
+    "mss-thesis-tissue": "#C2A5CF",
+    "mss-thesis-tissue-relative": "#A6761D",
 }
 _MARKERS = {
     "mss-cf": "o",
@@ -39,7 +41,9 @@ _MARKERS = {
     "mss-lloyd": "p",
     "mss-custom": "d",
     "mss-tissue": "*",
-    "fem-tissue": "p",
+    "fem-tissue": "1",
+    "mss-thesis-tissue": "2",
+    "mss-thesis-tissue-relative": "3",
 }
 _OTHERS = ["#AA3377", "#228833", "#BB5566", "#004488", "#997700"]
 

@@ -28,11 +28,8 @@ BOOST_AUTO_TEST_CASE(stress_relaxes_as_the_laws_does) {
   for (const SheetRow& row : sheet.rows) {
     const double off = number(sheet, row, "off");
     BOOST_TEST_MESSAGE(row.cells[0].text << ' ' << row.cells[1].text << ' ' << off);
-    if (row.cells[1].text == "held")
-      BOOST_TEST(std::abs(off) < 3);
-    else
-      BOOST_TEST(number(sheet, row, "springs") <
-                 number(sheet, row, "law") + 0.2 * number(sheet, sheet.rows[0], "law"));
+    // Of what falls nothing is fitted: in percent of the stress before it fell.
+    BOOST_TEST(std::abs(off) < (row.cells[1].text == "held" ? 3 : 10));
   }
 }
 

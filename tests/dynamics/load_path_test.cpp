@@ -50,6 +50,22 @@ BOOST_AUTO_TEST_CASE(an_oscillation_is_a_sine_but_for_its_chords) {
 BOOST_AUTO_TEST_CASE(a_part_of_a_cycle_ends_where_it_was_to_end) {
   const LoadPath path = oscillation(1, 0.1);
   BOOST_TEST(path.size() == 7U);  // 6.4 pieces of a cycle/64
+  BOOST_TEST(oscillation(1, 1e-13).size() == 1U);
   BOOST_TEST(path.back().time == 0.2 * std::numbers::pi,
              boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(a_path_turns_where_it_rises_falls_or_rests) {
+  const LoadPath turns = turning_points({{.time = 1, .fraction = 0.2},
+                                         {.time = 2, .fraction = 1},
+                                         {.time = 3, .fraction = 1},
+                                         {.time = 4, .fraction = 1},
+                                         {.time = 5, .fraction = 0.5},
+                                         {.time = 6, .fraction = -1}});
+  BOOST_TEST_REQUIRE(turns.size() == 3U);
+  BOOST_TEST(turns[0].time == 2);
+  BOOST_TEST(turns[1].time == 4);
+  BOOST_TEST(turns[2].time == 6);
+  BOOST_TEST(turning_points(oscillation(3, 2.25)).size() == 5U);
+  BOOST_TEST(turning_points(ramp(3)).size() == 1U);
 }

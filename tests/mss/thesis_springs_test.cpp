@@ -63,6 +63,17 @@ BOOST_AUTO_TEST_CASE(work_between_glued_plates_is_stored) {
   BOOST_TEST(integral == solution.strain_energy, boost::test_tools::tolerance(2e-3));
 }
 
+// Where all tensions vanish at once, and every tangent is infinite.
+BOOST_AUTO_TEST_CASE(springs_come_back_to_rest) {
+  const Mesh mesh = cube(3, h);
+  const Solution solution = move_thesis_springs(
+      mesh, between_glued_plates({0.9 * h, 0, 0}),
+      spring_of("liver", tissue::Elongation::relative),
+      {.load = {{.time = 1, .fraction = 1}, {.time = 2, .fraction = 0}}, .steps = 5});
+  BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
+  for (const Vector3& u : solution.displacements) BOOST_TEST(u.norm() < 1e-6 * h);
+}
+
 BOOST_AUTO_TEST_CASE(cells_that_have_no_lattice_are_refused) {
   const Mesh mesh = generate_block(
       {.size = {h, h, h}, .cells = {2, 2, 2}, .pattern = CellPattern::tetrahedron});
