@@ -241,16 +241,16 @@ class CellForces {
 
     const Stress stress =
         remembered(cell, C, inverse, dilation, Stress(law_, C, growth, J, 1 / dilation));
-    Matrix S = matrix_of(stress.strands);
+    Matrix pushed = product(f, matrix_of(stress.strands));
+    P trace = stress.strands[0] + stress.strands[1] + stress.strands[2];
     if (law_.viscosity > 0) {
       const Matrix rate =
           shapes_.gradient(cell, shapes_.parts(cell, read(cells, velocity)));
-      add_dashpot(f, rate, matrix_of(inverse), S);
+      add_dashpot(rate, cofactor, 1 / (1 + change), pushed, trace);
     }
-    Matrix pushed = product(f, S);
     for (std::size_t j = 0; j < 3; ++j)
       for (std::size_t i = 0; i < 3; ++i) pushed[j][i] += stress.volume * cofactor[j][i];
-    const P mean = (S[0][0] + S[1][1] + S[2][2]) * (1. / 3);
+    const P mean = trace * (1. / 3);
     const Corners forces = shapes_.forces(cell, pushed, mean, u);
     for (std::size_t i = 0; i < 3; ++i) cells.add_at_corners(i, forces[i]);
   }
@@ -303,18 +303,28 @@ class CellForces {
     return stress;
   }
 
-  /// eta C^-1 dC/dt C^-1, dC/dt = F^T dF/dt and its transpose.
-  [[gnu::always_inline]] void add_dashpot(const Matrix& f, const Matrix& rate,
-                                          const Matrix& inverse, Matrix& S) const {
-    Matrix half;
+  /// Adds the dashpot's F S and tr S. With L = dF/dt F^-1 and D = (L + L^T)/2 its
+  /// S = eta C^-1 dC/dt C^-1 is 2 eta F^-1 D F^-T.
+  [[gnu::always_inline]] void add_dashpot(const Matrix& rate, const Matrix& cofactor,
+                                          const P& inverse_det, Matrix& pushed,
+                                          P& trace) const {
+    Matrix F_inverse_transposed = cofactor;
+    for (P3& column : F_inverse_transposed)
+      for (P& entry : column) entry *= inverse_det;
+    Matrix L{};
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t i = 0; i < 3; ++i)
+          L[j][i] += rate[k][i] * F_inverse_transposed[k][j];
+    Matrix twice_D;
     for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t i = 0; i < 3; ++i) half[j][i] = dot<double>(f[i], rate[j]);
-    Matrix C_rate;
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t i = 0; i < 3; ++i) C_rate[j][i] = half[j][i] + half[i][j];
-    const Matrix pushed = product(product(inverse, C_rate), inverse);
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t i = 0; i < 3; ++i) S[j][i] += law_.viscosity * pushed[j][i];
+      for (std::size_t i = 0; i <= j; ++i)
+        twice_D[j][i] = twice_D[i][j] = law_.viscosity * (L[j][i] + L[i][j]);
+    const Matrix own = product(twice_D, F_inverse_transposed);
+    for (std::size_t j = 0; j < 3; ++j) {
+      trace += dot<double>(own[j], F_inverse_transposed[j]);
+      for (std::size_t i = 0; i < 3; ++i) pushed[j][i] += own[j][i];
+    }
   }
 
   const TissueConstants& law_;

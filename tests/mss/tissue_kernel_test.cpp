@@ -14,14 +14,16 @@ namespace {
 
 double largest(const std::vector<Vector3>& vectors) {
   double size = 0;
-  for (const Vector3& x : vectors) size = std::max(size, x.norm());
+  for (const Vector3& x : vectors)
+    if (!(x.norm() <= size)) size = x.norm();  // also what is not a number
   return size;
 }
 
 double difference(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
   BOOST_TEST_REQUIRE(a.size() == b.size());
   double size = 0;
-  for (std::size_t n = 0; n < a.size(); ++n) size = std::max(size, (a[n] - b[n]).norm());
+  for (std::size_t n = 0; n < a.size(); ++n)
+    if (!((a[n] - b[n]).norm() <= size)) size = (a[n] - b[n]).norm();
   return size;
 }
 
@@ -55,9 +57,11 @@ std::vector<Named> meshes() {
 
 }  // namespace
 
-// A tenth of the edge in every direction, so that no term of the law is small. What is
-// not the same is the order of sums, and powers by series: a few last places, of forces
-// that cancel to a hundredth.
+// A twentieth of the edge in every direction, so that no term of the law is small. What
+// is not the same is the order of sums, and powers by series: a few last places, of
+// forces that cancel to a hundredth. In free meshes cells that differ by 1e-9 of their
+// size have one shape, and plain loops take F from positions, which at rest is then I to
+// 1e-11.
 BOOST_AUTO_TEST_CASE(kernels_step_as_plain_loops_do) {
   for (const auto& [name, mesh] : meshes())
     for (const char* organ : {"spleen", "liver"}) {
@@ -72,12 +76,12 @@ BOOST_AUTO_TEST_CASE(kernels_step_as_plain_loops_do) {
                                  .threads = threads,
                                  .kernel = kernel},
             set);
-        made->restore({.displacements = random_field(mesh.nodes().size(), 0.1 * h, 1),
-                       .velocities = random_field(mesh.nodes().size(), 0.5 * h, 1)});
+        made->restore({.displacements = random_field(mesh.nodes().size(), 0.05 * h, 1),
+                       .velocities = random_field(mesh.nodes().size(), 0.2 * h, 1)});
         for (int step = 1; step <= 20; ++step)
           made->advance(
-              {.dt = 1e-4,
-               .kick = 1e-4,
+              {.dt = 1e-5,
+               .kick = 1e-5,
                .load_fraction = step / 20.,
                .motions_before = dynamics::support_motions(scene, (step - 1) / 20.),
                .motions = dynamics::support_motions(scene, step / 20.)});
@@ -87,22 +91,24 @@ BOOST_AUTO_TEST_CASE(kernels_step_as_plain_loops_do) {
       const State expected = plain->state();
       const std::vector<Vector3> forces = plain->forces_at(expected);
       BOOST_TEST(largest(expected.velocities) > 0.1 * h);
+      BOOST_TEST(largest(expected.velocities) < 3000 * h);  // of stiff cells, that swing
       for (const dynamics::InstructionSet set : dynamics::all_instruction_sets) {
         if (!dynamics::is_available(set)) continue;
+        const double round_off = name == "disc" ? 1e-10 : 1e-12;
         BOOST_TEST_CONTEXT(name << ", " << organ << ", " << dynamics::name_of(set)) {
           const auto fast = motion(Kernel::fast, set);
           const State state = fast->state();
           BOOST_TEST(difference(motion(Kernel::fast, set, 2)->state().displacements,
                                 state.displacements) == 0);
           BOOST_TEST(difference(state.displacements, expected.displacements) <
-                     1e-12 * largest(expected.displacements));
+                     round_off * largest(expected.displacements));
           BOOST_TEST(difference(state.velocities, expected.velocities) <
-                     1e-11 * largest(expected.velocities));
+                     10 * round_off * largest(expected.velocities));
           BOOST_TEST(difference(fast->forces_at(state), forces) <
-                     1e-11 * largest(forces));
+                     10 * round_off * largest(forces));
           BOOST_TEST(difference(fast->memories(), plain->memories(),
                                 tissue::state_size(body.solid.shear.branches.size())) <
-                     1e-12);
+                     round_off);
         }
       }
     }
@@ -131,8 +137,8 @@ BOOST_AUTO_TEST_CASE(a_look_changes_nothing) {
           BOOST_TEST((motion.memories() == memories));
           motion.restore(here);
         }
-        motion.advance({.dt = 1e-4,
-                        .kick = 1e-4,
+        motion.advance({.dt = 2e-5,
+                        .kick = 2e-5,
                         .load_fraction = 1,
                         .motions_before = still,
                         .motions = still});
