@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "meshing/files/msh_reader.hpp"
+#include "meshing/generators/disc.hpp"
 #include "meshing/generators/kidney.hpp"
 
 namespace springcheck {
@@ -16,6 +17,8 @@ std::string_view name_of(BodyShape shape) {
       return "block";
     case BodyShape::kidney:
       return "kidney";
+    case BodyShape::disc:
+      return "disc";
     case BodyShape::file:
       return "file";
   }
@@ -111,6 +114,11 @@ Mesh build_mesh(const Body& body) {
       return generate_kidney({.size = body.block.size,
                               .cells = body.block.cells,
                               .pattern = body.block.pattern});
+    case BodyShape::disc:
+      return generate_disc({.diameter = body.block.size[0],
+                            .height = body.block.size[2],
+                            .across = body.block.cells[0],
+                            .layers = body.block.cells[2]});
     case BodyShape::file:
       return read_msh(body.file, body.unit.metres);
   }

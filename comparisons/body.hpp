@@ -12,8 +12,8 @@
 
 namespace springcheck {
 
-/// What is deformed: a block, a kidney-like solid, or the mesh of a file.
-enum class BodyShape { block, kidney, file };
+/// What is deformed: a block, a kidney-like solid, a disc, or the mesh of a file.
+enum class BodyShape { block, kidney, disc, file };
 
 std::string_view name_of(BodyShape shape);
 std::string_view name_of(CellPattern pattern);  // on the command line
@@ -31,7 +31,7 @@ const std::vector<MeshUnit>& mesh_units();
 struct Body {
   BodyShape shape = BodyShape::block;
   // The block; of a kidney its ellipsoid's extents, and the numbers of cells along them;
-  // of a file not read:
+  // of a disc its diameter twice and its height, and likewise; of a file not read:
   Block block;
   std::string file{};  // of the user's mesh
   MeshUnit unit{};
@@ -66,7 +66,7 @@ std::array<double, 3> equivalent_grid(const Body& body);
 /// About how many cells the mesh will have.
 double estimated_cells(const Body& body);
 
-/// Throws InputError as generate_block, generate_kidney and read_msh do.
+/// Throws InputError as generate_block, generate_kidney, generate_disc and read_msh do.
 Mesh build_mesh(const Body& body);
 
 /// Meshes of bodies, each built once. From any thread.

@@ -24,9 +24,9 @@ MeshUnit unit_of(const Given& given) {
 }
 
 BodyShape shape_of(const Given& given) {
-  for (const BodyShape shape : {BodyShape::block, BodyShape::kidney})
+  for (const BodyShape shape : {BodyShape::block, BodyShape::kidney, BodyShape::disc})
     if (given.text() == name_of(shape)) return shape;
-  given.refuse("one of block, kidney; a mesh of your own is given by 'mesh'");
+  given.refuse("one of block, kidney, disc; a mesh of your own is given by 'mesh'");
 }
 
 /// The file a setting stands in, or that it is an option.
@@ -56,9 +56,14 @@ void check_mesh_alone(const Settings& settings, const Given& mesh) {
     }
 }
 
-/// A kidney has no grid whose nodes could be moved, or that its cells could follow.
-void check_kidney(const Settings& settings, const Block& block) {
+/// Other bodies have no grid whose nodes could be moved.
+void check_no_distortion(const Settings& settings, const Block& block) {
   if (block.distortion > 0) settings.at("distortion").refuse("none of it but in blocks");
+}
+
+/// Nor one that a kidney's cells could follow.
+void check_kidney(const Settings& settings, const Block& block) {
+  check_no_distortion(settings, block);
   if (block.pattern == CellPattern::free_tetrahedron ||
       block.pattern == CellPattern::free_hexahedron)
     return;
@@ -67,6 +72,18 @@ void check_kidney(const Settings& settings, const Block& block) {
       given != settings.end())
     given->second.refuse(expected);
   throw InputError("key 'cell-type'", "", expected, "none");
+}
+
+/// A disc is round, and its cells are hexahedra.
+void check_disc(const Settings& settings, const Block& block) {
+  check_no_distortion(settings, block);
+  if (block.pattern != CellPattern::hexahedron)
+    settings.at("cell-type").refuse("hexahedron for a disc");
+  if (block.size[0] != block.size[1])
+    settings.at("size").refuse("a disc's diameter twice, and its height");
+  if (block.cells[0] != block.cells[1])
+    settings.at("cells").refuse("as many along x as along y of a disc");
+  if (block.cells[0] < 3) settings.at("cells").refuse("at least 3 across a disc");
 }
 
 }  // namespace
@@ -100,6 +117,7 @@ Body body_of(const Settings& settings, const std::string& file, Test test) {
         .pattern = value_or(settings, "cell-type", CellPattern::hexahedron, pattern_of),
         .distortion = value_or(settings, "distortion", 0., not_negative_of)};
     if (body.shape == BodyShape::kidney) check_kidney(settings, body.block);
+    if (body.shape == BodyShape::disc) check_disc(settings, body.block);
     if (reads_seed(body.block))
       body.block.seed = value_or(settings, "seed", body.block.seed, seed_of);
   }

@@ -64,8 +64,12 @@ std::string joined(const dynamics::LoadPath& load, double dynamics::LoadPoint::*
 
 /// The load through time, and when it is looked at.
 void add_load(nlohmann::json& json, const Dynamics& dynamics) {
+  if (const auto& oscillation = dynamics.oscillation) {
+    json["angular-frequency"] = oscillation->angular_frequency;
+    json["cycles"] = oscillation->cycles;
+  }
   json["duration"] = dynamics.duration;
-  if (!dynamics.load.empty()) {
+  if (!dynamics.load.empty() && !dynamics.oscillation) {
     json["load-times"] = joined(dynamics.load, &dynamics::LoadPoint::time);
     json["load-fractions"] = joined(dynamics.load, &dynamics::LoadPoint::fraction);
   }
@@ -127,7 +131,7 @@ void add_tissue_settings(nlohmann::json& json, const CaseSettings& settings) {
   json.erase("young");
   json["law"] = fmt::format("{},{},{},{}", law.consistency, law.linear_index,
                             law.linear_limit, law.hardening_index);
-  json["branches"] = branches;
+  if (!is_thesis_tissue(settings.method)) json["branches"] = branches;
   json["solver"] = name_of(solver_of(settings));
   add_load(json, settings.dynamics);
   if (goes_through_time(settings))

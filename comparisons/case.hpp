@@ -36,6 +36,12 @@ enum class Solver {
   implicit_euler
 };
 
+/// A load that swings, sin(omega t), for so many cycles.
+struct Oscillation {
+  double angular_frequency;  // omega [rad/s]
+  double cycles;
+};
+
 struct Dynamics {
   double duration;                  // [s] over which the load acts
   std::optional<double> time_step;  // [s]; none: step_ratio of the stability limit
@@ -45,9 +51,10 @@ struct Dynamics {
   mss::Precision precision;
   int history;                // samples on the way, on each straight piece of the load
   dynamics::LoadPath load{};  // none: it grows in proportion to the time
+  std::optional<Oscillation> oscillation{};  // whose path the load is
 };
 
-/// Of mss-tissue and fem-tissue.
+/// Of methods of tissue.
 struct Tissue {
   tissue::BipowerLaw law;
   int branches;

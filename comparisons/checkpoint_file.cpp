@@ -17,7 +17,7 @@
 namespace springcheck {
 namespace {
 
-constexpr long long layout = 3;
+constexpr long long layout = 4;
 
 std::vector<double> numbers(const std::vector<Vector3>& vectors) {
   std::vector<double> all;
@@ -123,9 +123,10 @@ CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& ow
                                .limit = number("excess_limit")};
   if (hdf5::has_link(root, "history")) {
     const std::vector<double> rows = table("history", std::nullopt);
-    for (std::size_t i = 0; i + 12 <= rows.size(); i += 12) {
+    constexpr std::size_t columns = history_columns.size();
+    for (std::size_t i = 0; i + columns <= rows.size(); i += columns) {
       HistorySample& sample = checkpoint.history.emplace_back();
-      std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(i), 12, sample.begin());
+      std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(i), columns, sample.begin());
     }
   }
   return checkpoint;

@@ -20,6 +20,8 @@ HistorySample history_sample(const CaseSettings& settings, const Mesh& mesh,
                 torque = measures.torque.value_or(no_vector);
   const double deformation =
       settings.deformation ? moment.load_fraction * *settings.deformation : none;
+  const Eigen::Matrix3d P =
+      measures.mean_stress.value_or(Eigen::Matrix3d::Constant(none));
   return {moment.time,
           moment.load_fraction,
           deformation,
@@ -31,7 +33,16 @@ HistorySample history_sample(const CaseSettings& settings, const Mesh& mesh,
           torque.y(),
           torque.z(),
           moment.kinetic_energy,
-          moment.strain_energy};
+          moment.strain_energy,
+          P(0, 0),
+          P(0, 1),
+          P(0, 2),
+          P(1, 0),
+          P(1, 1),
+          P(1, 2),
+          P(2, 0),
+          P(2, 1),
+          P(2, 2)};
 }
 
 }  // namespace springcheck

@@ -93,10 +93,21 @@ std::string check_positive_seconds(const std::string& text) {
 
 /// Settings that charts and advice choose, or that tests of theirs do not read.
 std::set<std::string> no_options_of_charts() {
-  std::set<std::string> all{"mesh",          "mesh-unit", "fixed",      "moved",
-                            "traction",      "plates",    "gradient",   "organ",
-                            "law",           "branches",  "time-steps", "load-times",
-                            "load-fractions"};
+  std::set<std::string> all{"mesh",
+                            "mesh-unit",
+                            "fixed",
+                            "moved",
+                            "traction",
+                            "plates",
+                            "gradient",
+                            "organ",
+                            "law",
+                            "branches",
+                            "time-steps",
+                            "load-times",
+                            "load-fractions",
+                            "angular-frequency",
+                            "cycles"};
   all.insert(settings_of_charts().begin(), settings_of_charts().end());
   return all;
 }
@@ -173,7 +184,8 @@ int command_line(int argc, char** argv) {
           "name", name,
           "5.1, 5.2, 5.3, 5.4, 5.5, deviation, bending, subdivision, locking, "
           "orientation, modes, dynamics, performance, lattice-stability, regions, "
-          "four-springs, tissue; split, elements, convergence and growth take "
+          "four-springs, tissue, tissue-relaxation, tissue-oscillation; tissue-torsion, "
+          "split, elements, convergence and growth take "
           "minutes")
       ->required();
   table->add_option("--from", from, "result files to take cases from; computes the rest")

@@ -19,7 +19,12 @@ struct Measured {
 };
 
 /// Models of living tissue, whose law has no Young's modulus.
-enum class TissueModel { springs, elements };
+enum class TissueModel {
+  springs,
+  elements,
+  thesis_springs,          // Golec 2018, Eq. 4.4, as printed
+  thesis_springs_relative  // the same with elongations over the rest length
+};
 
 /// A method by its name on the command line: springs, a law for finite elements, or an
 /// element that steps explicitly; or by the user's name for what is measured.
@@ -72,6 +77,13 @@ inline bool is_measured(const Method& method) {
 
 inline bool is_tissue(const Method& method) {
   return std::holds_alternative<TissueModel>(method.model);
+}
+
+/// Tissue that has no memory, whatever its time.
+inline bool is_thesis_tissue(const Method& method) {
+  const auto* model = std::get_if<TissueModel>(&method.model);
+  return model != nullptr && (*model == TissueModel::thesis_springs ||
+                              *model == TissueModel::thesis_springs_relative);
 }
 
 /// Whether its springs have the constants that the user gives.

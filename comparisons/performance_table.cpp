@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <map>
 
 #include "comparisons/build_info.hpp"
 #include "comparisons/provenance.hpp"
@@ -60,12 +61,14 @@ struct Timed {
   const char* method;
   mss::Precision precision;
 };
-constexpr std::array<Timed, 8> timed_methods{
+constexpr std::array<Timed, 10> timed_methods{
     {{"naive", mss::Precision::double_precision},
      {"mss-nfd", mss::Precision::double_precision},
      {"mss-fd", mss::Precision::double_precision},
      {"mss-cf", mss::Precision::double_precision},
      {"mss-cf", mss::Precision::single_precision},
+     {"mss-affine", mss::Precision::double_precision},
+     {"mss-tissue", mss::Precision::double_precision},
      {"fem-explicit-1p", mss::Precision::double_precision},
      {"fem-explicit-1p", mss::Precision::single_precision},
      {"fem-explicit-8p", mss::Precision::double_precision}}};
@@ -82,6 +85,7 @@ Sheet measured_sheet() {
                   {"threads", "threads", "{:.0f}"},
                   {"ns_per_cell_step", "ns per cell and step", "{:.1f}"},
                   {"over_naive", "plain loops' time over it", "{:.1f}"},
+                  {"over_cf", "over mss-cf's time", "{:.2f}"},
                   {"user_over_real", "user/real", "{:.2f}"},
                   {"steps", "steps of the figure", "{:.0f}"},
                   {"seconds", "time of so many [s]", "{:.4g}"},
@@ -100,12 +104,15 @@ Sheet measured_sheet() {
           "Plain loops: unique springs, square roots and divisions, one thread, mss-cf's "
           "network. Nu = 0.4, where mss-cf has corrections to compute; mss-nfd has them "
           "too, mss-fd has none.",
+          "mss-tissue: spleen, with five branches that remember; over the time of mss-cf "
+          "on as many threads, like mss-affine.",
           "The thesis's times are of an Intel i7-4790K with 8 threads; its figures 5.23 "
           "to 5.25 of another machine with up to 36."}};
   for (const Study& study : studies())
     for (const auto& cells : study.bodies) {
       const double count = double{1} * cells[0] * cells[1] * cells[2];
       std::optional<double> naive;
+      std::map<int, double> linear;  // mss-cf in double precision, by threads
       for (const auto& [method, precision] : timed_methods)
         for (const int threads : thread_counts()) {
           const bool is_naive = method == std::string_view("naive");
@@ -121,28 +128,35 @@ Sheet measured_sheet() {
                                       .threads = threads})
                                 .advance);
           if (is_naive) naive = time.real;
+          const bool is_double = precision == mss::Precision::double_precision;
+          if (method == std::string_view("mss-cf") && is_double)
+            linear[threads] = time.real;
+          const bool is_beside = is_double && (method == std::string_view("mss-affine") ||
+                                               method == std::string_view("mss-tissue"));
           const bool is_of_naive = is_naive || method == std::string_view("mss-cf");
-          const bool is_printed = method == std::string_view("mss-cf") &&
-                                  precision == mss::Precision::double_precision &&
+          const bool is_printed = method == std::string_view("mss-cf") && is_double &&
                                   cells == study.bodies.front();
           const auto if_printed = [&](double value) {
             return Cell{.number = is_printed ? std::optional(value) : std::nullopt};
           };
           sheet.rows.push_back(
-              {.cells = {{.text = study.name},
-                         {.text = study.figures},
-                         {.number = count},
-                         {.text = is_naive ? "plain loops" : method},
-                         {.text = std::string(name_of(precision))},
-                         {.number = threads},
-                         {.number = 1e9 * time.real / count},
-                         {.number = is_of_naive ? std::optional(naive.value() / time.real)
-                                                : std::nullopt},
-                         {.number = time.user_over_real},
-                         {.number = study.steps_shown},
-                         {.number = study.steps_shown * time.real},
-                         if_printed(study.printed_seconds),
-                         if_printed(study.printed_steps * time.real)}});
+              {.cells = {
+                   {.text = study.name},
+                   {.text = study.figures},
+                   {.number = count},
+                   {.text = is_naive ? "plain loops" : method},
+                   {.text = std::string(name_of(precision))},
+                   {.number = threads},
+                   {.number = 1e9 * time.real / count},
+                   {.number = is_of_naive ? std::optional(naive.value() / time.real)
+                                          : std::nullopt},
+                   {.number = is_beside ? std::optional(time.real / linear.at(threads))
+                                        : std::nullopt},
+                   {.number = time.user_over_real},
+                   {.number = study.steps_shown},
+                   {.number = study.steps_shown * time.real},
+                   if_printed(study.printed_seconds),
+                   if_printed(study.printed_steps * time.real)}});
         }
     }
   return sheet;

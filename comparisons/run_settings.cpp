@@ -70,7 +70,7 @@ void check_motion(const RunSettings& run, const Settings& settings) {
   if (std::ranges::any_of(run.methods, moves)) return;
   for (const std::string key :
        {"history", "dt", "dt-ratio", "force-dt", "duration", "rate", "load-times",
-        "load-fractions", "damping", "precision"}) {
+        "load-fractions", "angular-frequency", "cycles", "damping", "precision"}) {
     const auto found = settings.find(key);
     if (found == settings.end()) continue;
     if (key == "history" || found->second.place() == "--" + key)
@@ -104,16 +104,38 @@ const Given* find(const Settings& settings, std::string_view key) {
   return found == settings.end() ? nullptr : &found->second;
 }
 
+/// A setting that another one needs beside it.
+void check_beside(const Settings& settings, const std::string& key,
+                  const std::string& other) {
+  if (const Given* given = find(settings, key);
+      given != nullptr && find(settings, other) == nullptr)
+    given->refuse("no " + key + " without " + other);
+}
+
+/// Where the load is negative: what is drawn apart comes together. `given` is named.
+void check_reversed(const CaseSettings& common, const Given& given) {
+  if (common.dynamics.load.empty()) return;
+  const double least =
+      std::ranges::min_element(common.dynamics.load, {}, &dynamics::LoadPoint::fraction)
+          ->fraction;
+  if (least >= 0) return;
+  const bool pulls = common.test == Test::tension || common.test == Test::uniaxial;
+  if (pulls && 1 + least * *common.deformation <= 0)
+    given.refuse("no load that presses the plates through each other");
+  if (common.test == Test::affine && turns_inside_out(least * common.gradient))
+    given.refuse("no load that turns the body inside out");
+}
+
 /// The time over which the load acts, and how: given as a duration, by a rate of the
-/// deformation or by points.
+/// deformation, by points or as an oscillation.
 void read_load(CaseSettings& common, const Settings& settings) {
   constexpr double usual = 10;  // [s]
-  const Given* given = one_of(settings, {"duration", "rate", "load-times"});
+  const Given* given =
+      one_of(settings, {"duration", "rate", "load-times", "angular-frequency"});
   Dynamics& dynamics = common.dynamics;
   dynamics.duration = usual;
-  if (const Given* fractions = find(settings, "load-fractions");
-      fractions != nullptr && find(settings, "load-times") == nullptr)
-    fractions->refuse("no load-fractions without load-times");
+  check_beside(settings, "load-fractions", "load-times");
+  check_beside(settings, "cycles", "angular-frequency");
   if (given == nullptr) return;
   if (given == find(settings, "duration")) {
     dynamics.duration = given->positive_number();
@@ -124,20 +146,30 @@ void read_load(CaseSettings& common, const Settings& settings) {
                                    : std::abs(common.deformation.value_or(0));
     if (deformation == 0) given->refuse("no rate in a test without a deformation");
     dynamics.duration = deformation / rate;
+  } else if (given == find(settings, "angular-frequency")) {
+    constexpr double usual_cycles = 5;
+    dynamics.oscillation = {
+        .angular_frequency = given->positive_number(),
+        .cycles = value_or(settings, "cycles", usual_cycles, cycles_of)};
+    dynamics.load = dynamics::oscillation(dynamics.oscillation->angular_frequency,
+                                          dynamics.oscillation->cycles);
+    dynamics.duration = dynamics.load.back().time;
   } else {
     const Given* fractions = find(settings, "load-fractions");
     if (fractions == nullptr) given->refuse("load-fractions beside load-times");
     dynamics.load = load_path_of(*given, *fractions);
     dynamics.duration = dynamics.load.back().time;
   }
+  check_reversed(common, *given);
 }
 
-/// The law of tissue.
-Tissue tissue_of(const Settings& settings, const std::string& file) {
+/// The law of tissue, and how its time is cut; where the load swings each 64th of a cycle
+/// is a piece of it.
+Tissue tissue_of(const Settings& settings, const std::string& file, bool oscillates) {
   const Given* given = one_of(settings, {"organ", "law"});
   if (given == nullptr)
     throw InputError(file, "law", "K,n,GAMMA_LIM,p of tissue, or an organ", "nothing");
-  constexpr int steps = 50;
+  const int steps = oscillates ? 1 : 50;
   return {.law = given == find(settings, "organ") ? organ_of(*given) : law_of(*given),
           .branches =
               value_or(settings, "branches", tissue::default_branches, branch_count_of),
@@ -294,10 +326,14 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   check_method_runs(run, settings, {"fem-cauchy-born"}, {"lattice", "lattice-direction"});
   check_method_runs(run, settings, {"mss-custom"}, {"stiffness", "kappa"});
   check_method_runs(run, settings, {"mss-vangelder", "mss-lloyd"}, {"correction"});
-  check_method_runs(run, settings, {"mss-tissue", "fem-tissue"},
-                    {"organ", "law", "branches", "time-steps"});
-  if (runs(run, "mss-tissue") || runs(run, "fem-tissue"))
-    run.common.tissue = tissue_of(settings, file);
+  const std::vector<std::string_view> of_branches{"mss-tissue", "fem-tissue"};
+  std::vector<std::string_view> of_tissue = of_branches;
+  of_tissue.insert(of_tissue.end(), {"mss-thesis-tissue", "mss-thesis-tissue-relative"});
+  check_method_runs(run, settings, of_branches, {"branches"});
+  check_method_runs(run, settings, of_tissue, {"organ", "law", "time-steps"});
+  if (std::ranges::any_of(of_tissue, [&](auto method) { return runs(run, method); }))
+    run.common.tissue =
+        tissue_of(settings, file, run.common.dynamics.oscillation.has_value());
   if (runs(run, "mss-custom"))
     run.common.constants = mss::LatticeConstants{
         .stiffness = stiffness_of(need("stiffness", "KE,KF,KC of mss-custom [N/m]")),

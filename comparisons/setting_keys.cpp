@@ -71,13 +71,18 @@ const std::vector<SettingKey>& option_keys() {
       {"load-fractions",
        "of the load at those times, straight between them and from 0 at rest: "
        "'0,1' after '1,2' holds still for a second"},
-      {"organ",
-       "liver, kidney or spleen: Golec 2018's law of it, for mss-tissue and fem-tissue"},
+      {"angular-frequency",
+       "of a load that swings, sin(omega t) [rad/s]; in place of a duration"},
+      {"cycles", "of that load, also parts of one (default 5)"},
+      {"organ", "liver, kidney or spleen: Golec 2018's law of it, for methods of tissue"},
       {"law",
-       "K,n,GAMMA_LIM,p of tissue's bi-power law: K [Pa s^n], others without unit"},
+       "K,n,GAMMA_LIM,p of tissue's bi-power law, but for mss-thesis-tissue: K [Pa s^n], "
+       "others without unit"},
       {"branches", "Maxwell branches of tissue, 2 to 32 (default 5)"},
       {"time-steps",
-       "of tissue's static solver, on each straight piece of the load (default 50)"},
+       "of tissue's static solver, on each straight piece of the load (default 50), of a "
+       "load "
+       "that swings on each 64th of a cycle (default 1)"},
       {"damping",
        "in dynamics, fraction of critical (default 0.05): dashpots of springs, drag of "
        "fem-explicit methods"},
@@ -103,7 +108,7 @@ const std::vector<SettingKey>& scene_only_keys() {
   static const std::vector<SettingKey> keys{
       {"test",
        "compression, tension, shearing, torsion, bending, uniaxial, traction or affine"},
-      {"body", "block (default) or kidney"},
+      {"body", "block (default), kidney or disc"},
       {"gravity", "acceleration in bending [m/s^2]"},
       {"expect", "statuses that end a run of one method with exit status 0"}};
   return keys;

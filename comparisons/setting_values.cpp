@@ -135,6 +135,12 @@ dynamics::LoadPath load_path_of(const Given& times, const Given& fractions) {
   return path;
 }
 
+double cycles_of(const Given& given) {
+  const double cycles = given.finite_number();
+  if (!(cycles >= 0.01 && cycles <= 1000)) given.refuse("a number in [0.01, 1000]");
+  return cycles;
+}
+
 double deformation_of(const Given& given, Test test) {
   constexpr double largest = 100;  // keeps squares of strains far from overflow
   const double deformation = test == Test::torsion ? given.angle() : given.strain();
@@ -202,7 +208,7 @@ mss::Precision precision_of(const Given& given) {
 }
 
 int sample_count_of(const Given& given) {
-  return count_of(given, 1, million);
+  return count_of(given, 0, million);
 }
 
 std::vector<Status> expect_of(const Given& given) {
@@ -260,18 +266,22 @@ Vector3 traction_of(const Given& given, PlateContact plates) {
   return traction;
 }
 
+bool turns_inside_out(const Eigen::Matrix3d& gradient) {
+  // I + s H is singular where H has the real eigenvalue -1/s.
+  return std::ranges::any_of(gradient.eigenvalues(), [](std::complex<double> eigenvalue) {
+    return eigenvalue.imag() == 0 && eigenvalue.real() <= -1;
+  });
+}
+
 Eigen::Matrix3d gradient_of(const Given& given) {
   const auto numbers = given.nine_numbers();
   const Eigen::Matrix3d H =
       Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers.data());
   if (H.isZero(0)) given.refuse("a gradient other than zero");
   if (H.cwiseAbs().maxCoeff() > 100) given.refuse("components between -100 and 100");
-  // I + s H is singular where H has the real eigenvalue -1/s.
-  for (const std::complex<double>& eigenvalue : H.eigenvalues())
-    if (eigenvalue.imag() == 0 && eigenvalue.real() <= -1)
-      given.refuse(
-          "a gradient H that turns no body inside out: no real eigenvalue at or below "
-          "-1");
+  if (turns_inside_out(H))
+    given.refuse(
+        "a gradient H that turns no body inside out: no real eigenvalue at or below -1");
   return H;
 }
 

@@ -47,6 +47,10 @@ int time_steps_of(const Given& given);
 
 /// Times above 0, ascending, with a fraction for each, not all 0.
 dynamics::LoadPath load_path_of(const Given& times, const Given& fractions);
+double cycles_of(const Given& given);
+
+/// Whether the body is, somewhere on the way from 0 to the gradient H of u = H X.
+bool turns_inside_out(const Eigen::Matrix3d& gradient);
 
 /// A strain or, in torsion, an angle: positive but in uniaxial, whose sign is free.
 double deformation_of(const Given& given, Test test);

@@ -24,7 +24,10 @@
 #include "comparisons/stability/regions_table.hpp"
 #include "comparisons/subdivision_table.hpp"
 #include "comparisons/text_table.hpp"
-#include "comparisons/tissue_table.hpp"
+#include "comparisons/tissue/oscillation_table.hpp"
+#include "comparisons/tissue/relaxation_table.hpp"
+#include "comparisons/tissue/tissue_table.hpp"
+#include "comparisons/tissue/torsion_table.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -169,7 +172,10 @@ const std::vector<std::string>& sheet_names() {
                                               "regions",
                                               "four-springs",
                                               "growth",
-                                              "tissue"};
+                                              "tissue",
+                                              "tissue-relaxation",
+                                              "tissue-oscillation",
+                                              "tissue-torsion"};
   return names;
 }
 
@@ -197,6 +203,9 @@ SheetPlan plan_sheet(const std::string& name) {
   if (name == "performance") return plan_performance_table();
   if (name == "growth") return plan_growth_table();
   if (name == "tissue") return plan_tissue_table();
+  if (name == "tissue-relaxation") return plan_tissue_relaxation_table();
+  if (name == "tissue-oscillation") return plan_tissue_oscillation_table();
+  if (name == "tissue-torsion") return plan_tissue_torsion_table();
   if (name == "lattice-stability") return plan_lattice_stability_table();
   if (name == "regions") return plan_regions_table();
   if (name == "four-springs") return plan_four_springs_table();

@@ -61,7 +61,7 @@ struct SheetPlan {
 
 /// "5.5", "split", "elements", "convergence", "subdivision", "locking", "orientation",
 /// "modes", "performance", "dynamics", "lattice-stability", "regions", "four-springs",
-/// "growth", "tissue".
+/// "growth", "tissue", "tissue-relaxation", "tissue-oscillation", "tissue-torsion".
 const std::vector<std::string>& sheet_names();
 
 /// Those that take many minutes; `reproduce` leaves them out unless asked for all.

@@ -14,7 +14,7 @@
 #include "comparisons/hourglassing.hpp"
 #include "comparisons/mechanical_scene.hpp"
 #include "comparisons/progress.hpp"
-#include "comparisons/tissue_case.hpp"
+#include "comparisons/tissue/tissue_case.hpp"
 #include "comparisons/wrinkles.hpp"
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "meshing/input_error.hpp"
@@ -81,7 +81,7 @@ Solution solve(const CaseSettings& settings, const Mesh& mesh, int threads,
   if (is_explicit_element(settings.method))
     return solve_explicitly(settings, mesh, scene, threads, observers);
   if (is_tissue(settings.method))
-    return solve_tissue(settings, mesh, scene, protocol_of(settings), observers);
+    return solve_tissue(settings, mesh, scene, protocol_of(settings), threads, observers);
   return mss::solve(mesh, scene,
                     {.network = {.method = std::get<mss::Method>(settings.method.model),
                                  .stiffness_form = settings.stiffness_form,

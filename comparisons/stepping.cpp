@@ -14,6 +14,8 @@
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "meshing/generators/block.hpp"
 #include "mss/dynamics.hpp"
+#include "mss/tissue/tissue_motion.hpp"
+#include "tissue/maxwell_fit.hpp"
 
 namespace springcheck {
 namespace {
@@ -49,9 +51,20 @@ std::vector<Vector3> disturbance(std::size_t nodes) {
 struct Stepped {
   Mesh mesh;
   Scene scene;
-  mss::Network network{};  // of springs
+  mss::Network network{};    // of springs
+  mss::TissueBody tissue{};  // of mss-tissue
   std::unique_ptr<dynamics::Motion> motion{};
 };
+
+/// Spleen, with five branches.
+mss::TissueBody tissue_of(const Mesh& mesh, const Material& material) {
+  const tissue::MaxwellFit fit =
+      tissue::fit_maxwell_model(tissue::law_of_organ("spleen"));
+  return mss::build_tissue_body(
+      mesh,
+      {.shear = fit.model, .bulk_ratio = tissue::bulk_ratio_of(material.poisson_ratio)},
+      material.density);
+}
 
 mss::Network network_of(const Mesh& mesh, const Material& material, mss::Method method) {
   return mss::build_network(mesh, material,
@@ -82,6 +95,16 @@ std::unique_ptr<dynamics::Motion> motion_of(const Stepped& stepped,
                                      .precision = body.precision,
                                      .threads = body.threads},
                                     body.instruction_set);
+  if (is_tissue(method_of(body))) {
+    std::vector<Vector3> load = stepped.tissue.rest_positions;
+    for (std::size_t n = 0; n < load.size(); ++n)
+      load[n] = stepped.tissue.masses[n] * stepped.scene.gravity;
+    return std::make_unique<mss::TissueMotion>(
+        stepped.mesh, stepped.scene, stepped.tissue, load,
+        mss::TissueMotionSettings{.integrator = protocol.integrator,
+                                  .threads = body.threads},
+        body.instruction_set);
+  }
   return mss::motion_of(
       stepped.mesh, stepped.scene, stepped.network,
       {.protocol = protocol,
@@ -117,6 +140,7 @@ Stepping stepping(const SteppedBody& body) {
   }
   if (const auto* method = std::get_if<mss::Method>(&method_of(body).model))
     stepped->network = network_of(stepped->mesh, material, *method);
+  if (is_tissue(method_of(body))) stepped->tissue = tissue_of(stepped->mesh, material);
   const double before = heap_bytes();
   stepped->motion = motion_of(*stepped, body);
   const double bytes = heap_bytes() - before;

@@ -14,8 +14,8 @@ enum class SteppedLoad { plates, weight };
 /// A block of cells of 5 mm, its nodes inside off their places, that is stepped through
 /// time to see how fast.
 struct SteppedBody {
-  // By its name; "naive" is NaiveSprings of mss-cf's network, and "mss-affine-plain" the
-  // plain loops of mss-affine:
+  // By its name, mss-tissue of spleen, in double precision; "naive" is NaiveSprings of
+  // mss-cf's network, and "mss-affine-plain" the plain loops of mss-affine:
   std::string method;
   std::array<int, 3> cells;
   SteppedLoad load;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numbers>
 
 namespace springcheck::dynamics {
 namespace {
@@ -31,6 +33,30 @@ Place place_on(const LoadPath& path, double time) {
 
 LoadPath ramp(double duration) {
   return {{.time = duration, .fraction = 1}};
+}
+
+LoadPath oscillation(double angular_frequency, double cycles) {
+  constexpr double pieces_per_cycle = 64;
+  const int pieces =
+      std::max(1, static_cast<int>(std::ceil(cycles * pieces_per_cycle - 1e-9)));
+  LoadPath path;
+  for (int piece = 1; piece <= pieces; ++piece) {
+    const double angle = 2 * std::numbers::pi * cycles * piece / pieces;
+    path.push_back({.time = angle / angular_frequency, .fraction = std::sin(angle)});
+  }
+  return path;
+}
+
+LoadPath turning_points(const LoadPath& path) {
+  LoadPath turns;
+  const auto direction = [&](std::size_t piece) {
+    const double before = piece == 0 ? 0 : path[piece - 1].fraction;
+    return (path[piece].fraction > before) - (path[piece].fraction < before);
+  };
+  for (std::size_t i = 0; i < path.size(); ++i)
+    if (i + 1 == path.size() || direction(i) != direction(i + 1))
+      turns.push_back(path[i]);
+  return turns;
 }
 
 double load_fraction(const LoadPath& path, double time) {

@@ -15,8 +15,16 @@ using LoadPath = std::vector<LoadPoint>;
 /// In proportion to the time, to the full load at the end.
 LoadPath ramp(double duration);
 
+/// sin(omega t) over so many cycles, a last one in part among them, in straight pieces of
+/// a cycle/64 or less: their first harmonic is 1 - (pi/64)^2/3, .08 % less than 1.
+LoadPath oscillation(double angular_frequency, double cycles);
+
 /// The fraction at a time from 0 to that of the last point.
 double load_fraction(const LoadPath& path, double time);
+
+/// The places where a path turns, its last point among them: what rises or falls all the
+/// way is one piece.
+LoadPath turning_points(const LoadPath& path);
 
 /// Straight pieces that ended by a time, and the part of the present one that has passed.
 double pieces_passed(const LoadPath& path, double time);

@@ -41,6 +41,7 @@ class March {
         protocol_(protocol),
         observers_(observers),
         load_(protocol.load.empty() ? ramp(protocol.duration) : protocol.load),
+        turns_(turning_points(load_)),
         prescribed_(prescribed_components(body.mesh, body.scene)),
         is_free_(free_components(body.mesh, prescribed_)),
         far_(lost * body_size(body.mesh.nodes())) {
@@ -132,20 +133,21 @@ class March {
  private:
   [[nodiscard]] double fraction() const { return load_fraction(load_, now_.time); }
 
-  /// Whether one of so many equal parts of a piece of the load ended in the step just
+  /// Whether one of so many equal parts of a piece of the path ended in the step just
   /// made.
-  [[nodiscard]] bool ended_part_of(int parts) const {
+  [[nodiscard]] bool ended_part_of(const LoadPath& path, int parts) const {
     const auto passed = [&](double time) {
-      return std::floor(pieces_passed(load_, time) * parts + 1e-9);
+      return std::floor(pieces_passed(path, time) * parts + 1e-9);
     };
     return passed(now_.time) > passed(now_.time - now_.last_dt);
   }
   [[nodiscard]] bool is_time_of_sample() const {
-    return now_.steps_left == 0 || ended_part_of(observers_.samples);
+    return now_.steps_left == 0 || ended_part_of(load_, observers_.samples);
   }
   [[nodiscard]] bool is_time_of_look() const {
     return protocol_.integrator != Integrator::implicit_euler &&
-           (now_.step % steps_between_looks == 0 || ended_part_of(looks_per_load));
+           (now_.step % steps_between_looks == 0 ||
+            ended_part_of(turns_, looks_per_load));
   }
 
   /// What ends the march as diverged, if anything does.
@@ -244,7 +246,7 @@ class March {
   Motion& motion_;
   const Protocol& protocol_;
   const Observers& observers_;
-  LoadPath load_;
+  LoadPath load_, turns_;
   std::vector<PrescribedComponent> prescribed_;
   std::vector<bool> is_free_;
   double far_;

@@ -96,8 +96,8 @@ struct MarchedBody {
 /// open one where the limit is infinite though nodes are free, or zero.
 ///
 /// Where the body then is, the limit is looked at again every 1000 steps and 40 times on
-/// the way to the full load. An open step follows it. Of any step that is found above it,
-/// the solution's reason says so, and the log.
+/// each way that the load rises, falls or rests. An open step follows it. Of any step
+/// that is found above it, the solution's reason says so, and the log.
 ///
 /// The march ends as diverged, with the step by which it was seen, within 100 steps where
 /// positions are no longer finite or a hundred body sizes away; and where a step that was

@@ -26,14 +26,6 @@ Eigen::Matrix<double, 9, Eigen::Dynamic> gradient_matrix(const Gradients& gradie
   return D;
 }
 
-void add_between(Eigen::MatrixXd& tangent, const LocalEdge& ends, const Matrix3& block) {
-  const Eigen::Index i = row(ends[0]), j = row(ends[1]);
-  tangent.block<3, 3>(i, i) += block;
-  tangent.block<3, 3>(j, j) += block;
-  tangent.block<3, 3>(i, j) -= block;
-  tangent.block<3, 3>(j, i) -= block;
-}
-
 void add_constant_springs(Eigen::MatrixXd& tangent, const Network& network,
                           std::size_t cell, std::span<const Vector3> positions) {
   const auto nodes = network.cells.nodes(cell);
@@ -166,6 +158,14 @@ void clamp(Matrix& matrix) {
 }
 
 }  // namespace
+
+void add_between(Eigen::MatrixXd& tangent, const LocalEdge& ends, const Matrix3& block) {
+  const Eigen::Index i = row(ends[0]), j = row(ends[1]);
+  tangent.block<3, 3>(i, i) += block;
+  tangent.block<3, 3>(j, j) += block;
+  tangent.block<3, 3>(i, j) -= block;
+  tangent.block<3, 3>(j, i) -= block;
+}
 
 Eigen::MatrixXd matrix(const StarTangent& star) {
   const auto D = gradient_matrix(

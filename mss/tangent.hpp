@@ -32,6 +32,10 @@ struct Tangent {
   std::vector<StarTangent> stars;  // of each node; none without stars
 };
 
+/// Adds to a patch's matrix what a spring between two of its nodes has, a matrix of its
+/// pull on the one by the other's way.
+void add_between(Eigen::MatrixXd& tangent, const LocalEdge& ends, const Matrix3& block);
+
 /// Per spring of constant rest length k [(1 - L/|d|)(I - n n^T) + n n^T] between its two
 /// nodes, per spring of affine rest length the like through |d| - |F r|, and from the law
 /// V D^T (dP/dF) D. In parallel.

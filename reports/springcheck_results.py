@@ -28,6 +28,7 @@ HISTORY = ["time", "load_fraction", "deformation", "volume_change"]
 HISTORY += [f"{name}_{axis}" for name in ("force", "torque") for axis in "xyz"]
 HISTORY += ["kinetic_energy", "strain_energy"]
 _COMPONENTS = {3: ["x", "y", "z"], 9: ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"]}
+HISTORY += [f"stress_{component}" for component in _COMPONENTS[9]]
 
 
 @dataclass
@@ -61,10 +62,13 @@ class Results:
     def history(self, key):
         """What a case in dynamics sampled on its way, a row per moment: time [s],
         load_fraction, deformation, volume_change, force and torque on the moved plate by
-        axis ("force_x") [N, N m], kinetic_energy and strain_energy [J]. None where the file
-        holds none. KeyError for an unknown case."""
+        axis ("force_x") [N, N m], kinetic_energy and strain_energy [J], mean_stress by
+        component ("stress_xx", in affine) [Pa], which older files do not have. None where
+        the file holds none. KeyError for an unknown case."""
         samples = self.fields(key).get("history")
-        return None if samples is None else pd.DataFrame(samples, columns=HISTORY)
+        if samples is None:
+            return None
+        return pd.DataFrame(samples, columns=HISTORY[: samples.shape[1]])
 
     def field_names(self):
         """Names of the arrays that each case has, by key; without those that have none."""

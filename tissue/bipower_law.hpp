@@ -16,6 +16,8 @@ struct BipowerLaw {
   double linear_index;     // n [-], between 0 and 1
   double linear_limit;     // gamma_lim [-], above 0
   double hardening_index;  // p [-], above 0
+
+  friend bool operator==(const BipowerLaw&, const BipowerLaw&) = default;
 };
 
 /// Throws InputError where a parameter is out of its range.

@@ -60,6 +60,15 @@ MemoryStep memory_step(const Solid& solid, double duration) {
   return step;
 }
 
+MemoryStep short_memory_step(const Solid& solid, double duration) {
+  MemoryStep step = memory_step(solid, duration);
+  for (Decay& decay : step.decays) {
+    decay.from_new += decay.from_old;
+    decay.from_old = 0;
+  }
+  return step;
+}
+
 SymmetricTensor second_piola_kirchhoff(const PointStress& stress,
                                        const SymmetricTensor& C) {
   const Strain strain = strain_of(C);

@@ -65,6 +65,10 @@ struct MemoryStep {
 /// cannot be.
 MemoryStep memory_step(const Solid& solid, double duration);
 
+/// The same with C'^-1 new from the step's start: A <- e A + (1-e) C'_new^-1. Of first
+/// order, half a step ahead: for explicit steps, which no motion of tissue moves far.
+MemoryStep short_memory_step(const Solid& solid, double duration);
+
 /// S in the two parts that springs and the volume force carry.
 struct PointStress {
   SymmetricTensor strands;  // sum M_i A_i/J^(2/3) and the dashpot's [Pa]

@@ -41,4 +41,19 @@ struct ThesisSpring {
 double tension(const ThesisSpring& spring, double stiffness, double rest_length,
                double length, double damping = 0, double elongation_rate = 0);
 
+/// What a spring without damping has stored [J], the integral of its tension from l0:
+/// with the strain e = |l-l0|/l0 and c = k l0^(1-n), or repaired k l0,
+///
+///     c l0 {e^(2-n)/(2-n) + e^(p+1)/((p+1) gamma_lim^(p-(1-n)))}
+double stored_energy(const ThesisSpring& spring, double stiffness, double rest_length,
+                     double length);
+
+/// The tension's derivative by the length [N/m],
+///
+///     c/l0 {(1-n) e^-n + p e^(p-1)/gamma_lim^(p-(1-n))}
+///
+/// with e of 1e-9 at least: at rest it has none.
+double tangent_stiffness(const ThesisSpring& spring, double stiffness, double rest_length,
+                         double length);
+
 }  // namespace springcheck::tissue

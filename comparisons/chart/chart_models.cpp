@@ -144,9 +144,9 @@ const std::set<std::string>& settings_of_charts() {
 Body chart_body(const std::string& scene, const std::vector<GivenSetting>& options) {
   const Body body =
       read_run(scene, options_for(ChartKind::equilibrium, options)).common.body;
-  if (body.shape == BodyShape::file)
+  if (body.shape != BodyShape::block && body.shape != BodyShape::kidney)
     throw InputError(scene, "body", "a block or a kidney, to be cut as finely as wanted",
-                     "the mesh of a file");
+                     "a " + std::string(name_of(body.shape)));
   return body;
 }
 

@@ -4,14 +4,13 @@
 #include <gmsh.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
+#include "meshing/generators/between_plates.hpp"
 #include "meshing/generators/extent.hpp"
 #include "meshing/generators/gmsh_algorithms.hpp"
 #include "meshing/generators/gmsh_cells.hpp"
 #include "meshing/generators/gmsh_session.hpp"
-#include "meshing/generators/z_curve.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -76,34 +75,13 @@ MeshParts kidney_cells(const Kidney& kidney, double unit) {
   return gmsh_cells();
 }
 
-/// The boundary's faces on the two plates, and the rest.
-std::map<std::string, std::vector<FaceNodes>> regions_of(const Mesh& mesh,
-                                                         double height) {
-  std::map<std::string, std::vector<FaceNodes>> regions;
-  for (const FaceNodes& face : mesh.boundary().faces) {
-    const auto is_at = [&](double z) {
-      return std::ranges::all_of(
-          face, [&](NodeIndex node) { return mesh.nodes()[node].z() == z; });
-    };
-    regions[is_at(0) ? "bottom" : is_at(height) ? "top" : "surface"].push_back(face);
-  }
-  return regions;
-}
-
 }  // namespace
 
 Mesh generate_kidney(const Kidney& kidney) try {
   check(kidney);
   // OpenCASCADE's tolerances are lengths: it works in units of the kidney's largest.
   const double unit = std::ranges::max(kidney.size), height = kidney.size[2];
-  MeshParts parts = along_z_curve(kidney_cells(kidney, unit));
-  for (Vector3& x : parts.nodes) {
-    x *= unit;
-    for (const double plate : {0., height})  // as exact as OpenCASCADE's intersections
-      if (std::abs(x.z() - plate) < 1e-6 * height) x.z() = plate;
-  }
-  const Mesh mesh(describe(kidney), std::move(parts.nodes), std::move(parts.cells), {});
-  return {mesh.source(), mesh.nodes(), mesh.cells(), regions_of(mesh, height)};
+  return mesh_between_plates(describe(kidney), kidney_cells(kidney, unit), unit, height);
 } catch (const std::string& message) {  // what gmsh throws
   throw std::runtime_error("gmsh: " + message);
 }

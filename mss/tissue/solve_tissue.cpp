@@ -13,7 +13,8 @@ Solution solve_tissue(const Mesh& mesh, const Scene& scene,
   const double setup_wall_s = stopwatch.seconds();
   Solution solution =
       settings.protocol
-          ? run_tissue_dynamics(mesh, scene, body, *settings.protocol, observers)
+          ? run_tissue_dynamics(mesh, scene, body, *settings.protocol, settings.threads,
+                                observers)
           : find_quasi_static(mesh, scene, body, settings.quasi_static, observers);
   solution.setup_wall_s += setup_wall_s;
   return solution;

@@ -10,6 +10,7 @@ struct TissueSettings {
   tissue::Solid solid;
   dynamics::QuasiStaticSettings quasi_static;
   std::optional<dynamics::Protocol> protocol;  // none: quasi-static
+  int threads = 1;                             // of steps through time
 };
 
 /// Deforms the body as living tissue in springs; of the scene's material the density is

@@ -25,11 +25,6 @@ bool has_hourglasses(const TissueShape& shape) {
   return shape.gradients.cols() > 4;
 }
 
-/// c over S_m.
-double hourglass_length(const TissueShape& shape) {
-  return std::cbrt(shape.volume) / 2;
-}
-
 /// dC/dx: the entries of C by the positions.
 Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 24> strain_operator(
     const TissueShape& shape, const Matrix3& F) {
@@ -50,7 +45,8 @@ Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 24, 6> by_strands(const TissueShape&
   const CornerPositions& G = shape.gradients;
   Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 24, 6> change(3 * G.cols(), 6);
   CornerPositions bent = CornerPositions::Zero(3, G.cols());
-  if (has_hourglasses(shape)) bent = hourglass_length(shape) / 3 * x * shape.hourglasses;
+  if (has_hourglasses(shape))
+    bent = hourglass_length(shape.volume) / 3 * x * shape.hourglasses;
   for (Index entry = 0; entry < 6; ++entry) {
     const auto [j, k] = places[static_cast<std::size_t>(entry)];
     CornerPositions by = shape.volume * F.col(j) * G.row(k);
@@ -64,6 +60,10 @@ Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 24, 6> by_strands(const TissueShape&
 }
 
 }  // namespace
+
+double hourglass_length(double volume) {
+  return std::cbrt(volume) / 2;
+}
 
 TissueShape tissue_shape(const CornerPositions& rest) {
   TissueShape shape{.volume = cell_volume(rest), .gradients = {}, .hourglasses = {}};
@@ -108,7 +108,7 @@ CornerPositions tissue_forces(const TissueShape& shape, const CornerPositions& x
       shape.gradients;
   if (has_hourglasses(shape)) {
     const double mean = stress.strands.head<3>().sum() / 3;
-    forces -= hourglass_length(shape) * mean * x * shape.hourglasses;
+    forces -= hourglass_length(shape.volume) * mean * x * shape.hourglasses;
   }
   return forces;
 }
@@ -119,7 +119,8 @@ TissueStiffness tissue_stiffness(const TissueShape& shape, const CornerPositions
   const Matrix3 F = mean_deformation_gradient(shape, x);
   const CornerPositions& G = shape.gradients;
   const double V = shape.volume;
-  const double hourglass = hourglass_length(shape) * stress.strands.head<3>().sum() / 3;
+  const double hourglass =
+      hourglass_length(shape.volume) * stress.strands.head<3>().sum() / 3;
   TissueStiffness K = TissueStiffness::Zero(3 * G.cols(), 3 * G.cols());
 
   // At the springs' stiffness, and at the volume stress: V v F (G_a x G_b) x dx_b.

@@ -22,6 +22,9 @@ struct TissueShape {
 
 TissueShape tissue_shape(const CornerPositions& rest);
 
+/// V^(1/3)/2 [m], see tissue_forces.
+double hourglass_length(double volume);
+
 /// F = sum x_a (x) G_a, the cell's mean deformation gradient.
 /// Source: Golec 2018, Eq. 5.18, for cubes.
 Matrix3 mean_deformation_gradient(const TissueShape& shape, const CornerPositions& x);
@@ -38,7 +41,7 @@ tissue::SymmetricTensor right_cauchy_green_rate(const TissueShape& shape,
 /// Forces on the nodes [N], of the strands' S and the volume stress v:
 ///
 ///     f_a = sum_b w_ab (x_b - x_a) - V v cof F G_a
-///     w_ab = - V G_a . S G_b - c P_ab,   c = V^(1/3) S_m/2,   S_m = tr S/3
+///     w_ab = - V G_a . S G_b - c P_ab,   c = V^(1/3)/2 S_m,   S_m = tr S/3
 ///
 /// A spring of no rest length between every two nodes, of the stiffness w_ab. Their sum
 /// is - V F S G_a - c P_ab x_b: the first alone is what a homogeneous cell has of S, and

@@ -4,94 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "dynamics/small_motions.hpp"
+#include "dynamics/stable_step.hpp"
+#include "meshing/stopwatch.hpp"
 #include "meshing/traction.hpp"
 
 namespace springcheck::mss {
 namespace {
 
 using dynamics::State;
-using dynamics::StepTo;
 using Vectors = std::vector<Vector3>;
 
-class TissueMotion final : public dynamics::Motion {
- public:
-  TissueMotion(const Mesh& mesh, const Scene& scene, const TissueBody& body,
-               dynamics::Integrator integrator, const Vectors& load)
-      : body_(body),
-        integrator_(integrator),
-        load_(load),
-        supports_(dynamics::supports(scene, prescribed_components(mesh, scene))),
-        is_free_(free_components(mesh, prescribed_components(mesh, scene))),
-        state_{.displacements = Vectors(load.size(), Vector3::Zero()),
-               .velocities = Vectors(load.size(), Vector3::Zero())},
-        memories_(memories_at_rest(body)),
-        stresses_(body.cells.size()),
-        forces_(load.size(), Vector3::Zero()) {}
-
-  void advance(const StepTo& step) override {
-    for (std::size_t n = 0; n < load_.size(); ++n) {
-      const Vector3 acceleration =
-          (forces_[n] + step.load_fraction * load_[n]) / body_.masses[n];
-      for (int i = 0; i < 3; ++i)
-        if (is_free_[3 * n + static_cast<std::size_t>(i)])
-          dynamics::step(integrator_, state_.displacements[n][i], state_.velocities[n][i],
-                         acceleration[i], step.dt, step.kick);
-    }
-    for (const auto& [node, component, motion] : supports_) {
-      const Vector3& point = body_.rest_positions[node];
-      const double now = step.motions[motion].component(point, component);
-      state_.velocities[node][component] =
-          (now - step.motions_before[motion].component(point, component)) / step.dt;
-      state_.displacements[node][component] = now;
-    }
-    if (step.dt != memory_step_.duration)
-      memory_step_ = tissue::memory_step(body_.solid, step.dt);
-    const Vectors positions = positions_in(state_);
-    mss::advance(body_, memory_step_, memories_, positions, stresses_);
-    nodal_forces(body_, stresses_, positions, forces_);
-  }
-
-  [[nodiscard]] State state() const override { return state_; }
-
-  /// With the memories as they are.
-  [[nodiscard]] Vectors forces_at(const State& state) override {
-    const Vectors positions = positions_in(state);
-    std::vector<tissue::PointStress> stresses(body_.cells.size());
-    stresses_at(body_, memories_, positions, state.velocities, stresses);
-    Vectors forces(positions.size());
-    nodal_forces(body_, stresses, positions, forces);
-    return forces;
-  }
-
-  /// Forces and memories stay those of the step made last: no other state is gone on
-  /// from (reason_to_refuse_tissue).
-  void restore(const State& state) override { state_ = state; }
-
-  [[nodiscard]] const Vectors& forces() const { return forces_; }
-  [[nodiscard]] const std::vector<double>& memories() const { return memories_; }
-
-  [[nodiscard]] Vectors positions_in(const State& state) const {
-    Vectors positions = body_.rest_positions;
-    for (std::size_t n = 0; n < positions.size(); ++n)
-      positions[n] += state.displacements[n];
-    return positions;
-  }
-
- private:
-  const TissueBody& body_;
-  dynamics::Integrator integrator_;
-  const Vectors& load_;
-  std::vector<dynamics::Support> supports_;
-  std::vector<bool> is_free_;
-  State state_;
-  std::vector<double> memories_;
-  tissue::MemoryStep memory_step_{.duration = 0, .decays = {}};
-  std::vector<tissue::PointStress> stresses_;
-  Vectors forces_;
-};
+Vectors positions_in(const TissueBody& body, const Vectors& displacements) {
+  Vectors positions = body.rest_positions;
+  for (std::size_t n = 0; n < positions.size(); ++n) positions[n] += displacements[n];
+  return positions;
+}
 
 }  // namespace
 
@@ -105,13 +34,16 @@ std::optional<std::string> reason_to_refuse_tissue(const dynamics::Protocol& pro
 }
 
 Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueBody& body,
-                             const dynamics::Protocol& protocol,
+                             const dynamics::Protocol& protocol, int threads,
                              const dynamics::Observers& observers) {
   if (const auto reason = reason_to_refuse_tissue(protocol, observers))
     return refused(*reason);
+  const Stopwatch stopwatch;
   Vectors load = traction_forces(mesh, scene);
   for (std::size_t n = 0; n < load.size(); ++n) load[n] += body.masses[n] * scene.gravity;
-  TissueMotion motion(mesh, scene, body, protocol.integrator, load);
+  TissueMotion motion(mesh, scene, body, load,
+                      {.integrator = protocol.integrator, .threads = threads});
+  const double motion_wall_s = stopwatch.seconds();
   const double edge =
       std::cbrt(std::ranges::min_element(body.shapes, {}, &TissueShape::volume)->volume);
   const dynamics::SmallMotions small{
@@ -124,22 +56,25 @@ Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueB
   double largest_strain = 0;
   const auto look_at_strain = [&] {
     largest_strain = std::max(
-        largest_strain, largest_shear_strain(body, motion.positions_in(motion.state())));
+        largest_strain,
+        largest_shear_strain(body, positions_in(body, motion.state().displacements)));
   };
   Solution solution = dynamics::march(
       {.mesh = mesh,
        .scene = scene,
        .masses = body.masses,
        .load = load,
-       // In the state of the motion, where alone march asks for them:
+       // March asks for both in the state of the motion alone, and goes on from there:
+       // the look restores that very state.
        .forces = {.internal =
-                      [&](const State&, std::span<Vector3> forces) {
-                        std::ranges::copy(motion.forces(), forces.begin());
+                      [&](const State& state, std::span<Vector3> forces) {
+                        std::ranges::copy(motion.forces_at(state), forces.begin());
                       },
                   .strain_energy =
                       [&](std::span<const Vector3>) {
-                        return free_energy(body, motion.memories(),
-                                           motion.positions_in(motion.state()));
+                        return free_energy(
+                            body, motion.memories(),
+                            positions_in(body, motion.state().displacements));
                       }},
        .stable_step =
            [&](const std::optional<State>& state, const dynamics::StableStep* near) {
@@ -155,6 +90,7 @@ Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueB
        .undamped = "without a viscosity the elastic branch swings undamped"},
       motion, protocol, observers);
   if (solution.status == SolveStatus::refused) return solution;
+  solution.setup_wall_s += motion_wall_s;
   look_at_strain();
   solution.largest_shear_strain = largest_strain;
   return solution;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/march.hpp"
-#include "mss/tissue/tissue_body.hpp"
+#include "mss/tissue/tissue_motion.hpp"
 
 namespace springcheck::mss {
 
@@ -10,14 +10,12 @@ namespace springcheck::mss {
 std::optional<std::string> reason_to_refuse_tissue(const dynamics::Protocol& protocol,
                                                    const dynamics::Observers& observers);
 
-/// Moves tissue through time by the explicit integrators, from rest with memories at
-/// rest: a step moves the nodes, then the memories, which gives the next forces. The
-/// dashpot's rate is that of the step just made. See dynamics::march; the stability limit
-/// is that of the memories as they are, beside which they can only give way. The
-/// solution's largest_shear_strain is of the moments at which march looks at that limit,
-/// the ends of the load's pieces among them.
+/// Moves tissue through time by the explicit integrators, see TissueMotion and
+/// dynamics::march; the stability limit is that of the memories as they are, beside which
+/// they can only give way. The solution's largest_shear_strain is of the moments at which
+/// march looks at that limit, the ends of the load's pieces among them.
 Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueBody& body,
-                             const dynamics::Protocol& protocol,
+                             const dynamics::Protocol& protocol, int threads = 1,
                              const dynamics::Observers& observers = {});
 
 }  // namespace springcheck::mss

@@ -20,6 +20,10 @@ _COLOURS = {
     "mss-vangelder": "#B8A600",
     "mss-lloyd": "#8B5A2B",
     "mss-custom": "#5E81AC",
+    "mss-tissue": "#7A0177",
+    "fem-tissue": "#4D4D4D",
+    "mss-thesis-tissue": "#C2A5CF",
+    "mss-thesis-tissue-relative": "#A6761D",
 }
 _MARKERS = {
     "mss-cf": "o",
@@ -36,6 +40,10 @@ _MARKERS = {
     "mss-vangelder": ">",
     "mss-lloyd": "p",
     "mss-custom": "d",
+    "mss-tissue": "*",
+    "fem-tissue": "1",
+    "mss-thesis-tissue": "2",
+    "mss-thesis-tissue-relative": "3",
 }
 _OTHERS = ["#AA3377", "#228833", "#BB5566", "#004488", "#997700"]
 

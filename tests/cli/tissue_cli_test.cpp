@@ -57,6 +57,44 @@ BOOST_AUTO_TEST_CASE(a_held_shear_has_a_history_and_a_place_in_result_files) {
   BOOST_TEST(springcheck("report held.h5 --out page").status == 0);
 }
 
+// The stress is that of the strain a quarter of a cycle before it, in part: it is largest
+// before the strain is.
+BOOST_AUTO_TEST_CASE(an_oscillation_has_the_stress_on_its_way) {
+  const Json result = json_of("run tissue-oscillation --cycles 2 --json")["results"][0];
+  const std::vector<double> stress = result["history"]["stress_xz"],
+                            load = result["history"]["load_fraction"];
+  BOOST_TEST_REQUIRE(stress.size() == 128U);
+  BOOST_TEST(load[79] == 1, boost::test_tools::tolerance(1e-12));
+  const auto largest = std::max_element(stress.begin() + 64, stress.end());
+  BOOST_TEST((largest - stress.begin()) < 79);
+  BOOST_TEST(*largest > stress[79]);
+  BOOST_TEST(result["mean_stress"][0][2] == stress.back());
+}
+
+// As the table has it, which needs no simulation for it: in cells of 5 mm.
+BOOST_AUTO_TEST_CASE(the_thesiss_springs_run_as_the_table_has_them) {
+  const Json rows = json_of("table tissue --format json")["rows"];
+  int found = 0;
+  for (const auto& [method, column] :
+       {std::pair{"mss-thesis-tissue", "thesis"},
+        std::pair{"mss-thesis-tissue-relative", "repaired"}}) {
+    const Json result =
+        json_of(std::string("run tissue-shearing --json --time-steps 5 --cells 10,10,10 "
+                            "--organ liver --method ") +
+                method)["results"][0];
+    const double stress = result["mean_stress"][0][2];
+    for (const Json& row : rows) {
+      if (row["organ"] != "liver" || row["strain"] != 1) continue;
+      BOOST_TEST(row[column].get<double>() == stress, boost::test_tools::tolerance(1e-6));
+      ++found;
+    }
+  }
+  BOOST_TEST(found == 6);  // two methods at three rates
+  const Run other = springcheck(
+      "run tissue-shearing --cells 2,2,2 --method mss-thesis-tissue --law 900,.1,.3,4");
+  BOOST_TEST(other.out.find("to liver, kidney and spleen alone") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(strains_beyond_the_fit_are_flagged) {
   const Json result = result_of("--gradient 0,0,1.4,0,0,0,0,0,0");
   BOOST_TEST(result["status"] == "ok");
@@ -78,9 +116,19 @@ BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
   refused("--load-times -1,1 --load-fractions 1,1", "above 0");
   refused("--load-times 1 --load-fractions 1,1", "a fraction for each of 1 times");
   refused("--load-times 1 --load-fractions 0", "not all 0");
+  refused("--cycles 2", "no cycles without angular-frequency");
+  refused("--angular-frequency 0", "positive");
+  refused("--angular-frequency 1 --cycles 0", "[0.01, 1000]");
+  refused("--angular-frequency 1 --cycles 1001", "[0.01, 1000]");
+  refused("--angular-frequency 1 --gradient 0,0,0,0,0,0,0,0,1",
+          "turns the body inside out");
+  expect_bad_input("run tissue-tension --deformation 1 --angular-frequency 1",
+                   "presses the plates through each other");
+  refused("--angular-frequency 1 --rate 1", "no value beside that of --rate");
   refused("--branches 1", "[2, 32]");
   refused("--time-steps 0", "[1, 1000000]");
   expect_bad_input("run compression --organ spleen", "no organ without mss-tissue");
+  refused("--method mss-thesis-tissue --branches 3", "no branches without mss-tissue");
   expect_bad_input("run compression --method mss-tissue", "K,n,GAMMA_LIM,p");
   for (const char* law :
        {"0,.1,.2,.3", "1,0,.2,.3", "1,1,.2,.3", "1,.1,0,.3", "1,.1,.2,0"})

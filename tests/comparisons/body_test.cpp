@@ -133,6 +133,18 @@ BOOST_AUTO_TEST_CASE(a_kidney_takes_no_settings_of_a_grid) {
                  .starts_with("--distortion: expected none of it but in blocks"));
 }
 
+BOOST_AUTO_TEST_CASE(a_disc_is_round_and_of_hexahedra) {
+  const auto refused = [](const std::string& option, const std::string& expected) {
+    BOOST_TEST(message_of("tissue-torsion", {option}).find(expected) !=
+               std::string::npos);
+  };
+  refused("cell-type=tetrahedron", "--cell-type: expected hexahedron for a disc");
+  refused("size=.015,.016,.003", "a disc's diameter twice, and its height");
+  refused("cells=8,6,2", "as many along x as along y");
+  refused("cells=2,2,2", "at least 3 across");
+  refused("distortion=.1", "none of it but in blocks");
+}
+
 // What is not read is not part of a case.
 BOOST_AUTO_TEST_CASE(settings_name_the_plates_that_a_test_has) {
   const auto settings = [](const std::string& scene) {

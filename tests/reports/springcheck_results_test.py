@@ -90,7 +90,9 @@ class Reading(unittest.TestCase):
         (result,) = json.loads(ended.stdout)["results"]
         read = results.read(file)
         history = read.history(result["key"])
-        self.assertEqual(history.to_dict("list"), result["history"])
+        # What compression does not have is null there.
+        known = history.astype(object).where(history.notna(), None)
+        self.assertEqual(known.to_dict("list"), result["history"])
         self.assertIsNone(results.read(self.file).history(results.read(self.file).cases.index[0]))
 
     def test_provenance_is_of_the_writing(self):

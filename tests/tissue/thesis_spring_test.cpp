@@ -38,6 +38,26 @@ BOOST_AUTO_TEST_CASE(only_the_repaired_one_is_a_force,
              tension(printed, 3, 2, 2.25) * std::pow(1000, -0.5));
 }
 
+// Differences over a hundred-thousandth of the length are of second order: with strains
+// of .05 and more (1e-5/.1)^2 of the slope.
+BOOST_AUTO_TEST_CASE(energy_tension_and_stiffness_are_derivatives_of_each_other) {
+  for (const ThesisSpring& spring : {printed, repaired})
+    for (const double length : {1.2, 1.9, 2.1, 3.}) {
+      const double d = 1e-5;
+      const auto slope = [&](auto&& of) {
+        return (of(length + d) - of(length - d)) / (2 * d);
+      };
+      BOOST_TEST(tension(spring, 3, 2, length) ==
+                     slope([&](double l) { return stored_energy(spring, 3, 2, l); }),
+                 boost::test_tools::tolerance(1e-7));
+      BOOST_TEST(tangent_stiffness(spring, 3, 2, length) ==
+                     slope([&](double l) { return tension(spring, 3, 2, l); }),
+                 boost::test_tools::tolerance(1e-7));
+    }
+  BOOST_TEST(stored_energy(printed, 3, 2, 2) == 0);
+  BOOST_TEST(std::isfinite(tangent_stiffness(printed, 3, 2, 2)));
+}
+
 BOOST_AUTO_TEST_CASE(limits_are_those_of_table_4_2) {
   BOOST_TEST(hand_fitted_limit("kidney") == 0.07);
   BOOST_TEST(hand_fitted_limit("liver") == 0.45);

@@ -19,6 +19,7 @@ from sections.stability_theory import stability_theory
 from sections.summary import summary
 from sections.thesis_tables import thesis_tables
 from sections.through_time import through_time
+from sections.tissue import tissue
 
 __all__ = ["LIMITS", "SECTIONS", "empty_file"]
 
@@ -45,6 +46,7 @@ SECTIONS = [
     locking,
     orientation,
     modes,
+    tissue,
     through_time,
     speed,
     chart,

@@ -1,4 +1,4 @@
-#include "comparisons/tissue_table.hpp"
+#include "comparisons/tissue/tissue_table.hpp"
 
 #include <fmt/format.h>
 
