@@ -1,5 +1,7 @@
 #pragma once
 
+#include <initializer_list>
+
 #include "dynamics/pack.hpp"
 
 // Powers of packs of doubles: included, like pack.hpp, by files compiled once per
