@@ -30,7 +30,7 @@ typedef std::uint64_t Bits __attribute__((vector_size(register_bytes)));
 }
 
 /// 2^y, y cut to -1000 and 1000: the series of e^(f ln 2), |f| <= 1/2, up to its 11th
-/// power, to 7e-15, and the whole part as an exponent.
+/// power, to 9e-15, and the whole part as an exponent.
 [[gnu::always_inline]] inline Pack<double> exp2(Pack<double> y) {
   y = y > 1000. ? all(1000.) : y;
   y = y < -1000. ? all(-1000.) : y;
