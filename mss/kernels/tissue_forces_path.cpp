@@ -191,28 +191,40 @@ class Stress {
   Tensor strands{};
   P volume{};
 
-  Stress(const TissueConstants& law, const Tensor& C, const P& growth, const P& J,
+  Stress(const TissueConstants& law, const Tensor& C, const P& growth, const P& inverse_J,
          const P& inverse_dilation)
       : law_(law),
         C_(C),
         inverse_dilation_(inverse_dilation),
         resisted_(law.bulk_ratio * growth),
         volume_part_(law.bulk_ratio * growth * growth),
-        inverse_J_(1 / J) {}
+        inverse_J_(inverse_J) {}
 
   [[gnu::always_inline]] void add(const TissueConstants::Branch& branch,
                                   const Tensor& A) {
-    const P I = contraction(C_, A) * inverse_dilation_ - 3;
+    const P on_strands = stiffness(branch, contraction(C_, A));
+    for (std::size_t i = 0; i < 6; ++i) strands[i] += on_strands * A[i];
+  }
+
+  /// Of A = I.
+  [[gnu::always_inline]] void add_elastic(const TissueConstants::Branch& branch) {
+    const P on_strands = stiffness(branch, C_[0] + C_[1] + C_[2]);
+    for (std::size_t i = 0; i < 3; ++i) strands[i] += on_strands;
+  }
+
+ private:
+  /// M/J^(2/3) of a branch by C : A; its part of the volume's stress is added.
+  [[gnu::always_inline]] P stiffness(const TissueConstants::Branch& branch,
+                                     const P& contracted) {
+    const P I = contracted * inverse_dilation_ - 3;
     const P squares = larger<double>(I, P{}) + volume_part_;
     P M = all(branch.linear);
     if (branch.hardening > 0)
       M += branch.hardening * power(squares * law_.inverse_square, law_.exponent);
-    const P on_strands = M * inverse_dilation_;
-    for (std::size_t i = 0; i < 6; ++i) strands[i] += on_strands * A[i];
     volume += M * (resisted_ - (1 + I * (1. / 3)) * inverse_J_);
+    return M * inverse_dilation_;
   }
 
- private:
   const TissueConstants& law_;
   const Tensor& C_;
   P inverse_dilation_, resisted_, volume_part_, inverse_J_;
@@ -231,22 +243,23 @@ class CellForces {
     const Matrix h = shapes_.gradient(cell, u);
     const auto [cofactor, change] = volume_of<double>(h);
     const P growth = larger<double>(change, -2 - change), J = 1 + growth;  // J = |det F|
-    const P dilation = power(J, 2. / 3);
+    const P inverse_J = reciprocal<double>(J), dilation = power(J, 2. / 3);
     Matrix f = h;
     for (std::size_t i = 0; i < 3; ++i) f[i][i] += 1;
     const Tensor C = right_cauchy_green(f);
     Tensor inverse = adjugate(C);
-    const P by_square = 1 / (J * J);
-    for (P& entry : inverse) entry *= by_square;
+    for (P& entry : inverse) entry *= inverse_J * inverse_J;
 
     const Stress stress =
-        remembered(cell, C, inverse, dilation, Stress(law_, C, growth, J, 1 / dilation));
+        remembered(cell, inverse, dilation,
+                   Stress(law_, C, growth, inverse_J, reciprocal<double>(dilation)));
     Matrix pushed = product(f, matrix_of(stress.strands));
     P trace = stress.strands[0] + stress.strands[1] + stress.strands[2];
     if (law_.viscosity > 0) {
       const Matrix rate =
           shapes_.gradient(cell, shapes_.parts(cell, read(cells, velocity)));
-      add_dashpot(rate, cofactor, 1 / (1 + change), pushed, trace);
+      const P inverse_det = change > -1. ? inverse_J : -inverse_J;
+      add_dashpot(rate, cofactor, inverse_det, pushed, trace);
     }
     for (std::size_t j = 0; j < 3; ++j)
       for (std::size_t i = 0; i < 3; ++i) pushed[j][i] += stress.volume * cofactor[j][i];
@@ -270,10 +283,15 @@ class CellForces {
     const std::size_t size = tissue_memory_size(law_.branches.size());
     return block_.memories.data() + cell * size + 6 * n * width<double>;
   }
+  /// And asks for that of the next cells: large bodies' memories are in no near cache.
   [[gnu::always_inline]] Tensor memory_tensor(std::size_t n, std::size_t cell) const {
     const double* const from = memory(n, cell);
+    const double* const next = memory(n, cell + width<double>);
     Tensor tensor;
-    for (std::size_t i = 0; i < 6; ++i) tensor[i] = load(from + i * width<double>);
+    for (std::size_t i = 0; i < 6; ++i) {
+      __builtin_prefetch(next + i * width<double>, 1);
+      tensor[i] = load(from + i * width<double>);
+    }
     return tensor;
   }
   [[gnu::always_inline]] void keep(const Tensor& tensor, std::size_t n,
@@ -283,11 +301,9 @@ class CellForces {
   }
 
   /// The branches' stress; where it advances the memories become those after the step.
-  [[gnu::always_inline]] Stress remembered(std::size_t cell, const Tensor& C,
-                                           const Tensor& inverse, const P& dilation,
-                                           Stress stress) const {
-    constexpr double one = 1;
-    stress.add(law_.elastic, Tensor{all(one), all(one), all(one), P{}, P{}, P{}});
+  [[gnu::always_inline]] Stress remembered(std::size_t cell, const Tensor& inverse,
+                                           const P& dilation, Stress stress) const {
+    stress.add_elastic(law_.elastic);
     Tensor at_rest{};
     if constexpr (advances)
       for (std::size_t i = 0; i < 6; ++i) at_rest[i] = dilation * inverse[i];
