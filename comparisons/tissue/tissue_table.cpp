@@ -30,8 +30,11 @@ struct Deviations {
     return 100 * (stress / law - 1);
   }
   [[nodiscard]] std::string text() const {
-    return fmt::format("{:.2g} % ({:.2g} %)", 100 * std::sqrt(squares / count),
-                       100 * largest);
+    const auto percent = [](double part) {
+      return part < 1 ? fmt::format("{:.2g} %", 100 * part)
+                      : fmt::format("{:.0f} %", 100 * part);
+    };
+    return fmt::format("{} ({})", percent(std::sqrt(squares / count)), percent(largest));
   }
 };
 
