@@ -51,12 +51,13 @@ std::string dynamics_text(const CaseResult& result) {
 std::string results_text(const std::vector<CaseResult>& results) {
   std::vector<std::vector<std::string>> rows{
       {"method", "status", "volume error %", "plate force N", "resultant N", "torque N m",
-       "tip m", "face z m", "stress xx Pa", "yy Pa", "zz Pa", "affine deviation %",
-       "deviation L2 %", "solve s"}};
+       "tip m", "face z m", "stress xx Pa", "yy Pa", "zz Pa", "yz Pa", "xz Pa", "xy Pa",
+       "affine deviation %", "deviation L2 %", "solve s"}};
   for (const CaseResult& result : results) {
     const Measures& m = result.measures;
-    const auto stress = [&](Eigen::Index i) {
-      return m.mean_stress ? Measures::Value((*m.mean_stress)(i, i)) : std::nullopt;
+    const auto stress = [&](Eigen::Index i, Eigen::Index j) {
+      return shown(m.mean_stress ? Measures::Value((*m.mean_stress)(i, j)) : std::nullopt,
+                   "{:.6g}");
     };
     rows.push_back(
         {label(result.request.settings), std::string(name_of(result.status)),
@@ -64,8 +65,8 @@ std::string results_text(const std::vector<CaseResult>& results) {
          shown(m.plate_force_norm, "{:.6g}"), shown(m.plate_torque, "{:.6g}"),
          shown(m.tip_deflection, "{:.6g}"),
          m.face_displacement ? fmt::format("{:.6g}", m.face_displacement->z()) : "-",
-         shown(stress(0), "{:.6g}"), shown(stress(1), "{:.6g}"),
-         shown(stress(2), "{:.6g}"), shown(m.affine_deviation_relative, "{:.3g}", 100),
+         stress(0, 0), stress(1, 1), stress(2, 2), stress(1, 2), stress(0, 2),
+         stress(0, 1), shown(m.affine_deviation_relative, "{:.3g}", 100),
          shown(m.deviation_l2_relative, "{:.3f}", 100),
          is_measured(result.request.settings.method)
              ? "-"
