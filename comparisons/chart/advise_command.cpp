@@ -226,6 +226,7 @@ ExitStatus advise_command(const std::string& scene,
                        .repeat_for = std::min(1., given.budget),
                        .jobs = given.jobs,
                        .retime = false,
+                       .least_models = 0,
                        .truth_across = given.truth_across};
   ChartRun run(plan, temporary ? temporary->path() : given.out);
   const Advice advice = springcheck::advise(wish, plan, run);

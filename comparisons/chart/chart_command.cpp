@@ -90,6 +90,7 @@ ExitStatus chart_command(const std::string& scene,
                      .repeat_for = std::min(chart.repeat_for, chart.budget),
                      .jobs = chart.jobs,
                      .retime = chart.retime,
+                     .least_models = chart.least_models,
                      .truth_across = chart.truth_across});
   for (const ChartPlan& plan : plans) check_plan(plan);
   std::vector<Chart> charts;

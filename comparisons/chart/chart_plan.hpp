@@ -20,6 +20,7 @@ struct ChartPlan {
   double repeat_for;                  // [s] of a point's repetitions, in all rounds
   int jobs;                           // truths at once
   bool retime;                        // what the file has a time of
+  int least_models;                   // on every size at equilibrium, budget or not
   std::optional<int> truth_across{};  // of the coarsest grid, see truth_grids
 };
 

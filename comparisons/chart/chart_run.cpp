@@ -113,21 +113,58 @@ class ChartRun::State {
   }
 
   void measure(const ChartModel& model, int across) {
+    measure(model, across, plan_.threads, plan_.budget);
+  }
+
+  void measure_beyond_budget(std::span<const ChartModel> models) {
+    std::vector<const ChartModel*> candidates;
+    int reached = 0;
+    for (const ChartModel& model : models) {
+      if (model.kind != ChartKind::equilibrium) continue;
+      if (next_size(model))
+        candidates.push_back(&model);
+      else
+        ++reached;
+    }
+    Progress progress(plan_.scene + ": models on the finest cells");
+    while (reached < plan_.least_models && !candidates.empty()) {
+      progress.show(static_cast<std::size_t>(reached),
+                    static_cast<std::size_t>(plan_.least_models));
+      const auto cheapest =
+          std::ranges::min_element(candidates, {}, [&](const ChartModel* model) {
+            return expected_seconds(*model, plan_.across.back());
+          });
+      const ChartModel& model = **cheapest;
+      const int across = next_size(model).value();
+      measure(model, across, {&plan_.threads.front(), 1}, INFINITY);
+      const std::optional<int> next = next_size(model);
+      if (!next) ++reached;
+      // Neither does what does not fit or suit get any finer.
+      if (!next || next == across) candidates.erase(cheapest);
+    }
+  }
+
+  void measure(const ChartModel& model, int across, std::span<const int> on_threads,
+               double budget) {
     const CaseSettings settings = settings_of(model, across);
     check_mesh_memory(plan_.scene, settings.body);
     const Mesh& mesh = meshes_.mesh(settings.body);
     const std::string key = key_of(settings);
     std::optional<CaseResult> result;
     bool is_new = false;
-    for (const int threads : plan_.threads) {
+    for (const int threads : on_threads) {
       StoredChart::Point& point = point_of(model, settings, across, key, threads);
       if (point.timing && !plan_.retime) continue;
+      // What has a time gets a new one: which points a chart has is not left to how long
+      // smaller ones took this time.
+      const bool is_wanted =
+          point.timing || expected_seconds(model, point.nodes, threads) <= budget;
       is_new = true;
       point.times.clear();
       point.left_out.reset();
       if (!fits(settings))
         point.left_out = "over memory";
-      else if (expected_seconds(model, point.nodes, threads) > plan_.budget)
+      else if (!is_wanted)
         point.left_out = "over budget";
       if (point.left_out) {
         point.timing.reset();
@@ -175,6 +212,17 @@ class ChartRun::State {
     if (!std::filesystem::exists(path_)) return;
     for (const StoredChart& earlier : read_charts(path_))
       if (identity_of(earlier) == identity_of(chart_)) chart_ = merged(chart_, earlier);
+  }
+
+  /// The first of the plan's sizes on which the model lacks a time on the plan's first
+  /// number of threads.
+  std::optional<int> next_size(const ChartModel& model) {
+    const auto size = std::ranges::find_if(plan_.across, [&](int across) {
+      const StoredChart::Point* const point = find_point(
+          chart_, model.name, key_of(settings_of(model, across)), plan_.threads.front());
+      return point == nullptr || !point->timing;
+    });
+    return size == plan_.across.end() ? std::nullopt : std::optional(*size);
   }
 
   std::string key_of(const CaseSettings& settings) {
@@ -327,6 +375,10 @@ void ChartRun::measure(const ChartModel& model, int across) {
   state_->measure(model, across);
 }
 
+void ChartRun::measure_beyond_budget(std::span<const ChartModel> models) {
+  state_->measure_beyond_budget(models);
+}
+
 void ChartRun::time_again(const ChartModel& model, int across, int round) {
   state_->time_again(model, across, round);
 }
@@ -359,6 +411,7 @@ Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file) {
         else
           run.time_again(model, across, round);
       }
+  run.measure_beyond_budget(models);
   return run.chart();
 }
 

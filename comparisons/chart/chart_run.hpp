@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "comparisons/chart/chart_plan.hpp"
 #include "comparisons/chart/measurements.hpp"
@@ -12,8 +13,8 @@ namespace springcheck {
 /// every point as soon as it is there. What the file holds is not measured again.
 ///
 /// Times are of the solution alone, on a mesh that is there: neither measuring it nor
-/// writing counts. A point is left out where it is expected to exceed the budget, or the
-/// memory that the machine has left.
+/// writing counts. A point is left out where it is expected to exceed the budget, unless
+/// the file has a time of it, or the memory that the machine has left.
 ///
 /// Bodies that are no blocks have no deviations: their meshes are not nested.
 class ChartRun : public Measurements {
@@ -26,6 +27,11 @@ class ChartRun : public Measurements {
   /// Measures a model on so many cells across. Throws InputError where their mesh alone
   /// would not fit into the memory.
   void measure(const ChartModel& model, int across) override;
+
+  /// Until the plan's least number of models at equilibrium has a time on every size,
+  /// on the plan's first number of threads, the cheapest of the others gets its next one,
+  /// budget or not: by the expected seconds of the finest.
+  void measure_beyond_budget(std::span<const ChartModel> models);
 
   /// Times its points in this further round, where they were measured, took no longer
   /// than the plan's repeat_for and have not had so many rounds.
@@ -49,7 +55,8 @@ class ChartRun : public Measurements {
   std::unique_ptr<State> state_;
 };
 
-/// Measures all points of the plan, in most_rounds rounds. Throws InputError as ChartRun
+/// Measures all points of the plan, in most_rounds rounds, and those beyond its budget
+/// that its least number of models takes. Throws InputError as ChartRun
 /// and check_plan.
 Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file);
 

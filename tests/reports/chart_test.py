@@ -25,8 +25,8 @@ from selenium.webdriver.common.by import By  # noqa: E402
 # The finer mesh is beyond the second's fraction for some. Compressed by 35 % some fail, among them
 # a grid of the truth of the scene's own law.
 CHARTS = [
-    "--sizes 2,3 --budget 0.004 --on-threads 1,2",
-    "--sizes 2 --budget 0.001 --on-threads 1 --deformation 35%",
+    "--sizes 2,3 --budget 0.004 --least-models 0 --on-threads 1,2",
+    "--sizes 2 --budget 0.001 --least-models 0 --on-threads 1 --deformation 35%",
 ]
 HOSTILE = r"a<b>&$\undefined{$/../x"
 KINDS = ("equilibrium", "motion")

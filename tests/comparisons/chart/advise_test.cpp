@@ -74,7 +74,8 @@ Advice advice_of(Rehearsed& rehearsed, double tolerance = 0.3) {
                        .budget = 10,
                        .repeat_for = 1,
                        .jobs = 1,
-                       .retime = false};
+                       .retime = false,
+                       .least_models = 0};
   return advise(wish, plan, rehearsed);
 }
 

@@ -2,6 +2,7 @@
 #include "comparisons/chart/chart.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <set>
 
 #include "comparisons/chart/chart_json.hpp"
 #include "comparisons/chart/chart_run.hpp"
@@ -168,6 +169,7 @@ BOOST_AUTO_TEST_CASE(a_chart_is_measured_once_and_kept) {
                        .repeat_for = 0.01,
                        .jobs = 1,
                        .retime = false,
+                       .least_models = 0,
                        .truth_across = 1};
   const Chart chart = make_chart(plan, file);
   BOOST_TEST(chart.stored.law == "fem-stvk");
@@ -213,6 +215,24 @@ BOOST_AUTO_TEST_CASE(a_chart_is_measured_once_and_kept) {
     return !point.found && !point.place.timing;
   });
   BOOST_TEST(left_out > 0);
+
+  // The cheapest models at equilibrium get to the finest cells whatever the budget, and
+  // no more of them; a new time leaves none out again.
+  const auto reached = [](const Chart& all) {
+    std::set<std::string> models;
+    for (const ChartPoint& point : all.points)
+      if (point.place.kind == ChartKind::equilibrium && point.place.across == 4 &&
+          point.place.timing)
+        models.insert(point.place.model);
+    return models;
+  };
+  const std::set<std::string> within = reached(grown);
+  larger.least_models = static_cast<int>(within.size()) + 3;
+  const std::set<std::string> beyond = reached(make_chart(larger, file));
+  BOOST_TEST(beyond.size() == within.size() + 3);
+  BOOST_TEST(std::ranges::includes(beyond, within));
+  larger.retime = true;
+  BOOST_TEST((reached(make_chart(larger, file)) == beyond));
 }
 
 BOOST_AUTO_TEST_CASE(scenes_without_an_answer_are_refused) {
@@ -225,7 +245,8 @@ BOOST_AUTO_TEST_CASE(scenes_without_an_answer_are_refused) {
                  .budget = 1,
                  .repeat_for = 1,
                  .jobs = 1,
-                 .retime = false};
+                 .retime = false,
+                 .least_models = 0};
   for (const char* scene : {"affine", "traction"}) {
     plan.scene = scene;
     BOOST_CHECK_THROW(make_chart(plan, own.path / "none.h5"), InputError);
