@@ -306,11 +306,11 @@ int command_line(int argc, char** argv) {
                    "truth (default 4; 2 for bodies much longer than wide)")
       ->check(CLI::Range(1, 1000));
   chart->add_flag("--retime", chart_options.retime,
-                  "time again what the file has a time of");
+                  "time again what the file has a time of, and nothing else");
   chart
       ->add_option("--least-models", chart_options.least_models,
-                   "models at equilibrium that get to the finest cells, the cheapest "
-                   "first, whatever the budget (default 12)")
+                   "models at equilibrium that get to the finest cells and are ok there, "
+                   "the cheapest first, whatever the budget (default 12)")
       ->check(CLI::Range(0, 1000));
 
   AdviseOptions advise_options;

@@ -178,7 +178,7 @@ class Search {
     std::vector<std::size_t> sound;  // that cannot be told from the first
     std::optional<std::size_t> accidental;
     for (const std::size_t i : cheapest_first()) {
-      if (!sound.empty() && judge().is_cheaper(sound.front(), i)) break;
+      if (!sound.empty() && judge().is_cheaper(sound.front(), i)) continue;
       if (const std::string against = path_of(i).against; !against.empty())
         advice_.cautions.push_back(fmt::format(
             "{} on {} across would do, but not by a stable path to the full load: {}.",

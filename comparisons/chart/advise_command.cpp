@@ -21,11 +21,6 @@ namespace {
 
 const char* const first_line = "# Advised by springcheck";
 
-double positive(const Given& given, double value, const std::string& expected) {
-  if (!(value > 0)) given.refuse(expected);
-  return value;
-}
-
 Wish wish_of(const AdviseOptions& options) {
   Wish wish{.measure = ChartMeasure::force,
             .tolerance = 0,
@@ -33,8 +28,9 @@ Wish wish_of(const AdviseOptions& options) {
             .budget = options.budget,
             .threads = 1};
   const Given tolerance = Given::from_text("--tolerance", options.tolerance);
-  wish.tolerance =
-      positive(tolerance, tolerance.strain(), "a number above 0, such as 0.08 or '8%'");
+  wish.tolerance = tolerance.strain();
+  if (!(wish.tolerance > 0 && wish.tolerance < 1))
+    tolerance.refuse("a number above 0 and below 1, such as 0.08 or '8%'");
   const auto measure = std::ranges::find_if(all_chart_measures(), [&](ChartMeasure one) {
     return name_of(one) == options.measure;
   });

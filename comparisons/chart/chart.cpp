@@ -62,6 +62,16 @@ ChartErrors errors_of(const StoredChart& chart, const ChartTruth& truth,
   return errors;
 }
 
+/// Of a candidate for the front; without a time or an error for other points.
+Cost cost_of(const Chart& chart, std::size_t place, ChartKind kind, ChartMeasure measure,
+             std::size_t truth) {
+  const ChartPoint& point = chart.points[place];
+  const auto& error = point.errors[truth].of(measure);
+  if (point.place.kind != kind || !point.is_ok() || !error) return {};
+  return {.error = std::max(*error, chart.bar(place, measure, truth).value_or(0)),
+          .seconds = point.seconds()};
+}
+
 }  // namespace
 
 std::string_view name_of(ChartMeasure measure) {
@@ -136,13 +146,24 @@ std::optional<double> Chart::bar(std::size_t point, ChartMeasure measure,
 std::vector<std::size_t> Chart::front(ChartKind kind, ChartMeasure measure,
                                       std::size_t truth) const {
   std::vector<Cost> costs(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& error = points[i].errors[truth].of(measure);
-    if (points[i].place.kind == kind && points[i].is_ok() && error)
-      costs[i] = {.error = std::max(*error, bar(i, measure, truth).value_or(0)),
-                  .seconds = points[i].seconds()};
-  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    costs[i] = cost_of(*this, i, kind, measure, truth);
   return pareto_front(costs);
+}
+
+std::vector<std::size_t> Chart::rivals(std::size_t point, ChartMeasure measure,
+                                       std::size_t truth) const {
+  const ChartKind kind = points[point].place.kind;
+  const double error = cost_of(*this, point, kind, measure, truth).error.value();
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Cost other = cost_of(*this, i, kind, measure, truth);
+    if (i != point && other.error && other.seconds &&
+        (1 - worthwhile_gain) * *other.error <= error &&
+        !points[point].is_faster_than(points[i]))
+      all.push_back(i);
+  }
+  return all;
 }
 
 Chart evaluated(const StoredChart& stored, const Cases& cases) {

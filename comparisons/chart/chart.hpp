@@ -85,6 +85,12 @@ struct Chart {
   /// an error below what the truth may be off counts as that.
   [[nodiscard]] std::vector<std::size_t> front(ChartKind kind, ChartMeasure measure,
                                                std::size_t truth) const;
+
+  /// What may take a point's place on that front when all is timed again: the other
+  /// points of its kind that are ok, as accurate but for less than worthwhile_gain, and
+  /// not told to be slower (is_faster_than). Without any, it is expected to stay.
+  [[nodiscard]] std::vector<std::size_t> rivals(std::size_t point, ChartMeasure measure,
+                                                std::size_t truth) const;
 };
 
 /// Tells the errors of what a chart holds, by the figures of its cases.

@@ -18,7 +18,7 @@ struct ChartOptions {
   std::optional<TableFormat> format{};  // none: truths, fronts and claims for a terminal
   int jobs = 1;                         // truths at once, at most
   bool retime = false;
-  int least_models = 12;  // on every size at equilibrium, budget or not
+  int least_models = 12;              // see ChartRun::measure_beyond_budget
   std::optional<int> truth_across{};  // see truth_grids
 };
 

@@ -1,5 +1,7 @@
 #include "comparisons/chart/chart_json.hpp"
 
+#include <algorithm>
+
 #include "comparisons/chart/claims.hpp"
 #include "comparisons/result_file.hpp"
 
@@ -38,6 +40,9 @@ Json point_json(const Chart& chart, const ChartPoint& point) {
             {"lower_quartile", value_or_null(point.seconds_at(&Timing::lower_quartile))},
             {"median", value_or_null(point.seconds())},
             {"upper_quartile", value_or_null(point.seconds_at(&Timing::upper_quartile))},
+            {"rounds", place.timing ? Json(place.timing->rounds) : Json()},
+            {"fastest_round", value_or_null(point.seconds_at(&Timing::fastest_round))},
+            {"slowest_round", value_or_null(point.seconds_at(&Timing::slowest_round))},
             {"setup", value_or_null(place.setup)},
             {"errors", Json::object()}};
   for (std::size_t i = 0; i < chart.truths.size(); ++i)
@@ -49,11 +54,18 @@ Json fronts_json(const Chart& chart) {
   Json json = Json::array();
   for (const ChartKind kind : {ChartKind::equilibrium, ChartKind::motion})
     for (std::size_t truth = 0; truth < chart.truths.size(); ++truth)
-      for (const ChartMeasure measure : all_chart_measures())
+      for (const ChartMeasure measure : all_chart_measures()) {
+        const std::vector<std::size_t> front = chart.front(kind, measure, truth);
+        Json heights = Json::array();
+        for (const std::size_t i : front)
+          heights.push_back(std::max(*chart.points[i].errors[truth].of(measure),
+                                     chart.bar(i, measure, truth).value_or(0)));
         json.push_back({{"kind", std::string(name_of(kind))},
                         {"law", chart.truths[truth].grids.law},
                         {"measure", std::string(name_of(measure))},
-                        {"points", chart.front(kind, measure, truth)}});
+                        {"points", front},
+                        {"errors_told", heights}});
+      }
   return json;
 }
 

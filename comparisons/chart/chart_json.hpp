@@ -16,10 +16,11 @@ std::vector<Chart> stored_charts(const std::filesystem::path& file);
 ///     truths   law; of answer and volume_change (of V0) value, bar, order; bars: of
 ///              force, volume, deviation, as fractions
 ///     points   model, kind, across, cells, threads, status (why, where not
-///              run), case, times (lower_quartile, median, upper_quartile; seconds, or
-///              real per simulated) and setup; null where unknown; errors: by law, of
-///              each measure
-///     fronts   kind, law, measure, points (places)
+///              run), case, times (lower_quartile, median, upper_quartile, fastest_round,
+///              slowest_round; seconds, or real per simulated), rounds and setup; null
+///              where unknown; errors: by law, of each measure
+///     fronts   kind, law, measure, points (places), errors_told: of each its error, or
+///              what the truth may be off on its mesh where that is more
 ///     claims   kind, measure, faster, as_accurate, faster_at_equal_accuracy, words
 nlohmann::ordered_json charts_json(const std::vector<Chart>& charts);
 

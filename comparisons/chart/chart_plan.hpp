@@ -19,8 +19,8 @@ struct ChartPlan {
   double budget;                      // [s] that a point's solution may take
   double repeat_for;                  // [s] of a point's repetitions, in all rounds
   int jobs;                           // truths at once
-  bool retime;                        // what the file has a time of
-  int least_models;                   // on every size at equilibrium, budget or not
+  bool retime;                        // what the file has a time of, and nothing else
+  int least_models;                   // ok on the finest at equilibrium, budget or not
   std::optional<int> truth_across{};  // of the coarsest grid, see truth_grids
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 
 #include "comparisons/build_info.hpp"
@@ -44,6 +45,11 @@ TimedCase timed_case(const CaseSettings& settings, const Mesh& mesh, int threads
           .setup = timing_of({std::move(setups)}).median};
 }
 
+/// The model's name without what solves its equations.
+std::string without_solver(const ChartModel& model) {
+  return model.name.substr(0, model.name.find(','));
+}
+
 /// Errors by one version of the program and times by another are not of one chart.
 void refuse_another_commit(const std::filesystem::path& file, const std::string& commit) {
   if (commit == build_info::commit) return;
@@ -64,7 +70,7 @@ class ChartRun::State {
     if (std::filesystem::exists(file)) stored_ = stored_cases({file});
     for (const auto& [key, place] : stored_) {
       refuse_another_commit(file, place.second.commit);
-      know(key, place.second.measures);
+      know(key, place.second);
     }
     begin_chart();
     find_truths();
@@ -117,30 +123,34 @@ class ChartRun::State {
   }
 
   void measure_beyond_budget(std::span<const ChartModel> models) {
+    const auto most = static_cast<std::size_t>(plan_.least_models);
+    const int finest = plan_.across.back();
     std::vector<const ChartModel*> candidates;
-    int reached = 0;
+    std::set<std::string> reached;
     for (const ChartModel& model : models) {
       if (model.kind != ChartKind::equilibrium) continue;
-      if (next_size(model))
+      if (is_ok(model, finest))
+        reached.insert(without_solver(model));
+      else if (next_size(model) && !fails_somewhere(model) &&
+               fits(settings_of(model, finest)))
         candidates.push_back(&model);
-      else
-        ++reached;
     }
     Progress progress(plan_.scene + ": models on the finest cells");
-    while (reached < plan_.least_models && !candidates.empty()) {
-      progress.show(static_cast<std::size_t>(reached),
-                    static_cast<std::size_t>(plan_.least_models));
-      const auto cheapest =
-          std::ranges::min_element(candidates, {}, [&](const ChartModel* model) {
-            return expected_seconds(*model, plan_.across.back());
-          });
+    while (true) {
+      std::erase_if(candidates, [&](const ChartModel* model) {
+        return reached.contains(without_solver(*model));
+      });
+      if (reached.size() >= most || candidates.empty()) return;
+      progress.show(reached.size(), most);
+      const auto cheapest = std::ranges::min_element(
+          candidates, {},
+          [&](const ChartModel* model) { return expected_seconds(*model, finest); });
       const ChartModel& model = **cheapest;
       const int across = next_size(model).value();
       measure(model, across, {&plan_.threads.front(), 1}, INFINITY);
-      const std::optional<int> next = next_size(model);
-      if (!next) ++reached;
-      // Neither does what does not fit or suit get any finer.
-      if (!next || next == across) candidates.erase(cheapest);
+      if (is_ok(model, finest)) reached.insert(without_solver(model));
+      // What fails gets no finer: how long that takes no coarser mesh tells.
+      if (!is_ok(model, across)) candidates.erase(cheapest);
     }
   }
 
@@ -154,17 +164,18 @@ class ChartRun::State {
     bool is_new = false;
     for (const int threads : on_threads) {
       StoredChart::Point& point = point_of(model, settings, across, key, threads);
-      if (point.timing && !plan_.retime) continue;
-      // What has a time gets a new one: which points a chart has is not left to how long
-      // smaller ones took this time.
-      const bool is_wanted =
-          point.timing || expected_seconds(model, point.nodes, threads) <= budget;
+      // New times are for the points that have one: which ones a chart has is not left to
+      // how long smaller ones take this time.
+      if (plan_.retime ? point.left_out || (point.timing && !fits(settings))
+                       : point.timing.has_value())
+        continue;
       is_new = true;
+      const bool had_time = point.timing.has_value();
       point.times.clear();
       point.left_out.reset();
       if (!fits(settings))
         point.left_out = "over memory";
-      else if (!is_wanted)
+      else if (!had_time && expected_seconds(model, point.nodes, threads) > budget)
         point.left_out = "over budget";
       if (point.left_out) {
         point.timing.reset();
@@ -191,6 +202,7 @@ class ChartRun::State {
     const CaseSettings settings = settings_of(model, across);
     const Mesh& mesh = meshes_.mesh(settings.body);
     const std::string key = key_of(settings);
+    if (!fits(settings)) return;
     bool is_new = false;
     for (const int threads : plan_.threads) {
       StoredChart::Point* const point = find_point(chart_, model.name, key, threads);
@@ -214,14 +226,28 @@ class ChartRun::State {
       if (identity_of(earlier) == identity_of(chart_)) chart_ = merged(chart_, earlier);
   }
 
-  /// The first of the plan's sizes on which the model lacks a time on the plan's first
-  /// number of threads.
-  std::optional<int> next_size(const ChartModel& model) {
-    const auto size = std::ranges::find_if(plan_.across, [&](int across) {
-      const StoredChart::Point* const point = find_point(
-          chart_, model.name, key_of(settings_of(model, across)), plan_.threads.front());
-      return point == nullptr || !point->timing;
+  /// On the plan's first number of threads.
+  bool is_timed(const ChartModel& model, int across) {
+    const StoredChart::Point* const point = find_point(
+        chart_, model.name, key_of(settings_of(model, across)), plan_.threads.front());
+    return point != nullptr && point->timing;
+  }
+
+  bool is_ok(const ChartModel& model, int across) {
+    const auto found = outcomes_.find(key_of(settings_of(model, across)));
+    return is_timed(model, across) && found != outcomes_.end() && found->second.is_ok;
+  }
+
+  bool fails_somewhere(const ChartModel& model) {
+    return std::ranges::any_of(plan_.across, [&](int across) {
+      return is_timed(model, across) && !is_ok(model, across);
     });
+  }
+
+  /// The first of the plan's sizes on which the model is not timed.
+  std::optional<int> next_size(const ChartModel& model) {
+    const auto size = std::ranges::find_if_not(
+        plan_.across, [&](int across) { return is_timed(model, across); });
     return size == plan_.across.end() ? std::nullopt : std::optional(*size);
   }
 
@@ -232,18 +258,19 @@ class ChartRun::State {
 
   void put(std::span<const CaseResult> results, bool with_fields) {
     file_.put(results, with_fields, meshes_);
-    for (const CaseResult& result : results) know(result.key, result.measures);
+    for (const CaseResult& result : results) know(result.key, result);
   }
 
-  void know(const std::string& key, const Measures& measures) {
-    has_failed_[key] = !measures.volume_error;
+  void know(const std::string& key, const auto& result) {
+    outcomes_[key] = {.is_there = result.measures.volume_error.has_value(),
+                      .is_ok = result.status == Status::ok};
   }
   [[nodiscard]] bool is_known(const std::string& key) const {
-    return has_failed_.contains(key);
+    return outcomes_.contains(key);
   }
   [[nodiscard]] bool has_failed(const std::string& key) const {
-    const auto found = has_failed_.find(key);
-    return found != has_failed_.end() && found->second;
+    const auto found = outcomes_.find(key);
+    return found != outcomes_.end() && !found->second.is_there;
   }
 
   /// The truths' runs are kept with their fields, which every comparison needs.
@@ -304,17 +331,7 @@ class ChartRun::State {
       if (other.model == model.name && other.kind == model.kind &&
           other.threads == threads && other.nodes < nodes && other.timing)
         (has_failed(other.key) ? failed : smaller)[other.nodes] = other.timing->median;
-    if (smaller.empty()) smaller = failed;
-    if (smaller.empty()) return 0;
-    const auto last = std::prev(smaller.end());
-    double exponent = 1;
-    if (smaller.size() > 1) {
-      const auto before = std::prev(last);
-      exponent = std::clamp(
-          std::log(last->second / before->second) / std::log(last->first / before->first),
-          1., 2.5);
-    }
-    return last->second * std::pow(nodes / last->first, exponent);
+    return springcheck::expected_seconds(smaller.empty() ? failed : smaller, nodes);
   }
 
   [[nodiscard]] bool is_compared(const std::string& compared) const {
@@ -354,11 +371,16 @@ class ChartRun::State {
         false);
   }
 
+  /// What became of a case.
+  struct Outcome {
+    bool is_there, is_ok;
+  };
+
   ChartPlan plan_;
   std::filesystem::path path_;
   ResultFile file_;
-  StoredCases stored_;                      // of the file, before
-  std::map<std::string, bool> has_failed_;  // by the keys of the file's cases
+  StoredCases stored_;                       // of the file, before
+  std::map<std::string, Outcome> outcomes_;  // by the keys of the file's cases
   MeshStore meshes_;
   std::vector<ThreeCases> truths_planned_;  // of each law
   std::map<std::string, CaseResult> truths_;
@@ -402,7 +424,7 @@ Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file) {
       chart_models(chart_body(plan.scene, plan.options).shape);
   std::size_t done = 0;
   Progress progress(plan.scene + ": points");
-  for (int round = 1; round <= most_rounds; ++round)
+  for (int round = 1; round <= most_rounds; ++round) {
     for (const ChartModel& model : models)
       for (const int across : plan.across) {
         progress.show(done++, most_rounds * models.size() * plan.across.size());
@@ -411,7 +433,8 @@ Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file) {
         else
           run.time_again(model, across, round);
       }
-  run.measure_beyond_budget(models);
+    if (round == 1) run.measure_beyond_budget(models);
+  }
   return run.chart();
 }
 

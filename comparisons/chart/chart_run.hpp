@@ -28,9 +28,11 @@ class ChartRun : public Measurements {
   /// would not fit into the memory.
   void measure(const ChartModel& model, int across) override;
 
-  /// Until the plan's least number of models at equilibrium has a time on every size,
-  /// on the plan's first number of threads, the cheapest of the others gets its next one,
-  /// budget or not: by the expected seconds of the finest.
+  /// Until the plan's least number of models at equilibrium is timed, and ok, on the
+  /// finest of its sizes, on the first of its numbers of threads: the one that is
+  /// expected to be the fastest there gets its next size, budget or not, unless it fails
+  /// or the finest would not fit into the memory. Linear solvers make no model of their
+  /// own.
   void measure_beyond_budget(std::span<const ChartModel> models);
 
   /// Times its points in this further round, where they were measured, took no longer

@@ -58,9 +58,15 @@ void add_point(Sheet& sheet, const Chart& chart, const ChartPoint& point,
   row.cells.push_back({.number = point.seconds_at(&Timing::minimum)});
   row.cells.push_back({.number = point.seconds_at(&Timing::lower_quartile)});
   row.cells.push_back({.number = point.seconds_at(&Timing::upper_quartile)});
-  row.cells.push_back({.number = place.timing
-                                     ? std::optional<double>(place.timing->repetitions)
-                                     : std::nullopt});
+  std::optional<double> repetitions, rounds;
+  if (place.timing) {
+    repetitions = place.timing->repetitions;
+    rounds = place.timing->rounds;
+  }
+  row.cells.push_back({.number = repetitions});
+  row.cells.push_back({.number = rounds});
+  row.cells.push_back({.number = point.seconds_at(&Timing::fastest_round)});
+  row.cells.push_back({.number = point.seconds_at(&Timing::slowest_round)});
   row.cells.push_back({.number = place.setup});
   std::optional<double> forces, factorisations, iterations, steps;
   if (point.found) {
@@ -136,6 +142,9 @@ Sheet points_sheet(const std::vector<Chart>& charts) {
                   {"lower_quartile", "lower quartile [s]", "{:.3g}"},
                   {"upper_quartile", "upper quartile [s]", "{:.3g}"},
                   {"repetitions", "runs", "{:.0f}"},
+                  {"rounds", "rounds", "{:.0f}"},
+                  {"fastest_round", "fastest round [s]", "{:.3g}"},
+                  {"slowest_round", "slowest round [s]", "{:.3g}"},
                   {"setup", "of it set-up [s]", "{:.2g}"},
                   {"steps", "steps", "{:.0f}"},
                   {"force_evaluations", "force evaluations", "{:.0f}"},
@@ -146,6 +155,8 @@ Sheet points_sheet(const std::vector<Chart>& charts) {
                 "Time: median; of an equilibrium to a relative residual of 1e-10, of a "
                 "motion real seconds per simulated one at .9 of the method's own "
                 "stability limit, set-up and all. Set-up is of the whole run. "
+                "Median and quartiles: medians of the rounds'; what took longer than a "
+                "round's share has one run in each, or one in all, without a warm-up. "
                 "A point without a time would have taken more than the budget, or the "
                 "memory that was left.",
                 machines_of(charts)}};
@@ -207,13 +218,20 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
                   {"upper_quartile", "upper quartile [s]", "{:.3g}"},
                   {"model", "model"},
                   {"across", "across", "{:.0f}"},
-                  {"threads", "threads", "{:.0f}"}},
+                  {"threads", "threads", "{:.0f}"},
+                  {"rivals", "rivals", "{:.0f}"}},
       .rows = {},
       .notes = {
           what_errors_are,
-          "From the fastest to the most accurate, each by 1 % of its error or more "
-          "accurate than all faster ones, over all numbers of threads. Failed "
-          "states, wrinkled and indefinite ones among them, have no place on a front."}};
+          "From the fastest to the most accurate, each the fastest that is more accurate "
+          "than the one before by 1 % of the error or more, over all numbers of threads. "
+          "Failed states, wrinkled and indefinite ones among them, have no place on a "
+          "front.",
+          "Rivals: other points, as accurate but for less than 1 %, that cannot be told "
+          "to be slower: the rounds of both overlap, or of points with fewer than three "
+          "the quartiles do, or the medians differ by less than a fifth. Timed again, "
+          "one of them may have the place; a point without rivals is expected to keep "
+          "it."}};
   for (const Chart& chart : charts)
     for (const ChartKind kind : {ChartKind::equilibrium, ChartKind::motion})
       for (std::size_t truth = 0; truth < chart.truths.size(); ++truth)
@@ -231,9 +249,11 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
                           {.number = point.seconds_at(&Timing::upper_quartile)},
                           text_cell(point.place.model),
                           {.number = point.place.across},
-                          {.number = point.place.threads}},
+                          {.number = point.place.threads},
+                          {.number = static_cast<double>(
+                               chart.rivals(i, measure, truth).size())}},
                 .cases = {point.place.key}};
-            const auto& bar = chart.truths[truth].bars.of(measure);
+            const auto bar = chart.bar(i, measure, truth);
             if (bar && *point.errors[truth].of(measure) < *bar)
               row.notes.emplace_back("Below what the truth itself may be off.");
             sheet.rows.push_back(std::move(row));

@@ -6,8 +6,12 @@
 #include <array>
 #include <cmath>
 
+#include "comparisons/chart/pareto.hpp"
+
 namespace springcheck {
 namespace {
+
+constexpr int counted_threads = 1;
 
 bool is_of_springs(const ChartPoint& point) {
   return point.place.model.starts_with("mss-");
@@ -58,6 +62,9 @@ Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
     return chart.bar(i, measure, truth).value_or(0);
   };
   const auto error = [&](std::size_t i) { return known_error(chart, measure, i).value; };
+  const double known_to =
+      std::max({bar(springs), bar(elements),
+                worthwhile_gain * std::max(error(springs), error(elements))});
   Claim claim{.kind = kind,
               .measure = measure,
               .springs = springs,
@@ -65,12 +72,16 @@ Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
               .is_faster = faster(chart.points[springs], chart.points[elements]),
               .is_as_accurate = Answer::undecided,
               .rival = std::nullopt,
+              .were_all_run = true,
               .is_faster_at_equal_accuracy = Answer::undecided};
-  if (std::abs(error(springs) - error(elements)) > std::max(bar(springs), bar(elements)))
+  if (std::abs(error(springs) - error(elements)) > known_to)
     claim.is_as_accurate = error(springs) < error(elements) ? Answer::yes : Answer::no;
   for (std::size_t i = 0; i < chart.points.size(); ++i) {
     const ChartPoint& point = chart.points[i];
-    if (point.place.kind != kind || is_of_springs(point) || !counts(point)) continue;
+    if (point.place.kind != kind || is_of_springs(point)) continue;
+    if (point.place.threads == counted_threads && !point.seconds())
+      claim.were_all_run = false;
+    if (!counts(point)) continue;
     if (error(i) > error(springs)) continue;
     if (!claim.rival || *point.seconds() < *chart.points[*claim.rival].seconds())
       claim.rival = i;
@@ -78,6 +89,8 @@ Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
   if (claim.rival)
     claim.is_faster_at_equal_accuracy =
         faster(chart.points[springs], chart.points[*claim.rival]);
+  else if (claim.were_all_run)
+    claim.is_faster_at_equal_accuracy = Answer::yes;
   return claim;
 }
 
@@ -126,8 +139,8 @@ std::vector<Claim> claims(const Chart& chart) {
   for (const auto& [kind, springs, elements] : pairs)
     for (const ChartMeasure measure : all_chart_measures()) {
       const auto counts = [&](const ChartPoint& point) {
-        return point.is_ok() && point.seconds() && point.place.threads == 1 &&
-               point.errors[*truth].of(measure);
+        return point.is_ok() && point.seconds() &&
+               point.place.threads == counted_threads && point.errors[*truth].of(measure);
       };
       if (const auto pair = same_cells(chart, kind, springs, elements, counts))
         all.push_back(
@@ -150,12 +163,13 @@ std::string claim_text(const Chart& chart, const Claim& claim) {
                                                  "faster", "slower"))) +
                      figures(chart, claim, claim.elements) + " and ";
   text += claim.is_as_accurate == Answer::undecided
-              ? "as far off within what the truth is known to. "
+              ? "as far off, within 1 % or what the truth is known to. "
               : times_as(error(claim.springs) / error(claim.elements), "as far off.",
                          "closer.") +
                     " ";
   if (!claim.rival)
-    return text + "No finite elements of the chart are as accurate as it.";
+    return text + "No finite elements of the chart are as accurate as it" +
+           (claim.were_all_run ? "." : "; some of them were not run.");
   if (claim.is_faster_at_equal_accuracy == Answer::undecided)
     return text + "At least as accurate is " + figures(chart, claim, *claim.rival) +
            "; which is faster the times do not tell.";
@@ -182,13 +196,12 @@ Sheet claims_sheet(const std::vector<Chart>& charts) {
       .rows = {},
       .notes = {
           "Against the truth of the scene's own law, on one thread, on the largest mesh "
-          "that both hold on. Undecided: quartiles of the times overlap, or times of "
-          "fewer than three runs differ by less than a tenth, or the errors by less "
-          "than what the truth may be off. At equal accuracy: beside the "
-          "fastest finite elements of the chart, of any law, cells and size, that are at "
-          "least as accurate; undecided where there are none and some were left out, "
-          "over "
-          "budget or memory. An error below what the truth may be off counts as that."}};
+          "that both hold on. Undecided: the times cannot be told apart, as chart-front "
+          "says, or the errors differ by less than 1 %, or than the truth may be off. At "
+          "equal accuracy: beside the fastest finite elements of the chart, of any law, "
+          "cells, precision and size, that are at least as accurate; where there are "
+          "none, yes, but undecided where some were left out, over budget or memory. An "
+          "error below what the truth may be off counts as that."}};
   for (const Chart& chart : charts)
     for (const Claim& claim : claims(chart)) {
       const ChartPoint& springs = chart.points[claim.springs];

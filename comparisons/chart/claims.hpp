@@ -6,7 +6,8 @@
 namespace springcheck {
 
 /// What a chart says of a claim; neither where two times cannot be told from each other
-/// (is_faster_than), or two errors differ by less than what the truth may be off.
+/// (is_faster_than), or two errors differ by less than worthwhile_gain or what the truth
+/// may be off.
 enum class Answer { yes, no, undecided };
 
 std::string_view name_of(Answer answer);
@@ -21,7 +22,9 @@ struct Claim {
   // The fastest elements of any size, and cells, that are at least as accurate as the
   // springs; none where no elements are:
   std::optional<std::size_t> rival;
-  Answer is_faster_at_equal_accuracy;  // than the rival
+  bool were_all_run;  // no elements of the chart were left out
+  // Than the rival; without one yes, if all were run.
+  Answer is_faster_at_equal_accuracy;
 };
 
 /// Golec's claims of springs, faster than finite elements and as accurate, put to mss-cf

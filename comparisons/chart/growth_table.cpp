@@ -6,8 +6,10 @@
 #include <tbb/task_arena.h>
 
 #include <cmath>
+#include <map>
 
 #include "comparisons/build_info.hpp"
+#include "comparisons/chart/timing.hpp"
 #include "comparisons/extrapolation.hpp"
 #include "comparisons/mechanical_scene.hpp"
 #include "comparisons/memory.hpp"
@@ -21,8 +23,7 @@
 namespace springcheck {
 namespace {
 
-constexpr double most_seconds = 600;  // expected of one size
-constexpr double steepest = 2;        // exponent by which that is expected
+constexpr double most_seconds = 900;  // expected of one size
 
 struct Cost {
   double seconds, bytes;
@@ -142,10 +143,10 @@ std::vector<Growing> all_growing(const std::vector<int>& wide,
 
 void add_rows(Sheet& sheet, const Growing& growing) {
   std::vector<double> cells, seconds, bytes;
+  std::map<double, double> seconds_by_cells;
   for (const int n : growing.across) {
     const double count = std::pow(n, 3);
-    const double expected =
-        cells.empty() ? 0 : seconds.back() * std::pow(count / cells.back(), steepest);
+    const double expected = expected_seconds(seconds_by_cells, count);
     std::string reason;
     if (growing.expected_bytes(n) > available_memory())
       reason = "not run: more memory than is left";
@@ -161,6 +162,7 @@ void add_rows(Sheet& sheet, const Growing& growing) {
     cells.push_back(count);
     seconds.push_back(cost->seconds);
     bytes.push_back(cost->bytes);
+    seconds_by_cells[count] = cost->seconds;
   }
   std::optional<double> time_exponent, memory_exponent;
   if (cells.size() > 1) {

@@ -11,8 +11,8 @@ namespace springcheck {
 /// each with exponents fitted over its sizes. Direct solvers' factors grow faster than
 /// bodies, and have sizes of their own. Measured on one thread, one body at a time; no
 /// case is behind it, and no two runs give the same digits. Sizes that need more memory
-/// than is left, that are expected to take more than ten minutes, or whose solution fails
-/// are named in the notes.
+/// than is left, that are expected to take more than a quarter of an hour, or whose
+/// solution fails are named in the notes.
 Sheet growth_sheet(const std::vector<int>& across,
                    const std::vector<int>& across_directly);
 

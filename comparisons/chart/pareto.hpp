@@ -15,8 +15,8 @@ struct Cost {
 /// Smallest gain in accuracy that is worth more time, as a fraction of the error.
 inline constexpr double worthwhile_gain = 0.01;
 
-/// Places of the points that are more accurate than all faster ones, by a worthwhile
-/// gain; from the fastest to the most accurate. Of equal ones the first counts.
+/// Places of the points from the fastest to the most accurate, each the fastest that is
+/// more accurate than the one before by a worthwhile gain. Of equal ones the first counts.
 std::vector<std::size_t> pareto_front(std::span<const Cost> points);
 
 }  // namespace springcheck

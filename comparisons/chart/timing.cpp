@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "meshing/stopwatch.hpp"
 
@@ -27,19 +28,22 @@ double median_of(std::vector<double> seconds) {
 }  // namespace
 
 Timing timing_of(const TimedRounds& rounds) {
-  std::vector<double> all, medians;
-  for (const std::vector<double>& round : rounds) {
+  std::vector<double> all, lower_quartiles, medians, upper_quartiles;
+  for (std::vector<double> round : rounds) {
+    std::ranges::sort(round);
+    lower_quartiles.push_back(quantile(round, 0.25));
+    medians.push_back(quantile(round, 0.5));
+    upper_quartiles.push_back(quantile(round, 0.75));
     all.insert(all.end(), round.begin(), round.end());
-    medians.push_back(median_of(round));
   }
-  std::ranges::sort(all);
+  const auto [minimum, maximum] = std::ranges::minmax(all);
   const auto [fastest, slowest] = std::ranges::minmax(medians);
   return {.repetitions = static_cast<int>(all.size()),
-          .minimum = all.front(),
-          .lower_quartile = quantile(all, 0.25),
-          .median = quantile(all, 0.5),
-          .upper_quartile = quantile(all, 0.75),
-          .maximum = all.back(),
+          .minimum = minimum,
+          .lower_quartile = median_of(lower_quartiles),
+          .median = median_of(medians),
+          .upper_quartile = median_of(upper_quartiles),
+          .maximum = maximum,
           .rounds = static_cast<int>(rounds.size()),
           .fastest_round = fastest,
           .slowest_round = slowest};
@@ -60,6 +64,17 @@ bool is_less(const Timing& timing, const Timing& other) {
     return timing.slowest_round < other.fastest_round;
   return timing.upper_quartile < other.lower_quartile &&
          timing.median < (1 - spread_of_a_round) * other.median;
+}
+
+double expected_seconds(const std::map<double, double>& smaller, double size) {
+  if (smaller.empty()) return 0;
+  const auto& [last, seconds] = *smaller.rbegin();
+  double exponent = 1;
+  if (smaller.size() > 1) {
+    const auto& [before, less] = *std::next(smaller.rbegin());
+    exponent = std::clamp(std::log(seconds / less) / std::log(last / before), 1., 2.5);
+  }
+  return seconds * std::pow(size / last, exponent);
 }
 
 std::vector<double> timed(const std::function<double()>& work, double budget) {

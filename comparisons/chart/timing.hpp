@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <vector>
 
 namespace springcheck {
@@ -12,7 +13,9 @@ using TimedRounds = std::vector<std::vector<double>>;
 
 inline constexpr int most_rounds = 3;
 
-/// Of all repetitions of all rounds, and the medians of the fastest and slowest round.
+/// Of all rounds: their extremes, the medians of the rounds' quartiles and medians, so
+/// that a restless round, which repeats more often, counts no more than another; and the
+/// medians of the fastest and the slowest round.
 struct Timing {
   int repetitions;
   double minimum, lower_quartile, median, upper_quartile, maximum;
@@ -32,6 +35,11 @@ Timing scaled(Timing timing, double less, double factor);
 /// not overlap and the medians differ by a fifth or more. A fifth is what medians of
 /// single rounds were found to differ by half an hour later, nine of ten times.
 bool is_less(const Timing& timing, const Timing& other);
+
+/// What a size is expected to take [s], from the seconds of smaller ones: the largest of
+/// them, and the growth to it from the one before, as a power from 1 to 5/2; from one
+/// alone in proportion. 0 without any.
+double expected_seconds(const std::map<double, double>& smaller, double size);
 
 /// Times of a round of work that returns the seconds that count: one warm-up, then
 /// repetitions until the median changed by no more than 2 % twice running, so three at

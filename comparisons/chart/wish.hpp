@@ -27,7 +27,7 @@ struct Frame {
   double dt;      // [s]
   Timing timing;  // [s] real
 
-  /// Three frames of four are no slower.
+  /// By the upper quartile of whole runs, so that most hold what it says.
   [[nodiscard]] double seconds() const { return timing.upper_quartile; }
 };
 

@@ -170,6 +170,8 @@ BOOST_AUTO_TEST_CASE(without_a_truth_there_is_no_advice) {
 BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
   expect_bad_input("advise compression --tolerance 0", "a number above 0");
   expect_bad_input("advise compression --tolerance -8%", "a number above 0");
+  // A percentage without its sign.
+  expect_bad_input("advise compression --tolerance 8", "below 1, such as 0.08 or '8%'");
   expect_bad_input("advise compression --tolerance much", "a finite strain");
   expect_bad_input("advise compression --tolerance 8% --measure energy",
                    "force, volume or deviation");
@@ -188,6 +190,7 @@ BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
   expect_bad_input("chart compression --out x.h5 --on-threads 5000",
                    "whole numbers from 1");
   expect_bad_input("chart compression --out x.h5 --method mss-cf", "--method");
+  expect_bad_input("chart compression --out x.h5 --least-models -1", "--least-models");
   expect_bad_input("chart compression", "--out");
   expect_bad_input("chart affine --out x.h5", "a plate or a weight");
   BOOST_TEST(!fs::exists(folder / "x.h5"));

@@ -304,7 +304,7 @@ class Parts(unittest.TestCase):
             for i, status in enumerate(["ok", "inverted", "ok"])
         ]
         block = work_precision.Block(
-            "t", points, [work_precision.Measure("force", "Force", points[:1], 0.5)],
+            "t", points, [work_precision.Measure("force", "Force", points[:1], [0.5], 0.5)],
             [work_precision.Group("g", ["mss-cf"])])
         row = work_precision.draw("time [s]", [block]).axes[2]  # after the front and its legend
         colour = work_precision.style("mss-cf")["color"]
@@ -320,7 +320,7 @@ class Parts(unittest.TestCase):
         errors = [{"force": 1e-9}, {"force": 2.0}, {"force": 8.0}]
         points = [work_precision.Point("mss-cf", 2 + i, 1, "ok", 1, 1, 1, e) for i, e in enumerate(errors)]
         block = work_precision.Block(
-            "t", points, [work_precision.Measure("force", "Force", points[:1], 0.5)],
+            "t", points, [work_precision.Measure("force", "Force", points[:1], [0.5], 0.5)],
             [work_precision.Group("g", ["mss-cf"])])
         figure = work_precision.draw("time [s]", [block])
         low, high = figure.axes[0].get_ylim()

@@ -47,12 +47,14 @@ class Point:
 
 @dataclass
 class Measure:
-    """A column: front: its points, from the fastest to the most accurate; bar: what the
-    truth itself may be off [%], None where unknown."""
+    """A column: front: its points, from the fastest to the most accurate; errors_told: theirs [%], or
+    what the truth may be off on their meshes where that is more; bar: what it may be off at most
+    [%], None where unknown."""
 
     name: str
     title: str
     front: list
+    errors_told: list
     bar: float | None
 
 
@@ -195,7 +197,7 @@ def _frame(axes, times, scale, points, measure):
     axes.plot([p.time for p in lost], [_lane(scale, p) for p in lost], marker="x", markersize=2.5, **grey)
     if measure.front:
         x = [*(p.time for p in measure.front), times[1]]
-        y = [max(scale.height(p.errors[measure.name]), measure.bar or 0) for p in measure.front]
+        y = [scale.height(error) for error in measure.errors_told]
         axes.step(x, [*y, y[-1]], where="post", zorder=1.5, **_FRONT)
 
 

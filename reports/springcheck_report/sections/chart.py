@@ -69,7 +69,7 @@ def _introduction(study):
             '<a href="data/charts.json">data/charts.json</a>.',
             errors,
         ),
-        *(paragraph("{}", text) for text in times),
+        *(paragraph("{}", text) for text in [*times, *study.tables["chart-front"]["notes"][1:]]),
     ]
 
 
@@ -190,9 +190,10 @@ def _block(one, truth, kind):
     for front in one["fronts"]:
         if (front["kind"], front["law"]) == (kind, law):
             on_it = [_point(one["points"][place], law) for place in front["points"]]
+            told = [100 * error for error in front["errors_told"]]
             bar = truth["bars"][front["measure"]]
             title = _measure_title(one, front["measure"])
-            measures.append(work_precision.Measure(front["measure"], title, on_it, bar and 100 * bar))
+            measures.append(work_precision.Measure(front["measure"], title, on_it, told, bar and 100 * bar))
     title = f"Pareto front against\nthe truth of {law}"
     groups = _groups(points, law) if law == one["law"] else [_closest(points, law, kind)]
     return work_precision.Block(title, points, measures, [group for group in groups if group.models])
@@ -206,7 +207,8 @@ def _caption(one, is_own, words):
         f"{words} Errors against the truth of {law}. Times are medians on {on}, bars their quartiles; "
         "larger markers are finer meshes, pale ones all models. The front counts all numbers of threads: its "
         "points have the cells across beside them and, in brackets, the threads if more than one. In the "
-        "shaded band the truth itself is unsure, and the front counts no gain; where all errors are far "
+        "shaded band the truth itself is unsure, of deviations on the mesh where it is most so; the front "
+        "counts what it may be off on each mesh; where all errors are far "
         "above it, its height is written alone. Crosses above the line are simulations that failed, at the "
         f"time they took. Errors below an axis stand on it. Measured on {one['machine']}."
     )
@@ -317,13 +319,14 @@ def _front(study, one, rows, name):
             f"{row['across']:.0f}",
             f"{row['threads']:.0f}",
             *(_number(document, row, key, "{:.3g}") for key in ("error", *_TIMES)),
+            _number(document, row, "rivals", "{:.0f}"),
             " ".join(str(notes.index(note) + 1) for note in row["notes"]),
             (row["case"][:8], "key"),
         ]
         for row in own
     ]
     heads = ["of", "model", "across", "threads", "off [%]"]
-    heads += ["time [s, s/s]", "lower quartile", "upper quartile", "notes", "case"]
+    heads += ["time [s, s/s]", "lower quartile", "upper quartile", "rivals", "notes", "case"]
     title = Markup("<h4>The Pareto front, over all numbers of threads</h4>")
     items = Markup("").join(Markup("<li>{}</li>").format(note) for note in notes)
     listed = [Markup('<ol class="note">{}</ol>').format(items)] if notes else []

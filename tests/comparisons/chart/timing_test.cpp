@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE timing
 #include <boost/test/unit_test.hpp>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include "comparisons/chart/timing.hpp"
@@ -59,11 +60,26 @@ BOOST_AUTO_TEST_CASE(work_as_long_as_the_budget_runs_once) {
   BOOST_TEST((times == std::vector{0.02}));
 }
 
+BOOST_AUTO_TEST_CASE(larger_sizes_are_expected_to_grow_as_the_last_two_did) {
+  BOOST_TEST(expected_seconds({}, 10) == 0);
+  BOOST_TEST(expected_seconds({{10, 3}}, 20) == 6, boost::test_tools::tolerance(1e-12));
+  // From 1 to 5/2.
+  for (const auto& [exponent, expected] :
+       {std::pair(1.5, 1.5), std::pair(0., 1.), std::pair(4., 2.5)})
+    BOOST_TEST(expected_seconds({{1, 50}, {10, 1}, {40, std::pow(4, exponent)}}, 80) ==
+                   std::pow(4, exponent) * std::pow(2, expected),
+               boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(rounds_count_together_and_by_their_medians) {
   const Timing timing = timing_of({{1, 2, 3}, {5}, {4, 4}});
   BOOST_TEST(timing.repetitions == 6);
   BOOST_TEST(timing.rounds == 3);
-  BOOST_TEST(timing.median == 3.5);
+  BOOST_TEST(timing.median == 4);  // of 2, 5 and 4
+  BOOST_TEST(timing.lower_quartile == 4);
+  BOOST_TEST(timing.upper_quartile == 4);
+  BOOST_TEST(timing.minimum == 1);
+  BOOST_TEST(timing.maximum == 5);
   BOOST_TEST(timing.fastest_round == 2);
   BOOST_TEST(timing.slowest_round == 5);
   BOOST_TEST(scaled(timing, 1, 2).slowest_round == 8);
