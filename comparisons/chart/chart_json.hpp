@@ -21,7 +21,8 @@ std::vector<Chart> stored_charts(const std::filesystem::path& file);
 ///              where unknown; errors: by law, of each measure
 ///     fronts   kind, law, measure, points (places), errors_told: of each its error, or
 ///              what the truth may be off on its mesh where that is more
-///     claims   kind, measure, faster, as_accurate, faster_at_equal_accuracy, words
+///     claims   kind, measure, springs (model), faster, as_accurate,
+///     faster_at_equal_accuracy, words
 nlohmann::ordered_json charts_json(const std::vector<Chart>& charts);
 
 }  // namespace springcheck

@@ -123,7 +123,7 @@ class ChartRun::State {
   }
 
   void measure_beyond_budget(std::span<const ChartModel> models) {
-    const auto most = static_cast<std::size_t>(plan_.least_models);
+    const auto wanted = static_cast<std::size_t>(plan_.least_models);
     const int finest = plan_.across.back();
     std::vector<const ChartModel*> candidates;
     std::set<std::string> reached;
@@ -140,8 +140,8 @@ class ChartRun::State {
       std::erase_if(candidates, [&](const ChartModel* model) {
         return reached.contains(without_solver(*model));
       });
-      if (reached.size() >= most || candidates.empty()) return;
-      progress.show(reached.size(), most);
+      if (reached.size() >= wanted || candidates.empty()) return;
+      progress.show(reached.size(), wanted);
       const auto cheapest = std::ranges::min_element(
           candidates, {},
           [&](const ChartModel* model) { return expected_seconds(*model, finest); });
@@ -163,25 +163,22 @@ class ChartRun::State {
     std::optional<CaseResult> result;
     bool is_new = false;
     for (const int threads : on_threads) {
-      StoredChart::Point& point = point_of(model, settings, across, key, threads);
+      const StoredChart::Point* const known =
+          find_point(chart_, model.name, key, threads);
       // New times are for the points that have one: which ones a chart has is not left to
       // how long smaller ones take this time.
-      if (plan_.retime ? point.left_out || (point.timing && !fits(settings))
-                       : point.timing.has_value())
-        continue;
+      if (plan_.retime != (known != nullptr && known->timing)) continue;
+      const bool fits_now = fits(settings);
+      if (plan_.retime && !fits_now) continue;
       is_new = true;
-      const bool had_time = point.timing.has_value();
-      point.times.clear();
+      StoredChart::Point& point = point_of(model, settings, across, key, threads);
       point.left_out.reset();
-      if (!fits(settings))
+      if (!fits_now)
         point.left_out = "over memory";
-      else if (!had_time && expected_seconds(model, point.nodes, threads) > budget)
+      else if (!plan_.retime && expected_seconds(model, point.nodes, threads) > budget)
         point.left_out = "over budget";
-      if (point.left_out) {
-        point.timing.reset();
-        point.setup.reset();
-        continue;
-      }
+      if (point.left_out) continue;
+      point.times.clear();
       TimedCase timed = timed_case(settings, mesh, threads, seconds_of_round());
       if (timed.result.status == Status::refused) {
         point.left_out = "not applicable";
@@ -262,7 +259,7 @@ class ChartRun::State {
   }
 
   void know(const std::string& key, const auto& result) {
-    outcomes_[key] = {.is_there = result.measures.volume_error.has_value(),
+    outcomes_[key] = {.has_state = result.measures.volume_error.has_value(),
                       .is_ok = result.status == Status::ok};
   }
   [[nodiscard]] bool is_known(const std::string& key) const {
@@ -270,7 +267,7 @@ class ChartRun::State {
   }
   [[nodiscard]] bool has_failed(const std::string& key) const {
     const auto found = outcomes_.find(key);
-    return found != outcomes_.end() && !found->second.is_there;
+    return found != outcomes_.end() && !found->second.has_state;
   }
 
   /// The truths' runs are kept with their fields, which every comparison needs.
@@ -373,7 +370,7 @@ class ChartRun::State {
 
   /// What became of a case.
   struct Outcome {
-    bool is_there, is_ok;
+    bool has_state, is_ok;
   };
 
   ChartPlan plan_;

@@ -155,8 +155,9 @@ Sheet points_sheet(const std::vector<Chart>& charts) {
                 "Time: median; of an equilibrium to a relative residual of 1e-10, of a "
                 "motion real seconds per simulated one at .9 of the method's own "
                 "stability limit, set-up and all. Set-up is of the whole run. "
-                "Median and quartiles: medians of the rounds'; what took longer than a "
-                "round's share has one run in each, or one in all, without a warm-up. "
+                "Median and quartiles: of all runs, each round counting the same; what "
+                "took longer than a round's share has one run in each, or one in all, "
+                "without a warm-up. "
                 "A point without a time would have taken more than the budget, or the "
                 "memory that was left.",
                 machines_of(charts)}};
@@ -228,10 +229,10 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
           "Failed states, wrinkled and indefinite ones among them, have no place on a "
           "front.",
           "Rivals: other points, as accurate but for less than 1 %, that cannot be told "
-          "to be slower: the rounds of both overlap, or of points with fewer than three "
-          "the quartiles do, or the medians differ by less than a fifth. Timed again, "
-          "one of them may have the place; a point without rivals is expected to keep "
-          "it."}};
+          "to be slower. Times are told apart by three rounds of one all faster than the "
+          "other's; where one has fewer, by quartiles that do not overlap and medians a "
+          "fifth apart. Timed again, a rival may have the place; a point without any is "
+          "expected to keep it."}};
   for (const Chart& chart : charts)
     for (const ChartKind kind : {ChartKind::equilibrium, ChartKind::motion})
       for (std::size_t truth = 0; truth < chart.truths.size(); ++truth)

@@ -55,34 +55,37 @@ KnownError known_error(const Chart& chart, ChartMeasure measure, std::size_t i) 
   return {.value = std::max(error, bar), .is_bar = error < bar};
 }
 
+/// Whether a is closer to the truth than b, by a worthwhile gain and more than what the
+/// truth may be off.
+Answer closer(const Chart& chart, ChartMeasure measure, std::size_t a, std::size_t b) {
+  const std::size_t truth = *chart.truth_of(chart.stored.law);
+  const double one = known_error(chart, measure, a).value,
+               other = known_error(chart, measure, b).value;
+  const double known_to = std::max({chart.bar(a, measure, truth).value_or(0),
+                                    chart.bar(b, measure, truth).value_or(0),
+                                    worthwhile_gain * std::max(one, other)});
+  if (std::abs(one - other) <= known_to) return Answer::undecided;
+  return one < other ? Answer::yes : Answer::no;
+}
+
 Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
-               std::size_t truth, std::size_t springs, std::size_t elements,
+               std::size_t springs, std::size_t elements,
                const std::function<bool(const ChartPoint&)>& counts) {
-  const auto bar = [&](std::size_t i) {
-    return chart.bar(i, measure, truth).value_or(0);
-  };
-  const auto error = [&](std::size_t i) { return known_error(chart, measure, i).value; };
-  const double known_to =
-      std::max({bar(springs), bar(elements),
-                worthwhile_gain * std::max(error(springs), error(elements))});
   Claim claim{.kind = kind,
               .measure = measure,
               .springs = springs,
               .elements = elements,
               .is_faster = faster(chart.points[springs], chart.points[elements]),
-              .is_as_accurate = Answer::undecided,
+              .is_as_accurate = closer(chart, measure, springs, elements),
               .rival = std::nullopt,
               .were_all_run = true,
               .is_faster_at_equal_accuracy = Answer::undecided};
-  if (std::abs(error(springs) - error(elements)) > known_to)
-    claim.is_as_accurate = error(springs) < error(elements) ? Answer::yes : Answer::no;
   for (std::size_t i = 0; i < chart.points.size(); ++i) {
     const ChartPoint& point = chart.points[i];
     if (point.place.kind != kind || is_of_springs(point)) continue;
     if (point.place.threads == counted_threads && !point.seconds())
       claim.were_all_run = false;
-    if (!counts(point)) continue;
-    if (error(i) > error(springs)) continue;
+    if (!counts(point) || closer(chart, measure, springs, i) == Answer::yes) continue;
     if (!claim.rival || *point.seconds() < *chart.points[*claim.rival].seconds())
       claim.rival = i;
   }
@@ -143,8 +146,7 @@ std::vector<Claim> claims(const Chart& chart) {
                point.place.threads == counted_threads && point.errors[*truth].of(measure);
       };
       if (const auto pair = same_cells(chart, kind, springs, elements, counts))
-        all.push_back(
-            claim_of(chart, kind, measure, *truth, pair->first, pair->second, counts));
+        all.push_back(claim_of(chart, kind, measure, pair->first, pair->second, counts));
     }
   return all;
 }
@@ -171,12 +173,11 @@ std::string claim_text(const Chart& chart, const Claim& claim) {
     return text + "No finite elements of the chart are as accurate as it" +
            (claim.were_all_run ? "." : "; some of them were not run.");
   if (claim.is_faster_at_equal_accuracy == Answer::undecided)
-    return text + "At least as accurate is " + figures(chart, claim, *claim.rival) +
+    return text + "Not less accurate is " + figures(chart, claim, *claim.rival) +
            "; which is faster the times do not tell.";
   const ChartPoint& rival = chart.points[*claim.rival];
   return text +
-         fmt::format("At least as accurate is {}, {}.",
-                     figures(chart, claim, *claim.rival),
+         fmt::format("Not less accurate is {}, {}.", figures(chart, claim, *claim.rival),
                      times_as(*springs.seconds() / *rival.seconds(), "faster", "slower"));
 }
 
@@ -199,9 +200,10 @@ Sheet claims_sheet(const std::vector<Chart>& charts) {
           "that both hold on. Undecided: the times cannot be told apart, as chart-front "
           "says, or the errors differ by less than 1 %, or than the truth may be off. At "
           "equal accuracy: beside the fastest finite elements of the chart, of any law, "
-          "cells, precision and size, that are at least as accurate; where there are "
-          "none, yes, but undecided where some were left out, over budget or memory. An "
-          "error below what the truth may be off counts as that."}};
+          "cells, precision and size, that cannot be told to be less accurate; where "
+          "there are none, yes, but undecided where some were left out, over budget or "
+          "memory, or not applicable. An error below what the truth may be off counts as "
+          "that."}};
   for (const Chart& chart : charts)
     for (const Claim& claim : claims(chart)) {
       const ChartPoint& springs = chart.points[claim.springs];

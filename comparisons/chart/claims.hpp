@@ -19,10 +19,10 @@ struct Claim {
   std::size_t springs, elements;  // points on the same cells, the largest that both hold
   Answer is_faster;               // the springs, than those elements
   Answer is_as_accurate;
-  // The fastest elements of any size, and cells, that are at least as accurate as the
-  // springs; none where no elements are:
+  // The fastest elements of any size, and cells, that cannot be told to be less accurate
+  // than the springs; none where all can:
   std::optional<std::size_t> rival;
-  bool were_all_run;  // no elements of the chart were left out
+  bool were_all_run;  // elements of this kind; none were left out
   // Than the rival; without one yes, if all were run.
   Answer is_faster_at_equal_accuracy;
 };

@@ -23,8 +23,6 @@
 namespace springcheck {
 namespace {
 
-constexpr double most_seconds = 900;  // expected of one size
-
 struct Cost {
   double seconds, bytes;
 };
@@ -141,7 +139,7 @@ std::vector<Growing> all_growing(const std::vector<int>& wide,
   return all;
 }
 
-void add_rows(Sheet& sheet, const Growing& growing) {
+void add_rows(Sheet& sheet, const Growing& growing, double most_seconds) {
   std::vector<double> cells, seconds, bytes;
   std::map<double, double> seconds_by_cells;
   for (const int n : growing.across) {
@@ -185,7 +183,7 @@ void add_rows(Sheet& sheet, const Growing& growing) {
 }  // namespace
 
 Sheet growth_sheet(const std::vector<int>& across,
-                   const std::vector<int>& across_directly) {
+                   const std::vector<int>& across_directly, double most_seconds) {
   omp_set_max_active_levels(0);  // see simulate
   Sheet sheet{
       .name = "growth",
@@ -211,7 +209,7 @@ Sheet growth_sheet(const std::vector<int>& across,
   Progress progress("series");
   for (std::size_t i = 0; i < all.size(); ++i) {
     progress.show(i, all.size());
-    add_rows(sheet, all[i]);
+    add_rows(sheet, all[i], most_seconds);
   }
   return sheet;
 }

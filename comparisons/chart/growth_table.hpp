@@ -11,10 +11,10 @@ namespace springcheck {
 /// each with exponents fitted over its sizes. Direct solvers' factors grow faster than
 /// bodies, and have sizes of their own. Measured on one thread, one body at a time; no
 /// case is behind it, and no two runs give the same digits. Sizes that need more memory
-/// than is left, that are expected to take more than a quarter of an hour, or whose
-/// solution fails are named in the notes.
+/// than is left, that are expected to take more than `most_seconds`, by the growth of the
+/// series so far, or whose solution fails are named in the notes.
 Sheet growth_sheet(const std::vector<int>& across,
-                   const std::vector<int>& across_directly);
+                   const std::vector<int>& across_directly, double most_seconds = 900);
 
 /// That of 10^3, 10^4, 10^5 and 10^6 cells, about, and for direct solvers up to 2 10^4;
 /// measured while the table is made.

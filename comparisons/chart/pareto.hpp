@@ -16,7 +16,8 @@ struct Cost {
 inline constexpr double worthwhile_gain = 0.01;
 
 /// Places of the points from the fastest to the most accurate, each the fastest that is
-/// more accurate than the one before by a worthwhile gain. Of equal ones the first counts.
+/// more accurate than the one before by a worthwhile gain. Of equal ones the first
+/// counts.
 std::vector<std::size_t> pareto_front(std::span<const Cost> points);
 
 }  // namespace springcheck

@@ -28,22 +28,23 @@ double median_of(std::vector<double> seconds) {
 }  // namespace
 
 Timing timing_of(const TimedRounds& rounds) {
-  std::vector<double> all, lower_quartiles, medians, upper_quartiles;
+  std::size_t repetitions = 0;
+  std::vector<double> all, medians;  // all: as many quantiles of each round
   for (std::vector<double> round : rounds) {
     std::ranges::sort(round);
-    lower_quartiles.push_back(quantile(round, 0.25));
+    repetitions += round.size();
     medians.push_back(quantile(round, 0.5));
-    upper_quartiles.push_back(quantile(round, 0.75));
-    all.insert(all.end(), round.begin(), round.end());
+    for (std::size_t i = 0; i < most; ++i)
+      all.push_back(quantile(round, static_cast<double>(i) / (most - 1)));
   }
-  const auto [minimum, maximum] = std::ranges::minmax(all);
+  std::ranges::sort(all);
   const auto [fastest, slowest] = std::ranges::minmax(medians);
-  return {.repetitions = static_cast<int>(all.size()),
-          .minimum = minimum,
-          .lower_quartile = median_of(lower_quartiles),
-          .median = median_of(medians),
-          .upper_quartile = median_of(upper_quartiles),
-          .maximum = maximum,
+  return {.repetitions = static_cast<int>(repetitions),
+          .minimum = all.front(),
+          .lower_quartile = quantile(all, 0.25),
+          .median = quantile(all, 0.5),
+          .upper_quartile = quantile(all, 0.75),
+          .maximum = all.back(),
           .rounds = static_cast<int>(rounds.size()),
           .fastest_round = fastest,
           .slowest_round = slowest};

@@ -13,9 +13,8 @@ using TimedRounds = std::vector<std::vector<double>>;
 
 inline constexpr int most_rounds = 3;
 
-/// Of all rounds: their extremes, the medians of the rounds' quartiles and medians, so
-/// that a restless round, which repeats more often, counts no more than another; and the
-/// medians of the fastest and the slowest round.
+/// Of all repetitions, each round counting the same: a restless one repeats more often.
+/// And the medians of the fastest and the slowest round.
 struct Timing {
   int repetitions;
   double minimum, lower_quartile, median, upper_quartile, maximum;
@@ -24,7 +23,8 @@ struct Timing {
 };
 
 /// Quantiles by linear interpolation between the ordered times (type 7 of Hyndman and
-/// Fan, The American Statistician 50, 1996). There must be a round, and a time in each.
+/// Fan, The American Statistician 50, 1996); of several rounds those of their union, each
+/// by 25 quantiles of its own. There must be a round, and a time in each.
 Timing timing_of(const TimedRounds& rounds);
 
 /// What is left of the times beyond `less` [s], multiplied by a factor.

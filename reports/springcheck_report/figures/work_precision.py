@@ -168,6 +168,7 @@ def _scale(points, measure, statuses):
         high = max(high, low)
         if measure.bar > low / _MOST_TO_BAR:
             low = min(low, measure.bar / 2)
+    low = min([low, *measure.errors_told])
     low, high = low / 2, high * 1.5  # below there is the bar's text
     names = [*statuses, *(["no error known"] if None in errors else [])]
     step = (high / low) ** _LANE
@@ -229,7 +230,7 @@ def _name_bar(axes, measure):
     """In the corner of the fastest and most accurate, which is empty."""
     if not measure.bar:
         return
-    text = f"truth unsure by {measure.bar:.2g} %"
+    text = f"truth unsure by up to {measure.bar:.2g} %"
     axes.annotate(text, (0, 0), (2.5, 2.5), xycoords="axes fraction", textcoords="offset points", fontsize=5.5,
                   color=_INK, zorder=6)
 

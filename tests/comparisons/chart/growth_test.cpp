@@ -40,6 +40,15 @@ BOOST_AUTO_TEST_CASE(every_series_has_its_sizes_and_exponents) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(what_would_take_too_long_is_named) {
+  const Sheet sheet = growth_sheet({4, 10}, {3, 10}, 1e-9);
+  const auto named = std::ranges::count_if(sheet.notes, [](const std::string& note) {
+    return note.find(", 1000 cells: not run: may take ") < note.size();
+  });
+  BOOST_TEST(named == 10);
+  BOOST_TEST(sheet.rows.size() == 10U);
+}
+
 BOOST_AUTO_TEST_CASE(what_would_not_fit_is_named) {
   const Sheet sheet = growth_sheet({4, 100000}, {100000});
   const auto named = std::ranges::count_if(sheet.notes, [](const std::string& note) {

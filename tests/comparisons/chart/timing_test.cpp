@@ -75,14 +75,19 @@ BOOST_AUTO_TEST_CASE(rounds_count_together_and_by_their_medians) {
   const Timing timing = timing_of({{1, 2, 3}, {5}, {4, 4}});
   BOOST_TEST(timing.repetitions == 6);
   BOOST_TEST(timing.rounds == 3);
-  BOOST_TEST(timing.median == 4);  // of 2, 5 and 4
-  BOOST_TEST(timing.lower_quartile == 4);
-  BOOST_TEST(timing.upper_quartile == 4);
+  // Of 1, 1 + 1/12, ... 3, 25 times 5 and 25 times 4.
+  BOOST_TEST(timing.median == 4);
+  BOOST_TEST(timing.lower_quartile == 1 + 18.5 / 12, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(timing.upper_quartile == 5);
   BOOST_TEST(timing.minimum == 1);
   BOOST_TEST(timing.maximum == 5);
   BOOST_TEST(timing.fastest_round == 2);
   BOOST_TEST(timing.slowest_round == 5);
   BOOST_TEST(scaled(timing, 1, 2).slowest_round == 8);
+  const Timing drifting = timing_of({{1, 1, 1}, {2, 2, 2, 2, 2, 2}, {3}});
+  BOOST_TEST(drifting.lower_quartile == 1);
+  BOOST_TEST(drifting.median == 2);
+  BOOST_TEST(drifting.upper_quartile == 3);
 }
 
 BOOST_AUTO_TEST_CASE(times_are_told_apart_beyond_their_rounds) {
