@@ -224,10 +224,10 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
       .rows = {},
       .notes = {
           what_errors_are,
-          "From the fastest to the most accurate, each the fastest that is more accurate "
-          "than the one before by 1 % of the error or more, over all numbers of threads. "
-          "Failed states, wrinkled and indefinite ones among them, have no place on a "
-          "front.",
+          "A front goes from the fastest point to the most accurate, each the fastest "
+          "that is more accurate than the one before by 1 % of the error or more, over "
+          "all numbers of threads. Failed states, wrinkled and indefinite ones among "
+          "them, have no place on it.",
           "Rivals: other points, as accurate but for less than 1 %, that cannot be told "
           "to be slower. Times are told apart by three rounds of one all faster than the "
           "other's; where one has fewer, by quartiles that do not overlap and medians a "
