@@ -229,10 +229,10 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
           "all numbers of threads. Failed states, wrinkled and indefinite ones among "
           "them, have no place on it.",
           "Rivals: other points, as accurate but for less than 1 %, that cannot be told "
-          "to be slower. Times are told apart by three rounds of one all faster than the "
-          "other's; where one has fewer, by quartiles that do not overlap and medians a "
-          "fifth apart. Timed again, a rival may have the place; a point without any is "
-          "expected to keep it."}};
+          "to be slower. Times are told apart where medians differ by a fifth and three "
+          "rounds of one are all faster than the other's; where one has fewer, the "
+          "quartiles must not overlap. Timed again, a rival may have the place; a point "
+          "without any is expected to keep it."}};
   for (const Chart& chart : charts)
     for (const ChartKind kind : {ChartKind::equilibrium, ChartKind::motion})
       for (std::size_t truth = 0; truth < chart.truths.size(); ++truth)

@@ -60,11 +60,11 @@ Timing scaled(Timing timing, double less, double factor) {
 }
 
 bool is_less(const Timing& timing, const Timing& other) {
-  constexpr double spread_of_a_round = 0.2;
-  if (std::min(timing.rounds, other.rounds) >= most_rounds)
-    return timing.slowest_round < other.fastest_round;
-  return timing.upper_quartile < other.lower_quartile &&
-         timing.median < (1 - spread_of_a_round) * other.median;
+  constexpr double spread_of_machines = 0.2;
+  const bool is_apart = std::min(timing.rounds, other.rounds) >= most_rounds
+                            ? timing.slowest_round < other.fastest_round
+                            : timing.upper_quartile < other.lower_quartile;
+  return is_apart && timing.median < (1 - spread_of_machines) * other.median;
 }
 
 double expected_seconds(const std::map<double, double>& smaller, double size) {

@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(restless_times_are_equal_to_faster_ones_behind_a_dearer_one
   Rehearsed rehearsed;
   const auto ok = Status::ok;
   rehearsed.shown["mss-cf"] = {{3, {1, 1, ok, {{1}, {1}, {1}}}}, {4, {9, 1}}};
-  rehearsed.shown["mss-affine"] = {{3, {1.2, 1, ok, {{1.2}, {1.2}, {1.2}}}}, {4, {9, 1}}};
+  rehearsed.shown["mss-affine"] = {{3, {1.3, 1, ok, {{1.3}, {1.3}, {1.3}}}}, {4, {9, 1}}};
   rehearsed.shown["mss-fd"] = {{2, {1.5, 1, ok, {{0.9}, {1.5}, {1.5}}}}, {3, {9, 1}}};
   const Advice advice = advice_of(rehearsed);
   BOOST_TEST(name_of(advice, advice.chosen.value()) == "mss-fd 2");

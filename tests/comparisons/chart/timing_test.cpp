@@ -93,10 +93,12 @@ BOOST_AUTO_TEST_CASE(rounds_count_together_and_by_their_medians) {
 BOOST_AUTO_TEST_CASE(times_are_told_apart_beyond_their_rounds) {
   const Timing steady = timing_of({{1}, {1}, {1.1}}),
                drifting = timing_of({{1.3, 1.3, 1.3}, {1.05}, {1.3}}),
-               slower = timing_of({{1.2}, {1.15}, {1.3}});
+               slower = timing_of({{1.3}, {1.15}, {1.4}}),
+               little_slower = timing_of({{1.2}, {1.2}, {1.2}});
   BOOST_TEST(!is_less(steady, drifting));
   BOOST_TEST(is_less(steady, slower));
   BOOST_TEST(!is_less(slower, steady));
+  BOOST_TEST(!is_less(steady, little_slower));  // by less than a fifth
   // A single round tells a fifth.
   const Timing once = timing_of({{1, 1, 1}});
   BOOST_TEST(!is_less(once, timing_of({{1.2, 1.2, 1.2}})));
