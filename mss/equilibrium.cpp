@@ -16,6 +16,8 @@ namespace {
 
 constexpr double smallest_load_step = 1. / 1024;
 constexpr double gradient_per_step = 0.06;  // see Landscape::gradient
+// Three searches to their end. The state sought may be far away, or none.
+constexpr int most_lost_iterations = 450;
 
 }  // namespace
 
@@ -45,6 +47,7 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
           ? std::max(gradient_per_step / whole_gradient, 2 * smallest_load_step)
           : 1;
   double step = largest_step;
+  int lost_iterations = 0;
   while (reached < 1) {
     // The last step may be a little longer, not a sliver.
     const double to = reached + 1.05 * step > 1 ? 1 : reached + step;
@@ -74,7 +77,8 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
       continue;
     }
     step = (to - reached) / 2;
-    if (step < smallest_load_step) {
+    if (!minimum.ran_away) lost_iterations += minimum.iterations;
+    if (step < smallest_load_step || lost_iterations >= most_lost_iterations) {
       status =
           minimum.ran_away ? SolveStatus::no_equilibrium : SolveStatus::not_converged;
       if (minimum.ran_away && !definite_up_to) definite_up_to = reached;

@@ -16,10 +16,11 @@ namespace springcheck::mss {
 /// test (IterativeSolver::is_definite); near a saddle the search leaves along negative
 /// curvature, the most negative where the solver is direct (`seed` starts the iteration
 /// that finds it, and so decides between equal directions). A step that finds no minimum
-/// is halved, down to 1/1024 of the load; then the status is no_equilibrium if the energy
-/// fell without end, and not_converged otherwise. The solution's definite_up_to is about
-/// the states that the path keeps: a saddle that it left for a minimum, wrinkled perhaps,
-/// does not count.
+/// is halved, down to 1/1024 of the load, or until searches that did not converge have
+/// taken 450 iterations; then the status is no_equilibrium if the energy fell without
+/// end, and not_converged otherwise. The solution's definite_up_to is about the states
+/// that the path keeps: a saddle that it left for a minimum, wrinkled perhaps, does not
+/// count.
 ///
 /// With noise every free component of the last state is moved by up to that many mean
 /// cell edges, at random from the seed, and the minimum is sought from there: a state

@@ -54,12 +54,13 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
                   .definite = false,
                   .undecided = false,
                   .ran_away = false,
-                  .residual = INFINITY};
+                  .residual = INFINITY,
+                  .iterations = 0};
   Positions& now = minimum.positions;
   const double runaway_ratio =
       runaway_growth * std::max(1., landscape.largest_volume_ratio(now));
   double energy = landscape.energy(now);
-  for (int iteration = 0; iteration < newton_limit; ++iteration) {
+  for (; minimum.iterations < newton_limit; ++minimum.iterations) {
     const std::vector<Vector3>& forces = landscape.forces(now);
     const Eigen::VectorXd downhill = landscape.on_free(forces);
     const double scale =
@@ -79,8 +80,8 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
       direction = landscape.solve(downhill, solver_accuracy(minimum.residual));
       minimum.definite = direction.has_value();
     }
-    spdlog::debug("  newton {}: energy {:.9e}, residual {:.2e}{}", iteration, energy,
-                  minimum.residual, minimum.definite ? "" : ", indefinite");
+    spdlog::debug("  newton {}: energy {:.9e}, residual {:.2e}{}", minimum.iterations,
+                  energy, minimum.residual, minimum.definite ? "" : ", indefinite");
     if (minimum.found && (minimum.definite || minimum.undecided)) return minimum;
 
     // Near a saddle the clamped tangent hardly moves along the unstable direction.

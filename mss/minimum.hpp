@@ -13,6 +13,7 @@ struct Minimum {
   bool undecided;   // stationary; whether the tangent is definite could not be told
   bool ran_away;    // the energy fell without a minimum nearby
   double residual;  // relative, see find_equilibrium
+  int iterations;   // Newton's
 };
 
 /// Looks for a minimum of the energy from x at the landscape's load; find_equilibrium
