@@ -14,7 +14,7 @@
 #include <cmath>
 #include <map>
 
-#include "comparisons/stepping.hpp"
+#include "comparisons/running/stepping.hpp"
 
 namespace {
 

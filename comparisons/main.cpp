@@ -12,18 +12,18 @@
 #include <stdexcept>
 #include <thread>
 
-#include "comparisons/blas.hpp"
-#include "comparisons/build_info.hpp"
-#include "comparisons/chart/advise_command.hpp"
-#include "comparisons/chart/chart_command.hpp"
+#include "comparisons/commands/blas.hpp"
+#include "comparisons/build_info/build_info.hpp"
+#include "comparisons/commands/advise_command.hpp"
+#include "comparisons/commands/chart_command.hpp"
 #include "comparisons/chart/chart_models.hpp"
-#include "comparisons/commands.hpp"
-#include "comparisons/gate_command.hpp"
-#include "comparisons/measured/measure_command.hpp"
-#include "comparisons/report_command.hpp"
-#include "comparisons/reproduce.hpp"
-#include "comparisons/stability/stability_command.hpp"
-#include "comparisons/sweep_command.hpp"
+#include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/gate_command.hpp"
+#include "comparisons/commands/measure_command.hpp"
+#include "comparisons/commands/report_command.hpp"
+#include "comparisons/commands/reproduce.hpp"
+#include "comparisons/commands/stability_command.hpp"
+#include "comparisons/commands/sweep_command.hpp"
 #include "meshing/input_error.hpp"
 
 namespace {

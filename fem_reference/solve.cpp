@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "fem_reference/equilibrium.hpp"
-#include "fem_reference/loads.hpp"
-#include "fem_reference/supports.hpp"
+#include "fem_reference/cells/discretisation.hpp"
+#include "fem_reference/statics/elasticity.hpp"
+#include "fem_reference/statics/equilibrium.hpp"
+#include "fem_reference/statics/loads.hpp"
+#include "fem_reference/statics/supports.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/stopwatch.hpp"
 
@@ -58,15 +60,6 @@ std::vector<Vector3> by_node(const Eigen::VectorXd& nodal, std::size_t nodes) {
 }
 
 }  // namespace
-
-bool takes_multigrid(const Settings& settings, double poisson_ratio,
-                     std::size_t components) {
-  if (settings.linear_solver != LinearSolver::automatic)
-    return settings.linear_solver == LinearSolver::multigrid;
-  const std::size_t limit = settings.element == Element::q2 ? 50000 : 25000;
-  const bool nearly_incompressible = poisson_ratio > 0.45;
-  return components > (nearly_incompressible ? 2 * limit : limit);
-}
 
 Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
   check(scene);

@@ -1,57 +1,9 @@
 #pragma once
 
+#include "fem_reference/laws/settings.hpp"
 #include "meshing/scene.hpp"
 
 namespace springcheck::fem_reference {
-
-/// Constitutive laws; formulas and sources in materials.hpp.
-enum class Law { hooke, st_venant_kirchhoff, hencky, cauchy_born };
-
-/// Elements, named by what they are on a hexahedron.
-///
-///     q1      the nodes of the cell: trilinear on a hexahedron, linear on a tetrahedron,
-///             in between on prisms and pyramids (cell_shapes.hpp); locks near nu = 1/2
-///     q1_sri  the same, the volumetric part of the law from the cell's mean dilatation
-///             (cell.hpp): does not lock on hexahedra; on tetrahedra the same as q1
-///     q2      triquadratic (27 nodes), 3x3x3 Gauss points; hexahedra only
-enum class Element { q1, q1_sri, q2 };
-
-/// Springs whose continuum the law cauchy_born is (lattice.hpp).
-enum class Springs { baudet, nfd, fd, cf, affine };
-
-/// Modulus that the spring constants are computed from, as in the network they mirror.
-enum class SpringConstants { from_shear_modulus, from_young_modulus };
-
-/// Direction of the lattice that lies along the body's z axis.
-enum class LatticeDirection { d100, d110, d111 };
-
-struct Lattice {
-  Springs springs = Springs::cf;
-  double diagonal_ratio = 1;  // A = k_f/k_c of fd and cf
-  SpringConstants constants = SpringConstants::from_shear_modulus;
-  LatticeDirection direction = LatticeDirection::d100;
-};
-
-/// Solver of the linear systems: a Cholesky factor, or conjugate gradients with algebraic
-/// multigrid; automatic takes the cheaper one (takes_multigrid).
-enum class LinearSolver { automatic, direct, multigrid };
-
-struct Settings {
-  Law law;
-  Element element;
-  Lattice lattice{};  // read by cauchy_born
-  LinearSolver linear_solver = LinearSolver::automatic;
-};
-
-/// Whether a body of so many displacement components, prescribed ones included, is solved
-/// by multigrid.
-///
-/// Measured on cubes, one solution of Hooke's law, direct / multigrid [s]: q1_sri at
-/// 10^3, 20^3, 30^3 cells and nu = .25 0.1/0.4, 2.2/1.0, 13/3.7; nu = .499
-/// 0.1/0.7, 2.2/2.7; q2 at 10^3 cells 2.3/3.1 and 2.3/20. A factor also needs two to
-/// three times the memory.
-bool takes_multigrid(const Settings& settings, double poisson_ratio,
-                     std::size_t components);
 
 /// Static equilibrium of the body by finite elements (deal.II). Node numbers are the
 /// mesh's. A failed simulation is a Solution with the status that says so, `refused` for

@@ -3,7 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "meshing/mesh.hpp"
+#include "meshing/cell_type.hpp"
+#include "meshing/vector3.hpp"
 
 namespace springcheck {
 

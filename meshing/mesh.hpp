@@ -1,15 +1,13 @@
 #pragma once
 
-#include <Eigen/Geometry>  // Core with cross()
 #include <map>
 #include <string>
 #include <vector>
 
 #include "meshing/cell_type.hpp"
+#include "meshing/vector3.hpp"
 
 namespace springcheck {
-
-using Vector3 = Eigen::Vector3d;
 
 /// A part of the boundary.
 struct Region {

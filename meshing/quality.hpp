@@ -4,6 +4,7 @@
 #include <map>
 
 #include "meshing/cell_geometry.hpp"
+#include "meshing/mesh.hpp"
 
 namespace springcheck {
 

@@ -1,9 +1,9 @@
 #include "mss/solve.hpp"
 
 #include "meshing/stopwatch.hpp"
-#include "mss/equilibrium.hpp"
-#include "mss/spring_strain.hpp"
-#include "mss/stability/path_limit_solution.hpp"
+#include "mss/statics/equilibrium.hpp"
+#include "mss/networks/spring_strain.hpp"
+#include "mss/statics/path_limit_solution.hpp"
 
 namespace springcheck::mss {
 

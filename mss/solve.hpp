@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mss/dynamics.hpp"
-#include "mss/network.hpp"
+#include "mss/motion/dynamics.hpp"
+#include "mss/networks/network.hpp"
 
 namespace springcheck::mss {
 

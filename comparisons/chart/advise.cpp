@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "comparisons/chart/left_out.hpp"
-#include "comparisons/memory.hpp"
-#include "comparisons/progress.hpp"
+#include "comparisons/running/memory.hpp"
+#include "comparisons/running/progress.hpp"
 
 namespace springcheck {
 namespace {

@@ -1,27 +1,11 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
+#include "comparisons/chart/advice.hpp"
 #include "comparisons/chart/chart_plan.hpp"
 #include "comparisons/chart/measurements.hpp"
 #include "comparisons/chart/wish.hpp"
 
 namespace springcheck {
-
-/// A recommended point and its neighbours, places in a chart.
-struct Advice {
-  Chart chart;
-  std::size_t truth;                   // of the scene's law
-  std::optional<std::size_t> chosen;   // none: nothing meets the wish ...
-  std::optional<std::size_t> nearest;  // ... and this comes closest
-  std::optional<std::size_t> cheaper;  // most accurate of the cheaper ones
-  std::optional<std::size_t> dearer;   // cheapest of the more accurate ones
-  bool is_path_known = true;           // whether the chosen one's was followed
-  std::vector<std::string> left_out;   // in words: what the chosen one does without
-  std::vector<std::string> cautions;
-};
 
 /// The cheapest model that meets the wish: every model is run on finer and finer cells
 /// until it meets the tolerance, its error no longer falls, it fails, or it would cost

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/case_rows.hpp"
-#include "comparisons/chart/stored_chart.hpp"
-#include "comparisons/converged_number.hpp"
+#include "comparisons/results/case_rows.hpp"
+#include "comparisons/results/stored_chart.hpp"
+#include "comparisons/studies/converged_number.hpp"
 
 namespace springcheck {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "comparisons/chart/claims.hpp"
-#include "comparisons/result_file.hpp"
+#include "comparisons/results/result_file.hpp"
 
 namespace springcheck {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "comparisons/scene_file.hpp"
+#include "comparisons/settings/scene_file.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -98,10 +98,6 @@ std::vector<GivenSetting> options_for(ChartKind kind, std::vector<GivenSetting> 
       return option.key == "duration" || option.key == "damping";
     });
   return options;
-}
-
-std::string_view name_of(ChartKind kind) {
-  return kind == ChartKind::equilibrium ? "equilibrium" : "motion";
 }
 
 const std::vector<ChartModel>& chart_models(BodyShape shape) {

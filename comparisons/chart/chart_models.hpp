@@ -7,16 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "comparisons/converged.hpp"
-#include "comparisons/planned_requests.hpp"
+#include "comparisons/cases/convergence_grids.hpp"
+#include "comparisons/cases/grids.hpp"
+#include "comparisons/results/stored_chart.hpp"
+#include "comparisons/settings/scene_file.hpp"
 
 namespace springcheck {
-
-/// What a time is of, and never compared with the other: a static equilibrium, or a
-/// second of motion by explicit steps of .9 of the method's own stability limit.
-enum class ChartKind { equilibrium, motion };
-
-std::string_view name_of(ChartKind kind);
 
 /// A way to simulate a scene: method, element, cells, solver, precision.
 struct ChartModel {

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "comparisons/build_info.hpp"
-#include "comparisons/displacement_norms.hpp"
-#include "comparisons/mechanical_scene.hpp"
-#include "comparisons/memory.hpp"
-#include "comparisons/provenance.hpp"
-#include "comparisons/scene_file.hpp"
+#include "comparisons/build_info/build_info.hpp"
+#include "comparisons/chart/chart_models.hpp"
+#include "comparisons/measures/displacement_norms.hpp"
+#include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/running/memory.hpp"
+#include "comparisons/results/provenance.hpp"
+#include "comparisons/settings/scene_file.hpp"
+#include "comparisons/studies/converged.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/sha256.hpp"
 

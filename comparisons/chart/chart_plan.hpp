@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/chart/stored_chart.hpp"
-#include "comparisons/study.hpp"
+#include "comparisons/cases/convergence_grids.hpp"
+#include "comparisons/results/stored_chart.hpp"
+#include "comparisons/settings/run_settings.hpp"
+#include "comparisons/studies/study.hpp"
 
 namespace springcheck {
 

@@ -9,10 +9,10 @@
 #include <set>
 #include <span>
 
-#include "comparisons/build_info.hpp"
-#include "comparisons/known_results.hpp"
-#include "comparisons/memory.hpp"
-#include "comparisons/progress.hpp"
+#include "comparisons/build_info/build_info.hpp"
+#include "comparisons/results/known_results.hpp"
+#include "comparisons/running/memory.hpp"
+#include "comparisons/running/progress.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "comparisons/chart/chart_models.hpp"
 #include "comparisons/chart/chart_plan.hpp"
 #include "comparisons/chart/measurements.hpp"
 

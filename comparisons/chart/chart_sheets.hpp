@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "comparisons/chart/chart.hpp"
-#include "comparisons/sheet.hpp"
+#include "comparisons/sheets/sheet.hpp"
 
 namespace springcheck {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "comparisons/chart/chart.hpp"
-#include "comparisons/sheet.hpp"
+#include "comparisons/sheets/sheet.hpp"
 
 namespace springcheck {
 

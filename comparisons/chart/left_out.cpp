@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "comparisons/simulate.hpp"
+#include "comparisons/running/simulate.hpp"
 
 namespace springcheck {
 namespace {

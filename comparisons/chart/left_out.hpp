@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/chart/advise.hpp"
+#include "comparisons/chart/advice.hpp"
+#include "comparisons/chart/chart_plan.hpp"
 
 namespace springcheck {
 

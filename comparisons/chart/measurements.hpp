@@ -3,6 +3,7 @@
 #include <string>
 
 #include "comparisons/chart/chart.hpp"
+#include "comparisons/chart/chart_models.hpp"
 
 namespace springcheck {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "comparisons/gates/selection.hpp"
-#include "comparisons/study.hpp"
+#include "comparisons/studies/study.hpp"
 
 namespace springcheck::gates {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <span>
 
-#include "comparisons/case_rows.hpp"
+#include "comparisons/results/case_rows.hpp"
 #include "comparisons/gates/measure_column.hpp"
 #include "comparisons/gates/sweep_rows.hpp"
 

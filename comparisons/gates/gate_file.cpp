@@ -8,7 +8,7 @@
 #include <set>
 
 #include "comparisons/gates/gate_table.hpp"
-#include "comparisons/setting_values.hpp"
+#include "comparisons/settings/setting_values.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::gates {

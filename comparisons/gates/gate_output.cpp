@@ -6,8 +6,8 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include "comparisons/build_info.hpp"
-#include "comparisons/text_table.hpp"
+#include "comparisons/build_info/build_info.hpp"
+#include "comparisons/sheets/text_table.hpp"
 
 namespace springcheck::gates {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "comparisons/gates/gate.hpp"
-#include "comparisons/toml_values.hpp"
+#include "comparisons/settings/toml_values.hpp"
 
 namespace springcheck::gates {
 

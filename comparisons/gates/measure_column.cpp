@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "comparisons/measures.hpp"
+#include "comparisons/measures/measures.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::gates {

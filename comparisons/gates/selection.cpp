@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/run_settings.hpp"
+#include "comparisons/settings/run_settings.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::gates {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/given.hpp"
+#include "comparisons/settings/given.hpp"
 #include "comparisons/store/columns.hpp"
 
 namespace springcheck::gates {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <span>
 
-#include "comparisons/extrapolation.hpp"
+#include "comparisons/studies/extrapolation.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::gates {

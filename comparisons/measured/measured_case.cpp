@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "comparisons/measured/node_finder.hpp"
-#include "comparisons/mechanical_scene.hpp"
-#include "comparisons/simulate.hpp"
-#include "comparisons/utf8.hpp"
+#include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/running/simulate.hpp"
+#include "comparisons/settings/utf8.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/sha256.hpp"
 

@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "comparisons/memory.hpp"
-#include "comparisons/scene_file.hpp"
+#include "comparisons/running/memory.hpp"
+#include "comparisons/settings/scene_file.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "comparisons/result_file.hpp"
+#include "comparisons/results/result_file.hpp"
 #include "comparisons/stability/axis.hpp"
 #include "comparisons/stability/failure.hpp"
-#include "comparisons/stability/stored_map.hpp"
+#include "comparisons/results/stored_map.hpp"
 
 namespace springcheck {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparisons/sheet.hpp"
+#include "comparisons/sheets/sheet.hpp"
 #include "comparisons/stability/atlas.hpp"
 
 namespace springcheck {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/given.hpp"
-#include "comparisons/run_settings.hpp"
+#include "comparisons/settings/given.hpp"
+#include "comparisons/settings/run_settings.hpp"
 
 namespace springcheck {
 

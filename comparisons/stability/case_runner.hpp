@@ -7,9 +7,9 @@
 #include <set>
 #include <vector>
 
-#include "comparisons/known_results.hpp"
-#include "comparisons/result_file.hpp"
-#include "comparisons/stability/stored_map.hpp"
+#include "comparisons/results/known_results.hpp"
+#include "comparisons/results/result_file.hpp"
+#include "comparisons/results/stored_map.hpp"
 
 namespace springcheck {
 

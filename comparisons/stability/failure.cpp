@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/hourglassing.hpp"
+#include "comparisons/measures/hourglassing.hpp"
 
 namespace springcheck {
 namespace {

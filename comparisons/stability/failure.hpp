@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "comparisons/case_result.hpp"
+#include "comparisons/running/case_result.hpp"
 
 namespace springcheck {
 

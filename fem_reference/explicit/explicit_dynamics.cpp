@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/explicit_motion.hpp"
-#include "dynamics/stable_step.hpp"
+#include "dynamics/blocks/explicit_motion.hpp"
+#include "dynamics/marching/stable_step.hpp"
 #include "fem_reference/explicit/explicit_kernel.hpp"
 #include "fem_reference/explicit/plain_forces.hpp"
 #include "meshing/stopwatch.hpp"

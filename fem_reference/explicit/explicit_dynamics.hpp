@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "dynamics/instruction_set.hpp"
-#include "dynamics/march.hpp"
+#include "dynamics/blocks/instruction_set.hpp"
+#include "dynamics/marching/march.hpp"
 #include "dynamics/precision.hpp"
 #include "fem_reference/explicit/explicit_element.hpp"
 

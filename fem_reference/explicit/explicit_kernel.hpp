@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dynamics/block_state.hpp"
-#include "dynamics/instruction_set.hpp"
+#include "dynamics/blocks/block_state.hpp"
+#include "dynamics/blocks/instruction_set.hpp"
 #include "fem_reference/explicit/explicit_element.hpp"
 #include "meshing/scene.hpp"
 

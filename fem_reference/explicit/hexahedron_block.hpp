@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "dynamics/block_cells.hpp"
-#include "dynamics/block_state.hpp"
+#include "dynamics/blocks/block_cells.hpp"
+#include "dynamics/blocks/block_state.hpp"
 
 namespace springcheck::fem_reference {
 

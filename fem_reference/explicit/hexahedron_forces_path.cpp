@@ -1,6 +1,6 @@
 // Compiled once per instruction set.
-#include "dynamics/cell_packs.hpp"
-#include "dynamics/pack_vectors.hpp"
+#include "dynamics/blocks/cell_packs.hpp"
+#include "dynamics/blocks/pack_vectors.hpp"
 #include "fem_reference/explicit/hexahedron_forces_paths.hpp"
 
 namespace springcheck::fem_reference::SPRINGCHECK_PATH {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/paths.hpp"
+#include "dynamics/blocks/paths.hpp"
 #include "fem_reference/explicit/hexahedron_block.hpp"
 
 namespace springcheck::fem_reference {

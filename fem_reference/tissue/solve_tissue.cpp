@@ -3,10 +3,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fem_reference/loads.hpp"
-#include "fem_reference/solve.hpp"
-#include "fem_reference/stiffness_matrix.hpp"
-#include "fem_reference/supports.hpp"
+#include "fem_reference/statics/loads.hpp"
+#include "fem_reference/laws/settings.hpp"
+#include "fem_reference/statics/stiffness_matrix.hpp"
+#include "fem_reference/statics/supports.hpp"
 #include "fem_reference/tissue/tissue_cell.hpp"
 #include "meshing/stopwatch.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/quasi_static.hpp"
+#include "dynamics/marching/quasi_static.hpp"
 #include "tissue/solid.hpp"
 
 namespace springcheck::fem_reference {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fem_reference/cell_stiffness.hpp"
-#include "fem_reference/dilatation.hpp"
+#include "fem_reference/cells/cell_stiffness.hpp"
+#include "fem_reference/laws/dilatation.hpp"
 #include "fem_reference/tissue/tissue_point.hpp"
 #include "tissue/memory_energy.hpp"
 

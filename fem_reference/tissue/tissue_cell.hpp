@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "fem_reference/cell.hpp"
+#include "fem_reference/cells/cell.hpp"
 #include "tissue/memory.hpp"
 
 namespace springcheck::fem_reference {

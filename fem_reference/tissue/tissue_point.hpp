@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem_reference/tensors.hpp"
+#include "fem_reference/laws/tensors.hpp"
 #include "tissue/memory.hpp"
 
 namespace springcheck::fem_reference {

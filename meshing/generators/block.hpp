@@ -2,9 +2,8 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
-
-#include "meshing/mesh.hpp"
 
 namespace springcheck {
 
@@ -69,15 +68,7 @@ struct Block {
 /// Whether the pattern keeps all nodes of the grid, with the grid's numbers.
 bool keeps_grid(CellPattern pattern);
 
-/// Mesh of the block, with the regions bottom (z = 0), top (z = height), x_min, x_max,
-/// y_min, y_max. Nodes of the grid are numbered lexicographically, x fastest, and stand
-/// exactly on it; cells follow their hexahedra in the same order. Centre nodes come
-/// behind.
-///
-/// Throws InputError for sizes that are not positive and finite, fewer than one cell
-/// along an axis, more nodes than NodeIndex counts, and a distortion that is negative or
-/// not finite; when a cell that the distortion leaves has no positive Jacobian at a
-/// corner; and when the total volume is not the box's.
-Mesh generate_block(const Block& block);
+/// "block 0.05 x 0.05 x 0.05 m in 10 x 10 x 10 cells", and what else shapes its cells.
+std::string describe(const Block& block);
 
 }  // namespace springcheck

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "meshing/generators/block.hpp"
+#include "meshing/vector3.hpp"
 
 namespace springcheck {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshing/generators/block.hpp"
+#include "meshing/mesh.hpp"
 
 namespace springcheck {
 

@@ -1,7 +1,7 @@
 // Compiled once per instruction set.
 #include <limits>
 
-#include "dynamics/cell_packs.hpp"
+#include "dynamics/blocks/cell_packs.hpp"
 #include "mss/kernels/affine_forces_paths.hpp"
 #include "mss/kernels/pack_deformation.hpp"
 

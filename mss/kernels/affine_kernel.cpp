@@ -6,7 +6,7 @@
 #include <memory>
 #include <tuple>
 
-#include "mss/forces.hpp"
+#include "mss/forces/forces.hpp"
 #include "mss/kernels/affine_forces_paths.hpp"
 #include "mss/kernels/lattice_cells.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dynamics/block_state.hpp"
+#include "dynamics/blocks/block_state.hpp"
 
 namespace springcheck::mss {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "dynamics/block_cells.hpp"
+#include "dynamics/blocks/block_cells.hpp"
 
 namespace springcheck::mss {
 namespace {

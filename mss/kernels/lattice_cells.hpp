@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "dynamics/block_cells.hpp"
+#include "dynamics/blocks/block_cells.hpp"
 #include "mss/kernels/lattice_block.hpp"
-#include "mss/network.hpp"
+#include "mss/networks/network.hpp"
 
 // Where the cells and springs of a network are in blocks.
 namespace springcheck::mss {

@@ -1,8 +1,8 @@
 // Compiled once per instruction set.
 #include <limits>
 
-#include "dynamics/ghosts.hpp"
-#include "dynamics/pack_vectors.hpp"
+#include "dynamics/blocks/ghosts.hpp"
+#include "dynamics/blocks/pack_vectors.hpp"
 #include "mss/kernels/lattice_forces_paths.hpp"
 #include "mss/kernels/pack_deformation.hpp"
 

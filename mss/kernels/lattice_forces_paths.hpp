@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/paths.hpp"
+#include "dynamics/blocks/paths.hpp"
 #include "mss/kernels/lattice_block.hpp"
 
 namespace springcheck::mss {

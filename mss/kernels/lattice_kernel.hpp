@@ -1,8 +1,8 @@
 #pragma once
 
-#include "dynamics/block_state.hpp"
-#include "dynamics/instruction_set.hpp"
-#include "mss/network.hpp"
+#include "dynamics/blocks/block_state.hpp"
+#include "dynamics/blocks/instruction_set.hpp"
+#include "mss/networks/network.hpp"
 
 namespace springcheck::mss {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/pack_vectors.hpp"
+#include "dynamics/blocks/pack_vectors.hpp"
 
 // What the kernels of springs share: included, like pack.hpp, by files compiled once per
 // instruction set.

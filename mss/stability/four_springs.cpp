@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mss/forces.hpp"
-#include "mss/tangent.hpp"
+#include "mss/forces/forces.hpp"
+#include "mss/forces/tangent.hpp"
 
 namespace springcheck::mss {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mss/network.hpp"
+#include "mss/networks/network.hpp"
 
 namespace springcheck::mss {
 

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "meshing/generators/block.hpp"
-#include "mss/tangent.hpp"
+#include "meshing/generators/generate_block.hpp"
+#include "mss/forces/tangent.hpp"
 
 namespace springcheck::mss {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "mss/forces.hpp"
-#include "mss/tangent.hpp"
+#include "mss/forces/forces.hpp"
+#include "mss/forces/tangent.hpp"
 
 namespace springcheck::mss {
 namespace {

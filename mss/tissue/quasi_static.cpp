@@ -4,7 +4,7 @@
 
 #include "meshing/stopwatch.hpp"
 #include "meshing/traction.hpp"
-#include "mss/direct_solver.hpp"
+#include "mss/statics/direct_solver.hpp"
 
 namespace springcheck::mss {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/quasi_static.hpp"
+#include "dynamics/marching/quasi_static.hpp"
 #include "mss/tissue/tissue_body.hpp"
 
 namespace springcheck::mss {

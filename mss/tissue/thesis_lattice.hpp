@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mss/stiffness.hpp"
+#include "mss/networks/stiffness.hpp"
 #include "tissue/thesis_spring.hpp"
 
 namespace springcheck::mss {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "meshing/stopwatch.hpp"
-#include "mss/direct_solver.hpp"
-#include "mss/forces.hpp"
-#include "mss/tangent.hpp"
+#include "mss/statics/direct_solver.hpp"
+#include "mss/forces/forces.hpp"
+#include "mss/forces/tangent.hpp"
 
 namespace springcheck::mss {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dynamics/quasi_static.hpp"
-#include "mss/network.hpp"
+#include "dynamics/marching/quasi_static.hpp"
+#include "mss/networks/network.hpp"
 #include "tissue/thesis_spring.hpp"
 
 namespace springcheck::mss {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "meshing/cell_geometry.hpp"
-#include "mss/masses.hpp"
+#include "mss/networks/masses.hpp"
 #include "tissue/memory_energy.hpp"
 
 namespace springcheck::mss {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshing/cell_geometry.hpp"
-#include "mss/deformation.hpp"
+#include "mss/networks/deformation.hpp"
 #include "tissue/memory.hpp"
 
 // A cell of living tissue, of any type: what it remembers acts in its mean deformation,

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/small_motions.hpp"
-#include "dynamics/stable_step.hpp"
+#include "dynamics/marching/small_motions.hpp"
+#include "dynamics/marching/stable_step.hpp"
 #include "meshing/stopwatch.hpp"
 #include "meshing/traction.hpp"
 

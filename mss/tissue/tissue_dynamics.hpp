@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/march.hpp"
+#include "dynamics/marching/march.hpp"
 #include "mss/tissue/tissue_motion.hpp"
 
 namespace springcheck::mss {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "dynamics/explicit_motion.hpp"
+#include "dynamics/blocks/explicit_motion.hpp"
 
 namespace springcheck::mss {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "dynamics/integrators.hpp"
-#include "mss/dynamics.hpp"
-#include "mss/kernels/tissue_kernel.hpp"
+#include "mss/motion/dynamics.hpp"
+#include "mss/tissue/tissue_kernel.hpp"
 
 namespace springcheck::mss {
 

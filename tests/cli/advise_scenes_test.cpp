@@ -1,8 +1,9 @@
-#define BOOST_TEST_MODULE advise_scenes
 #include <boost/test/data/test_case.hpp>
 #include <cmath>
 
-#include "program.hpp"
+#include "tests/cli/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(advise_scenes_test)
 
 // Advice for the thesis's five scenes, held against q2 on cells finer than those that
 // the advice knew.
@@ -52,3 +53,5 @@ BOOST_DATA_TEST_CASE(advice_holds_beside_a_finer_truth,
     BOOST_TEST(std::abs(advised / finer - 1) <= tolerance, run.out);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,8 @@
-#define BOOST_TEST_MODULE chart_cli
 #include <cmath>
 
-#include "program.hpp"
+#include "tests/cli/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(chart_cli_test)
 
 namespace {
 
@@ -142,7 +143,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_met_ends_with_the_nearest) {
 
 // Its own reference is on a grid that refines the cells it had.
 BOOST_AUTO_TEST_CASE(an_advised_scene_runs_whatever_the_reference_was) {
-  const std::string scene = text_of(SCENES "/compression.toml");
+  const std::string scene = text_of(SOURCES "/comparisons/shipped/scenes/compression.toml");
   std::ofstream(folder / "finer-reference.toml")
       << scene << "reference = \"fem-stvk@20\"\n";
   const Run run = springcheck(
@@ -195,3 +196,5 @@ BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
   expect_bad_input("chart affine --out x.h5", "a plate or a weight");
   BOOST_TEST(!fs::exists(folder / "x.h5"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,9 @@
-#define BOOST_TEST_MODULE cli
 #include <cmath>
 #include <set>
 
-#include "program.hpp"
+#include "tests/cli/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(cli_test)
 
 namespace {
 
@@ -564,3 +565,5 @@ BOOST_AUTO_TEST_CASE(the_table_of_modes_needs_no_simulation) {
   BOOST_TEST(find("cantilever", 0.25, "3")["motion"] == "torsion 1");
   BOOST_TEST(springcheck("table modes --reference fem-hooke").status == 2);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

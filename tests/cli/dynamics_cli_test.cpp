@@ -1,7 +1,8 @@
-#define BOOST_TEST_MODULE dynamics_cli
 #include <cmath>
 
-#include "program.hpp"
+#include "tests/cli/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(dynamics_cli_test)
 
 namespace {
 
@@ -240,3 +241,5 @@ BOOST_AUTO_TEST_CASE(what_explicit_euler_leaves_undamped_is_named) {
     BOOST_TEST(reason.find("limit 0 s") == std::string::npos, reason);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
-#define BOOST_TEST_MODULE mesh_cli
-#include "program.hpp"
+#include "tests/cli/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(mesh_cli_test)
 
 // What the commands say of cell types, quality and meshes of the user's own.
 
@@ -89,3 +90,5 @@ BOOST_AUTO_TEST_CASE(result_files_hold_mixed_meshes) {
   BOOST_TEST(text_of(folder / "tetrahedra.xdmf").find("TopologyType=\"Tetrahedron\"") !=
              std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

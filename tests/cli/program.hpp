@@ -1,14 +1,7 @@
 #pragma once
 
-#include <sys/wait.h>
-
-#include <algorithm>
-#include <boost/test/unit_test.hpp>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 
 // Runs the real program, whose path is in the environment variable SPRINGCHECK.
@@ -21,44 +14,16 @@ struct Run {
   std::string out, err;
 };
 
-inline std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
+std::string text_of(const fs::path& file);
 
-inline const fs::path folder = [] {
-  std::string name = (fs::temp_directory_path() / "springcheck_cli_XXXXXX").string();
-  return fs::path(mkdtemp(name.data()));
-}();
-
-struct RemoveFolder {
-  ~RemoveFolder() { fs::remove_all(folder); }
-};
-BOOST_TEST_GLOBAL_FIXTURE(RemoveFolder);
+/// Where the program runs; removed at the end.
+extern const fs::path folder;
 
 /// Runs springcheck with these arguments in a folder of the test's own.
-inline Run springcheck(const std::string& arguments, const std::string& before = "") {
-  // A redirection in the arguments comes after ours and wins.
-  const std::string command = "cd " + folder.string() + " && ( " + before +
-                              std::getenv("SPRINGCHECK") + " >out 2>err </dev/null " +
-                              arguments + " )";
-  const int status = std::system(command.c_str());
-  return {WEXITSTATUS(status), text_of(folder / "out"), text_of(folder / "err")};
-}
+Run springcheck(const std::string& arguments, const std::string& before = "");
 
-inline Json json_of(const std::string& arguments) {
-  return Json::parse(springcheck(arguments).out);
-}
+Json json_of(const std::string& arguments);
 
-inline std::size_t lines(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
-}
+std::size_t lines(const std::string& text);
 
-inline void expect_bad_input(const std::string& arguments,
-                             const std::string& part_of_message) {
-  const Run run = springcheck(arguments);
-  BOOST_TEST(run.status == 2, arguments);
-  BOOST_TEST(run.out.empty(), run.out);
-  BOOST_TEST(run.err.find(part_of_message) != std::string::npos, run.err);
-}
+void expect_bad_input(const std::string& arguments, const std::string& part_of_message);

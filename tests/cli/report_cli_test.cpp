@@ -1,8 +1,9 @@
-#define BOOST_TEST_MODULE report_cli
 #include <cmath>
 #include <set>
 
-#include "program.hpp"
+#include "tests/cli/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(report_cli_test)
 
 namespace {
 
@@ -165,3 +166,5 @@ BOOST_AUTO_TEST_CASE(a_program_that_fails_fails_the_report_and_leaves_no_trace) 
   BOOST_TEST(run.out.find("Start with") == std::string::npos);
   BOOST_TEST(names_in("tmp").empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
-#define BOOST_TEST_MODULE results_cli
-#include "program.hpp"
+#include "tests/cli/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(results_cli_test)
 
 namespace {
 
@@ -129,3 +130,5 @@ BOOST_AUTO_TEST_CASE(gates_do_not_write_over_their_inputs) {
   BOOST_TEST(springcheck("gate in.toml in.h5 --bless").status == 0);
   BOOST_TEST((fs::status(folder / "in.toml").permissions() == fs::perms(0600)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

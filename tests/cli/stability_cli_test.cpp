@@ -1,5 +1,6 @@
-#define BOOST_TEST_MODULE stability_cli
-#include "program.hpp"
+#include "tests/cli/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(stability_cli_test)
 
 namespace {
 
@@ -157,3 +158,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_mapped_is_refused) {
   expect_bad_input(stability + "--method fem-hooke --over noise=0,.1", "changes no case");
   expect_bad_input(stability + "--over nu,deformation,distortion", "one or two");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
-#define BOOST_TEST_MODULE tissue_cli
-#include "program.hpp"
+#include "tests/cli/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(tissue_cli_test)
 
 namespace {
 
@@ -37,7 +38,7 @@ BOOST_AUTO_TEST_CASE(sheared_organs_have_the_laws_stress) {
 }
 
 BOOST_AUTO_TEST_CASE(a_law_of_ones_own_is_the_organs_of_the_same_numbers) {
-  const std::string scene = text_of(SCENES "/tissue-shearing.toml");
+  const std::string scene = text_of(SOURCES "/comparisons/shipped/scenes/tissue-shearing.toml");
   const std::string organ = "organ = \"spleen\"";
   std::string own = scene;
   own.replace(own.find(organ), organ.size(), "law = [861, 0.1138, 0.40, 4.17]");
@@ -135,3 +136,5 @@ BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
     expect_bad_input(std::string("run compression --method mss-tissue --law ") + law,
                      "n between 0 and 1");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/run_settings.hpp"
-#include "comparisons/scene_file.hpp"
+#include "comparisons/settings/run_settings.hpp"
+#include "comparisons/settings/scene_file.hpp"
 
 namespace springcheck {
 

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE integrators
 #include "dynamics/integrators.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 #include <limits>
 
 using namespace springcheck::dynamics;
+
+BOOST_AUTO_TEST_SUITE(integrators_test)
 
 namespace {
 
@@ -135,3 +136,5 @@ BOOST_AUTO_TEST_CASE(verlet_s_velocity_is_that_of_half_a_step_before) {
   BOOST_TEST(std::abs(body.v + omega * std::sin(omega * 299.5 * dt)) < 1e-5);
   BOOST_TEST(std::abs(body.v + omega * std::sin(omega * 300 * dt)) > 1e-3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

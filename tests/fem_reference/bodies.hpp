@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "fem_reference/discretisation.hpp"
-#include "meshing/generators/block.hpp"
+#include "fem_reference/cells/discretisation.hpp"
+#include "meshing/generators/generate_block.hpp"
 #include "meshing/scene.hpp"
 
 // Meshes, fields and scenes that several tests of the solver are made from.

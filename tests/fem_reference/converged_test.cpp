@@ -1,5 +1,4 @@
-#define BOOST_TEST_MODULE fem_reference_converged
-#include "figures.hpp"
+#include "tests/fem_reference/figures.hpp"
 
 // Converged values of the Cauchy-Born continuum of mss-cf and of Hencky's law, nu = 1/4,
 // against those of an independent program: Aitken extrapolation of q1 on 10, 20 and 40
@@ -7,6 +6,8 @@
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
+
+BOOST_AUTO_TEST_SUITE(converged_test)
 
 namespace {
 
@@ -66,3 +67,5 @@ BOOST_AUTO_TEST_CASE(forces_and_torques_converge_to_the_stored_values) {
   check(converged(Law::hencky, sideways, 0, force).value, 1.2994, 0.0007);
   check(converged(spring_law, none, 45 * degree, torque).value, 58368e-6, 30e-6);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,5 @@
-#define BOOST_TEST_MODULE fem_reference_figures
-#include "figures.hpp"
+#include "tests/fem_reference/figures.hpp"
+#include "meshing/generators/generate_block.hpp"
 
 #include <array>
 
@@ -10,6 +10,8 @@
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
+
+BOOST_AUTO_TEST_SUITE(figures_test)
 
 namespace {
 
@@ -221,3 +223,5 @@ BOOST_AUTO_TEST_CASE(centimetre_beam_drops_by_the_stored_figures) {
 BOOST_AUTO_TEST_CASE(metre_beam_follows_the_elastica) {
   check(tip_drop({0.4, 0.4, 2.4}, 4, st_venant_sri), 1.218, 0.05 * 1.218);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,12 +1,13 @@
-#define BOOST_TEST_MODULE fem_large
 #include <boost/test/unit_test.hpp>
 
-#include "bodies.hpp"
+#include "tests/fem_reference/bodies.hpp"
 #include "fem_reference/solve.hpp"
-#include "laws.hpp"
+#include "tests/fem_reference/laws.hpp"
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
+
+BOOST_AUTO_TEST_SUITE(large_test)
 
 // 27,783 and 680,943 unknowns, nu = 1/4: multigrid's promise is a number of iterations
 // that hardly depends on the grid; less than 1.5 times as many are allowed (12 and 15).
@@ -24,3 +25,5 @@ BOOST_AUTO_TEST_CASE(iterations_hardly_grow_up_to_sixty_cells_along_each_axis) {
   BOOST_TEST_MESSAGE(coarse << " and " << fine);
   BOOST_TEST(fine < 1.5 * coarse);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

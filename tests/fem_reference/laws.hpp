@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fem_reference/materials.hpp"
+#include "fem_reference/laws/materials.hpp"
 
 // What several tests of the laws are made from.
 namespace springcheck::fem_reference {

@@ -1,17 +1,18 @@
-#define BOOST_TEST_MODULE fem_reference_patch
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
-#include "bodies.hpp"
-#include "fem_reference/elasticity.hpp"
+#include "tests/fem_reference/bodies.hpp"
+#include "fem_reference/statics/elasticity.hpp"
 #include "fem_reference/solve.hpp"
-#include "laws.hpp"
+#include "tests/fem_reference/laws.hpp"
 
 // The patch test: an affine displacement of the whole boundary is the solution, for every
 // law and element, on cells of any shape.
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
+
+BOOST_AUTO_TEST_SUITE(patch_test)
 
 namespace {
 
@@ -116,3 +117,5 @@ BOOST_AUTO_TEST_CASE(affine_fields_are_reproduced_by_every_lattice) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

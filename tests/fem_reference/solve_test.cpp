@@ -1,18 +1,19 @@
-#define BOOST_TEST_MODULE fem_reference_solve
 #include "fem_reference/solve.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "bodies.hpp"
-#include "laws.hpp"
+#include "tests/fem_reference/bodies.hpp"
+#include "tests/fem_reference/laws.hpp"
 #include "meshing/input_error.hpp"
 
 // The solver as its users call it, against closed forms of whole bodies.
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
+
+BOOST_AUTO_TEST_SUITE(solve_test)
 
 namespace {
 
@@ -286,3 +287,5 @@ BOOST_AUTO_TEST_CASE(impossible_input_is_refused_by_name) {
   refused([](Scene& scene) { scene.plates.clear(); });
   refused([](Scene& scene) { scene.plates[0].region = "nowhere"; });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

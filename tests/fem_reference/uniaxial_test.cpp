@@ -1,12 +1,12 @@
-#define BOOST_TEST_MODULE uniaxial
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
 #include <vector>
 
-#include "fem_reference/homogeneous_laws.hpp"
+#include "tests/fem_reference/homogeneous_laws.hpp"
 #include "fem_reference/solve.hpp"
 #include "meshing/cell_geometry.hpp"
+#include "meshing/generators/generate_block.hpp"
 #include "meshing/generators/gmsh.hpp"
 
 // A block between sliding plates, its sides free, is in a homogeneous state: the elements
@@ -14,6 +14,8 @@
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
+
+BOOST_AUTO_TEST_SUITE(uniaxial_test)
 
 namespace {
 
@@ -247,3 +249,5 @@ BOOST_AUTO_TEST_CASE(young_modulus_and_poisson_ratio_come_back_at_small_strain) 
           BOOST_TEST(std::abs((shorter.lateral - longer.lateral) / (2 * e) - nu) < 1e-8);
         }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -31,13 +31,13 @@ mutate() {  # name, file, sed expression
   echo "$1: exit status $status, $(grep -c 'falls short' gates.log || true) lines fall short"
   [ "$status" -eq 1 ] || failed=1
 }
-mutate "sign of kappa" mss/stiffness.cpp 's/return E \* (4 \* nu - 1)/return E * (1 - 4 * nu)/'
-mutate "share of face diagonals" mss/network.cpp 's/k.face_diagonal \/ 2/k.face_diagonal \/ 4/'
-mutate "a term of the volume's gradient" mss/deformation.cpp \
+mutate "sign of kappa" mss/networks/stiffness.cpp 's/return E \* (4 \* nu - 1)/return E * (1 - 4 * nu)/'
+mutate "share of face diagonals" mss/networks/network.cpp 's/k.face_diagonal \/ 2/k.face_diagonal \/ 4/'
+mutate "a term of the volume's gradient" mss/networks/deformation.cpp \
   's/F.col(2).cross(F.col(0))/F.col(0).cross(F.col(2))/'
-mutate "sum over the plate" comparisons/measures.cpp \
+mutate "sum over the plate" comparisons/measures/measures.cpp \
   's/  for (const NodeIndex node : nodes) {/  for (const NodeIndex node : std::span(nodes).subspan(1)) {/'
-mutate "split of selective reduced integration" fem_reference/cell.cpp \
+mutate "split of selective reduced integration" fem_reference/cells/cell.cpp \
   's/if (settings.element != Element::q1_sri) return/if (settings.law != Law::cauchy_born) return/'
-mutate "share of the mass" mss/network.cpp 's/density \* shares/density * 2 * shares/'
+mutate "share of the mass" mss/networks/network.cpp 's/density \* shares/density * 2 * shares/'
 exit $failed

@@ -1,11 +1,12 @@
-#define BOOST_TEST_MODULE cell_centroid
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "meshing/cell_geometry.hpp"
-#include "meshing/generators/block.hpp"
+#include "meshing/generators/generate_block.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(cell_centroid_test)
 
 namespace {
 
@@ -97,3 +98,5 @@ BOOST_AUTO_TEST_CASE(centroid_of_a_warped_hexahedron_is_that_of_the_trilinear_ma
       }
   BOOST_TEST((cell_centroid(x) - moment / volume).norm() < round_off);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

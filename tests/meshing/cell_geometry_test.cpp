@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE cell_geometry
 #include "meshing/cell_geometry.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -6,6 +5,8 @@
 #include <random>
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(cell_geometry_test)
 
 namespace {
 
@@ -165,3 +166,5 @@ BOOST_AUTO_TEST_CASE(cell_volumes_follow_the_positions,
   const std::vector<double> volumes = cell_volumes(cells, nodes);
   BOOST_TEST(volumes == (std::vector<double>{1, 2}), boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

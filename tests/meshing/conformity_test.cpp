@@ -1,13 +1,14 @@
-#define BOOST_TEST_MODULE conformity
 #include "meshing/conformity.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "meshing/generators/block.hpp"
+#include "meshing/generators/generate_block.hpp"
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(conformity_test)
 
 namespace {
 
@@ -144,3 +145,5 @@ BOOST_AUTO_TEST_CASE(errors_name_nodes_as_they_are_told_to) {
         return true;
       });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE mesh
 #include "meshing/mesh.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(mesh_test)
 
 namespace {
 
@@ -174,3 +175,5 @@ BOOST_AUTO_TEST_CASE(hash_changes_with_nodes_cells_and_regions_but_not_with_the_
   for (const Parts& other : {moved, reordered, renamed, elsewhere})
     BOOST_TEST(hash != built(other).sha256());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

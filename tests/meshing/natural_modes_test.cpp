@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE natural_modes
 #include <boost/test/unit_test.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -9,6 +8,8 @@
 #include "meshing/natural_modes.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(natural_modes_test)
 
 namespace {
 
@@ -123,3 +124,5 @@ BOOST_AUTO_TEST_CASE(an_unstable_body_has_no_modes) {
   const auto masses = diagonal(Eigen::VectorXd::Ones(20));
   BOOST_TEST(!natural_modes(K, masses, 3).has_value());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

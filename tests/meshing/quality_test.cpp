@@ -1,13 +1,14 @@
-#define BOOST_TEST_MODULE quality
 #include "meshing/quality.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numeric>
 
-#include "meshing/generators/block.hpp"
+#include "meshing/generators/generate_block.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(quality_test)
 
 namespace {
 
@@ -177,3 +178,5 @@ BOOST_AUTO_TEST_CASE(blocks_of_cubes_have_the_qualities_known_by_hand,
   BOOST_TEST(quality(CellPattern::prism).smallest_scaled_jacobian == std::sqrt(2. / 3));
   BOOST_TEST(quality(CellPattern::mixed).smallest_scaled_jacobian == 1 / std::sqrt(3.));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,4 @@
-#define BOOST_TEST_MODULE scene
+#include "meshing/generators/generate_block.hpp"
 #include "meshing/scene.hpp"
 
 #include <algorithm>
@@ -9,6 +9,8 @@
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(scene_test)
 
 namespace {
 
@@ -141,3 +143,5 @@ BOOST_AUTO_TEST_CASE(plate_on_an_unknown_region_is_refused) {
   const Mesh mesh = generate_block({.size = {1, 1, 1}, .cells = {1, 1, 1}});
   BOOST_CHECK_THROW(prescribed_components(mesh, scene_with_plates({"lid"})), InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,4 @@
-#define BOOST_TEST_MODULE traction
+#include "meshing/generators/generate_block.hpp"
 #include "meshing/traction.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -9,6 +9,8 @@
 
 using namespace springcheck;
 namespace utf = boost::unit_test;
+
+BOOST_AUTO_TEST_SUITE(traction_test)
 
 namespace {
 
@@ -90,3 +92,5 @@ BOOST_AUTO_TEST_CASE(traction_on_an_unknown_region_is_refused) {
                     .gravity = Vector3::Zero()};
   BOOST_CHECK_THROW(traction_forces(mesh, scene), InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

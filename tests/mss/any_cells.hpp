@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "blocks.hpp"
-#include "meshing/generators/block.hpp"
+#include "tests/mss/blocks.hpp"
+#include "meshing/generators/generate_block.hpp"
 
 // Meshes of every type of cell, and dense matrices of their networks.
 namespace springcheck::mss {

@@ -4,9 +4,10 @@
 #include <random>
 #include <string>
 
+#include "meshing/generators/generate_block.hpp"
 #include "meshing/generators/gmsh.hpp"
 #include "meshing/scene.hpp"
-#include "mss/network.hpp"
+#include "mss/networks/network.hpp"
 
 // What several tests of the mass-spring systems are made from.
 namespace springcheck::mss {

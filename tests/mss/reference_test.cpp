@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE mss_reference
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -6,8 +5,9 @@
 #include <numeric>
 #include <ostream>
 
-#include "blocks.hpp"
+#include "tests/mss/blocks.hpp"
 #include "meshing/cell_geometry.hpp"
+#include "meshing/generators/generate_block.hpp"
 #include "mss/solve.hpp"
 
 // The thesis's deformation tests on their own meshes, solved for equilibrium. The stored
@@ -18,6 +18,8 @@
 using namespace springcheck;
 using namespace springcheck::mss;
 namespace data = boost::unit_test::data;
+
+BOOST_AUTO_TEST_SUITE(reference_test)
 
 namespace {
 
@@ -213,3 +215,5 @@ BOOST_DATA_TEST_CASE(fine_beam_drops_as_the_prototypes, data::make(beams), row) 
   const double drop = tip_drop(row, 8);
   BOOST_TEST(std::abs(drop - row.fine) < 0.002, drop << " m instead of " << row.fine);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

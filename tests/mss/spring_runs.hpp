@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "blocks.hpp"
-#include "mss/dynamics.hpp"
+#include "tests/mss/blocks.hpp"
+#include "mss/motion/dynamics.hpp"
 
 // What several tests of the springs' dynamics are made from.
 namespace springcheck::mss {

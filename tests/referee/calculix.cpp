@@ -1,4 +1,4 @@
-#include "referee/calculix.hpp"
+#include "tests/referee/calculix.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>

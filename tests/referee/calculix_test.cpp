@@ -1,5 +1,4 @@
-#define BOOST_TEST_MODULE calculix
-#include "referee/calculix.hpp"
+#include "tests/referee/calculix.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(calculix_test)
 
 // CalculiX solves what springcheck solves, on the mesh that `springcheck mesh` writes,
 // with its own elements (C3D8: trilinear, 2x2x2 points, like q1), its own Newton
@@ -258,3 +259,5 @@ BOOST_AUTO_TEST_CASE(a_failed_calculix_is_a_failure) {
                         .reaction_of = "bottom"};
   BOOST_CHECK_THROW(solve(file, problem), std::runtime_error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE bipower_law
 #include "tissue/bipower_law.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -7,12 +6,14 @@
 #include <functional>
 #include <numbers>
 
-#include "reference_rows.hpp"
-#include "refusal.hpp"
+#include "tests/tissue/reference_rows.hpp"
+#include "tests/tissue/refusal.hpp"
 #include "tissue/rheometer.hpp"
 
 using namespace springcheck;
 using namespace springcheck::tissue;
+
+BOOST_AUTO_TEST_SUITE(bipower_law_test)
 
 namespace {
 
@@ -183,3 +184,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused_with_its_range) {
   BOOST_TEST(refusal([] { disc_torque(liver, 0.1, 1, 0); }) ==
              "tissue: radius of the disc [m]: expected a finite number above 0, got 0");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

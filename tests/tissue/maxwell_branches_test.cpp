@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE maxwell_branches
 #include "tissue/maxwell_branches.hpp"
 
 #include <algorithm>
@@ -7,11 +6,13 @@
 #include <cmath>
 #include <complex>
 
-#include "prototype_model.hpp"
-#include "refusal.hpp"
+#include "tests/tissue/prototype_model.hpp"
+#include "tests/tissue/refusal.hpp"
 
 using namespace springcheck;
 using namespace springcheck::tissue;
+
+BOOST_AUTO_TEST_SUITE(maxwell_branches_test)
 
 namespace {
 
@@ -125,3 +126,5 @@ BOOST_AUTO_TEST_CASE(models_that_cannot_be_are_refused) {
   BOOST_TEST(refusal([] { ramp_and_hold_stress(model, 0.1, 1, -1); }) != "none");
   BOOST_TEST(refusal([] { small_oscillation(model, 0); }) != "none");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,15 +1,16 @@
-#define BOOST_TEST_MODULE maxwell_fit
 #include "tissue/maxwell_fit.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "prototype_model.hpp"
-#include "refusal.hpp"
+#include "tests/tissue/prototype_model.hpp"
+#include "tests/tissue/refusal.hpp"
 
 using namespace springcheck;
 using namespace springcheck::tissue;
+
+BOOST_AUTO_TEST_SUITE(maxwell_fit_test)
 
 namespace {
 
@@ -155,3 +156,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_fitted_is_refused) {
                fit_maxwell_model(law, {.angular_frequencies = {-1, 1}});
              }) != "none");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE memory_energy
 #include "tissue/memory_energy.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -9,10 +8,12 @@
 #include <limits>
 #include <random>
 
-#include "motions.hpp"
+#include "tests/tissue/motions.hpp"
 #include "tissue/maxwell_fit.hpp"
 
 using namespace springcheck::tissue;
+
+BOOST_AUTO_TEST_SUITE(memory_energy_test)
 
 namespace {
 
@@ -236,3 +237,5 @@ BOOST_AUTO_TEST_CASE(stress_is_the_energy_s_derivative) {
                boost::test_tools::tolerance(1e-6));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,14 +1,15 @@
-#define BOOST_TEST_MODULE memory_tangent
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
 
-#include "motions.hpp"
+#include "tests/tissue/motions.hpp"
 #include "tissue/maxwell_fit.hpp"
 #include "tissue/memory.hpp"
 
 using namespace springcheck::tissue;
+
+BOOST_AUTO_TEST_SUITE(memory_tangent_test)
 
 namespace {
 
@@ -129,3 +130,5 @@ BOOST_AUTO_TEST_CASE(at_rest_only_what_follows_at_once_resists) {
   BOOST_TEST((tangent.strands - expected).norm() < 1e-11);
   BOOST_TEST((tangent.volume - 500 * (5. + 1) / 2 * identity()).norm() < 1e-11);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE memory
 #include "tissue/memory.hpp"
 
 #include <Eigen/LU>
@@ -7,12 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "motions.hpp"
-#include "refusal.hpp"
-#include "shear.hpp"
+#include "tests/tissue/motions.hpp"
+#include "tests/tissue/refusal.hpp"
+#include "tests/tissue/shear.hpp"
 
 using namespace springcheck;
 using namespace springcheck::tissue;
+
+BOOST_AUTO_TEST_SUITE(memory_test)
 
 namespace {
 
@@ -316,3 +317,5 @@ BOOST_AUTO_TEST_CASE(steps_that_cannot_be_are_refused) {
              }) ==
              "tissue: bulk over shear modulus: expected a finite number above 0, got 0");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

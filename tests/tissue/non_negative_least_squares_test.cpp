@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE non_negative_least_squares
 #include "tissue/non_negative_least_squares.hpp"
 
 #include <Eigen/QR>
@@ -6,6 +5,8 @@
 #include <random>
 
 using namespace springcheck::tissue;
+
+BOOST_AUTO_TEST_SUITE(non_negative_least_squares_test)
 
 namespace {
 
@@ -61,3 +62,5 @@ BOOST_AUTO_TEST_CASE(a_positive_solution_is_that_of_least_squares) {
   BOOST_TEST((non_negative_least_squares(A, b) - wanted).norm() < 1e-12);
   BOOST_TEST(non_negative_least_squares(-A.cwiseAbs(), b.cwiseAbs()).norm() == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference_rows.hpp"
+#include "tests/tissue/reference_rows.hpp"
 #include "tissue/maxwell_branches.hpp"
 
 namespace springcheck::tissue {

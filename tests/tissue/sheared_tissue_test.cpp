@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE sheared_tissue
 #include <algorithm>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
@@ -6,8 +5,8 @@
 #include <numbers>
 #include <ostream>
 
-#include "reference_rows.hpp"
-#include "shear.hpp"
+#include "tests/tissue/reference_rows.hpp"
+#include "tests/tissue/shear.hpp"
 #include "tissue/maxwell_fit.hpp"
 #include "tissue/strain_history.hpp"
 
@@ -18,6 +17,8 @@
 using namespace springcheck;
 using namespace springcheck::tissue;
 namespace data = boost::unit_test::data;
+
+BOOST_AUTO_TEST_SUITE(sheared_tissue_test)
 
 namespace {
 
@@ -163,3 +164,5 @@ BOOST_AUTO_TEST_CASE(unloading_is_as_far_off_as_measured) {
       expect(deviation_over(organ, to_and_fro(1, rate)), whole, where + ", +-1");
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE strain_history
 #include "tissue/strain_history.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -10,6 +9,8 @@
 
 using namespace springcheck;
 using namespace springcheck::tissue;
+
+BOOST_AUTO_TEST_SUITE(strain_history_test)
 
 namespace {
 
@@ -158,3 +159,5 @@ BOOST_AUTO_TEST_CASE(what_is_no_history_is_refused) {
   refuses({{0, 1}, {0, INFINITY}});
   refuses({{1}, {0.5}});  // the stress of a jump at its own time is infinite
 }
+
+BOOST_AUTO_TEST_SUITE_END()

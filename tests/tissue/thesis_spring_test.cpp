@@ -1,13 +1,14 @@
-#define BOOST_TEST_MODULE thesis_spring
 #include "tissue/thesis_spring.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "refusal.hpp"
+#include "tests/tissue/refusal.hpp"
 
 using namespace springcheck;
 using namespace springcheck::tissue;
+
+BOOST_AUTO_TEST_SUITE(thesis_spring_test)
 
 namespace {
 
@@ -77,3 +78,5 @@ BOOST_AUTO_TEST_CASE(springs_that_cannot_be_are_refused) {
                tension({{100, 0.5, 0.3, 0.4}, 0.2, Elongation::relative}, 1, 1, 1.1);
              }).starts_with("tissue: exponent p - (1-n) of the hardening"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

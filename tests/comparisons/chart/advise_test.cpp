@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE advise
 #include "comparisons/chart/advise.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 #include "tests/comparisons/chart/example_chart.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(advise_test)
 
 namespace {
 
@@ -223,3 +224,5 @@ BOOST_AUTO_TEST_CASE(words_name_what_is_left_out_with_its_figures) {
   expected = {"No hexahedra: mss-affine on 2 across is 40 % off in 1.2 s."};
   BOOST_TEST(advice.left_out == expected, boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE chart
 #include "comparisons/chart/chart.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -14,6 +13,8 @@
 #include "tests/comparisons/own_folder.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(chart_test)
 
 namespace {
 
@@ -375,3 +376,5 @@ BOOST_AUTO_TEST_CASE(scenes_without_an_answer_are_refused) {
     BOOST_TEST(!std::filesystem::exists(own.path / "none.h5"));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE wish
 #include "comparisons/chart/wish.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -6,6 +5,8 @@
 #include "tests/comparisons/chart/example_chart.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(wish_test)
 
 namespace {
 
@@ -82,3 +83,5 @@ BOOST_AUTO_TEST_CASE(a_frame_has_whole_steps_below_the_limit) {
   motion.dt_limit.reset();
   BOOST_TEST(!Judge(wish, evaluated(example.chart, example.cases)).is_candidate(0));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,15 +1,16 @@
-#define BOOST_TEST_MODULE measured_case
 #include <boost/test/unit_test.hpp>
 
-#include "../own_folder.hpp"
-#include "../settings.hpp"
+#include "tests/comparisons/own_folder.hpp"
+#include "tests/comparisons/settings.hpp"
 #include "comparisons/measured/measured_case.hpp"
 #include "comparisons/measured/nodal_csv.hpp"
-#include "comparisons/result_file.hpp"
-#include "comparisons/result_json.hpp"
-#include "messages.hpp"
+#include "comparisons/results/result_file.hpp"
+#include "comparisons/commands/result_json.hpp"
+#include "tests/comparisons/measured/messages.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(measured_case_test)
 
 namespace {
 
@@ -242,3 +243,5 @@ BOOST_AUTO_TEST_CASE(labels_are_names_of_one_s_own) {
        {"", "  ", "mss-cf", "fem-hencky", "a,b", "a\nb", "\x7F", "\xFF"})
     BOOST_TEST(refusal(label).starts_with("--label: expected "), label);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,13 +1,15 @@
-#define BOOST_TEST_MODULE nodal_csv
 #include <boost/test/unit_test.hpp>
 
-#include "../own_folder.hpp"
+#include "tests/comparisons/own_folder.hpp"
 #include "comparisons/measured/nodal_csv.hpp"
 #include "comparisons/measured/node_finder.hpp"
+#include "meshing/generators/generate_block.hpp"
 #include "meshing/generators/gmsh.hpp"
-#include "messages.hpp"
+#include "tests/comparisons/measured/messages.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(nodal_csv_test)
 
 namespace {
 
@@ -134,3 +136,5 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_line) {
                read_nodal_csv(own.path, mesh, NodalQuantity::force);
              }).find("a directory") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

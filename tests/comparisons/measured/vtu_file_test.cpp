@@ -1,18 +1,20 @@
-#define BOOST_TEST_MODULE vtu_file
 #include <zlib.h>
 
 #include <boost/test/unit_test.hpp>
 #include <cstring>
 #include <sstream>
 
-#include "../own_folder.hpp"
+#include "tests/comparisons/own_folder.hpp"
 #include "comparisons/measured/vtk_numbers.hpp"
 #include "comparisons/measured/vtu_file.hpp"
 #include "meshing/files/mesh_files.hpp"
+#include "meshing/generators/generate_block.hpp"
 #include "meshing/generators/gmsh.hpp"
-#include "messages.hpp"
+#include "tests/comparisons/measured/messages.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(vtu_file_test)
 
 namespace {
 
@@ -121,7 +123,7 @@ BOOST_AUTO_TEST_CASE(our_own_mesh_with_a_displacement_is_read) {
 // Written by meshio: base64 without compression, zlib, and zlib of 32-bit numbers.
 BOOST_AUTO_TEST_CASE(files_of_meshio_are_read) {
   for (const char* name : {"meshio_plain.vtu", "meshio_zlib.vtu", "meshio_float32.vtu"})
-    expect_the_field(std::filesystem::path(TEST_DATA) / name);
+    expect_the_field(std::filesystem::path(SOURCES "/tests/comparisons/measured") / name);
 }
 
 // 36 bytes are cut in the middle of a number; 40 divide 4000 without a rest, which VTK
@@ -224,3 +226,5 @@ BOOST_AUTO_TEST_CASE(points_of_32_bits_may_be_off_by_their_rounding) {
   BOOST_TEST(refusal(replaced(off, "<Points>\n<DataArray type=\"Float64\"",
                               "<Points>\n<DataArray type=\"Float32\"")) == "accepted");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,12 +1,13 @@
-#define BOOST_TEST_MODULE atlas
 #include "comparisons/stability/atlas.hpp"
 
 #include <boost/test/unit_test.hpp>
 
-#include "../own_folder.hpp"
+#include "tests/comparisons/own_folder.hpp"
 #include "comparisons/stability/atlas_sheets.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(atlas_test)
 
 namespace {
 
@@ -135,3 +136,5 @@ BOOST_AUTO_TEST_CASE(an_atlas_goes_on_where_it_was_left) {
                           TableFormat::csv) == first);
   BOOST_TEST(runner.computed() == 0U);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE axis
 #include "comparisons/stability/axis.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(axis_test)
 
 namespace {
 
@@ -54,3 +55,5 @@ BOOST_AUTO_TEST_CASE(what_is_no_axis_is_refused) {
                            "mu=0:1:3", "method=mss-cf,mss-nfd", "=0:1:3", ""})
     BOOST_CHECK_EXCEPTION(axis_named("--over", text), InputError, names_the_place);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

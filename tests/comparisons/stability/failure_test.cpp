@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE failure
 #include "comparisons/stability/failure.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <set>
 
 using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(failure_test)
 
 namespace {
 
@@ -94,3 +95,5 @@ BOOST_AUTO_TEST_CASE(locking_is_a_force_a_tenth_above_the_control) {
   result.measures.plate_torque = 1.2;
   BOOST_TEST(locks(result, control));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

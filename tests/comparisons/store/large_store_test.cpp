@@ -1,14 +1,15 @@
-#define BOOST_TEST_MODULE large_store
 #include <boost/test/unit_test.hpp>
 #include <fstream>
 
-#include "../own_folder.hpp"
+#include "tests/comparisons/own_folder.hpp"
 #include "comparisons/store/columns.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/overlay_file.hpp"
 
 using namespace springcheck;
 namespace fs = std::filesystem;
+
+BOOST_AUTO_TEST_SUITE(large_store_test)
 
 namespace {
 
@@ -55,3 +56,5 @@ BOOST_AUTO_TEST_CASE(appending_to_many_cases_writes_as_much_as_appending_to_few)
   BOOST_TEST_MESSAGE(few << " and " << many << " pages");
   BOOST_TEST(many <= few + 61);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

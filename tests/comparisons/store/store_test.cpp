@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE store
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,7 +9,7 @@
 #include <random>
 #include <thread>
 
-#include "../own_folder.hpp"
+#include "tests/comparisons/own_folder.hpp"
 #include "comparisons/store/columns.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/lock_file.hpp"
@@ -20,6 +19,8 @@
 
 using namespace springcheck;
 namespace fs = std::filesystem;
+
+BOOST_AUTO_TEST_SUITE(store_test)
 
 namespace {
 
@@ -289,3 +290,5 @@ BOOST_AUTO_TEST_CASE(nothing_that_was_committed_is_lost_and_nothing_is_half_true
   BOOST_TEST(committed > 60);
   BOOST_TEST_MESSAGE(committed << " commits, " << journals << " journals left");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,17 +1,18 @@
-#define BOOST_TEST_MODULE fem_explicit_dynamics
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "../laws.hpp"
+#include "tests/fem_reference/laws.hpp"
 #include "fem_reference/solve.hpp"
-#include "fields.hpp"
+#include "tests/fem_reference/explicit/fields.hpp"
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
 using dynamics::Integrator;
+
+BOOST_AUTO_TEST_SUITE(dynamics_test)
 
 namespace {
 
@@ -185,3 +186,5 @@ BOOST_AUTO_TEST_CASE(what_they_do_not_cover_is_refused_with_a_reason) {
   BOOST_TEST((implicit.status == SolveStatus::refused));
   BOOST_TEST(implicit.reason.find("steps explicitly") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,20 +1,22 @@
-#define BOOST_TEST_MODULE fem_explicit_elements
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
-#include "../laws.hpp"
+#include "tests/fem_reference/laws.hpp"
 #include "fem_reference/explicit/hexahedra.hpp"
 #include "fem_reference/explicit/plain_forces.hpp"
 #include "fem_reference/solve.hpp"
-#include "fields.hpp"
+#include "tests/fem_reference/explicit/fields.hpp"
 #include "meshing/cell_geometry.hpp"
+#include "meshing/generators/generate_block.hpp"
 
 // The elements by plain loops.
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
+
+BOOST_AUTO_TEST_SUITE(elements_test)
 
 namespace {
 
@@ -198,3 +200,5 @@ BOOST_AUTO_TEST_CASE(lumped_masses_have_the_cells_mass_and_centre) {
   for (const double m : lumped_masses(cube(1), 1000))
     BOOST_TEST(m == 125 * edge * edge * edge, boost::test_tools::tolerance(1e-13));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../bodies.hpp"
+#include "tests/fem_reference/bodies.hpp"
 #include "fem_reference/explicit/explicit_element.hpp"
 
 // Displacements and sums that several tests of the explicit elements are made from.

@@ -1,15 +1,14 @@
-#define BOOST_TEST_MODULE fem_explicit_kernel
 #include "fem_reference/explicit/explicit_kernel.hpp"
 
 #include <Eigen/Geometry>
 #include <boost/test/unit_test.hpp>
 
-#include "../../dynamics/block_forces.hpp"
-#include "../../dynamics/shuffled_cells.hpp"
-#include "../laws.hpp"
+#include "tests/dynamics/blocks/block_forces.hpp"
+#include "tests/dynamics/blocks/shuffled_cells.hpp"
+#include "tests/fem_reference/laws.hpp"
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "fem_reference/explicit/plain_forces.hpp"
-#include "fields.hpp"
+#include "tests/fem_reference/explicit/fields.hpp"
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
@@ -17,6 +16,8 @@ using dynamics::even;
 using dynamics::graded;
 using dynamics::InstructionSet;
 using dynamics::shuffled_cells;
+
+BOOST_AUTO_TEST_SUITE(kernel_test)
 
 namespace {
 
@@ -152,3 +153,5 @@ BOOST_AUTO_TEST_CASE(threads_change_no_bit) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,56 @@
+# docs/rooms.txt, which says what each folder may include; tests/house holds every include
+# against it.
+set(rooms_file ${PROJECT_SOURCE_DIR}/docs/rooms.txt)
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY
+  CMAKE_CONFIGURE_DEPENDS ${rooms_file})
+file(STRINGS ${rooms_file} rooms_lines REGEX "^[^# ]")
+set(rooms_all "")
+foreach(line ${rooms_lines})
+  string(REGEX MATCH "^([^:]+):(.*)$" _ "${line}")
+  set(folder ${CMAKE_MATCH_1})
+  string(STRIP "${CMAKE_MATCH_2}" sees)
+  string(MAKE_C_IDENTIFIER ${folder} room)
+  if(NOT folder MATCHES "^tests")
+    list(APPEND rooms_all ${room})
+  endif()
+  string(REPLACE "/" "_" sees "${sees}")
+  separate_arguments(sees)
+  set(rooms_seen_by_${room} "${sees}")
+endforeach()
+
+# The library of this folder, named after it (comparisons/store: comparisons_store), with
+# the rooms that docs/rooms.txt lets it see and these packages. PUBLIC ones are named by
+# the folder's headers.
+#
+#   springcheck_room([SOURCES <file>...] [PUBLIC <target>...] [PRIVATE <target>...])
+function(springcheck_room)
+  cmake_parse_arguments(PARSE_ARGV 0 room "" "" "SOURCES;PUBLIC;PRIVATE")
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}
+    OUTPUT_VARIABLE folder)
+  string(MAKE_C_IDENTIFIER ${folder} name)
+  if(NOT DEFINED rooms_seen_by_${name})
+    message(FATAL_ERROR "${rooms_file}: expected a line for ${folder}, got none")
+  endif()
+  add_library(${name} ${room_SOURCES})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name}
+    PUBLIC ${rooms_seen_by_${name}} ${room_PUBLIC} Eigen3::Eigen
+    PRIVATE ${room_PRIVATE} warnings)
+endfunction()
+
+# The libraries of all rooms that a folder of tests may see: the line of the nearest folder
+# above it, where "mss/**" is mss and all that is in it.
+function(rooms_seen_by_tests folder variable)
+  set(key tests_${folder})
+  string(REGEX REPLACE "^tests_([^/]+).*" "tests_\\1___" key ${key})
+  set(libraries "")
+  foreach(seen ${rooms_seen_by_${key}})
+    string(REPLACE "_**" "" seen ${seen})
+    foreach(room ${rooms_all})
+      if(room STREQUAL seen OR room MATCHES "^${seen}_")
+        list(APPEND libraries ${room})
+      endif()
+    endforeach()
+  endforeach()
+  set(${variable} ${libraries} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace springcheck::build_info {
+
+/// What the program was built of; written by BuildInfo.cmake at every build.
+extern const char* const version;  // "0.1.0"
+extern const char* const commit;   // abbreviated, "-dirty" with uncommitted changes
+extern const char* const compiler;
+extern const char* const deal_ii_version;
+extern const char* const eigen_version;
+extern const char* const hdf5_version;
+
+}  // namespace springcheck::build_info

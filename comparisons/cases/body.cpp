@@ -1,0 +1,138 @@
+#include "comparisons/cases/body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+
+#include "meshing/files/msh_reader.hpp"
+#include "meshing/generators/disc.hpp"
+#include "meshing/generators/generate_block.hpp"
+#include "meshing/generators/kidney.hpp"
+
+namespace springcheck {
+
+std::string_view name_of(BodyShape shape) {
+  switch (shape) {
+    case BodyShape::block:
+      return "block";
+    case BodyShape::kidney:
+      return "kidney";
+    case BodyShape::disc:
+      return "disc";
+    case BodyShape::file:
+      return "file";
+  }
+  return {};
+}
+
+std::string_view name_of(CellPattern pattern) {
+  return std::ranges::find(cell_patterns(), pattern, &CellPatternName::pattern)->name;
+}
+
+const std::vector<MeshUnit>& mesh_units() {
+  static const std::vector<MeshUnit> all{{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}};
+  return all;
+}
+
+bool reads_seed(const Block& block) {
+  return block.distortion > 0 || block.pattern == CellPattern::mixed;
+}
+
+bool is_grid_of_hexahedra(const Body& body) {
+  return body.shape == BodyShape::block && body.block.pattern == CellPattern::hexahedron;
+}
+
+Body on_hexahedra(Body body, const std::array<int, 3>& cells) {
+  body.block = {.size = body.block.size, .cells = cells};
+  return body;
+}
+
+Multiplicity multiplicity(CellPattern pattern) {
+  switch (pattern) {
+    case CellPattern::hexahedron:
+      return {.cells = 1, .nodes = 1};
+    case CellPattern::prism:
+      return {.cells = 2, .nodes = 1};
+    case CellPattern::tetrahedron_5:
+      return {.cells = 5, .nodes = 1};
+    case CellPattern::tetrahedron:
+      return {.cells = 6, .nodes = 1};
+    case CellPattern::pyramid:
+      return {.cells = 6, .nodes = 2};
+    case CellPattern::tetrahedron_12:
+      return {.cells = 12, .nodes = 2};
+    case CellPattern::mixed:
+      return {.cells = 4, .nodes = 1.5};
+    case CellPattern::free_tetrahedron:
+    case CellPattern::transition:
+      return {.cells = 8, .nodes = 1.5};
+    case CellPattern::free_prism:
+      return {.cells = 2.5, .nodes = 1.3};
+    case CellPattern::free_hexahedron:
+      return {.cells = 4, .nodes = 4};
+  }
+  return {};
+}
+
+namespace {
+
+/// A cell of an ASCII file with its share of nodes takes about as many bytes.
+constexpr double bytes_per_cell = 50, cells_per_node = 4;
+
+double cells_in_file(const std::string& file) {
+  std::error_code none;
+  const auto bytes = std::filesystem::file_size(file, none);
+  return none ? 0 : static_cast<double>(bytes) / bytes_per_cell;
+}
+
+}  // namespace
+
+std::array<double, 3> equivalent_grid(const Body& body) {
+  std::array<double, 3> grid{};
+  if (body.shape == BodyShape::file) {
+    grid.fill(std::cbrt(cells_in_file(body.file) / cells_per_node));
+    return grid;
+  }
+  const double finer = std::cbrt(multiplicity(body.block.pattern).nodes);
+  std::ranges::transform(body.block.cells, grid.begin(),
+                         [&](int cells) { return finer * cells; });
+  return grid;
+}
+
+double estimated_cells(const Body& body) {
+  if (body.shape == BodyShape::file) return cells_in_file(body.file);
+  double cells = multiplicity(body.block.pattern).cells;
+  for (const int along : body.block.cells) cells *= along;
+  return cells;
+}
+
+Mesh build_mesh(const Body& body) {
+  switch (body.shape) {
+    case BodyShape::block:
+      break;
+    case BodyShape::kidney:
+      return generate_kidney({.size = body.block.size,
+                              .cells = body.block.cells,
+                              .pattern = body.block.pattern});
+    case BodyShape::disc:
+      return generate_disc({.diameter = body.block.size[0],
+                            .height = body.block.size[2],
+                            .across = body.block.cells[0],
+                            .layers = body.block.cells[2]});
+    case BodyShape::file:
+      return read_msh(body.file, body.unit.metres);
+  }
+  return generate_block(body.block);
+}
+
+const Mesh& MeshStore::mesh(const Body& body) {
+  const std::lock_guard lock(one_at_a_time_);
+  const auto known =
+      std::ranges::find(meshes_, body, &decltype(meshes_)::value_type::first);
+  if (known != meshes_.end()) return *known->second;
+  meshes_.emplace_back(body, std::make_unique<const Mesh>(build_mesh(body)));
+  return *meshes_.back().second;
+}
+
+}  // namespace springcheck

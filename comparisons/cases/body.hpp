@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "meshing/generators/generate_block.hpp"
+
+namespace springcheck {
+
+/// What is deformed: a block, a kidney-like solid, a disc, or the mesh of a file.
+enum class BodyShape { block, kidney, disc, file };
+
+std::string_view name_of(BodyShape shape);
+std::string_view name_of(CellPattern pattern);  // on the command line
+
+/// A length unit of mesh files.
+struct MeshUnit {
+  std::string_view name;
+  double metres;
+
+  friend bool operator==(const MeshUnit&, const MeshUnit&) = default;
+};
+const std::vector<MeshUnit>& mesh_units();
+
+/// A body and how it is cut into cells.
+struct Body {
+  BodyShape shape = BodyShape::block;
+  // The block; of a kidney its ellipsoid's extents, and the numbers of cells along them;
+  // of a disc its diameter twice and its height, and likewise; of a file not read:
+  Block block;
+  std::string file{};  // of the user's mesh
+  MeshUnit unit{};
+  // Regions on the lower, fixed and on the upper, moved or loaded plate:
+  std::string fixed = "bottom";
+  std::string moved = "top";
+
+  friend bool operator==(const Body&, const Body&) = default;
+};
+
+/// Whether the mesh of the block depends on its seed.
+bool reads_seed(const Block& block);
+
+/// Whether it is a block whose cells are those of the regular grid, distorted or not.
+bool is_grid_of_hexahedra(const Body& body);
+
+/// The same body on a regular grid of so many hexahedra. It must be a block.
+Body on_hexahedra(Body body, const std::array<int, 3>& cells);
+
+/// Numbers of cells and nodes over those of the grid that a pattern starts from, for
+/// estimates: about right in large blocks.
+struct Multiplicity {
+  double cells;
+  double nodes;
+};
+Multiplicity multiplicity(CellPattern pattern);
+
+/// Numbers of cells along x, y, z of a grid with about as many nodes, for estimates; of a
+/// file judged by its length.
+std::array<double, 3> equivalent_grid(const Body& body);
+
+/// About how many cells the mesh will have.
+double estimated_cells(const Body& body);
+
+/// Throws InputError as generate_block, generate_kidney, generate_disc and read_msh do.
+Mesh build_mesh(const Body& body);
+
+/// Meshes of bodies, each built once. From any thread.
+class MeshStore {
+ public:
+  const Mesh& mesh(const Body& body);
+
+ private:
+  std::mutex one_at_a_time_;
+  std::vector<std::pair<Body, std::unique_ptr<const Mesh>>> meshes_;
+};
+
+}  // namespace springcheck

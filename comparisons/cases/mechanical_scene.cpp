@@ -1,0 +1,102 @@
+#include "comparisons/cases/mechanical_scene.hpp"
+
+#include <fmt/format.h>
+
+#include "meshing/input_error.hpp"
+#include "meshing/traction.hpp"
+
+namespace springcheck {
+namespace {
+
+constexpr Held only_z{false, false, true};
+
+Vector3 area_centre(const Mesh& mesh, const std::string& region) {
+  const std::vector<double> areas = nodal_areas(mesh, mesh.region(region));
+  Vector3 sum = Vector3::Zero();
+  double area = 0;
+  for (std::size_t n = 0; n < areas.size(); ++n) {
+    sum += areas[n] * mesh.nodes()[n];
+    area += areas[n];
+  }
+  return sum / area;
+}
+
+/// Centre and distance of a body's plates.
+struct PlateGeometry {
+  Vector3 centre;   // of the moved plate [m]
+  double distance;  // along z [m]
+};
+
+PlateGeometry plate_geometry(const CaseSettings& settings, const Mesh& mesh) {
+  const Body& body = settings.body;
+  if (body.shape == BodyShape::block) {
+    const auto [width, depth, height] = body.block.size;
+    return {.centre = Vector3(width / 2, depth / 2, height), .distance = height};
+  }
+  if (!has_upper_plate(settings.test)) return {.centre = Vector3::Zero(), .distance = 0};
+  if (body.moved == body.fixed)
+    throw InputError(mesh.source(), "plates", "two regions",
+                     fmt::format("'{}' as the fixed and the moved one", body.fixed));
+  const Vector3 upper = area_centre(mesh, body.moved);
+  const double distance = upper.z() - area_centre(mesh, body.fixed).z();
+  if (!(distance > 0))
+    throw InputError(mesh.source(), fmt::format("region '{}'", body.moved),
+                     fmt::format("a plate above '{}', along z", body.fixed),
+                     fmt::format("one {:.3g} m below it", -distance));
+  return {.centre = upper, .distance = distance};
+}
+
+}  // namespace
+
+Scene mechanical_scene(const CaseSettings& settings, const Mesh& mesh) {
+  const Body& body = settings.body;
+  const PlateGeometry plates = plate_geometry(settings, mesh);
+  const double height = plates.distance;
+  const bool slides =
+      settings.test == Test::uniaxial ||
+      (settings.test == Test::traction && settings.plates == PlateContact::sliding);
+  Plate lower{.region = body.fixed,
+              .motion = {.translation = Vector3::Zero(),
+                         .axis = Vector3::UnitZ(),
+                         .centre = plates.centre,
+                         .angle = 0},
+              .held = slides ? only_z : all_components};
+  Plate upper = lower;
+  upper.region = body.moved;
+  RigidMotion& motion = upper.motion;
+  Scene scene{.material = settings.material, .plates = {}, .gravity = settings.gravity};
+  if (slides)
+    scene.pins = {
+        {.point = Vector3::Zero(), .held = {true, true, false}},
+        {.point = Vector3(body.block.size[0], 0, 0), .held = {false, true, false}}};
+
+  switch (settings.test) {
+    case Test::compression:
+      motion.translation.z() = -settings.deformation.value() * height;
+      break;
+    case Test::tension:
+    case Test::uniaxial:
+      motion.translation.z() = settings.deformation.value() * height;
+      break;
+    case Test::shearing:
+      motion.translation.x() = settings.deformation.value() * height;
+      break;
+    case Test::torsion:
+      motion.angle = settings.deformation.value();
+      break;
+    case Test::bending:
+      scene.plates = {lower};
+      return scene;
+    case Test::traction:
+      scene.plates = {lower};
+      scene.tractions = {{.region = body.moved, .stress = settings.traction}};
+      return scene;
+    case Test::affine:
+      scene.boundary_gradient = settings.gradient;
+      return scene;
+  }
+  scene.plates = {lower, upper};
+  return scene;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/cases/case.hpp"
+
+namespace springcheck {
+
+/// Whether a reference is one simulation, or what it converges to on three grids.
+enum class ReferenceGrid { one, converged };
+
+/// A simulation that was asked for, with what its deviations are measured against.
+struct Request {
+  CaseSettings settings;
+  // On the same mesh or a refinement of it; on the same mesh when `converged`:
+  std::optional<CaseSettings> reference;
+  ReferenceGrid reference_grid = ReferenceGrid::one;
+};
+
+/// The simulations its reference is made of: none, one, or three from coarse to fine.
+std::vector<CaseSettings> reference_cases(const Request& request);
+
+/// "fem-stvk:q1-sri"; with "@20,20,20" on cells other than the case's, "@converged" when
+/// extrapolated. Empty without a reference.
+std::string reference_label(const Request& request);
+
+}  // namespace springcheck

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/chart/chart.hpp"
+
+namespace springcheck {
+
+/// A recommended point and its neighbours, places in a chart.
+struct Advice {
+  Chart chart;
+  std::size_t truth;                   // of the scene's law
+  std::optional<std::size_t> chosen;   // none: nothing meets the wish ...
+  std::optional<std::size_t> nearest;  // ... and this comes closest
+  std::optional<std::size_t> cheaper;  // most accurate of the cheaper ones
+  std::optional<std::size_t> dearer;   // cheapest of the more accurate ones
+  bool is_path_known = true;           // whether the chosen one's was followed
+  std::vector<std::string> left_out;   // in words: what the chosen one does without
+  std::vector<std::string> cautions;
+};
+
+}  // namespace springcheck

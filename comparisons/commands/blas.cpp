@@ -1,0 +1,42 @@
+#include "comparisons/commands/blas.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string_view>
+
+// Not in every cblas.h.
+extern "C" void openblas_set_num_threads(int);
+extern "C" char* openblas_get_corename();
+
+namespace springcheck {
+namespace {
+
+/// OpenBLAS's name of the best kernels this processor runs; nullptr: those for any.
+const char* fitting_core() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
+    return "SkylakeX";
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return "Haswell";
+#endif
+  return nullptr;
+}
+
+}  // namespace
+
+void restart_with_fitting_blas(char** arguments) {
+  constexpr const char* variable = "OPENBLAS_CORETYPE";
+  const char* core = fitting_core();
+  if (core != nullptr && std::getenv(variable) == nullptr &&
+      std::string_view(openblas_get_corename()) == "Prescott") {
+    setenv(variable, core, 0);
+    execv("/proc/self/exe", arguments);
+  }
+}
+
+void use_one_blas_thread() {
+  openblas_set_num_threads(1);
+}
+
+}  // namespace springcheck

@@ -1,0 +1,226 @@
+#include "comparisons/commands/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "comparisons/build_info/build_info.hpp"
+#include "comparisons/tables/computed_tables.hpp"
+#include "comparisons/results/known_results.hpp"
+#include "comparisons/running/memory.hpp"
+#include "comparisons/running/progress.hpp"
+#include "comparisons/commands/quality_text.hpp"
+#include "comparisons/commands/result_json.hpp"
+#include "comparisons/commands/result_text.hpp"
+#include "comparisons/settings/scene_file.hpp"
+#include "comparisons/shipped/shipped.hpp"
+#include "comparisons/tables/studies/split_output.hpp"
+#include "comparisons/tables/thesis/format_table.hpp"
+#include "meshing/files/mesh_files.hpp"
+#include "meshing/input_error.hpp"
+#include "meshing/output_file.hpp"
+
+namespace springcheck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The splits of the spring methods' errors against the law of the named reference, or
+/// against Hencky's; finite elements have none. Throws InputError where nothing can be
+/// split as asked.
+std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
+                                                  const std::vector<Request>& requests) {
+  if (std::ranges::none_of(run.methods, is_springs))
+    throw InputError("--split", "method", "at least one of springs",
+                     "finite elements only");
+  if (solver_of(run.common) != Solver::static_equilibrium)
+    throw InputError("--split", "solver",
+                     "static: the end of dynamics and a limit have errors of their own",
+                     std::string(name_of(solver_of(run.common))));
+  const Method law = run.reference ? run.reference->method : *find_method("fem-hencky");
+  if (run.reference &&
+      (run.reference->grid == ReferenceGrid::converged || !run.reference->cells.empty() ||
+       run.reference->element.name != "q1-sri"))
+    throw InputError(run.reference->place, "",
+                     "a method alone with --split, which has its own elements and grids",
+                     "'" + run.reference->text + "'");
+  std::vector<std::optional<SplitPlan>> plans;
+  for (const Request& request : requests)
+    plans.push_back(is_springs(request.settings.method)
+                        ? std::optional(plan_split(request.settings, law))
+                        : std::nullopt);
+  return plans;
+}
+
+/// "8 prisms, 20 hexahedra".
+std::string cell_counts(const Mesh& mesh) {
+  constexpr std::array plurals{"tetrahedra", "pyramids", "prisms", "hexahedra"};
+  std::string text;
+  for (std::size_t i = 0; i < plurals.size(); ++i)
+    if (const std::size_t count = mesh.count(all_cell_types[i]); count > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, plurals[i]);
+  return text;
+}
+
+/// A checkpoint belongs to a single simulation through time, and is no result file.
+void check_checkpoint(const RunSettings& run, const std::filesystem::path& file,
+                      const std::optional<std::filesystem::path>& result_file) {
+  const auto place = [](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+  };
+  if (result_file && place(file) == place(*result_file))
+    throw InputError("--checkpoint", "", "another file than that of --out",
+                     "'" + file.string() + "'");
+  if (run.methods.size() != 1)
+    throw InputError("--checkpoint", "", "one method",
+                     fmt::to_string(run.methods.size()));
+  CaseSettings settings = run.common;
+  settings.method = run.methods.front();
+  if (!goes_through_time(settings))
+    throw InputError("--checkpoint", "", "a solver that goes through time",
+                     std::string(name_of(solver_of(settings))));
+  check_writable(file);
+}
+
+}  // namespace
+
+ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
+                       const std::optional<std::filesystem::path>& result_file,
+                       Output output, ErrorSplit error_split, int parallel,
+                       const Watch& watch) {
+  const RunSettings run = read_run(scene, options);
+  if (watch.checkpoint) check_checkpoint(run, *watch.checkpoint, result_file);
+  std::vector<Request> all = requests(run);
+  const std::size_t asked = all.size();
+  std::vector<std::optional<SplitPlan>> plans(asked);
+  if (error_split == ErrorSplit::wanted) plans = split_plans(run, all);
+  for (const auto& plan : plans)
+    if (plan) {
+      const std::vector<Request> needed = split_requests(*plan);
+      all.insert(all.end(), needed.begin(), needed.end());
+    }
+  // One at a time, unless the grids of a split make it long.
+  const int at_once = all.size() > asked ? parallel : 1;
+  check_memory(run.cells_place, all);
+  if (result_file) check_results_writable(*result_file);
+
+  MeshStore meshes;
+  std::vector<CaseResult> results;
+  {
+    Progress progress("simulations");
+    const Finished show = [&](std::size_t done, std::size_t of) {
+      if (all.size() > 1) progress.show(done, of);
+    };
+    results = run_study(all, meshes, at_once, show, {}, watch);
+  }
+  if (result_file) write_results(*result_file, results, meshes);
+  std::vector<std::optional<Split>> splits(asked);
+  std::span<const CaseResult> grids = std::span(results).subspan(asked);
+  for (std::size_t i = 0; i < asked; ++i)
+    if (plans[i]) {
+      const std::size_t count = split_requests(*plans[i]).size();
+      splits[i] = split_error(*plans[i], results[i], grids.first(count), meshes);
+      grids = grids.subspan(count);
+    }
+  results.resize(asked);
+  if (output == Output::json) {
+    fmt::print("{}\n", run_json(run.common.scene, results, splits, meshes).dump(2));
+  } else {
+    fmt::print("{}", results_text(results));
+    for (const auto& split : splits)
+      if (split) fmt::print("\n{}", split_text(*split));
+  }
+
+  const bool as_expected =
+      results.size() > 1 || std::ranges::count(run.expect, results.front().status) > 0;
+  return as_expected ? ExitStatus::done : ExitStatus::unexpected_status;
+}
+
+ExitStatus table_command(const std::string& name, const TableFiles& files,
+                         const std::string& reference, TableFormat format, int parallel) {
+  const auto& [from, out] = files;
+  const StoredCases stored = stored_cases(from);
+  warn_of_other_commits(stored);
+  if (out) check_results_writable(*out);
+  std::optional<ReferenceMethod> chosen;
+  if (!reference.empty())
+    chosen = reference_named(Given::from_text("--reference", reference));
+  if (chosen && is_custom(chosen->method))
+    throw InputError(chosen->place, "", "a method without constants of its own",
+                     "'mss-custom'");
+  MeshStore meshes;
+  const ComputedTables computed =
+      compute_tables({name}, chosen, meshes, parallel, known_from(stored, meshes));
+  if (out) write_results(*out, computed.results, meshes);
+  for (const Table& table : computed.set.tables)
+    fmt::print("{}", format_table(table, format));
+  for (const Sheet& sheet : computed.set.sheets)
+    fmt::print("{}", format_sheet(sheet, format));
+  return ExitStatus::done;
+}
+
+ExitStatus list_command(const std::string& what, Output output) {
+  Json lists;
+  for (const Method& method : methods())
+    lists["methods"][std::string(method.name)] = method.description;
+  for (const ShippedFile& scene : shipped_scenes()) {
+    // Its first comment line describes it.
+    const std::size_t end = scene.text.find('\n');
+    lists["scenes"][std::filesystem::path(scene.name).stem().string()] =
+        scene.text.substr(2, end - 2);
+  }
+  for (const ShippedFile& sweep : shipped_sweeps()) {
+    const std::size_t end = sweep.text.find('\n');
+    lists["sweeps"][std::filesystem::path(sweep.name).stem().string()] =
+        sweep.text.substr(2, end - 2);
+  }
+  for (const CellPatternName& pattern : cell_patterns())
+    lists["cell-types"][std::string(pattern.name)] = pattern.description;
+  for (const ElementName& element : elements())
+    lists["elements"][std::string(element.name)] = element.description;
+  lists["materials"] = {
+      {"hooke", "small-strain Hooke (fem-hooke)"},
+      {"stvk", "St-Venant-Kirchhoff (fem-stvk)"},
+      {"hencky", "Hencky, logarithmic strain (fem-hencky)"},
+      {"cauchy-born", "continuum of a spring lattice (fem-cauchy-born)"}};
+  if (!what.empty()) {
+    if (!lists.contains(what))
+      throw InputError("list", "",
+                       "one of methods, scenes, sweeps, cell-types, elements, materials",
+                       "'" + what + "'");
+    lists = Json{{what, lists[what]}};
+  }
+  if (output == Output::json) {
+    fmt::print("{}\n", lists.dump(2));
+    return ExitStatus::done;
+  }
+  for (const auto& [heading, entries] : lists.items()) {
+    fmt::print("{}\n", heading);
+    for (const auto& [name, description] : entries.items())
+      fmt::print("  {:<15} {}\n", name, description.get<std::string>());
+  }
+  return ExitStatus::done;
+}
+
+ExitStatus mesh_command(const std::string& scene,
+                        const std::vector<GivenSetting>& options,
+                        const std::optional<std::filesystem::path>& file,
+                        MeshReport report) {
+  if (!file && report == MeshReport::counts)
+    throw InputError("--out", "", "a .msh, .vtu or .inp file, or --quality alone",
+                     "neither");
+  const RunSettings run = read_run(scene, options);
+  check_mesh_memory(run.cells_place, run.common.body);
+  if (file) check_writable(*file);
+  const Mesh mesh = build_mesh(run.common.body);
+  if (file) write_mesh(mesh, *file);
+  fmt::print("{}: {} nodes, {}, {:.6g} m^3, SHA-256 {}\n",
+             file ? file->string() : mesh.source(), mesh.nodes().size(),
+             cell_counts(mesh), mesh.volume(), mesh.sha256());
+  if (report == MeshReport::quality) fmt::print("\n{}", quality_text(quality_of(mesh)));
+  return ExitStatus::done;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/settings/run_settings.hpp"
+#include "comparisons/running/simulate.hpp"
+#include "comparisons/sheets/table_format.hpp"
+
+namespace springcheck {
+
+/// Exit statuses that scripts depend on.
+enum ExitStatus { done = 0, fell_short = 1, bad_input = 2, unexpected_status = 3 };
+
+enum class Output { text, json };
+
+enum class ErrorSplit { not_wanted, wanted };
+
+/// `springcheck run`: prints the results, writes them to `result_file` when given. The
+/// simulations that split the error are run `parallel` at a time. A checkpoint is of one
+/// method in dynamics, or InputError is thrown.
+ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
+                       const std::optional<std::filesystem::path>& result_file,
+                       Output output, ErrorSplit error_split, int parallel,
+                       const Watch& watch);
+
+/// Result files of a table: what to take cases from, where to write all of them.
+struct TableFiles {
+  std::vector<std::filesystem::path> from;
+  std::optional<std::filesystem::path> out;
+};
+
+/// `springcheck table`: prints one table.
+ExitStatus table_command(const std::string& name, const TableFiles& files,
+                         const std::string& reference, TableFormat format, int parallel);
+
+/// `springcheck list`; an empty `what` lists everything.
+ExitStatus list_command(const std::string& what, Output output);
+
+/// What is printed of a mesh: how much there is, or how good it is too.
+enum class MeshReport { counts, quality };
+
+/// `springcheck mesh`: writes the file, where one is named, and prints the report.
+ExitStatus mesh_command(const std::string& scene,
+                        const std::vector<GivenSetting>& options,
+                        const std::optional<std::filesystem::path>& file,
+                        MeshReport report);
+
+}  // namespace springcheck

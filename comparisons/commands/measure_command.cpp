@@ -1,0 +1,74 @@
+#include "comparisons/commands/measure_command.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "comparisons/measured/measured_case.hpp"
+#include "comparisons/measured/nodal_csv.hpp"
+#include "comparisons/measured/vtu_file.hpp"
+#include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/running/memory.hpp"
+#include "comparisons/running/progress.hpp"
+#include "comparisons/results/result_file.hpp"
+#include "comparisons/commands/result_json.hpp"
+#include "comparisons/commands/result_text.hpp"
+#include "comparisons/settings/scene_file.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+std::vector<Vector3> read_displacements(const std::filesystem::path& file,
+                                        const Mesh& mesh) {
+  if (file.extension() == ".csv")
+    return read_nodal_csv(file, mesh, NodalQuantity::displacement);
+  if (file.extension() == ".vtu") return read_vtu_displacements(file, mesh);
+  throw InputError(file.string(), "extension", ".vtu or .csv",
+                   file.has_extension() ? file.extension().string() : "none");
+}
+
+MeasuredFields read_fields(const MeasuredFiles& files, const Mesh& mesh) {
+  MeasuredFields fields{.displacements = read_displacements(files.displacements, mesh),
+                        .forces = {}};
+  if (files.forces)
+    fields.forces = read_nodal_csv(*files.forces, mesh, NodalQuantity::force);
+  return fields;
+}
+
+}  // namespace
+
+ExitStatus measure_command(const std::string& scene,
+                           const std::vector<GivenSetting>& options,
+                           const MeasuredFiles& files,
+                           const std::optional<std::filesystem::path>& result_file,
+                           Output output) {
+  const RunSettings run = read_run(scene, options);
+  check_memory(run.cells_place, requests(run));
+  if (result_file) check_results_writable(*result_file);
+  MeshStore meshes;
+  const Mesh& mesh = meshes.mesh(run.common.body);
+  const MeasuredFields fields = read_fields(files, mesh);
+  for (const std::string& words :
+       contradictions(mesh, mechanical_scene(run.common, mesh), fields))
+    spdlog::warn("{}", words);
+  std::vector<CaseResult> results;
+  {
+    Progress progress("simulations");
+    results.push_back(measured_case(
+        run, files.label, fields, meshes,
+        [&](std::size_t done, std::size_t of) { progress.show(done, of); }));
+  }
+  if (result_file) write_results(*result_file, results, meshes);
+  if (output == Output::json)
+    fmt::print("{}\n",
+               run_json(run.common.scene, results, {std::nullopt}, meshes).dump(2));
+  else
+    fmt::print("{}", results_text(results));
+  return std::ranges::count(run.expect, results.front().status) > 0
+             ? ExitStatus::done
+             : ExitStatus::unexpected_status;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,88 @@
+#include "comparisons/commands/report_command.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <system_error>
+
+#include "comparisons/chart/chart_json.hpp"
+#include "comparisons/chart/chart_sheets.hpp"
+#include "comparisons/commands/report_program.hpp"
+#include "comparisons/results/result_file.hpp"
+#include "comparisons/stability/atlas_json.hpp"
+#include "comparisons/tables/stored_tables.hpp"
+#include "comparisons/commands/table_files.hpp"
+#include "comparisons/tables/theory_curves.hpp"
+#include "meshing/input_error.hpp"
+#include "meshing/output_file.hpp"
+
+namespace springcheck {
+
+namespace {
+
+/// Refuses a folder whose page somebody else made: it would be lost.
+void check_page_is_ours(const std::filesystem::path& folder) {
+  const std::filesystem::path page = folder / "index.html";
+  std::ifstream in(page);
+  if (!in) return;
+  std::string head(1000, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (head.find("content=\"springcheck report\"") == std::string::npos)
+    throw InputError(page.string(), "", "the page of an earlier report, or none",
+                     "another page, which would be lost");
+}
+
+}  // namespace
+
+void prepare_report(const std::filesystem::path& folder) {
+  check_python();
+  check_page_is_ours(folder);
+  for (const char* part : {"tables", "data"}) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder / part, failed);
+    if (failed)
+      throw InputError(folder.string(), "", "a folder that can be created",
+                       failed.message());
+  }
+  for (const char* file : {"tables/5.1.md", "data/theory.json", "index.html"})
+    check_writable(folder / file);
+}
+
+ExitStatus make_report(const std::filesystem::path& file,
+                       const std::filesystem::path& folder,
+                       const std::vector<Sheet>& further) {
+  MeshStore meshes;
+  TableSet tables = stored_tables(file, meshes);
+  tables.sheets.insert(tables.sheets.end(), further.begin(), further.end());
+  const std::vector<Chart> charts = stored_charts(file);
+  for (Sheet& sheet : chart_sheets(charts)) tables.sheets.push_back(std::move(sheet));
+  write_tables(folder / "tables", tables, file.parent_path() / "tables");
+  const std::string theory = theory_curves(read_cases(file)).dump() + "\n";
+  write_whole_stream(folder / "data" / "theory.json",
+                     [&](std::ostream& out) { out << theory; });
+  const std::string chart_data = charts_json(charts).dump() + "\n";
+  write_whole_stream(folder / "data" / "charts.json",
+                     [&](std::ostream& out) { out << chart_data; });
+  const std::string atlas = atlas_json(file).dump() + "\n";
+  write_whole_stream(folder / "data" / "atlas.json",
+                     [&](std::ostream& out) { out << atlas; });
+  if (run_report_program(file, folder) != 0) return ExitStatus::fell_short;
+  const std::filesystem::path xdmf = folder / "3d" / "cases.xdmf";
+  if (std::filesystem::exists(folder / "3d" / "show.py"))  // made where there are fields
+    write_xdmf_for(file, xdmf);
+  else
+    std::filesystem::remove(xdmf);
+  fmt::print("Start with {}\n", (folder / "index.html").string());
+  return ExitStatus::done;
+}
+
+ExitStatus report_command(const std::filesystem::path& file,
+                          const std::filesystem::path& folder) {
+  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+    throw InputError(file.string(), "", "a result file", "what is no file");
+  read_results(file);  // whatever is wrong with it is said before a folder is made
+  prepare_report(folder);
+  return make_report(file, folder, {});
+}
+
+}  // namespace springcheck

@@ -1,0 +1,42 @@
+#include "comparisons/commands/stability_command.hpp"
+
+#include <fmt/format.h>
+
+#include "comparisons/settings/scene_file.hpp"
+#include "comparisons/stability/atlas_sheets.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+
+ExitStatus stability_command(const std::string& scene,
+                             const std::vector<GivenSetting>& options,
+                             const StabilityOptions& stability) {
+  AtlasPlan plan{.scene = scene,
+                 .options = options,
+                 .axes = {},
+                 .judges_locking = stability.locking};
+  const Test test = read_run(scene, options).common.test;
+  for (const std::string& text : stability.over)
+    for (Axis& axis : axes_named("--over", text, test))
+      plan.axes.push_back(std::move(axis));
+  if (plan.axes.empty() || plan.axes.size() > 2)
+    throw InputError("--over", "", "one or two axes", std::to_string(plan.axes.size()));
+  if (plan.axes.size() == 2 && plan.axes[0].key == plan.axes[1].key)
+    throw InputError("--over", "", "two different settings",
+                     "'" + plan.axes[0].key + "' twice");
+  CaseRunner runner(stability.out, stability.jobs);
+  const Atlas atlas = make_atlas(plan, runner);
+  if (stability.format) {
+    fmt::print("{}", format_sheets({points_sheet(atlas, plan), limits_sheet(atlas, plan)},
+                                   *stability.format));
+  } else {
+    fmt::print("{}", maps_text(atlas, plan));
+    if (!atlas.limits.empty())
+      fmt::print("\n{}", sheet_in_columns(limits_sheet(atlas, plan), {"reason"}));
+    fmt::print("\n{} simulations computed, {} points.\n", runner.computed(),
+               atlas.points.size());
+  }
+  return ExitStatus::done;
+}
+
+}  // namespace springcheck

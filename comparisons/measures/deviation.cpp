@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/measures/beam_measures.hpp"
+#include "comparisons/measures/displacement_norms.hpp"
+#include "comparisons/measures/measures.hpp"
+#include "comparisons/cases/mechanical_scene.hpp"
+
+namespace springcheck {
+namespace {
+
+constexpr double on_plane = 1e-9;  // of the block's height: coordinates are exact
+
+/// The length deviations are divided by: the largest imposed displacement, or the
+/// reference's tip deflection in bending and face displacement in traction.
+std::optional<double> imposed_length(const CaseSettings& settings, const Scene& scene,
+                                     const Mesh& mesh, const Solution& reference) {
+  if (settings.test == Test::bending)
+    return tip_deflection(settings, mesh, reference.displacements);
+  if (settings.test == Test::traction)
+    return loaded_face_displacement(mesh, scene, reference).norm();
+  return largest_imposed_displacement(mesh, scene);
+}
+
+}  // namespace
+
+void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
+                       const Solution& solution, const Solution& reference) {
+  const Scene scene = mechanical_scene(settings, mesh);
+  const double height = settings.body.block.size[2];
+  const bool has_layers = settings.body.shape == BodyShape::block;
+  const auto distance = [&](std::size_t n) {
+    return (solution.displacements[n] - reference.displacements[n]).norm();
+  };
+  double sum = 0, largest = 0, layer_sum = 0;
+  int layer_nodes = 0;
+  for (std::size_t n = 0; n < mesh.nodes().size(); ++n) {
+    sum += distance(n);
+    largest = std::max(largest, distance(n));
+    if (has_layers && std::abs(mesh.nodes()[n].z() - height / 2) < on_plane * height) {
+      layer_sum += distance(n);
+      ++layer_nodes;
+    }
+  }
+  measures.mean_deviation = sum / static_cast<double>(mesh.nodes().size());
+  measures.max_deviation = largest;
+  if (layer_nodes > 0) measures.middle_layer_deviation = layer_sum / layer_nodes;
+  const auto length = imposed_length(settings, scene, mesh, reference);
+  const auto free = over_free_nodes(mesh, scene, distance);
+  if (length && *length > 0 && free) {
+    measures.deviation_l2_relative = free->root_mean_square / *length;
+    measures.deviation_max_relative = free->largest / *length;
+  }
+
+  const auto volumes = deformed_volumes(mesh, solution),
+             reference_volumes = deformed_volumes(mesh, reference);
+  double square_sum = 0;
+  for (std::size_t c = 0; c < volumes.size(); ++c)
+    square_sum += std::pow(volumes[c] - reference_volumes[c], 2) / mesh.cell_volumes()[c];
+  measures.cell_volume_ratio_rms_difference = std::sqrt(square_sum / mesh.volume());
+}
+
+Measures::Value reference_bar_l2_relative(const CaseSettings& settings, const Mesh& mesh,
+                                          const Solution& reference,
+                                          const std::vector<double>& node_bars) {
+  const Scene scene = mechanical_scene(settings, mesh);
+  const auto length = imposed_length(settings, scene, mesh, reference);
+  const auto free =
+      over_free_nodes(mesh, scene, [&](std::size_t n) { return node_bars[n]; });
+  if (!length || *length <= 0 || !free) return std::nullopt;
+  return free->root_mean_square / *length;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,48 @@
+#include "comparisons/measures/history.hpp"
+
+#include <limits>
+
+#include "comparisons/measures/measures.hpp"
+
+namespace springcheck {
+
+HistorySample history_sample(const CaseSettings& settings, const Mesh& mesh,
+                             const dynamics::Moment& moment) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  Solution there{};
+  there.displacements = moment.displacements;
+  there.reactions = moment.reactions;
+  there.lever_arms = LeverArms::deformed;
+  there.load_fraction = moment.load_fraction;
+  const Measures measures = measure(settings, mesh, there);
+  const Vector3 no_vector = Vector3::Constant(none);
+  const Vector3 force = measures.force.value_or(no_vector),
+                torque = measures.torque.value_or(no_vector);
+  const double deformation =
+      settings.deformation ? moment.load_fraction * *settings.deformation : none;
+  const Eigen::Matrix3d P =
+      measures.mean_stress.value_or(Eigen::Matrix3d::Constant(none));
+  return {moment.time,
+          moment.load_fraction,
+          deformation,
+          measures.volume_change.value_or(none),
+          force.x(),
+          force.y(),
+          force.z(),
+          torque.x(),
+          torque.y(),
+          torque.z(),
+          moment.kinetic_energy,
+          moment.strain_energy,
+          P(0, 0),
+          P(0, 1),
+          P(0, 2),
+          P(1, 0),
+          P(1, 1),
+          P(1, 2),
+          P(2, 0),
+          P(2, 1),
+          P(2, 2)};
+}
+
+}  // namespace springcheck

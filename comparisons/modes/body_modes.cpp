@@ -1,0 +1,48 @@
+#include "comparisons/modes/body_modes.hpp"
+
+#include "comparisons/cases/mechanical_scene.hpp"
+#include "fem_reference/statics/modes.hpp"
+#include "mss/statics/modes.hpp"
+
+namespace springcheck {
+namespace {
+
+MethodModes stable_or_not(const std::string& method, std::optional<NaturalModes> modes) {
+  const char* reason = modes ? "" : "indefinite";
+  return {.method = method, .modes = std::move(modes), .reason = reason};
+}
+
+MethodModes spring_modes(const Method& method, const CaseSettings& settings,
+                         const Mesh& mesh, const std::vector<bool>& is_free, int count) {
+  const auto springs = std::get<mss::Method>(method.model);
+  if (mss::reason_to_refuse(mesh, settings.material, springs))
+    return {.method = method.name, .modes = std::nullopt, .reason = "refused"};
+  const mss::Network network =
+      mss::build_network(mesh, settings.material,
+                         {.method = springs,
+                          .stiffness_form = settings.stiffness_form,
+                          .diagonal_ratio = settings.diagonal_ratio});
+  return stable_or_not(method.name, mss::rest_modes(network, is_free, count));
+}
+
+}  // namespace
+
+std::vector<MethodModes> body_modes(const CaseSettings& settings, const Mesh& mesh,
+                                    Hold hold, int count) {
+  Scene scene = mechanical_scene(settings, mesh);
+  if (hold == Hold::free) scene.plates.clear();
+  const fem_reference::Settings hooke{.law = fem_reference::Law::hooke,
+                                      .element = fem_reference::Element::q1_sri};
+  const auto elements = [&](fem_reference::MassMatrix masses) {
+    return fem_reference::rest_modes(mesh, scene, hooke, masses, count);
+  };
+  std::vector<MethodModes> all{
+      stable_or_not("FEM", elements(fem_reference::MassMatrix::consistent)),
+      stable_or_not("lumped FEM", elements(fem_reference::MassMatrix::lumped))};
+  const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
+  for (const char* name : {"mss-cf", "mss-affine", "mss-nfd"})
+    all.push_back(spring_modes(*find_method(name), settings, mesh, is_free, count));
+  return all;
+}
+
+}  // namespace springcheck

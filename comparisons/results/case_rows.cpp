@@ -1,0 +1,217 @@
+#include "comparisons/results/case_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+std::string joined(const std::vector<Status>& flags) {
+  std::string text;
+  for (const Status flag : flags)
+    text += (text.empty() ? "" : ",") + std::string(name_of(flag));
+  return text;
+}
+
+Row::mapped_type cell(const nlohmann::json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_array()) return value.get<std::vector<double>>();
+  if (value.is_boolean()) return std::string(value.get<bool>() ? "true" : "false");
+  return std::vector{value.get<double>()};
+}
+
+void put(Row& row, const char* name, const Measures::Value& value) {
+  if (value) row[name] = std::vector{*value};
+}
+void put(Row& row, const char* name, const Measures::Vector& value) {
+  if (value) row[name] = std::vector(value->data(), value->data() + 3);
+}
+void put(Row& row, const char* name, const Measures::Matrix& value) {
+  if (!value) return;
+  const Eigen::Matrix3d columns = value->transpose();  // the file holds rows
+  row[name] = std::vector(columns.data(), columns.data() + 9);
+}
+
+/// A row of a file that is read.
+class Reader {
+ public:
+  Reader(const Columns& cases, std::size_t row, const std::string& file)
+      : cases_(cases), row_(row), file_(file) {}
+
+  [[nodiscard]] std::string text(const std::string& name) const {
+    const auto column = cases_.texts.find(name);
+    return column == cases_.texts.end() ? "" : column->second[row_];
+  }
+
+  /// The numbers in the column; null where it is missing, is NaN throughout or has
+  /// another width.
+  [[nodiscard]] const double* numbers(const std::string& name, std::size_t width) const {
+    const auto column = cases_.numbers.find(name);
+    if (column == cases_.numbers.end() || column->second.width != width) return nullptr;
+    const double* first = column->second.values.data() + row_ * width;
+    const bool missing =
+        std::all_of(first, first + width, [](double x) { return std::isnan(x); });
+    return missing ? nullptr : first;
+  }
+
+  [[nodiscard]] double number(const std::string& name) const {
+    const double* value = numbers(name, 1);
+    if (value == nullptr || !std::isfinite(*value)) refuse(name, "a number", "none");
+    return *value;
+  }
+
+  [[noreturn]] void refuse(const std::string& what, const std::string& expected,
+                           const std::string& got) const {
+    throw InputError(file_, fmt::format("{} of case {}", what, text("key")), expected,
+                     got);
+  }
+
+ private:
+  const Columns& cases_;
+  std::size_t row_;
+  const std::string& file_;
+};
+
+void take(const Reader& reader, const char* name, Measures::Value& value) {
+  if (const double* number = reader.numbers(name, 1)) value = *number;
+}
+void take(const Reader& reader, const char* name, Measures::Vector& value) {
+  if (const double* first = reader.numbers(name, 3))
+    value = Vector3(first[0], first[1], first[2]);
+}
+void take(const Reader& reader, const char* name, Measures::Matrix& value) {
+  if (const double* first = reader.numbers(name, 9))
+    value = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(first);
+}
+
+std::optional<Effort> effort_of(const Reader& reader) {
+  if (reader.text("source") == "measured") return std::nullopt;
+  return Effort{.load_fraction = reader.number("load_fraction"),
+                .steps = static_cast<int>(reader.number("steps")),
+                .force_evaluations = static_cast<int>(reader.number("force_evaluations")),
+                .wall_s = reader.number("wall_s"),
+                .solve_wall_s = reader.number("solve_wall_s")};
+}
+
+void check_measures(const StoredCase& stored, const Reader& reader) {
+  if (const auto name = not_finite(stored.measures))
+    reader.refuse(*name, "finite numbers", "others");
+  // Of solver limit, short of the load.
+  const bool is_limit = stored.measures.critical_wavelength.has_value();
+  const bool has_equilibrium =
+      !is_limit &&
+      (stored.status == Status::ok || stored.status == Status::indefinite ||
+       stored.status == Status::wrinkled || stored.status == Status::inverted);
+  if (stored.measures.volume_error.has_value() != has_equilibrium)
+    reader.refuse("volume_error", has_equilibrium ? "a number" : "none",
+                  fmt::format("{} with status {}", has_equilibrium ? "none" : "one",
+                              name_of(stored.status)));
+}
+
+}  // namespace
+
+Status status_named(const std::string& name, const std::string& file) {
+  const auto found =
+      std::ranges::find(all_statuses(), name, [](Status s) { return name_of(s); });
+  if (found == all_statuses().end())
+    throw InputError(file, "status of a case", "a known status", "'" + name + "'");
+  return *found;
+}
+
+Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
+  Row row;
+  const Solution& solution = result.solution;
+  const nlohmann::json settings = settings_json(result.request.settings);
+  for (const auto& [name, value] : settings.items())
+    if (name != "dt" || value.is_number()) row[name] = cell(value);  // auto: none
+  if (result.request.reference) {
+    row["reference"] = reference_label(result.request);
+    row["reference_settings"] = settings_json(*result.request.reference).dump();
+  }
+  row["key"] = result.key;
+  row["mesh"] = mesh.sha256();
+  row["status"] = std::string(name_of(result.status));
+  row["flags"] = joined(result.flags);
+  row["reason"] = result.reason;
+  for_each_measure(result.measures,
+                   [&](const char* name, const auto& value) { put(row, name, value); });
+  const auto number = [&](const char* name, double value) {
+    row[name] = std::vector{value};
+  };
+  if (!is_measured(result.request.settings.method)) {
+    number("load_fraction", solution.load_fraction);
+    number("steps", solution.steps);
+    number("force_evaluations", solution.force_evaluations);
+    number("wall_s", result.wall_s);
+    number("solve_wall_s", result.solve_wall_s);
+  }
+  if (solution.linear_iterations)
+    number("linear_iterations", *solution.linear_iterations);
+  if (solution.factorisations) number("factorisations", *solution.factorisations);
+  put(row, "dt_used", solution.dt);
+  put(row, "dt_limit", solution.dt_limit);
+  number("provenance", static_cast<double>(provenance));
+  return row;
+}
+
+StoredCase stored_case(const Columns& cases, std::size_t row, const std::string& file) {
+  const Reader reader(cases, row, file);
+  StoredCase stored{.status = status_named(reader.text("status"), file),
+                    .flags = {},
+                    .reason = reader.text("reason"),
+                    .measures = {},
+                    .effort = effort_of(reader),
+                    .linear_iterations = {},
+                    .factorisations = {},
+                    .dt = {},
+                    .dt_limit = {}};
+  std::string flags = reader.text("flags");
+  while (!flags.empty()) {
+    const std::size_t comma = std::min(flags.find(','), flags.size());
+    stored.flags.push_back(status_named(flags.substr(0, comma), file));
+    flags.erase(0, comma + 1);
+  }
+  for_each_measure(stored.measures,
+                   [&](const char* name, auto& value) { take(reader, name, value); });
+  if (const double* iterations = reader.numbers("linear_iterations", 1))
+    stored.linear_iterations = static_cast<int>(*iterations);
+  if (const double* factorisations = reader.numbers("factorisations", 1))
+    stored.factorisations = static_cast<int>(*factorisations);
+  take(reader, "dt_used", stored.dt);
+  take(reader, "dt_limit", stored.dt_limit);
+  check_measures(stored, reader);
+  return stored;
+}
+
+CaseResult with_stored(const Request& request, const std::string& key,
+                       const StoredCase& stored) {
+  const Effort effort = stored.effort.value_or(Effort{});
+  return {.request = request,
+          .key = key,
+          .status = stored.status,
+          .flags = stored.flags,
+          .reason = stored.reason,
+          .measures = stored.measures,
+          .solution = {.status = SolveStatus::ok,
+                       .reason = {},
+                       .displacements = {},
+                       .reactions = {},
+                       .lever_arms = LeverArms::deformed,
+                       .strain_energy = 0,
+                       .load_fraction = effort.load_fraction,
+                       .steps = effort.steps,
+                       .force_evaluations = effort.force_evaluations,
+                       .linear_iterations = stored.linear_iterations,
+                       .factorisations = stored.factorisations,
+                       .dt = stored.dt,
+                       .dt_limit = stored.dt_limit},
+          .wall_s = effort.wall_s,
+          .solve_wall_s = effort.solve_wall_s};
+}
+
+}  // namespace springcheck

@@ -1,0 +1,52 @@
+#include "comparisons/results/provenance.hpp"
+
+#include <tbb/global_control.h>
+
+#include <array>
+#include <ctime>
+#include <fstream>
+#include <thread>
+
+#include "comparisons/build_info/build_info.hpp"
+#include "meshing/generators/gmsh.hpp"
+
+namespace springcheck {
+namespace {
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
+  return text.data();
+}
+
+std::vector<double> number(std::size_t value) {
+  return {static_cast<double>(value)};
+}
+
+}  // namespace
+
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+Row provenance() {
+  using tbb::global_control;
+  return {{"springcheck", std::string(build_info::version)},
+          {"commit", std::string(build_info::commit)},
+          {"compiler", std::string(build_info::compiler)},
+          {"deal.II", std::string(build_info::deal_ii_version)},
+          {"gmsh", gmsh_version()},
+          {"Eigen", std::string(build_info::eigen_version)},
+          {"HDF5", std::string(build_info::hdf5_version)},
+          {"cpu", processor_name()},
+          {"cores", number(std::thread::hardware_concurrency())},
+          {"threads",
+           number(global_control::active_value(global_control::max_allowed_parallelism))},
+          {"date", utc_now()}};
+}
+
+}  // namespace springcheck

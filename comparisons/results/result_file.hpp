@@ -1,0 +1,114 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+
+#include "comparisons/results/case_rows.hpp"
+#include "comparisons/store/lock_file.hpp"
+
+namespace springcheck {
+
+struct StoredChart;
+struct StoredMap;
+enum class MapState;
+
+/// The cases of a result file by their keys, and who computed them.
+struct StoredKeys {
+  std::map<std::string, Status> statuses;
+  std::map<std::string, std::size_t> rows;  // of the table of cases
+  std::set<std::string> with_fields;        // keys
+  std::set<std::string> commits;            // of programs
+};
+
+/// Of a file, or of one that is open (`file` is for messages). Throw like read_cases.
+StoredKeys stored_keys(const std::filesystem::path& file);
+StoredKeys keys_in(hid_t root, const std::filesystem::path& file);
+
+/// HDF5 layout 2, documented in the README's reference part:
+///
+///     /                attributes: layout
+///     /cases           one column (dataset) for each setting and measure, see case_rows
+///     /provenance      columns, a row for each time the file was written
+///     /meshes/SHA256   nodes, hexahedra, regions/NAME
+///     /maps/IDENTITY   maps of `springcheck stability`, see stability/stored_map.hpp; no
+///                      such group in files without
+///     /charts/IDENTITY of `springcheck chart`, see chart/stored_chart.hpp; likewise
+///     /fields/KEY      of nodes displacement, reaction [N]; of cells cell_volume_ratio,
+///                      spring_strain (l/L - 1 of the most strained spring): partial_
+///                      of these when the case ended without an equilibrium; of nodes
+///                      deviation (displacement less the reference's [m]). No reaction
+///                      where another program's result came without forces, no
+///                      spring_strain without springs, no deviation without a reference
+///
+/// Results are added whole or not at all, whatever ends the program (store/journal.hpp).
+class ResultFile {
+ public:
+  /// Opens a result file to add to it; a missing one is made with the first results. What
+  /// a killed program left is repaired. Throws InputError when it is not ours, of another
+  /// layout, cannot be written, or another process is writing it.
+  explicit ResultFile(const std::filesystem::path& file);
+
+  /// What is in the file.
+  [[nodiscard]] const StoredKeys& stored() const { return stored_; }
+
+  /// Adds the results; those of keys in the file replace what it has. Fields are stored
+  /// where results have them and `with_fields` says so.
+  void put(std::span<const CaseResult> results, bool with_fields, MeshStore& meshes);
+
+  /// Keeps a map of cases, see write_map.
+  void put_map(const StoredMap& map, MapState state);
+
+  /// Keeps a chart, see write_chart.
+  void put_chart(const StoredChart& chart);
+
+  /// Adds what another result file has and this one lacks: cases with their provenance,
+  /// meshes, fields, maps, points of charts (see merged). Cases that both have stay as
+  /// they are here, but get fields they lack.
+  struct Absorbed {
+    std::size_t added = 0, already_there = 0;
+    std::vector<std::string> conflicts;  // cases of other figures, in words
+  };
+  Absorbed absorb(const std::filesystem::path& from);
+
+ private:
+  void create();
+  template <class Change>
+  void change(Change&& change);
+
+  std::filesystem::path file_;
+  LockFile lock_;
+  StoredKeys stored_;
+  std::optional<std::size_t> provenance_;  // row of this session, once written
+};
+
+/// Throws InputError unless write_xdmf_beside can write.
+void check_xdmf_writable(const std::filesystem::path& file);
+
+/// Writes an .xdmf for ParaView, of all cases that have fields: FILE.xdmf beside the
+/// result file, or one elsewhere, which leads to the result file by a relative path.
+void write_xdmf_beside(const std::filesystem::path& file);
+void write_xdmf_for(const std::filesystem::path& file, const std::filesystem::path& xdmf);
+
+/// Adds results with their fields, and writes the .xdmf.
+void write_results(const std::filesystem::path& file, std::span<const CaseResult> results,
+                   MeshStore& meshes);
+
+/// Throws InputError unless write_results could write both files.
+void check_results_writable(const std::filesystem::path& file);
+
+/// The table of cases of a result file. Throws InputError for a file that is not HDF5,
+/// not ours, damaged, or of another layout.
+Columns read_cases(const std::filesystem::path& file);
+
+/// The cases by key, without fields. Throws like read_cases and stored_case.
+std::map<std::string, StoredCase> read_results(const std::filesystem::path& file);
+
+/// Gives the result, whose key is in the file, the fields that are stored for it. Throws
+/// InputError when they are not those of the mesh.
+void read_fields(const std::filesystem::path& file, const Mesh& mesh, CaseResult& result);
+
+}  // namespace springcheck

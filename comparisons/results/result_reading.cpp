@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+
+#include <set>
+#include <stdexcept>
+#include <string_view>
+
+#include "comparisons/store/open_result_file.hpp"
+#include "comparisons/results/result_file.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+/// The inverse of flat.
+std::vector<Vector3> vectors(const std::vector<double>& values) {
+  std::vector<Vector3> all;
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3)
+    all.emplace_back(values[i], values[i + 1], values[i + 2]);
+  return all;
+}
+
+/// The columns of cases, with what all files of ours have.
+Columns cases_in(hid_t root) {
+  Columns cases = read_columns(hdf5::open_group(root, "cases"));
+  if (cases.rows == 0) return cases;
+  for (const char* name : {"key", "status", "mesh"})
+    if (!cases.texts.contains(name))
+      throw std::runtime_error(fmt::format("the cases have no column '{}'", name));
+  const std::size_t sessions = row_count(hdf5::open_group(root, "provenance"));
+  const auto provenance = cases.numbers.find("provenance");
+  if (provenance == cases.numbers.end() || provenance->second.width != 1)
+    throw std::runtime_error("the cases have no column 'provenance'");
+  for (const double row : provenance->second.values)
+    if (!(row >= 0 && row < static_cast<double>(sessions)))
+      throw std::runtime_error(
+          fmt::format("column 'provenance' refers to row {} of {}", row, sessions));
+  std::set<std::string_view> keys;
+  for (const std::string& key : cases.texts.at("key"))
+    if (!keys.insert(key).second)
+      throw std::runtime_error("case " + key + " is there twice");
+  return cases;
+}
+
+}  // namespace
+
+StoredKeys keys_in(hid_t root, const std::filesystem::path& file) {
+  StoredKeys stored;
+  const auto cases = hdf5::open_group(root, "cases");
+  const auto keys = read_texts(cases, "key"), statuses = read_texts(cases, "status");
+  if (keys.size() != row_count(cases) || statuses.size() != keys.size())
+    throw std::runtime_error("columns 'key' and 'status' do not belong together");
+  for (std::size_t row = 0; row < keys.size(); ++row) {
+    stored.statuses[keys[row]] = status_named(statuses[row], file.string());
+    stored.rows[keys[row]] = row;
+  }
+  if (stored.statuses.size() != keys.size())
+    throw std::runtime_error("a case is there twice");
+  for (std::string& key : hdf5::links(hdf5::open_group(root, "fields")))
+    stored.with_fields.insert(std::move(key));
+  for (std::string& commit : read_texts(hdf5::open_group(root, "provenance"), "commit"))
+    stored.commits.insert(std::move(commit));
+  return stored;
+}
+
+StoredKeys stored_keys(const std::filesystem::path& file) {
+  return reading(file, [&](hid_t root) { return keys_in(root, file); });
+}
+
+Columns read_cases(const std::filesystem::path& file) {
+  return reading(file, [](hid_t root) { return cases_in(root); });
+}
+
+std::map<std::string, StoredCase> read_results(const std::filesystem::path& file) {
+  return reading(file, [&](hid_t root) {
+    const Columns cases = cases_in(root);
+    const auto commits = read_texts(hdf5::open_group(root, "provenance"), "commit");
+    std::map<std::string, StoredCase> all;
+    for (std::size_t row = 0; row < cases.rows; ++row) {
+      StoredCase stored = stored_case(cases, row, file.string());
+      const auto session =
+          static_cast<std::size_t>(cases.numbers.at("provenance").values.at(row));
+      stored.commit = commits.at(session);
+      all.emplace(cases.texts.at("key").at(row), std::move(stored));
+    }
+    return all;
+  });
+}
+
+void read_fields(const std::filesystem::path& file, const Mesh& mesh,
+                 CaseResult& result) {
+  reading(file, [&](hid_t root) {
+    const auto fields = hdf5::open_group(root, "fields");
+    if (!hdf5::has_link(fields, result.key)) return 0;
+    const auto group = hdf5::open_group(fields, result.key);
+    const std::string partial = result.measures.volume_error ? "" : "partial_";
+    const auto table = [&](const std::string& name, std::size_t count) {
+      auto values = hdf5::read_table(group, name);
+      if (values && values->size() != count)
+        throw InputError(file.string(), fmt::format("{} of case {}", name, result.key),
+                         fmt::format("{} numbers", count),
+                         fmt::to_string(values->size()));
+      return values;
+    };
+    const std::size_t nodes = mesh.nodes().size(), cells = mesh.cells().size();
+    if (const auto displacements = table(partial + "displacement", 3 * nodes))
+      result.solution.displacements = vectors(*displacements);
+    if (const auto reactions = table(partial + "reaction", 3 * nodes))
+      result.solution.reactions = vectors(*reactions);
+    if (const auto ratios = table(partial + "cell_volume_ratio", cells)) {
+      result.solution.cell_volumes = *ratios;
+      for (std::size_t c = 0; c < cells; ++c)
+        result.solution.cell_volumes[c] *= mesh.cell_volumes()[c];
+    }
+    if (auto strains = table(partial + "spring_strain", cells))
+      result.solution.spring_strains = std::move(*strains);
+    if (const auto deviation = table("deviation", 3 * nodes))
+      result.deviation = vectors(*deviation);
+    return 0;
+  });
+}
+
+}  // namespace springcheck

@@ -1,0 +1,229 @@
+#include "comparisons/results/stored_chart.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <tuple>
+
+#include "comparisons/store/open_result_file.hpp"
+#include "comparisons/store/table_rows.hpp"
+#include "meshing/sha256.hpp"
+
+namespace springcheck {
+namespace {
+
+constexpr std::array size_columns{"size_1", "size_2", "size_3"};
+constexpr std::array key_columns{"key_1", "key_2", "key_3"};
+
+/// "0.1,0.12;0.11": rounds of times.
+std::string text_of(const TimedRounds& times) {
+  std::vector<std::string> rounds;
+  for (const std::vector<double>& round : times)
+    rounds.push_back(fmt::format("{}", fmt::join(round, ",")));
+  return fmt::format("{}", fmt::join(rounds, ";"));
+}
+
+TimedRounds times_in(const std::string& text) {
+  TimedRounds times;
+  std::istringstream rounds(text);
+  for (std::string round; std::getline(rounds, round, ';');) {
+    std::istringstream numbers(round);
+    times.emplace_back();
+    for (std::string number; std::getline(numbers, number, ',');)
+      times.back().push_back(std::stod(number));
+  }
+  return times;
+}
+
+Row row_of(const StoredChart::Truth& truth) {
+  Row row{{"law", truth.law}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    put(row, size_columns[i], truth.cell_sizes[i]);
+    put(row, key_columns[i], truth.keys[i]);
+  }
+  return row;
+}
+
+Row row_of(const StoredChart::Point& point) {
+  Row row{{"model", point.model},
+          {"kind", std::string(name_of(point.kind))},
+          {"key", point.key}};
+  put(row, "left_out", point.left_out);
+  put(row, "across", point.across);
+  put(row, "cells", point.cells);
+  put(row, "nodes", point.nodes);
+  put(row, "threads", point.threads);
+  put(row, "setup", point.setup);
+  put(row, "simulated", point.simulated);
+  if (!point.timing) return row;
+  put(row, "repetitions", point.timing->repetitions);
+  put(row, "minimum", point.timing->minimum);
+  put(row, "lower_quartile", point.timing->lower_quartile);
+  put(row, "median", point.timing->median);
+  put(row, "upper_quartile", point.timing->upper_quartile);
+  put(row, "maximum", point.timing->maximum);
+  if (!point.times.empty()) row["times"] = text_of(point.times);
+  return row;
+}
+
+Row row_of(const StoredChart::Comparison& comparison) {
+  return {{"key", comparison.key},
+          {"law", comparison.law},
+          {"compared", comparison.compared}};
+}
+
+template <class Part>
+void write_rows(hid_t parent, const char* name, const std::vector<Part>& parts) {
+  std::vector<Row> rows;
+  for (const Part& part : parts) rows.push_back(row_of(part));
+  append_rows(hdf5::create_group(parent, name), rows);
+}
+
+ChartKind kind_named(const std::string& name) {
+  for (const ChartKind kind : {ChartKind::equilibrium, ChartKind::motion})
+    if (name == name_of(kind)) return kind;
+  throw std::runtime_error("a chart has a point of kind '" + name + "'");
+}
+
+/// Of older files, which keep no single times, the median alone.
+TimedRounds times_of(const TableRows& points, std::size_t i) {
+  const auto median = points.find_number("median", i);
+  if (!median) return {};
+  const auto times = points.find_text("times", i);
+  return times ? times_in(*times) : TimedRounds{{*median}};
+}
+
+StoredChart read_chart(hid_t group) {
+  const auto imposed = hdf5::read_numbers(group, "imposed");
+  const auto height = hdf5::read_numbers(group, "height");
+  if (!height) throw std::runtime_error("a chart lacks a height");
+  StoredChart chart{.scene = hdf5::read_text(group, "scene").value_or(""),
+                    .settings = hdf5::read_text(group, "settings").value_or(""),
+                    .law = hdf5::read_text(group, "law").value_or(""),
+                    .answer = hdf5::read_text(group, "answer").value_or(""),
+                    .height = height->at(0),
+                    .imposed = imposed ? std::optional(imposed->at(0)) : std::nullopt,
+                    .machine = hdf5::read_text(group, "machine").value_or(""),
+                    .truths = {},
+                    .points = {},
+                    .comparisons = {}};
+  const TableRows truths(hdf5::open_group(group, "truths"), "a chart's truth");
+  for (std::size_t i = 0; i < truths.count(); ++i) {
+    StoredChart::Truth truth{.law = truths.text("law", i), .cell_sizes = {}, .keys = {}};
+    for (std::size_t grid = 0; grid < 3; ++grid) {
+      truth.cell_sizes[grid] = truths.number(size_columns[grid], i);
+      truth.keys[grid] = truths.text(key_columns[grid], i);
+    }
+    chart.truths.push_back(std::move(truth));
+  }
+  const TableRows points(hdf5::open_group(group, "points"), "a chart's point");
+  for (std::size_t i = 0; i < points.count(); ++i) {
+    TimedRounds times = times_of(points, i);
+    const auto timing = times.empty() ? std::nullopt : std::optional(timing_of(times));
+    chart.points.push_back({.model = points.text("model", i),
+                            .kind = kind_named(points.text("kind", i)),
+                            .across = static_cast<int>(points.number("across", i)),
+                            .cells = points.number("cells", i),
+                            .nodes = points.number("nodes", i),
+                            .threads = static_cast<int>(points.number("threads", i)),
+                            .key = points.text("key", i),
+                            .left_out = points.find_text("left_out", i),
+                            .times = std::move(times),
+                            .timing = timing,
+                            .setup = points.find_number("setup", i),
+                            .simulated = points.find_number("simulated", i)});
+  }
+  const TableRows comparisons(hdf5::open_group(group, "comparisons"),
+                              "a chart's comparison");
+  for (std::size_t i = 0; i < comparisons.count(); ++i)
+    chart.comparisons.push_back({.key = comparisons.text("key", i),
+                                 .law = comparisons.text("law", i),
+                                 .compared = comparisons.text("compared", i)});
+  return chart;
+}
+
+}  // namespace
+
+std::string_view name_of(ChartKind kind) {
+  return kind == ChartKind::equilibrium ? "equilibrium" : "motion";
+}
+
+std::string identity_of(const StoredChart& chart) {
+  std::string text = chart.scene + '\n' + chart.settings + '\n' + chart.machine;
+  for (const StoredChart::Truth& truth : chart.truths)
+    if (truth.law == chart.law)
+      for (const std::string& key : truth.keys) text += '\n' + key;
+  return sha256(text);
+}
+
+StoredChart merged(StoredChart chart, const StoredChart& other) {
+  for (const StoredChart::Truth& truth : other.truths)
+    if (std::ranges::count(chart.truths, truth.law, &StoredChart::Truth::law) == 0)
+      chart.truths.push_back(truth);
+  for (const StoredChart::Point& point : other.points) {
+    StoredChart::Point* own = find_point(chart, point.model, point.key, point.threads);
+    if (own == nullptr)
+      chart.points.push_back(point);
+    else if (!own->timing)
+      *own = point;
+  }
+  for (const StoredChart::Comparison& comparison : other.comparisons)
+    if (std::ranges::count(chart.comparisons, comparison.compared,
+                           &StoredChart::Comparison::compared) == 0)
+      chart.comparisons.push_back(comparison);
+  return chart;
+}
+
+StoredChart::Point* find_point(StoredChart& chart, const std::string& model,
+                               const std::string& key, int threads) {
+  const auto found = std::ranges::find_if(chart.points, [&](const auto& point) {
+    return point.model == model && point.key == key && point.threads == threads;
+  });
+  return found == chart.points.end() ? nullptr : &*found;
+}
+
+void merge_charts(hid_t from, hid_t to) {
+  for (const std::string& name : hdf5::links(from)) {
+    if (!hdf5::has_link(to, name)) {
+      hdf5::copy_link(from, to, name);
+      continue;
+    }
+    const StoredChart own = read_chart(hdf5::open_group(to, name));
+    write_chart(to, merged(own, read_chart(hdf5::open_group(from, name))));
+  }
+}
+
+void write_chart(hid_t charts, const StoredChart& chart) {
+  const std::string name = identity_of(chart);
+  hdf5::remove_link(charts, name);
+  const auto group = hdf5::create_group(charts, name);
+  hdf5::write_attribute(group, "scene", chart.scene);
+  hdf5::write_attribute(group, "settings", chart.settings);
+  hdf5::write_attribute(group, "law", chart.law);
+  hdf5::write_attribute(group, "answer", chart.answer);
+  hdf5::write_attribute(group, "height", chart.height);
+  if (chart.imposed) hdf5::write_attribute(group, "imposed", *chart.imposed);
+  hdf5::write_attribute(group, "machine", chart.machine);
+  write_rows(group, "truths", chart.truths);
+  write_rows(group, "points", chart.points);
+  write_rows(group, "comparisons", chart.comparisons);
+}
+
+std::vector<StoredChart> read_charts(const std::filesystem::path& file) {
+  return reading(file, [](hid_t root) {
+    std::vector<StoredChart> all;
+    if (!hdf5::has_link(root, "charts")) return all;
+    const auto charts = hdf5::open_group(root, "charts");
+    for (const std::string& name : hdf5::links(charts))
+      all.push_back(read_chart(hdf5::open_group(charts, name)));
+    std::ranges::stable_sort(all, [](const StoredChart& a, const StoredChart& b) {
+      return a.scene != b.scene ? a.scene < b.scene : a.points.size() > b.points.size();
+    });
+    return all;
+  });
+}
+
+}  // namespace springcheck

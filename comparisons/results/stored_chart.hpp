@@ -1,0 +1,96 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "comparisons/running/timing.hpp"
+
+namespace springcheck {
+
+/// What a time is of, and never compared with the other: a static equilibrium, or a
+/// second of motion by explicit steps of .9 of the method's own stability limit.
+enum class ChartKind { equilibrium, motion };
+
+std::string_view name_of(ChartKind kind);
+
+/// What `springcheck chart` measured of a scene, as a result file keeps it: times, and
+/// the keys of the cases by which errors are told.
+struct StoredChart {
+  /// Three grids of q2, from coarse to fine; their limit is the law's truth.
+  struct Truth {
+    std::string law;  // its method
+    std::array<double, 3> cell_sizes;
+    std::array<std::string, 3> keys;
+  };
+  struct Point {
+    std::string model;  // its name
+    ChartKind kind;
+    int across;
+    double cells, nodes;  // of its mesh
+    int threads;
+    std::string key;
+    std::optional<std::string> left_out;  // why it was not run
+    TimedRounds times{};                  // [s] behind the timing
+    std::optional<Timing> timing;         // none of what was left out
+    std::optional<double> setup;          // [s] of the time, median
+    std::optional<double> simulated;      // [s] of motions
+  };
+  /// The same case with its deviations from a truth.
+  struct Comparison {
+    std::string key, law, compared;
+  };
+  std::string scene;
+  std::string settings;  // hash of what else determines its models
+  std::string law;       // of the scene's own reference
+  std::string answer;    // measure that answers the scene's load: "plate_force", ...
+  double height;         // [m] along the axis
+  // Largest displacement that is imposed [m]; none in bending, where it is the truth's
+  // tip deflection:
+  std::optional<double> imposed;
+  std::string machine;  // processor, compiler and commit
+  std::vector<Truth> truths;
+  std::vector<Point> points;
+  std::vector<Comparison> comparisons;
+};
+
+/// Of scene, settings, the truth of its own law and the machine: charts of the same have
+/// the same, whatever points they hold. Times of two machines, or of two versions of the
+/// program, are never of one chart.
+std::string identity_of(const StoredChart& chart);
+
+/// The point of a model's case on so many threads; nullptr without.
+StoredChart::Point* find_point(StoredChart& chart, const std::string& model,
+                               const std::string& key, int threads);
+
+/// A chart with the points, truths and comparisons that another of the same identity has
+/// beyond its own; points of its own that were left out give way to those that were run.
+StoredChart merged(StoredChart chart, const StoredChart& other);
+
+/// Layout, within the group `charts` of a result file:
+///
+///     IDENTITY              attributes scene, settings, law, answer, height, imposed,
+///                           machine
+///     IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3
+///     IDENTITY/points       columns model, kind, across, cells, nodes, threads, key,
+///                           left_out, repetitions, minimum, lower_quartile, median,
+///                           upper_quartile, maximum, setup, simulated, times (all of
+///                           them, rounds with ';' between, as the figures follow from)
+///     IDENTITY/comparisons  columns key, law, compared
+///
+/// Replaces the chart of the same identity.
+void write_chart(hid_t charts, const StoredChart& chart);
+
+/// Adds the charts of one group to those of another, see merged.
+void merge_charts(hid_t from, hid_t to);
+
+/// The charts of a result file by scene, of one scene the fullest first; none of one
+/// without. Throws like read_cases.
+std::vector<StoredChart> read_charts(const std::filesystem::path& file);
+
+}  // namespace springcheck

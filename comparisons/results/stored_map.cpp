@@ -1,0 +1,95 @@
+#include "comparisons/results/stored_map.hpp"
+
+#include "comparisons/store/open_result_file.hpp"
+#include "comparisons/store/table_rows.hpp"
+#include "meshing/sha256.hpp"
+
+namespace springcheck {
+namespace {
+
+Row row_of(const StoredMap::Point& point) {
+  Row row{{"method", point.method}, {"first", point.values.at(0)}, {"key", point.key}};
+  if (point.values.size() == 2) put(row, "second", point.values[1]);
+  put(row, "control", point.control);
+  return row;
+}
+
+Row row_of(const StoredMap::Limit& limit) {
+  Row row{{"method", limit.method}, {"failure", limit.failure}};
+  put(row, "second", limit.other);
+  put(row, "low", limit.low);
+  put(row, "high", limit.high);
+  put(row, "key", limit.key);
+  return row;
+}
+
+template <class Part>
+void write_rows(hid_t parent, const char* name, const std::vector<Part>& parts) {
+  std::vector<Row> rows;
+  for (const Part& part : parts) rows.push_back(row_of(part));
+  append_rows(hdf5::create_group(parent, name), rows);
+}
+
+StoredMap read_map(hid_t group) {
+  StoredMap map{.scene = hdf5::read_text(group, "scene").value_or(""),
+                .axes = {hdf5::read_text(group, "first").value_or("")},
+                .points = {},
+                .limits = {}};
+  if (const auto second = hdf5::read_text(group, "second")) map.axes.push_back(*second);
+  const TableRows points(hdf5::open_group(group, "points"), "a map");
+  for (std::size_t i = 0; i < points.count(); ++i) {
+    map.points.push_back({.method = points.text("method", i),
+                          .values = {points.text("first", i)},
+                          .key = points.text("key", i),
+                          .control = points.find_text("control", i)});
+    if (map.axes.size() == 2)
+      map.points.back().values.push_back(points.text("second", i));
+  }
+  const TableRows limits(hdf5::open_group(group, "limits"), "a map");
+  for (std::size_t i = 0; i < limits.count(); ++i)
+    map.limits.push_back({.method = limits.text("method", i),
+                          .other = limits.find_text("second", i),
+                          .low = limits.find_number("low", i),
+                          .high = limits.find_number("high", i),
+                          .failure = limits.text("failure", i),
+                          .key = limits.find_text("key", i)});
+  return map;
+}
+
+}  // namespace
+
+std::string identity_of(const StoredMap& map) {
+  std::string text = map.scene;
+  for (const std::string& axis : map.axes) text += '\n' + axis;
+  for (const StoredMap::Point& point : map.points) {
+    text += '\n' + point.method;
+    for (const std::string& value : point.values) text += '\t' + value;
+    text += '\t' + point.key;
+  }
+  return sha256(text);
+}
+
+void write_map(hid_t maps, const StoredMap& map, MapState state) {
+  const std::string name = identity_of(map);
+  if (state == MapState::planned && hdf5::has_link(maps, name)) return;
+  hdf5::remove_link(maps, name);
+  const auto group = hdf5::create_group(maps, name);
+  hdf5::write_attribute(group, "scene", map.scene);
+  hdf5::write_attribute(group, "first", map.axes.at(0));
+  if (map.axes.size() == 2) hdf5::write_attribute(group, "second", map.axes[1]);
+  write_rows(group, "points", map.points);
+  write_rows(group, "limits", map.limits);
+}
+
+std::vector<StoredMap> read_maps(const std::filesystem::path& file) {
+  return reading(file, [](hid_t root) {
+    std::vector<StoredMap> all;
+    if (!hdf5::has_link(root, "maps")) return all;
+    const auto maps = hdf5::open_group(root, "maps");
+    for (const std::string& name : hdf5::links(maps))
+      all.push_back(read_map(hdf5::open_group(maps, name)));
+    return all;
+  });
+}
+
+}  // namespace springcheck

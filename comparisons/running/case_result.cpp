@@ -1,0 +1,48 @@
+#include "comparisons/running/case_result.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "comparisons/build_info/build_info.hpp"
+#include "meshing/sha256.hpp"
+
+namespace springcheck {
+
+std::string case_key(const Request& request, const Mesh& mesh) {
+  nlohmann::json all{{"settings", settings_json(request.settings)},
+                     {"mesh", mesh.sha256()},
+                     {"version", build_info::version}};
+  if (request.reference) all["reference"] = settings_json(*request.reference);
+  if (request.reference_grid == ReferenceGrid::converged)
+    all["reference-grid"] = "converged";
+  return sha256(all.dump());
+}
+
+Verdict judge(SolveStatus solved, bool inverted, bool wrinkled) {
+  Verdict verdict{.status = Status::ok, .flags = {}};
+  switch (solved) {
+    case SolveStatus::no_equilibrium:
+      verdict.status = Status::no_equilibrium;
+      break;
+    case SolveStatus::inverted:
+      verdict.status = Status::inverted;
+      break;
+    case SolveStatus::diverged:
+      verdict.status = Status::diverged;
+      break;
+    case SolveStatus::not_converged:
+      verdict.status = Status::not_converged;
+      break;
+    case SolveStatus::refused:
+      verdict.status = Status::refused;
+      break;
+    case SolveStatus::ok:
+    case SolveStatus::indefinite:
+      if (inverted) verdict.flags.push_back(Status::inverted);
+      if (wrinkled) verdict.flags.push_back(Status::wrinkled);
+      if (solved == SolveStatus::indefinite) verdict.flags.push_back(Status::indefinite);
+      if (!verdict.flags.empty()) verdict.status = verdict.flags.front();
+  }
+  return verdict;
+}
+
+}  // namespace springcheck

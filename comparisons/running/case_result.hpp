@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/cases/request.hpp"
+#include "comparisons/cases/status.hpp"
+#include "comparisons/measures/history.hpp"
+#include "comparisons/measures/measures.hpp"
+
+namespace springcheck {
+
+struct CaseResult {
+  Request request;
+  std::string key;  // identifies all that determines the result, see case_key
+  Status status;
+  std::vector<Status> flags;  // all of wrinkled, indefinite, inverted that apply
+  std::string reason;         // in words, unless status is ok
+  Measures measures;          // all empty when there is no equilibrium to measure
+  Solution solution;
+  // [m] displacement less the reference's, of each node; empty without a reference:
+  std::vector<Vector3> deviation{};
+  History history{};    // of dynamics, where samples were asked for
+  double wall_s;        // solution and measures
+  double solve_wall_s;  // solution alone
+};
+
+/// SHA-256 of settings, reference, mesh and program version.
+std::string case_key(const Request& request, const Mesh& mesh);
+
+/// Status and flags. Failed solutions keep the solver's word; else the first that applies
+/// of inverted (a corner Jacobian below 0), wrinkled, indefinite, ok.
+struct Verdict {
+  Status status;
+  std::vector<Status> flags;
+};
+Verdict judge(SolveStatus solved, bool inverted, bool wrinkled);
+
+}  // namespace springcheck

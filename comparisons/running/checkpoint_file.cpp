@@ -1,0 +1,205 @@
+#include "comparisons/running/checkpoint_file.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+#include <system_error>
+
+#include "comparisons/store/hdf5.hpp"
+#include "comparisons/store/overlay_file.hpp"
+#include "dynamics/blocks/instruction_set.hpp"
+#include "meshing/input_error.hpp"
+#include "meshing/output_file.hpp"
+
+namespace springcheck {
+namespace {
+
+constexpr long long layout = 4;
+
+std::vector<double> numbers(const std::vector<Vector3>& vectors) {
+  std::vector<double> all;
+  all.reserve(3 * vectors.size());
+  for (const Vector3& v : vectors) all.insert(all.end(), {v.x(), v.y(), v.z()});
+  return all;
+}
+
+std::vector<Vector3> vectors(const std::vector<double>& numbers) {
+  std::vector<Vector3> all;
+  for (std::size_t i = 0; i < numbers.size(); i += 3)
+    all.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  return all;
+}
+
+/// "nu = 0.3, solver = verlet": of the settings those that the other has not as well.
+std::string own_settings(const nlohmann::json& settings, const nlohmann::json& other) {
+  std::vector<std::string> own;
+  for (const auto& [name, value] : settings.items())
+    if (!other.contains(name) || other[name] != value)
+      own.push_back(fmt::format("{} = {}", name, value.dump()));
+  return fmt::format("{}", fmt::join(own, ", "));
+}
+
+/// Throws InputError: a checkpoint that stores these settings is not the owner's.
+[[noreturn]] void refuse_other(const std::filesystem::path& file,
+                               const CheckpointOwner& owner,
+                               const nlohmann::json& stored) {
+  std::string expected = own_settings(owner.settings, stored),
+              got = own_settings(stored, owner.settings);
+  if (expected.empty() && got.empty()) {
+    expected = "this mesh and program version";
+    got = "the same settings with another mesh or version";
+  }
+  const auto or_default = [](const std::string& text) {
+    return text.empty() ? std::string("none of these settings") : text;
+  };
+  throw InputError(file.string(), "checkpoint of another case", or_default(expected),
+                   or_default(got));
+}
+
+CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& owner,
+                    std::size_t nodes) {
+  const auto refuse = [&](const std::string& entity, const std::string& expected,
+                          const std::string& got) {
+    throw InputError(file.string(), entity, expected, got);
+  };
+  const auto root = hdf5::open_file(file);
+  const auto stored = hdf5::read_text(root, "case");
+  if (!stored) refuse("attribute 'case'", "a checkpoint of springcheck", "none");
+  if (*stored != owner.key)
+    refuse_other(file, owner,
+                 nlohmann::json::parse(hdf5::read_text(root, "settings").value_or("{}"),
+                                       nullptr, false));
+  const std::string set = hdf5::read_text(root, "instruction_set").value_or("unknown"),
+                    ours(name_of(dynamics::best_instruction_set()));
+  if (set != ours)
+    spdlog::warn(
+        "{}: computed with instruction set {}, here it is {}: the digits of an "
+        "uninterrupted run come back only to rounding",
+        file.string(), set, ours);
+  const auto number = [&](const char* name) {
+    const auto values = hdf5::read_numbers(root, name);
+    if (!values || values->size() != 1)
+      refuse(fmt::format("attribute '{}'", name), "a number", "none");
+    return values->front();
+  };
+  if (number("layout") != static_cast<double>(layout))
+    refuse("attribute 'layout'", fmt::to_string(layout),
+           fmt::to_string(number("layout")));
+  const auto count = [&](const char* name) {
+    const double value = number(name);
+    if (!(value >= 0 && value <= std::numeric_limits<int>::max()))
+      refuse(fmt::format("attribute '{}'", name), "a number of steps",
+             fmt::to_string(value));
+    return static_cast<int>(value);
+  };
+  const auto table = [&](const char* name, std::optional<std::size_t> size) {
+    const auto values = hdf5::read_table(root, name);
+    if (!values || (size && values->size() != *size))
+      refuse(fmt::format("table '{}'", name), fmt::format("{} numbers", size.value_or(0)),
+             fmt::to_string(values ? values->size() : 0));
+    return *values;
+  };
+  CaseCheckpoint checkpoint{
+      .march = {.state = {.displacements = vectors(table("displacement", 3 * nodes)),
+                          .velocities = vectors(table("velocity", 3 * nodes))},
+                .step = count("step"),
+                .time = number("time"),
+                .dt = number("dt"),
+                .last_dt = number("last_dt"),
+                .steps_left = count("steps_left"),
+                .limit = number("limit"),
+                .stiffest = {},
+                .look_evaluations = count("look_evaluations"),
+                .excess = {}},
+      .history = {}};
+  if (hdf5::has_link(root, "stiffest"))
+    checkpoint.march.stiffest = table("stiffest", 3 * nodes);
+  if (hdf5::read_numbers(root, "excess_limit"))
+    checkpoint.march.excess = {.step = count("excess_step"),
+                               .dt = number("excess_dt"),
+                               .limit = number("excess_limit")};
+  if (hdf5::has_link(root, "history")) {
+    const std::vector<double> rows = table("history", std::nullopt);
+    constexpr std::size_t columns = history_columns.size();
+    for (std::size_t i = 0; i + columns <= rows.size(); i += columns) {
+      HistorySample& sample = checkpoint.history.emplace_back();
+      std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(i), columns, sample.begin());
+    }
+  }
+  return checkpoint;
+}
+
+void write_content(OverlayFile& overlay, const std::filesystem::path& file,
+                   const CheckpointOwner& owner, const CaseCheckpoint& checkpoint) {
+  const hdf5::Handle root(overlay.create(), H5Fclose, file.string());
+  const auto& [state, step, time, dt, last_dt, steps_left, limit, stiffest,
+               look_evaluations, excess] = checkpoint.march;
+  hdf5::write_attribute(root, "layout", layout);
+  hdf5::write_attribute(root, "case", owner.key);
+  hdf5::write_attribute(root, "settings", owner.settings.dump());
+  hdf5::write_attribute(root, "instruction_set",
+                        std::string(name_of(dynamics::best_instruction_set())));
+  hdf5::write_attribute(root, "step", static_cast<double>(step));
+  hdf5::write_attribute(root, "time", time);
+  hdf5::write_attribute(root, "dt", dt);
+  hdf5::write_attribute(root, "last_dt", last_dt);
+  hdf5::write_attribute(root, "steps_left", static_cast<double>(steps_left));
+  hdf5::write_attribute(root, "limit", limit);
+  hdf5::write_attribute(root, "look_evaluations", static_cast<double>(look_evaluations));
+  if (excess) {
+    hdf5::write_attribute(root, "excess_step", static_cast<double>(excess->step));
+    hdf5::write_attribute(root, "excess_dt", excess->dt);
+    hdf5::write_attribute(root, "excess_limit", excess->limit);
+  }
+  hdf5::write_table(root, "displacement", numbers(state.displacements), 3);
+  hdf5::write_table(root, "velocity", numbers(state.velocities), 3);
+  if (!stiffest.empty()) hdf5::write_table(root, "stiffest", stiffest, 3);
+  if (!checkpoint.history.empty()) {
+    std::vector<double> rows;
+    for (const HistorySample& sample : checkpoint.history)
+      rows.insert(rows.end(), sample.begin(), sample.end());
+    hdf5::write_table(root, "history", rows, history_columns.size());
+  }
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& file, const CheckpointOwner& owner,
+                      const CaseCheckpoint& checkpoint) {
+  const std::filesystem::path place = link_target(file);
+  const std::filesystem::path unfinished = place.string() + ".unfinished";
+  try {
+    if (!std::ofstream(unfinished, std::ios::trunc).flush())
+      throw std::runtime_error(unfinished.string() + " cannot be written");
+    if (std::filesystem::exists(place))
+      std::filesystem::permissions(unfinished,
+                                   std::filesystem::status(place).permissions());
+    OverlayFile overlay(unfinished);
+    write_content(overlay, unfinished, owner, checkpoint);
+    write_pages_of_new_file(unfinished, overlay.writes());
+    std::filesystem::rename(unfinished, place);
+    sync_folder_of(place);
+  } catch (...) {
+    std::error_code ignored;  // the first failure is the one to report
+    std::filesystem::remove(unfinished, ignored);
+    throw;
+  }
+}
+
+std::optional<CaseCheckpoint> read_checkpoint(const std::filesystem::path& file,
+                                              const CheckpointOwner& owner,
+                                              std::size_t nodes) {
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  try {
+    return read(file, owner, nodes);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {  // HDF5's
+    throw InputError(file.string(), "", "a checkpoint of springcheck", error.what());
+  }
+}
+
+}  // namespace springcheck

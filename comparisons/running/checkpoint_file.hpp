@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "comparisons/measures/history.hpp"
+
+namespace springcheck {
+
+/// Where a case in dynamics is, and what was sampled on the way there.
+struct CaseCheckpoint {
+  dynamics::Checkpoint march;
+  History history;
+};
+
+/// The case that a checkpoint belongs to: case_key, which decides, and settings_json,
+/// which tell what differs.
+struct CheckpointOwner {
+  std::string key;
+  nlohmann::json settings;
+};
+
+/// Writes it as an HDF5 file that appears whole or not at all: what was there before
+/// stays until then. A program that is killed meanwhile leaves FILE.unfinished, which the
+/// next one writes over. Throws std::runtime_error when not all could be written.
+void write_checkpoint(const std::filesystem::path& file, const CheckpointOwner& owner,
+                      const CaseCheckpoint& checkpoint);
+
+/// Nothing where there is no such file. Throws InputError where it is no checkpoint, or
+/// one of another scene, mesh or program version; the message tells which settings
+/// differ.
+std::optional<CaseCheckpoint> read_checkpoint(const std::filesystem::path& file,
+                                              const CheckpointOwner& owner,
+                                              std::size_t nodes);
+
+}  // namespace springcheck

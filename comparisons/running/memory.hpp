@@ -1,0 +1,29 @@
+#pragma once
+
+#include "comparisons/cases/request.hpp"
+
+namespace springcheck {
+
+/// What this machine has left, as Linux estimates it [bytes]; infinite elsewhere.
+double available_memory();
+
+/// What this process has of the machine's memory, and the most since the last reset
+/// [bytes], as Linux counts it; 0 elsewhere.
+double resident_memory();
+double peak_memory();
+void reset_peak_memory();
+
+/// Peak memory of the program while it runs one simulation [bytes], fitted to measured
+/// ones (memory.cpp).
+double estimated_memory(const CaseSettings& settings);
+
+/// Throws InputError when the mesh alone would not fit into the memory that is available
+/// (what Linux calls so).
+/// `place` says where the cell counts were given.
+void check_mesh_memory(const std::string& place, const Body& body);
+
+/// Throws InputError when one of the requests, references included, would not fit into
+/// the available memory. Allocates nothing itself.
+void check_memory(const std::string& place, const std::vector<Request>& requests);
+
+}  // namespace springcheck

@@ -1,0 +1,240 @@
+#include "comparisons/running/simulate.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "comparisons/running/checkpoint_file.hpp"
+#include "comparisons/measures/hourglassing.hpp"
+#include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/running/progress.hpp"
+#include "comparisons/running/tissue_case.hpp"
+#include "comparisons/measures/wrinkles.hpp"
+#include "fem_reference/explicit/explicit_dynamics.hpp"
+#include "meshing/input_error.hpp"
+#include "meshing/stopwatch.hpp"
+
+namespace springcheck {
+namespace {
+
+dynamics::Integrator integrator_of(Solver solver) {
+  using dynamics::Integrator;
+  switch (solver) {
+    case Solver::explicit_euler:
+      return Integrator::explicit_euler;
+    case Solver::verlet:
+      return Integrator::verlet;
+    case Solver::implicit_euler:
+      return Integrator::implicit_euler;
+    case Solver::semi_implicit_euler:
+    case Solver::static_equilibrium:
+    case Solver::path_limit:
+      break;
+  }
+  return Integrator::semi_implicit_euler;
+}
+
+dynamics::Protocol protocol_of(const CaseSettings& settings) {
+  return {.integrator = integrator_of(solver_of(settings)),
+          .duration = settings.dynamics.duration,
+          .time_step = settings.dynamics.time_step,
+          .step_ratio = settings.dynamics.step_ratio,
+          .force_time_step = settings.dynamics.force_time_step,
+          .load = settings.dynamics.load};
+}
+
+std::optional<mss::DynamicsSettings> spring_dynamics(const CaseSettings& settings,
+                                                     int threads) {
+  if (!goes_through_time(settings)) return std::nullopt;
+  return mss::DynamicsSettings{.protocol = protocol_of(settings),
+                               .damping_ratio = settings.dynamics.damping_ratio,
+                               .precision = settings.dynamics.precision,
+                               .threads = threads};
+}
+
+Solution solve_explicitly(const CaseSettings& settings, const Mesh& mesh,
+                          const Scene& scene, int threads,
+                          const dynamics::Observers& observers) {
+  if (!goes_through_time(settings))
+    return refused("fem-explicit steps explicitly; fem-stvk has the static solver");
+  return fem_reference::run_dynamics(
+      mesh, scene,
+      {.element = std::get<fem_reference::ExplicitElement>(settings.method.model),
+       .protocol = protocol_of(settings),
+       .damping_ratio = settings.dynamics.damping_ratio,
+       .precision = settings.dynamics.precision,
+       .threads = threads},
+      observers);
+}
+
+Solution solve(const CaseSettings& settings, const Mesh& mesh, int threads,
+               const dynamics::Observers& observers) {
+  const Scene scene = mechanical_scene(settings, mesh);
+  if (is_finite_element(settings.method))
+    return fem_reference::solve(mesh, scene, reference_settings(settings));
+  if (is_explicit_element(settings.method))
+    return solve_explicitly(settings, mesh, scene, threads, observers);
+  if (is_tissue(settings.method))
+    return solve_tissue(settings, mesh, scene, protocol_of(settings), threads, observers);
+  return mss::solve(mesh, scene,
+                    {.network = {.method = std::get<mss::Method>(settings.method.model),
+                                 .stiffness_form = settings.stiffness_form,
+                                 .diagonal_ratio = settings.diagonal_ratio,
+                                 .constants = settings.constants,
+                                 .volume_correction = settings.correction},
+                     .dynamics = spring_dynamics(settings, threads),
+                     .to_limit = solver_of(settings) == Solver::path_limit,
+                     .seed = settings.seed,
+                     .noise = settings.noise},
+                    observers);
+}
+
+/// A breakdown is a result: one case must not end a study of thousands.
+Solution solve_or_break_down(const CaseSettings& settings, const Mesh& mesh, int threads,
+                             const dynamics::Observers& observers) {
+  try {
+    return solve(settings, mesh, threads, observers);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    Solution none{};
+    none.status = SolveStatus::not_converged;
+    none.reason = std::string("the solver broke down: ") + error.what();
+    return none;
+  }
+}
+
+/// At the full load.
+bool has_equilibrium(const Solution& solution) {
+  if (solution.critical_wavelength) return false;
+  return solution.status == SolveStatus::ok || solution.status == SolveStatus::indefinite;
+}
+
+double transit_count(const CaseSettings& settings, const Mesh& mesh) {
+  const auto [lambda, mu] = lame_constants(settings.material);
+  const auto [low, high] =
+      std::ranges::minmax(mesh.nodes(), {}, [](const Vector3& x) { return x.z(); });
+  const double wave_speed = std::sqrt((lambda + 2 * mu) / settings.material.density);
+  return settings.dynamics.duration * wave_speed / (high.z() - low.z());
+}
+
+/// Writes checkpoints as long as they can be written: what was computed is worth more.
+void try_checkpoint(const std::filesystem::path& file, const CheckpointOwner& owner,
+                    const CaseCheckpoint& checkpoint) {
+  try {
+    write_checkpoint(file, owner, checkpoint);
+  } catch (const std::exception& error) {
+    spdlog::error("no checkpoint at {:.4g} s; an earlier one, if any, stays: {}",
+                  checkpoint.march.time, error.what());
+  }
+}
+
+dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
+                                 const Watch& watch, History& history) {
+  dynamics::Observers observers;
+  observers.samples = settings.dynamics.history;
+  if (observers.samples > 0)
+    observers.sample = [&](const dynamics::Moment& moment) {
+      history.push_back(history_sample(settings, mesh, moment));
+    };
+  if (watch.shows_progress) {
+    const auto progress = std::make_shared<MarchProgress>(settings.dynamics.duration);
+    observers.progress = [progress](const dynamics::Checkpoint& now) {
+      progress->show(now.time, now.step, now.dt, now.limit);
+    };
+  }
+  if (!watch.checkpoint || !goes_through_time(settings)) return observers;
+  const CheckpointOwner owner{
+      .key = case_key({.settings = settings, .reference = std::nullopt}, mesh),
+      .settings = settings_json(settings)};
+  if (auto from = read_checkpoint(*watch.checkpoint, owner, mesh.nodes().size())) {
+    fmt::print(stderr, "going on from {} at t = {:.4g} s, step {}\n",
+               watch.checkpoint->string(), from->march.time, from->march.step);
+    history = std::move(from->history);
+    observers.from = std::move(from->march);
+  }
+  observers.seconds_between_checkpoints = watch.seconds_between_checkpoints;
+  observers.checkpoint = [&, owner](const dynamics::Checkpoint& now) {
+    try_checkpoint(*watch.checkpoint, owner, {.march = now, .history = history});
+  };
+  return observers;
+}
+
+}  // namespace
+
+CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found) {
+  CaseResult result{.request = {.settings = settings, .reference = std::nullopt},
+                    .key = {},
+                    .status = Status::ok,
+                    .flags = {},
+                    .reason = {},
+                    .measures = {},
+                    .solution = std::move(found),
+                    .wall_s = 0,
+                    .solve_wall_s = 0};
+  const Solution& solution = result.solution;
+  result.reason = solution.reason;
+  result.measures.definite_up_to_deformation =
+      definite_up_to_deformation(settings, solution);
+  result.measures.critical_wavelength = solution.critical_wavelength;
+  bool inverted = false, wrinkled = false;
+  SolveStatus solved = solution.status;
+  if (has_equilibrium(solution)) {
+    Measures& measures = result.measures;
+    measures = measure(settings, mesh, solution);
+    measures.kinetic_energy = solution.kinetic_energy;
+    if (solution.kinetic_energy && !is_tissue(settings.method))
+      measures.transit_count = transit_count(settings, mesh);
+    if (const auto seen = measure_wrinkling(mesh, mechanical_scene(settings, mesh),
+                                            solution.displacements)) {
+      measures.wrinkle_alternation = seen->alternation;
+      measures.wrinkle_amplitude = seen->amplitude;
+      wrinkled = is_wrinkled(*seen);
+    }
+    if (const auto seen = measure_hourglassing(mesh, solution.displacements)) {
+      measures.hourglass_alternation = seen->alternation;
+      measures.hourglass_amplitude = seen->amplitude;
+    }
+    inverted = *measures.corner_jacobian_ratio_min < 0;
+    if (const auto name = not_finite(measures)) {
+      measures = {};
+      solved = SolveStatus::not_converged;
+      result.reason = *name + " overflows";
+    }
+  }
+  const Verdict verdict = judge(solved, inverted, wrinkled);
+  result.status = verdict.status;
+  result.flags = verdict.flags;
+  for (const Status flag : verdict.flags) {
+    if (flag == Status::indefinite) continue;  // the solver gave its reason
+    result.reason += result.reason.empty() ? "" : "; ";
+    result.reason += flag == Status::inverted ? "a cell is turned inside out at a corner"
+                                              : "a free face zigzags from cell to cell";
+  }
+  return result;
+}
+
+CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, int threads,
+                    const Watch& watch) {
+  // CHOLMOD starts teams of four, whatever OMP_NUM_THREADS says, for loops so small that
+  // factors of 10^3 cells take three times as long. A thread without levels has no teams.
+  omp_set_max_active_levels(0);
+  const Stopwatch stopwatch;
+  History history;
+  const dynamics::Observers observers = observers_of(settings, mesh, watch, history);
+  Solution solution = solve_or_break_down(settings, mesh, threads, observers);
+  const double solve_wall_s = stopwatch.seconds();
+  CaseResult result = judged(settings, mesh, std::move(solution));
+  result.history = std::move(history);
+  result.solve_wall_s = solve_wall_s;
+  result.wall_s = stopwatch.seconds();
+  return result;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,232 @@
+#include "comparisons/settings/given.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+template <class Number>
+std::optional<Number> parsed(std::string_view text) {
+  Number number{};
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size() || text.empty())
+    return std::nullopt;
+  return number;
+}
+
+Given::Scalar scalar(std::string_view text) {
+  if (text == "true" || text == "false") return text == "true";
+  if (const auto integer = parsed<std::int64_t>(text)) return *integer;
+  if (const auto number = parsed<double>(text)) return *number;
+  return std::string(text);
+}
+
+/// In quotes that TOML reads back.
+std::string toml_text(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (static_cast<unsigned char>(c) < 0x20)
+      quoted += fmt::format("\\u{:04x}", c);
+    else
+      quoted += c;
+  }
+  return quoted + '"';
+}
+
+}  // namespace
+
+std::optional<double> number_in(const Given::Scalar& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value))
+    return static_cast<double>(*integer);
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  return std::nullopt;
+}
+
+std::string described(const Given::Scalar& value) {
+  struct {
+    std::string operator()(bool b) const { return b ? "true" : "false"; }
+    std::string operator()(std::int64_t i) const { return std::to_string(i); }
+    std::string operator()(double d) const {
+      const std::string text = fmt::format("{}", d);
+      const bool looks_integral = text.find_first_of(".ein") == std::string::npos;
+      return looks_integral ? text + ".0" : text;
+    }
+    std::string operator()(const std::string& s) const { return fmt::format("'{}'", s); }
+    std::string operator()(const Given::Unreadable& u) const { return u.text; }
+  } describe;
+  return std::visit(describe, value);
+}
+
+Given Given::from_text(std::string place, std::string_view text) {
+  std::vector<Scalar> values;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    values.push_back(scalar(text.substr(0, comma)));
+    if (comma == std::string_view::npos) break;
+    text.remove_prefix(comma + 1);
+  }
+  if (values.size() == 1) return {std::move(place), std::move(values.front())};
+  return {std::move(place), std::move(values)};
+}
+
+void Given::refuse(const std::string& expected) const {
+  std::string got;
+  for (const Scalar& value : values_)
+    got += fmt::format("{}{}", got.empty() ? "" : ", ", described(value));
+  if (is_list_) got = fmt::format("[{}]", got);
+  throw InputError(place_, "", expected, got);
+}
+
+const Given::Scalar& Given::single(const std::string& expected) const {
+  if (is_list_) refuse(expected);
+  return values_.front();
+}
+
+double Given::finite_number() const {
+  const auto value = number_in(single("a finite number"));
+  if (!value || !std::isfinite(*value)) refuse("a finite number");
+  return *value;
+}
+
+double Given::positive_number() const {
+  const auto value = number_in(single("a positive finite number"));
+  if (!value || !std::isfinite(*value) || !(*value > 0))
+    refuse("a positive finite number");
+  return *value;
+}
+
+std::int64_t Given::integer() const {
+  const auto* value = std::get_if<std::int64_t>(&single("an integer"));
+  if (value == nullptr) refuse("an integer");
+  return *value;
+}
+
+bool Given::truth() const {
+  const auto* value = std::get_if<bool>(&single("true or false"));
+  if (value == nullptr) refuse("true or false");
+  return *value;
+}
+
+bool Given::is_text() const {
+  return !is_list_ && std::holds_alternative<std::string>(values_.front());
+}
+
+std::string Given::text() const {
+  const auto* value = std::get_if<std::string>(&single("text"));
+  if (value == nullptr) refuse("text");
+  return *value;
+}
+
+std::vector<std::string> Given::texts() const {
+  std::vector<std::string> all;
+  for (const Scalar& value : values_) {
+    const auto* text = std::get_if<std::string>(&value);
+    if (text == nullptr || text->empty()) refuse("a list of names");
+    all.push_back(*text);
+  }
+  if (all.empty()) refuse("at least one name");
+  return all;
+}
+
+std::string Given::toml() const {
+  std::string all;
+  for (const Scalar& value : values_) {
+    const auto* text = std::get_if<std::string>(&value);
+    all += (all.empty() ? "" : ", ") +
+           (text == nullptr ? described(value) : toml_text(*text));
+  }
+  return values_.size() == 1 && !is_list_ ? all : "[" + all + "]";
+}
+
+std::string Given::joined() const {
+  std::string all;
+  for (const Scalar& value : values_) {
+    const auto* text = std::get_if<std::string>(&value);
+    all += (all.empty() ? "" : ",") + (text != nullptr ? *text : described(value));
+  }
+  return all;
+}
+
+template <std::size_t N>
+std::array<double, N> Given::finite_numbers(const std::string& expected) const {
+  std::array<double, N> numbers{};
+  if (values_.size() != N) refuse(expected);
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto value = number_in(values_[i]);
+    if (!value || !std::isfinite(*value)) refuse(expected);
+    numbers[i] = *value;
+  }
+  return numbers;
+}
+
+std::array<double, 2> Given::two_numbers() const {
+  return finite_numbers<2>("two finite numbers");
+}
+
+std::array<double, 3> Given::three_numbers() const {
+  return finite_numbers<3>("three finite numbers");
+}
+
+std::array<double, 4> Given::four_numbers() const {
+  return finite_numbers<4>("four finite numbers");
+}
+
+std::vector<double> Given::numbers() const {
+  std::vector<double> all;
+  for (const Scalar& value : values_) {
+    const auto number = number_in(value);
+    if (!number || !std::isfinite(*number)) refuse("finite numbers");
+    all.push_back(*number);
+  }
+  if (all.empty()) refuse("at least one finite number");
+  return all;
+}
+
+std::array<double, 9> Given::nine_numbers() const {
+  return finite_numbers<9>("nine finite numbers, row by row");
+}
+
+std::array<std::int64_t, 3> Given::three_integers() const {
+  std::array<std::int64_t, 3> integers{};
+  if (values_.size() != 3) refuse("three integers");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto* value = std::get_if<std::int64_t>(&values_[i]);
+    if (value == nullptr) refuse("three integers");
+    integers[i] = *value;
+  }
+  return integers;
+}
+
+double Given::with_unit(const char* unit, double factor,
+                        const std::string& expected) const {
+  const Scalar& value = single(expected);
+  std::optional<double> found = number_in(value);
+  if (const auto* text = std::get_if<std::string>(&value);
+      text != nullptr && text->ends_with(unit)) {
+    const std::string_view digits(*text);
+    found =
+        parsed<double>(digits.substr(0, digits.size() - std::string_view(unit).size()));
+    if (found) *found *= factor;
+  }
+  if (!found || !std::isfinite(*found)) refuse(expected);
+  return *found;
+}
+
+double Given::strain() const {
+  return with_unit("%", 0.01, "a finite strain, such as 0.05 or '5%'");
+}
+
+double Given::angle() const {
+  return with_unit("deg", std::numbers::pi / 180,
+                   "a finite angle, such as 0.785 (radians) or '45deg'");
+}
+
+}  // namespace springcheck

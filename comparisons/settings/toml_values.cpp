@@ -1,0 +1,100 @@
+#include "comparisons/settings/toml_values.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "comparisons/settings/utf8.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+std::string text_of_file(const std::string& file, const std::string& kind) {
+  if (std::filesystem::is_directory(file))
+    throw InputError(file + ":1:1", "", "a " + kind + " file", "a directory");
+  std::ifstream in(file, std::ios::binary);
+  if (!in)
+    throw InputError(file + ":1:1", "", "a readable " + kind + " file",
+                     std::strerror(errno));
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// What is no scalar, on one line.
+std::string written(const toml::node& node) {
+  if (node.is_table()) return "a table";
+  if (const auto number = node.value_exact<double>()) return fmt::to_string(*number);
+  if (const toml::array* list = node.as_array()) {
+    std::string items;
+    for (const toml::node& item : *list)
+      items += (items.empty() ? "" : ", ") + written(item);
+    return "[" + items + "]";
+  }
+  std::ostringstream text;
+  text << toml::toml_formatter(node);
+  return text.str();
+}
+
+}  // namespace
+
+bool is_toml_path(const std::string& name_or_path) {
+  const std::filesystem::path path(name_or_path);
+  return path.extension() == ".toml" || path.has_parent_path();
+}
+
+TomlFile toml_file(const std::string& name_or_path, const std::string& kind,
+                   const std::vector<ShippedFile>& shipped) {
+  if (!is_utf8(name_or_path))  // it goes into JSON and HDF5
+    throw InputError(kind, "", "a name in UTF-8", "other bytes");
+  if (is_toml_path(name_or_path))
+    return {.name = std::filesystem::path(name_or_path).stem().string(),
+            .file = name_or_path,
+            .text = text_of_file(name_or_path, kind)};
+  std::string names;
+  for (const ShippedFile& one : shipped) {
+    const std::string name = std::filesystem::path(one.name).stem().string();
+    if (name == name_or_path)
+      return {.name = name, .file = std::string(one.name), .text = std::string(one.text)};
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  throw InputError(kind, "", "one of " + names + ", or a path to a .toml file",
+                   "'" + name_or_path + "'");
+}
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw InputError(place(file, error.source()), "", "TOML",
+                     std::string(error.description()));
+  }
+}
+
+std::string place(const std::string& file, const toml::source_region& source) {
+  return fmt::format("{}:{}:{}", file, source.begin.line, source.begin.column);
+}
+
+Given::Scalar scalar(const toml::node& node) {
+  if (const auto value = node.value_exact<bool>()) return *value;
+  if (const auto value = node.value_exact<std::int64_t>()) return *value;
+  if (const auto value = node.value_exact<double>()) return *value;
+  if (const auto value = node.value_exact<std::string>()) return *value;
+  return Given::Unreadable{written(node)};
+}
+
+Given given(const toml::node& node, const std::string& file, std::string_view key) {
+  const std::string where = fmt::format("{}: {}", place(file, node.source()), key);
+  const toml::array* list = node.as_array();
+  if (list == nullptr) return {where, scalar(node)};
+  std::vector<Given::Scalar> values;
+  for (const toml::node& element : *list) values.push_back(scalar(element));
+  return {where, values};
+}
+
+}  // namespace springcheck

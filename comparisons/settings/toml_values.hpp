@@ -1,0 +1,43 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "comparisons/settings/given.hpp"
+#include "comparisons/shipped/shipped.hpp"
+
+namespace springcheck {
+
+/// A TOML file as its user names it.
+struct TomlFile {
+  std::string name;  // without folder and extension
+  std::string file;  // as messages name it
+  std::string text;
+};
+
+/// The shipped file of that name, or the one at that path (a name that ends in .toml or
+/// holds a slash). `kind` says what is wanted, "scene". Throws InputError when there is
+/// none, or it cannot be read.
+TomlFile toml_file(const std::string& name_or_path, const std::string& kind,
+                   const std::vector<ShippedFile>& shipped);
+
+/// Whether toml_file takes the name for a path.
+bool is_toml_path(const std::string& name_or_path);
+
+/// Throws InputError with file, line and column where the text is no TOML.
+toml::table parse_toml(std::string_view text, const std::string& file);
+
+/// "scene.toml:4:7"
+std::string place(const std::string& file, const toml::source_region& source);
+
+/// A number, text or truth value; others are kept unreadable, for the message of who
+/// reads them.
+Given::Scalar scalar(const toml::node& node);
+
+/// A scalar or a list of them, whose place is "scene.toml:4:7: key".
+Given given(const toml::node& node, const std::string& file, std::string_view key);
+
+}  // namespace springcheck

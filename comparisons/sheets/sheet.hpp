@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/sheets/table_format.hpp"
+
+namespace springcheck {
+
+/// A column of a sheet: of numbers where it has a format, else of texts.
+struct Column {
+  std::string key;       // its name in JSON
+  std::string heading;   // in markdown and CSV, with the unit
+  std::string format{};  // fmt's, for one double
+};
+
+/// A number of its column, or a text; both may be lacking. Beside a number the text is
+/// ignored; where a number is lacking it says why.
+struct Cell {
+  std::optional<double> number{};
+  std::string text{};
+};
+
+struct SheetRow {
+  std::vector<Cell> cells;           // one per column
+  std::vector<std::string> notes{};  // footnotes, shared by equal text
+  std::vector<std::string> cases{};  // keys of the simulations behind it, the main first
+};
+
+/// A table of our own figures, of which the thesis printed none.
+struct Sheet {
+  std::string name;
+  std::string title;
+  std::vector<Column> columns;
+  std::vector<SheetRow> rows;
+  std::vector<std::string> notes;  // on the sheet as a whole
+};
+
+/// Texts of a sheet: markdown rounds and shows the start of each row's first key; CSV and
+/// JSON have all digits and all keys.
+std::string format_sheet(const Sheet& sheet, TableFormat format);
+
+/// One after the other; as JSON one array.
+std::string format_sheets(const std::vector<Sheet>& sheets, TableFormat format);
+
+/// Rounded rows for a terminal, without columns that are empty throughout or named in
+/// `without`.
+std::string sheet_in_columns(const Sheet& sheet,
+                             const std::vector<std::string>& without = {});
+
+}  // namespace springcheck

@@ -1,0 +1,255 @@
+#include "comparisons/studies/study.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+
+#include "comparisons/studies/converged.hpp"
+#include "comparisons/running/memory.hpp"
+#include "comparisons/running/simulate.hpp"
+
+namespace springcheck {
+namespace {
+
+/// A case that runs once, however many requests need it.
+struct Simulation {
+  CaseSettings settings;
+  const Mesh* mesh;
+  std::optional<CaseResult> result;
+  std::vector<std::size_t> requests;  // that wait for it
+  std::size_t users;                  // requests that have yet to read it
+};
+
+/// What a request is made of.
+struct Parts {
+  std::size_t simulation;
+  std::vector<std::size_t> reference;
+  std::size_t missing;  // of these, not yet simulated
+
+  [[nodiscard]] std::vector<std::size_t> all() const {
+    std::vector<std::size_t> places{simulation};
+    places.insert(places.end(), reference.begin(), reference.end());
+    return places;
+  }
+};
+
+/// Lets simulations start while their estimated memory fits; one alone always may.
+class MemoryBudget {
+ public:
+  explicit MemoryBudget(double bytes) : free_(bytes) {}
+
+  void take(double bytes) {
+    std::unique_lock lock(mutex_);
+    released_.wait(lock, [&] { return running_ == 0 || bytes <= free_; });
+    free_ -= bytes;
+    ++running_;
+  }
+  void give(double bytes) {
+    {
+      const std::lock_guard lock(mutex_);
+      free_ += bytes;
+      --running_;
+    }
+    released_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable released_;
+  double free_;
+  int running_ = 0;
+};
+
+std::vector<Vector3> difference(std::vector<Vector3> a, const std::vector<Vector3>& b) {
+  for (std::size_t n = 0; n < a.size(); ++n) a[n] -= b[n];
+  return a;
+}
+
+class Study {
+ public:
+  Study(const std::vector<Request>& requests, MeshStore& meshes, const KnownResult& known,
+        const Deliver& deliver, const Watch& watch)
+      : requests_(requests),
+        meshes_(meshes),
+        known_(known),
+        deliver_(deliver),
+        watch_(watch) {
+    for (std::size_t i = 0; i < requests.size(); ++i) plan(i);
+  }
+
+  void run(int parallel, const Finished& finished) {
+    finished(0, to_run_.size());
+    for (const std::size_t request : ready_) complete(request);
+    std::size_t done = 0;
+    MemoryBudget budget(available_memory());
+    const auto run_one = [&](std::size_t i) {
+      // An exception that leaves here would cancel the loops inside other simulations,
+      // which would go on with what these had not computed.
+      if (failed_) return;
+      try {
+        simulate_one(to_run_[i], budget);
+        const std::lock_guard lock(finishing_);
+        finished(++done, to_run_.size());
+      } catch (...) {
+        const std::lock_guard lock(finishing_);
+        if (!failed_.exchange(true)) failure_ = std::current_exception();
+      }
+    };
+    const auto all_threads = static_cast<int>(
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    threads_ = std::max(1, all_threads / parallel);
+    if (parallel == 1) {  // outside of an arena of one thread: inner loops have them all
+      for (std::size_t i = 0; i < to_run_.size(); ++i) run_one(i);
+    } else {
+      tbb::task_arena arena(parallel);
+      arena.execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, to_run_.size(), 1),
+            [&](const tbb::blocked_range<std::size_t>& range) {
+              for (std::size_t i = range.begin(); i < range.end(); ++i) run_one(i);
+            },
+            tbb::simple_partitioner());
+      });
+    }
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  void plan(std::size_t i) {
+    const Request& request = requests_[i];
+    parts_.emplace_back();
+    if (known_) {
+      const Mesh& mesh = meshes_.mesh(request.settings.body);
+      if (auto result = known_(request, case_key(request, mesh))) {
+        deliver_(i, std::move(*result));
+        return;
+      }
+    }
+    Parts& parts = parts_.back();
+    parts.simulation = place_of(request.settings);
+    for (const CaseSettings& settings : reference_cases(request))
+      parts.reference.push_back(place_of(settings));
+    for (const std::size_t place : parts.all()) {
+      Simulation& simulation = simulations_[place];
+      ++simulation.users;
+      if (simulation.result) continue;
+      simulation.requests.push_back(i);
+      ++parts.missing;
+    }
+    if (parts.missing == 0) ready_.push_back(i);
+  }
+
+  /// A simulation is known by its key without a reference.
+  std::size_t place_of(const CaseSettings& settings) {
+    const Mesh& mesh = meshes_.mesh(settings.body);
+    const Request alone{.settings = settings, .reference = std::nullopt};
+    const std::string key = case_key(alone, mesh);
+    const auto [place, is_new] = places_.try_emplace(key, simulations_.size());
+    if (!is_new) return place->second;
+    simulations_.push_back({settings, &mesh, std::nullopt, {}, 0});
+    auto result = known_ ? known_(alone, key) : std::nullopt;
+    if (result && !result->solution.displacements.empty())
+      simulations_.back().result = std::move(*result);
+    else
+      to_run_.push_back(place->second);
+    return place->second;
+  }
+
+  void simulate_one(std::size_t place, MemoryBudget& budget) {
+    Simulation& simulation = simulations_[place];
+    const double bytes = estimated_memory(simulation.settings);
+    budget.take(bytes);
+    CaseResult result;
+    try {
+      // Isolated: a thread that waits for its own inner loops must not start another
+      // simulation meanwhile, whose time would count twice.
+      result = tbb::this_task_arena::isolate([&] {
+        return simulate(simulation.settings, *simulation.mesh, threads_, watch_);
+      });
+    } catch (...) {
+      budget.give(bytes);
+      throw;
+    }
+    budget.give(bytes);
+
+    std::vector<std::size_t> ready;
+    {
+      const std::lock_guard lock(planning_);
+      simulation.result = std::move(result);
+      for (const std::size_t request : simulation.requests)
+        if (--parts_[request].missing == 0) ready.push_back(request);
+    }
+    for (const std::size_t request : ready) complete(request);
+  }
+
+  /// Measures the deviations of a request whose simulations are all there.
+  void complete(std::size_t i) {
+    const Request& request = requests_[i];
+    const Parts& parts = parts_[i];
+    const Simulation& own = simulations_[parts.simulation];
+    CaseResult result = *own.result;
+    std::vector<const CaseResult*> runs;
+    for (const std::size_t place : parts.reference)
+      runs.push_back(&*simulations_[place].result);
+    if (const auto reference = reference_field(request, runs, meshes_);
+        reference && result.measures.volume_error) {
+      measure_deviation(result.measures, request.settings, *own.mesh, result.solution,
+                        reference->solution);
+      result.deviation =
+          difference(result.solution.displacements, reference->solution.displacements);
+      result.measures.reference_order = reference->order;
+      result.measures.reference_bar = reference->bar;
+      if (reference->bar)
+        result.measures.reference_bar_l2_relative = reference_bar_l2_relative(
+            request.settings, *own.mesh, reference->solution, reference->node_bars);
+    }
+    result.request = request;
+    result.key = case_key(request, *own.mesh);
+    {
+      const std::lock_guard lock(finishing_);
+      deliver_(i, std::move(result));
+    }
+    const std::lock_guard lock(planning_);
+    for (const std::size_t place : parts.all())
+      if (--simulations_[place].users == 0) simulations_[place].result.reset();
+  }
+
+  const std::vector<Request>& requests_;
+  MeshStore& meshes_;
+  const KnownResult& known_;
+  const Deliver& deliver_;
+  const Watch& watch_;
+  int threads_ = 1;  // of each simulation
+  std::vector<Simulation> simulations_;
+  std::vector<Parts> parts_;  // of the requests
+  std::map<std::string, std::size_t> places_;
+  std::vector<std::size_t> to_run_, ready_;
+  std::mutex planning_, finishing_;
+  std::atomic<bool> failed_ = false;
+  std::exception_ptr failure_;  // the first
+};
+
+}  // namespace
+
+void run_study(const std::vector<Request>& requests, MeshStore& meshes, int parallel,
+               const Finished& finished, const KnownResult& known, const Deliver& deliver,
+               const Watch& watch) {
+  Study(requests, meshes, known, deliver, watch).run(parallel, finished);
+}
+
+std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStore& meshes,
+                                  int parallel, const Finished& finished,
+                                  const KnownResult& known, const Watch& watch) {
+  std::vector<CaseResult> results(requests.size());
+  const Deliver keep = [&](std::size_t request, CaseResult&& result) {
+    results[request] = std::move(result);
+  };
+  run_study(requests, meshes, parallel, finished, known, keep, watch);
+  return results;
+}
+
+}  // namespace springcheck

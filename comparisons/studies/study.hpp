@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/running/simulate.hpp"
+
+namespace springcheck {
+
+/// Supplies a result that is known already, by its key.
+using KnownResult = std::function<std::optional<CaseResult>(const Request& request,
+                                                            const std::string& key)>;
+
+/// Called before the first and after each simulation, from any thread but one at a time.
+using Finished = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Takes the result of a request, by its place among them, as soon as it is complete;
+/// from any thread but one at a time.
+using Deliver = std::function<void(std::size_t request, CaseResult&& result)>;
+
+/// Runs every request that is not known. Simulations that several requests share,
+/// references included, run once, `parallel` of them at a time, fewer where their
+/// estimated memory would not fit; those that are known with their fields do not run.
+/// Results are let go as soon as no request needs them. What `deliver` throws ends the
+/// study.
+void run_study(const std::vector<Request>& requests, MeshStore& meshes, int parallel,
+               const Finished& finished, const KnownResult& known, const Deliver& deliver,
+               const Watch& watch = {});
+
+/// The same, with all results at the end, in the requests' order.
+std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStore& meshes,
+                                  int parallel, const Finished& finished,
+                                  const KnownResult& known = {}, const Watch& watch = {});
+
+}  // namespace springcheck

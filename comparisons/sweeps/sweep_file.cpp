@@ -1,0 +1,197 @@
+#include "comparisons/sweeps/sweep_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <ranges>
+#include <tuple>
+
+#include "comparisons/settings/run_settings.hpp"
+#include "comparisons/settings/scene_file.hpp"
+#include "comparisons/shipped/shipped.hpp"
+#include "comparisons/settings/toml_values.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+/// A key with the values it takes in turn.
+struct Choices {
+  std::string key;
+  std::vector<Given> values;
+};
+
+/// Keys whose one value is a list of numbers.
+bool is_list_valued(std::string_view key) {
+  constexpr std::array keys{"cells",    "size",    "traction",
+                            "gradient", "gravity", "stiffness"};
+  return std::ranges::find(keys, key) != keys.end();
+}
+
+bool is_sweepable(std::string_view key) {
+  return key == "scene" || std::ranges::any_of(option_keys(), [&](const SettingKey& k) {
+           return k.name == key;
+         });
+}
+
+/// {from, to, count}
+std::vector<Given> range(const toml::table& table, const std::string& where) {
+  const std::string expected = "{from = A, to = B, count = N}, numbers, N at least 2";
+  const auto refuse = [&](const std::string& got) {
+    throw InputError(where, "", expected, got);
+  };
+  for (const auto& [key, node] : table)
+    if (key.str() != "from" && key.str() != "to" && key.str() != "count")
+      refuse(fmt::format("unknown key '{}'", key.str()));
+  const auto from = table["from"].value<double>(), to = table["to"].value<double>();
+  const auto count = table["count"].value_exact<std::int64_t>();
+  if (!from || !to || !count || *count < 2 || *count > 1'000'000) refuse("others");
+  std::vector<Given> values;
+  const auto last = static_cast<double>(*count - 1);
+  for (std::int64_t i = 0; i < *count; ++i) {
+    const double part = static_cast<double>(i) / last;
+    // 0.15, not 0.15000000000000002: the number that a list would hold.
+    const double value = (1 - part) * *from + part * *to;
+    values.emplace_back(where, Given::Scalar(std::stod(fmt::format("{:.12g}", value))));
+  }
+  return values;
+}
+
+std::vector<Given> values_of(const std::string& key, const toml::node& node,
+                             const std::string& file) {
+  const std::string where = fmt::format("{}: {}", place(file, node.source()), key);
+  if (const toml::table* table = node.as_table()) return range(*table, where);
+  const toml::array* list = node.as_array();
+  if (list == nullptr) return {given(node, file, key)};
+  if (list->empty()) throw InputError(where, "", "at least one value", "an empty list");
+  const bool one_value =
+      is_list_valued(key) &&
+      std::ranges::none_of(*list, [](const toml::node& n) { return n.is_array(); });
+  if (one_value) return {given(node, file, key)};
+  std::vector<Given> values;
+  for (const toml::node& element : *list) values.push_back(given(element, file, key));
+  return values;
+}
+
+/// The choices of a table's keys, in the order of the file.
+std::vector<Choices> choices_of(const toml::table& table, const std::string& file) {
+  std::vector<std::pair<toml::source_position, Choices>> found;
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    if (name == "fields" || name == "cases") continue;
+    if (!is_sweepable(name))
+      throw InputError(place(file, key.source()), "",
+                       "one of scene, fields, cases, " + names_of(option_keys()),
+                       "unknown key '" + name + "'");
+    found.emplace_back(key.source().begin, Choices{name, values_of(name, node, file)});
+  }
+  std::ranges::stable_sort(found, [](const auto& a, const auto& b) {
+    return std::tie(a.first.line, a.first.column) <
+           std::tie(b.first.line, b.first.column);
+  });
+  std::vector<Choices> choices;
+  for (auto& [position, choice] : found) choices.push_back(std::move(choice));
+  return choices;
+}
+
+/// The common choices with a case's own put over them.
+std::vector<Choices> combined(std::vector<Choices> common,
+                              const std::vector<Choices>& own) {
+  std::erase_if(common, [&](const Choices& choice) {
+    return std::ranges::count(own, choice.key, &Choices::key) > 0;
+  });
+  common.insert(common.end(), own.begin(), own.end());
+  return common;
+}
+
+std::vector<std::vector<Choices>> products(const toml::table& table,
+                                           const std::string& file) {
+  const std::vector<Choices> common = choices_of(table, file);
+  const toml::node* node = table.get("cases");
+  if (node == nullptr) return {common};
+  const toml::array* cases = node->as_array();
+  std::vector<std::vector<Choices>> all;
+  if (cases != nullptr)
+    for (const toml::node& one : *cases)
+      if (const toml::table* own = one.as_table()) {
+        if (own->contains("cases") || own->contains("fields"))
+          throw InputError(place(file, own->source()), "cases", "options of `run`",
+                           "cases or fields inside");
+        all.push_back(combined(common, choices_of(*own, file)));
+      }
+  if (cases == nullptr || all.size() != cases->size() || all.empty())
+    throw InputError(place(file, node->source()), "cases", "tables, [[cases]]", "others");
+  return all;
+}
+
+double size_of(const std::vector<Choices>& product) {
+  double size = 1;
+  for (const Choices& choices : product)
+    size *= static_cast<double>(choices.values.size());
+  return size;
+}
+
+/// Combination `index` of the product; the last key varies fastest.
+std::vector<GivenSetting> combination(const std::vector<Choices>& product,
+                                      std::size_t index) {
+  std::vector<GivenSetting> settings;
+  for (const auto& choices : product | std::views::reverse) {
+    const std::size_t count = choices.values.size();
+    settings.push_back({choices.key, choices.values[index % count]});
+    index /= count;
+  }
+  std::ranges::reverse(settings);
+  return settings;
+}
+
+/// Scenes, each read once.
+class Scenes {
+ public:
+  const SceneFile& operator()(const Given& name) {
+    const auto [place, is_new] = scenes_.try_emplace(name.text());
+    if (is_new) place->second = read_scene(name.text());
+    return place->second;
+  }
+
+ private:
+  std::map<std::string, SceneFile> scenes_;
+};
+
+std::vector<Request> requests_of(const std::vector<GivenSetting>& settings,
+                                 Scenes& scenes, const std::string& file) {
+  const auto named = std::ranges::find(settings, "scene", &GivenSetting::key);
+  if (named == settings.end())
+    throw InputError(file + ":1:1", "key 'scene'", "the name of a scene", "none");
+  const SceneFile& scene = scenes(named->value);
+  std::vector<GivenSetting> all = scene.settings;
+  for (const GivenSetting& setting : settings)
+    if (setting.key != "scene") all.push_back(setting);
+  return requests(make_run_settings(scene.name, scene.file, all));
+}
+
+}  // namespace
+
+Sweep read_sweep(const std::string& name_or_path, std::size_t most) {
+  const TomlFile file = toml_file(name_or_path, "sweep", shipped_sweeps());
+  const toml::table table = parse_toml(file.text, file.file);
+  Sweep sweep{.name = file.name, .with_fields = false, .requests = {}};
+  if (const toml::node* fields = table.get("fields"))
+    sweep.with_fields = given(*fields, file.file, "fields").truth();
+  const std::vector<std::vector<Choices>> all = products(table, file.file);
+  double count = 0;
+  for (const auto& product : all) count += size_of(product);
+  if (count > static_cast<double>(most))
+    throw InputError(file.file, "cases", fmt::format("at most {} without --yes", most),
+                     fmt::format("{:.0f}", count));
+  Scenes scenes;
+  for (const auto& product : all)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size_of(product)); ++i)
+      for (Request& request : requests_of(combination(product, i), scenes, file.file))
+        sweep.requests.push_back(std::move(request));
+  return sweep;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,25 @@
+#include "comparisons/sweeps/sweep_run.hpp"
+
+#include "comparisons/running/progress.hpp"
+#include "comparisons/results/result_writer.hpp"
+
+namespace springcheck {
+
+std::map<Status, int> run_into(ResultFile& file, const std::vector<Request>& requests,
+                               bool with_fields, MeshStore& meshes, int parallel,
+                               const KnownResult& known) {
+  std::map<Status, int> count;
+  Progress progress("simulations");
+  ResultWriter writer(file, with_fields, meshes);
+  run_study(
+      requests, meshes, parallel,
+      [&](std::size_t done, std::size_t of) { progress.show(done, of); }, known,
+      [&](std::size_t, CaseResult&& result) {
+        ++count[result.status];
+        writer.put(std::move(result));
+      });
+  writer.finish();
+  return count;
+}
+
+}  // namespace springcheck

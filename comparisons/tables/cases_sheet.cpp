@@ -1,0 +1,125 @@
+#include "comparisons/tables/cases_sheet.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace springcheck {
+namespace {
+
+/// A column of numbers: its name in the file, its heading, and the factor to its unit.
+struct Measure {
+  const char* column;
+  Column shown;
+  double factor = 1;
+  const char* only = nullptr;  // test whose answer it is; in others it is round-off
+};
+
+const std::vector<Measure>& shown_measures() {
+  static const std::vector<Measure> measures{
+      {"volume_error", {"volume_error", "volume error [%]", "{:.4f}"}, 100},
+      {"plate_force_norm", {"plate_force_norm", "force [N]", "{:.5g}"}},
+      {"plate_torque", {"plate_torque", "torque [N m]", "{:.5g}"}, 1, "torsion"},
+      {"tip_deflection", {"tip_deflection", "tip drop [m]", "{:.5g}"}},
+      {"cell_volume_ratio_min", {"cell_volume_ratio_min", "least V/V0", "{:.4f}"}},
+      {"deviation_l2_relative",
+       {"deviation_l2_relative", "deviation L2 [%]", "{:.3f}"},
+       100},
+      {"solve_wall_s", {"solve_wall_s", "time [s]", "{:.2g}"}}};
+  return measures;
+}
+
+std::string text(const Columns& cases, const char* column, std::size_t row) {
+  const auto found = cases.texts.find(column);
+  return found == cases.texts.end() ? std::string() : found->second[row];
+}
+
+std::optional<double> number(const Columns& cases, const std::string& column,
+                             std::size_t row, std::size_t component = 0) {
+  const auto found = cases.numbers.find(column);
+  if (found == cases.numbers.end()) return std::nullopt;
+  const double value = found->second.values[found->second.width * row + component];
+  if (std::isnan(value)) return std::nullopt;
+  return value;
+}
+
+/// "fem-stvk:q1-sri", "mss-cf, E-form, A = 0.5".
+std::string method_of(const Columns& cases, std::size_t row) {
+  std::string name = text(cases, "method", row);
+  if (const auto element = text(cases, "element", row); !element.empty())
+    name += ":" + element;
+  if (text(cases, "stiffness-form", row) == "E") name += ", E-form";
+  if (const auto ratio = number(cases, "diagonal-ratio", row); ratio && *ratio != 1)
+    name += fmt::format(", A = {:g}", *ratio);
+  if (text(cases, "correction", row) == "off") name += ", no correction";
+  return name;
+}
+
+/// "10x10x10 hexahedron"; of other bodies than blocks their name.
+std::string mesh_of(const Columns& cases, std::size_t row) {
+  const std::string body = text(cases, "body", row);
+  if (body != "block" || !number(cases, "cells", row)) return body;
+  std::string mesh =
+      fmt::format("{:.0f}x{:.0f}x{:.0f} {}", *number(cases, "cells", row),
+                  *number(cases, "cells", row, 1), *number(cases, "cells", row, 2),
+                  text(cases, "cell-type", row));
+  if (const auto distortion = number(cases, "distortion", row); distortion > 0)
+    mesh += fmt::format(", distorted by {:g}", *distortion);
+  return mesh;
+}
+
+SheetRow row_of(const Columns& cases, std::size_t row) {
+  const std::string status = text(cases, "status", row);
+  SheetRow shown{.cells = {{.text = text(cases, "scene", row)},
+                           {.text = method_of(cases, row)},
+                           {.text = mesh_of(cases, row)},
+                           {.number = number(cases, "nu", row)},
+                           {.number = number(cases, "young", row)},
+                           {.number = number(cases, "deformation", row)},
+                           {.text = status}},
+                 .cases = {text(cases, "key", row)}};
+  for (const Measure& measure : shown_measures()) {
+    const bool is_shown =
+        measure.only == nullptr || text(cases, "test", row) == measure.only;
+    Cell cell{.number = is_shown ? number(cases, measure.column, row) : std::nullopt};
+    if (cell.number) *cell.number *= measure.factor;
+    shown.cells.push_back(cell);
+  }
+  shown.cells.push_back({.text = text(cases, "reference", row)});
+  return shown;
+}
+
+}  // namespace
+
+Sheet cases_sheet(const Columns& cases) {
+  Sheet sheet{
+      .name = "cases",
+      .title = "All cases",
+      .columns = {{"scene", "scene"},
+                  {"method", "method"},
+                  {"mesh", "mesh"},
+                  {"nu", "nu", "{:g}"},
+                  {"young", "E [Pa]", "{:g}"},
+                  {"deformation", "deformation [-, rad]", "{:.4g}"},
+                  {"status", "status"}},
+      .rows = {},
+      .notes = {"Deviation: volume-weighted root mean square over the free nodes, "
+                "from the reference, over the largest imposed displacement."}};
+  for (const Measure& measure : shown_measures()) sheet.columns.push_back(measure.shown);
+  sheet.columns.push_back({"reference", "reference"});
+
+  std::vector<std::size_t> order(cases.rows);
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {}, [&](std::size_t row) {
+    return std::tuple(text(cases, "scene", row), method_of(cases, row),
+                      mesh_of(cases, row), number(cases, "nu", row),
+                      number(cases, "deformation", row), text(cases, "key", row));
+  });
+  for (const std::size_t row : order) sheet.rows.push_back(row_of(cases, row));
+  return sheet;
+}
+
+}  // namespace springcheck

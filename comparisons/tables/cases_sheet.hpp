@@ -1,0 +1,13 @@
+#pragma once
+
+#include "comparisons/sheets/sheet.hpp"
+#include "comparisons/store/columns.hpp"
+
+namespace springcheck {
+
+/// All cases of a result file (read_cases) as one table, in the order of scene, method,
+/// nu and deformation: settings that tell them apart, status, and the measures of the
+/// comparisons. A case without a measure shows its status instead.
+Sheet cases_sheet(const Columns& cases);
+
+}  // namespace springcheck

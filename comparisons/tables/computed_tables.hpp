@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "comparisons/sheets/sheet.hpp"
+#include "comparisons/studies/study.hpp"
+#include "comparisons/tables/thesis/tables.hpp"
+
+namespace springcheck {
+
+struct TableSet {
+  std::vector<Table> tables;  // of table_names()
+  std::vector<Sheet> sheets;  // of sheet_names()
+};
+
+struct ComputedTables {
+  TableSet set;
+  std::vector<CaseResult> results;  // of every request behind them
+};
+
+/// Computes the named tables and sheets with everything they need, each simulation once,
+/// `parallel` of them at a time; see run_study for `known`, of which sheets take only
+/// cases with their fields. `computed` is called with each result that was not known, one
+/// at a time. Throws InputError for a sheet with a reference: sheets have theirs.
+ComputedTables compute_tables(
+    const std::vector<std::string>& names,
+    const std::optional<ReferenceMethod>& reference, MeshStore& meshes, int parallel,
+    const KnownResult& known = {},
+    const std::function<void(const CaseResult&)>& computed = {});
+
+}  // namespace springcheck

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "comparisons/settings/scene_file.hpp"
+
+namespace springcheck {
+
+/// The simulations of a sheet while it is planned: each is known by its place.
+class PlannedRequests {
+ public:
+  std::size_t add(const CaseSettings& settings) {
+    requests_.push_back({.settings = settings, .reference = std::nullopt});
+    return requests_.size() - 1;
+  }
+  std::size_t add(const std::string& scene, const Changes& changes) {
+    return add(case_of_scene(scene, changes));
+  }
+
+  [[nodiscard]] std::vector<Request> take() { return std::move(requests_); }
+
+ private:
+  std::vector<Request> requests_;
+};
+
+}  // namespace springcheck

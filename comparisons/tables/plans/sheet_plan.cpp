@@ -1,0 +1,9 @@
+#include "comparisons/tables/plans/sheet_plan.hpp"
+
+namespace springcheck {
+
+Cell value_or_status(const std::optional<double>& value, const CaseResult& result) {
+  return {.number = value, .text = std::string(name_of(result.status))};
+}
+
+}  // namespace springcheck

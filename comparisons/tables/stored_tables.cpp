@@ -1,0 +1,76 @@
+#include "comparisons/tables/stored_tables.hpp"
+
+#include <fmt/format.h>
+
+#include "comparisons/tables/cases_sheet.hpp"
+#include "comparisons/results/known_results.hpp"
+#include "comparisons/tables/catalogue.hpp"
+
+namespace springcheck {
+namespace {
+
+/// A request's result in the file.
+using Find = std::function<std::optional<CaseResult>(const Request&)>;
+
+std::optional<Table> stored_table(const std::string& name, const std::string& file,
+                                  const Find& find) {
+  TablePlan plan = plan_table(name, std::nullopt);
+  std::vector<PlannedRow> rows;
+  std::vector<CaseResult> results;  // in the order of table_requests
+  for (const PlannedRow& row : plan.rows) {
+    auto own = find(row.request);
+    if (!own) continue;
+    rows.push_back(row);
+    results.push_back(std::move(*own));
+    for (const CaseSettings& reference : reference_cases(row.request))
+      results.push_back(find({.settings = reference, .reference = std::nullopt})
+                            .value_or(CaseResult{}));
+  }
+  if (rows.empty()) return std::nullopt;
+  if (rows.size() < plan.rows.size())
+    plan.notes.push_back(
+        fmt::format("{} of {} rows: the result file lacks the cases of the others; "
+                    "`springcheck table {} --from {}` computes them.",
+                    rows.size(), plan.rows.size(), name, file));
+  plan.rows = std::move(rows);
+  return fill_table(std::move(plan), results);
+}
+
+std::optional<Sheet> stored_sheet(const std::string& name, const Find& find,
+                                  MeshStore& meshes) {
+  const SheetPlan plan = plan_sheet(name);
+  std::vector<CaseResult> results;
+  for (const Request& request : plan.requests) {
+    auto result = find(request);
+    if (!result) return std::nullopt;
+    results.push_back(std::move(*result));
+  }
+  return plan.make(results, meshes);
+}
+
+}  // namespace
+
+TableSet stored_tables(const std::filesystem::path& file, MeshStore& meshes) {
+  const StoredCases stored = stored_cases({file});
+  const auto finder = [&](const KnownResult& known) -> Find {
+    return [&meshes, known](const Request& request) {
+      return known(request, case_key(request, meshes.mesh(request.settings.body)));
+    };
+  };
+  const Find figures = finder(known_figures(stored));
+  const Find with_fields = finder(only_with_fields(known_from(stored, meshes)));
+  TableSet set;
+  for (const std::string& name : table_names())
+    if (auto table = stored_table(name, file.filename().string(), figures))
+      set.tables.push_back(std::move(*table));
+  for (const std::string& name : sheet_names()) {
+    if (name == "5.5" && set.tables.empty()) continue;  // needs no case: of the thesis
+    if (std::ranges::count(caseless_sheet_names(), name) > 0) continue;
+    if (auto sheet = stored_sheet(name, with_fields, meshes))
+      set.sheets.push_back(std::move(*sheet));
+  }
+  if (!stored.empty()) set.sheets.push_back(cases_sheet(read_cases(file)));
+  return set;
+}
+
+}  // namespace springcheck

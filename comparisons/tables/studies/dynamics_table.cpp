@@ -1,0 +1,134 @@
+#include "comparisons/tables/studies/dynamics_table.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "comparisons/settings/scene_file.hpp"
+#include "comparisons/tables/thesis/printed_figures.hpp"
+
+namespace springcheck {
+namespace {
+
+/// A table's measure, and what turns it into printed units: raw figures are printed in
+/// SI, those in true units are smaller by E L^2 or E L^3, L a hundredth.
+struct Printed {
+  const char* table;
+  const char* name;
+  Measures::Value Measures::*measure;
+  double factor, raw_factor;
+};
+constexpr std::array<Printed, 4> printed_tables{
+    {{"5.1", "e [%]", &Measures::volume_error, 100, 100},
+     {"5.2", "e [%]", &Measures::volume_error, 100, 100},
+     {"5.3", "resultant [1e-4 N]", &Measures::plate_force_norm, 1e4, 1},
+     {"5.4", "torque [1e-6 N m]", &Measures::plate_torque, 1e6, 1}}};
+
+/// What is printed of mss-cf and computed here.
+std::vector<std::pair<Printed, PrintedFigure>> figures() {
+  std::vector<std::pair<Printed, PrintedFigure>> all;
+  for (const Printed& printed : printed_tables)
+    for (const PrintedFigure& figure : printed_figures(printed.table))
+      if (figure.method == "mss-cf") all.emplace_back(printed, figure);
+  return all;
+}
+
+std::string deformation_of(const PrintedFigure& figure) {
+  return figure.test == Test::torsion
+             ? fmt::format("{:g} deg", figure.deformation * 180 / std::numbers::pi)
+             : fmt::format("{:g} %", 100 * figure.deformation);
+}
+
+/// Static, dynamic in SI units, dynamic in raw ones.
+std::vector<CaseSettings> cases_of(const PrintedFigure& figure) {
+  const std::vector<std::pair<std::string, std::string>> common{
+      {"method", "mss-cf"},
+      {"nu", fmt::format("{}", figure.nu)},
+      {"deformation", fmt::format("{}", figure.deformation)}};
+  auto dynamic = common;
+  dynamic.emplace_back("solver", "semi-implicit");
+  auto raw = common;
+  for (auto* settings : {&dynamic, &raw}) settings->emplace_back("history", "200");
+  const std::string scene(name_of(figure.test));
+  return {case_of_scene(scene, common), case_of_scene(scene, dynamic),
+          case_of_scene(scene + "-thesis-raw", raw)};
+}
+
+std::optional<double> energy_ratio(const Measures& m) {
+  if (!m.kinetic_energy || !m.strain_energy) return std::nullopt;
+  return *m.kinetic_energy / *m.strain_energy;
+}
+
+Sheet filled(std::span<const CaseResult> results) {
+  Sheet sheet{
+      .name = "dynamics",
+      .title = "Statics and dynamics: mss-cf's figures of tables 5.1 to 5.4",
+      .columns = {{"test", "test"},
+                  {"nu", "nu", "{:g}"},
+                  {"deformation", "deformation"},
+                  {"measure", "measure"},
+                  {"printed", "printed", "{:.6g}"},
+                  {"static", "static", "{:.5g}"},
+                  {"dynamic", "dynamics, SI", "{:.5g}"},
+                  {"dynamic_transits", "transits", "{:.1f}"},
+                  {"dynamic_damping", "damping", "{:g}"},
+                  {"dynamic_kinetic", "kinetic/strain energy", "{:.1e}"},
+                  {"raw", "dynamics, raw units", "{:.5g}"},
+                  {"raw_transits", "transits", "{:.1f}"},
+                  {"raw_damping", "damping", "{:g}"},
+                  {"raw_kinetic", "kinetic/strain energy", "{:.1e}"}},
+      .rows = {},
+      .notes = {
+          "Dynamics: 10 s with the plate at constant velocity. In SI units steps of .9 "
+          "of "
+          "the stability limit; in raw units, centimetres read as metres, steps of 1 ms "
+          "as "
+          "the thesis states. The thesis states no damping.",
+          "Transits: how often a pressure wave runs through the body's height meanwhile. "
+          "In raw units the body is a hundred times larger, and waves have hardly "
+          "crossed "
+          "it a few times before the figure is read."}};
+  const auto all = figures();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& [printed, figure] = all[i];
+    const CaseResult &still = results[3 * i], &moved = results[3 * i + 1],
+                     &raw = results[3 * i + 2];
+    const auto value = [&, at = &printed](const CaseResult& result, double factor) {
+      const auto& measured = result.measures.*(at->measure);
+      return value_or_status(measured ? std::optional(factor * *measured) : std::nullopt,
+                             result);
+    };
+    SheetRow row{.cells = {{.text = std::string(name_of(figure.test))},
+                           {.number = figure.nu},
+                           {.text = deformation_of(figure)},
+                           {.text = printed.name},
+                           {.number = figure.value},
+                           value(still, printed.factor)},
+                 .cases = {still.key, moved.key, raw.key}};
+    for (const auto& [result, factor] :
+         {std::pair(&moved, printed.factor), std::pair(&raw, printed.raw_factor)}) {
+      row.cells.push_back(value(*result, factor));
+      row.cells.push_back({.number = result->measures.transit_count});
+      row.cells.push_back({.number = result->request.settings.dynamics.damping_ratio});
+      row.cells.push_back({.number = energy_ratio(result->measures)});
+    }
+    sheet.rows.push_back(std::move(row));
+  }
+  return sheet;
+}
+
+}  // namespace
+
+SheetPlan plan_dynamics_table() {
+  SheetPlan plan{.requests = {},
+                 .make = [](std::span<const CaseResult> results, MeshStore&) {
+                   return filled(results);
+                 }};
+  for (const auto& [printed, figure] : figures())
+    for (CaseSettings& settings : cases_of(figure))
+      plan.requests.push_back(
+          {.settings = std::move(settings), .reference = std::nullopt});
+  return plan;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,248 @@
+#include "comparisons/tables/studies/elements_table.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "comparisons/studies/converged_number.hpp"
+#include "comparisons/tables/plans/planned_requests.hpp"
+#include "comparisons/studies/split.hpp"
+
+namespace springcheck {
+namespace {
+
+/// A deformation test, at a deformation so small that all laws are one, and at 5 %.
+struct LoadCase {
+  std::string scene;
+  std::string small;
+  std::string finite;
+};
+const std::array<LoadCase, 3> tests{{{"compression", "1e-5", "5%"},
+                                     {"shearing", "1e-5", "5%"},
+                                     {"torsion", "1e-5", "1deg"}}};
+const std::array<std::string, 4> ratios{"0", "0.25", "0.45", "0.499"};
+
+struct MethodRow {
+  std::string label;
+  Changes changes;
+  std::string law;  // in `laws`; empty: none is known
+};
+
+const std::map<std::string, Changes> laws{
+    {"Hooke", {{"method", "fem-hooke"}}},
+    {"springs of mss-cf", {{"method", "fem-cauchy-born"}, {"lattice", "mss-cf"}}},
+    {"virtual springs", {{"method", "fem-cauchy-born"}, {"lattice", "mss-affine"}}}};
+
+const MethodRow mss_cf{"mss-cf", {{"method", "mss-cf"}}, "springs of mss-cf"};
+const MethodRow mss_affine{"mss-affine", {{"method", "mss-affine"}}, "virtual springs"};
+const MethodRow van_gelder{"mss-vangelder", {{"method", "mss-vangelder"}}, ""};
+const MethodRow lloyd{"mss-lloyd", {{"method", "mss-lloyd"}}, ""};
+const Changes uncorrected{{"correction", "off"}};
+const MethodRow bare_van_gelder{"mss-vangelder, correction off",
+                                van_gelder.changes + uncorrected, ""};
+const MethodRow bare_lloyd{"mss-lloyd, correction off", lloyd.changes + uncorrected, ""};
+
+MethodRow finite_elements(const std::string& law, const std::string& element) {
+  const Changes& changes = laws.at(law);
+  return {fmt::format("{}:{} ({})", changes.front().second, element, law),
+          changes + Changes{{"element", element}}, law};
+}
+
+struct MeshRows {
+  std::string label;
+  Changes changes;
+  std::vector<MethodRow> methods;
+};
+
+std::vector<MeshRows> meshes_and_methods() {
+  const MethodRow hooke = finite_elements("Hooke", "q1"),
+                  hooke_sri = finite_elements("Hooke", "q1-sri"),
+                  virtual_springs = finite_elements("virtual springs", "q1"),
+                  virtual_springs_sri = finite_elements("virtual springs", "q1-sri");
+  return {{"cubes",
+           {{"cell-type", "hexahedron"}},
+           {mss_cf, mss_affine, hooke, hooke_sri, virtual_springs_sri}},
+          {"distorted mixed",
+           {{"cell-type", "mixed"}, {"distortion", "0.2"}},
+           {mss_cf, van_gelder, mss_affine, hooke, hooke_sri, virtual_springs}},
+          {"gmsh's tetrahedra",
+           {{"cell-type", "free-tetrahedron"}},
+           {mss_cf, van_gelder, bare_van_gelder, lloyd, bare_lloyd, mss_affine, hooke,
+            virtual_springs}}};
+}
+
+using OfTests = std::array<std::size_t, 3>;  // places of simulations, test by test
+
+struct PlannedElementsRow {
+  std::string mesh;
+  MethodRow method;
+  double nu;
+  OfTests small, finite;
+  OfTests reference;                  // Hooke q2 on 5^3 cubes
+  std::array<OfTests, 3> truth;       // Hooke q2 on 4^3, 8^3, 16^3 cubes
+  std::optional<OfTests> same_law{};  // q2 on 5^3 cubes
+};
+
+const Changes five_cells{{"cells", "5,5,5"}};
+
+OfTests add_tests(PlannedRequests& requests, const Changes& changes, bool is_small) {
+  OfTests places{};
+  for (std::size_t t = 0; t < tests.size(); ++t)
+    places[t] = requests.add(
+        tests[t].scene,
+        changes + Changes{{"deformation", is_small ? tests[t].small : tests[t].finite}});
+  return places;
+}
+
+std::vector<PlannedElementsRow> plan_rows(PlannedRequests& requests) {
+  std::vector<PlannedElementsRow> rows;
+  for (const std::string& nu : ratios) {
+    const Changes material{{"nu", nu}};
+    const Changes q2 = material + Changes{{"element", "q2"}};
+    const Changes hooke = q2 + laws.at("Hooke");
+    const OfTests reference = add_tests(requests, hooke + five_cells, true);
+    std::array<OfTests, 3> truth{};
+    for (std::size_t grid = 0; grid < 3; ++grid) {
+      const int n = 4 << grid;
+      truth[grid] = add_tests(
+          requests, hooke + Changes{{"cells", fmt::format("{0},{0},{0}", n)}}, true);
+    }
+    std::map<std::string, OfTests> same_law;
+    for (const auto& [law, changes] : laws)
+      same_law[law] = add_tests(requests, q2 + changes + five_cells, false);
+    for (const MeshRows& mesh : meshes_and_methods())
+      for (const MethodRow& method : mesh.methods) {
+        const Changes changes = material + five_cells + mesh.changes + method.changes;
+        rows.push_back({.mesh = mesh.label,
+                        .method = method,
+                        .nu = std::stod(nu),
+                        .small = add_tests(requests, changes, true),
+                        .finite = add_tests(requests, changes, false),
+                        .reference = reference,
+                        .truth = truth});
+        if (!method.law.empty()) rows.back().same_law = same_law.at(method.law);
+      }
+  }
+  return rows;
+}
+
+std::optional<double> load_of(const CaseResult& result) {
+  return answer_to_load(result.request.settings.test)->of(result.measures);
+}
+
+/// What the load converges to on three grids.
+std::optional<double> converged_load(std::span<const CaseResult> results,
+                                     const std::array<OfTests, 3>& grids,
+                                     std::size_t test) {
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto load = load_of(results[grids[i][test]]);
+    if (!load) return std::nullopt;
+    values[i] = *load;
+  }
+  const auto settings = [&](std::size_t i) -> const CaseSettings& {
+    return results[grids[i][test]].request.settings;
+  };
+  return converged_number({settings(0), settings(1), settings(2)}, values).value;
+}
+
+Cell error_cell(const CaseResult& result, const std::optional<double>& exact) {
+  const auto load = load_of(result);
+  if (!load || !exact) return value_or_status(std::nullopt, result);
+  return {.number = 100 * (*load / *exact - 1)};
+}
+
+Cell volume_cell(const CaseResult& result, const CaseResult& same_law) {
+  const auto &change = result.measures.volume_change,
+             &exact = same_law.measures.volume_change;
+  if (!change || !exact) return value_or_status(std::nullopt, result);
+  return {.number = 100 * (*change - *exact)};
+}
+
+double cell_count(const Mesh& mesh) {
+  return static_cast<double>(mesh.cells().size());
+}
+
+std::vector<std::string> notes_on(const CaseResult& result) {
+  if (result.status != Status::refused) return {};
+  return {fmt::format("Refused: {}.", result.reason)};
+}
+
+Sheet elements_sheet(const std::vector<PlannedElementsRow>& rows,
+                     std::span<const CaseResult> results, MeshStore& meshes) {
+  Sheet sheet{
+      .name = "elements",
+      .title = "Springs and finite elements on any cells, about 5 across",
+      .columns = {{"mesh", "mesh"},
+                  {"cells", "cells", "{:.0f}"},
+                  {"method", "method"},
+                  {"nu", "nu", "{}"}},
+      .rows = {},
+      .notes = {
+          "Forces and torques in percent, at a deformation of 1e-5: off Hooke q2 on 5 x "
+          "5 x 5 cubes, and off what Hooke q2 converges to on 4, 8 and 16 cells across.",
+          "Volumes in points, at 5 % (torsion: 1 degree): volume change off that of the "
+          "same law with q2 on 5 x 5 x 5 cubes. Van Gelder's and Lloyd's springs have no "
+          "law."}};
+  for (const LoadCase& test : tests)
+    sheet.columns.push_back(
+        {"off_q2_" + test.scene, test.scene + ", off q2 [%]", "{:.2f}"});
+  for (const LoadCase& test : tests)
+    sheet.columns.push_back(
+        {"off_truth_" + test.scene, test.scene + ", off the truth [%]", "{:.2f}"});
+  for (const LoadCase& test : tests)
+    sheet.columns.push_back(
+        {"volume_" + test.scene, test.scene + ", volume off its law [points]", "{:.4f}"});
+  sheet.columns.push_back({"status", "status at 5 %"});
+
+  for (const PlannedElementsRow& planned : rows) {
+    const CaseResult& first = results[planned.small[0]];
+    SheetRow row{
+        .cells = {{.text = planned.mesh},
+                  {.number = cell_count(meshes.mesh(first.request.settings.body))},
+                  {.text = planned.method.label},
+                  {.number = planned.nu}},
+        .notes = notes_on(first),
+        .cases = {}};
+    for (std::size_t t = 0; t < tests.size(); ++t)
+      row.cells.push_back(
+          error_cell(results[planned.small[t]], load_of(results[planned.reference[t]])));
+    for (std::size_t t = 0; t < tests.size(); ++t)
+      row.cells.push_back(error_cell(results[planned.small[t]],
+                                     converged_load(results, planned.truth, t)));
+    for (std::size_t t = 0; t < tests.size(); ++t)
+      row.cells.push_back(planned.same_law ? volume_cell(results[planned.finite[t]],
+                                                         results[(*planned.same_law)[t]])
+                                           : Cell{});
+    std::string statuses;
+    for (const std::size_t place : planned.finite) {
+      const std::string name(name_of(results[place].status));
+      if (statuses.find(name) == std::string::npos)
+        statuses += (statuses.empty() ? "" : ", ") + name;
+    }
+    row.cells.push_back({.text = statuses});
+    for (const OfTests& places : {planned.small, planned.finite, planned.reference,
+                                  planned.truth[0], planned.truth[1], planned.truth[2]})
+      for (const std::size_t place : places) row.cases.push_back(results[place].key);
+    if (planned.same_law)
+      for (const std::size_t place : *planned.same_law)
+        row.cases.push_back(results[place].key);
+    sheet.rows.push_back(std::move(row));
+  }
+  return sheet;
+}
+
+}  // namespace
+
+SheetPlan plan_elements_table() {
+  PlannedRequests requests;
+  const std::vector<PlannedElementsRow> rows = plan_rows(requests);
+  return {.requests = requests.take(),
+          .make = [rows](std::span<const CaseResult> results, MeshStore& meshes) {
+            return elements_sheet(rows, results, meshes);
+          }};
+}
+
+}  // namespace springcheck

@@ -1,0 +1,223 @@
+#include "comparisons/tables/studies/growth_table.hpp"
+
+#include <fmt/format.h>
+#include <malloc.h>
+#include <omp.h>
+#include <tbb/task_arena.h>
+
+#include <cmath>
+#include <map>
+
+#include "comparisons/build_info/build_info.hpp"
+#include "comparisons/running/timing.hpp"
+#include "comparisons/studies/extrapolation.hpp"
+#include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/running/memory.hpp"
+#include "comparisons/tables/plans/planned_requests.hpp"
+#include "comparisons/running/progress.hpp"
+#include "comparisons/results/provenance.hpp"
+#include "comparisons/running/stepping.hpp"
+#include "meshing/stopwatch.hpp"
+#include "mss/statics/equilibrium.hpp"
+
+namespace springcheck {
+namespace {
+
+struct Cost {
+  double seconds, bytes;
+};
+
+/// A way to compute whose cost grows.
+struct Growing {
+  std::string model, what;
+  std::vector<int> across;
+  std::function<std::optional<Cost>(int across)> cost;  // none of a failed solution
+  std::function<double(int across)> expected_bytes;
+};
+
+Changes cells_of(int n) {
+  return {{"cells", fmt::format("{0},{0},{0}", n)}};
+}
+
+std::optional<Cost> cost_of_step(const char* method, int n) {
+  const Stepping steps = stepping({.method = method,
+                                   .cells = {n, n, n},
+                                   .load = SteppedLoad::plates,
+                                   .poisson_ratio = 0.4,
+                                   .damping_ratio = 0,
+                                   .precision = mss::Precision::double_precision,
+                                   .instruction_set = dynamics::best_instruction_set(),
+                                   .threads = 1});
+  return Cost{.seconds = time_of_steps(steps.advance).real, .bytes = steps.bytes};
+}
+
+/// Time of the solution, and the peak of memory that it adds to the mesh.
+std::optional<Cost> cost_of(
+    const CaseSettings& settings,
+    const std::function<Solution(const Mesh&, const Scene&)>& solve) {
+  const Mesh mesh = build_mesh(settings.body);
+  const Scene scene = mechanical_scene(settings, mesh);
+  malloc_trim(0);
+  const double before = resident_memory();
+  reset_peak_memory();
+  const Stopwatch stopwatch;
+  tbb::task_arena arena(1);
+  const Solution solution = arena.execute([&] { return solve(mesh, scene); });
+  if (solution.status != SolveStatus::ok) return std::nullopt;
+  return Cost{.seconds = stopwatch.seconds(), .bytes = peak_memory() - before};
+}
+
+std::optional<Cost> cost_of_springs(int n, mss::LinearSolver linear_solver) {
+  const CaseSettings settings =
+      case_of_scene("compression", Changes{{"method", "mss-cf"}} + cells_of(n));
+  return cost_of(settings, [&](const Mesh& mesh, const Scene& scene) {
+    const mss::Network network =
+        mss::build_network(mesh, scene.material,
+                           {.method = mss::Method::cf,
+                            .stiffness_form = settings.stiffness_form,
+                            .diagonal_ratio = settings.diagonal_ratio});
+    return mss::find_equilibrium(mesh, scene, network, 1, linear_solver);
+  });
+}
+
+CaseSettings elements_of(int n, const std::string& linear_solver) {
+  return case_of_scene("compression", Changes{{"method", "fem-stvk"},
+                                              {"element", "q1-sri"},
+                                              {"linear-solver", linear_solver}} +
+                                          cells_of(n));
+}
+
+std::optional<Cost> cost_of_elements(int n, const std::string& linear_solver) {
+  const CaseSettings settings = elements_of(n, linear_solver);
+  return cost_of(settings, [&](const Mesh& mesh, const Scene& scene) {
+    return fem_reference::solve(mesh, scene, reference_settings(settings));
+  });
+}
+
+std::vector<Growing> all_growing(const std::vector<int>& wide,
+                                 const std::vector<int>& narrow) {
+  std::vector<Growing> all;
+  for (const char* method :
+       {"naive", "mss-nfd", "mss-cf", "mss-affine", "fem-explicit-1p", "fem-explicit-8p"})
+    all.push_back(
+        {.model = method == std::string("naive") ? "plain loops" : method,
+         .what = "explicit step",
+         .across = wide,
+         .cost = [method](int n) { return cost_of_step(method, n); },
+         .expected_bytes = [](int n) { return 4e3 * std::pow(n, 3); }});  // measured 3e3
+  const auto memory_of = [](const char* method) {
+    return [method](int n) {
+      return estimated_memory(
+          case_of_scene("compression", Changes{{"method", method}} + cells_of(n)));
+    };
+  };
+  all.push_back(
+      {.model = "mss-cf",
+       .what = "equilibrium, direct",
+       .across = narrow,
+       .cost = [](int n) { return cost_of_springs(n, mss::LinearSolver::direct); },
+       .expected_bytes = memory_of("mss-cf")});
+  all.push_back(
+      {.model = "mss-cf",
+       .what = "equilibrium, conjugate gradients",
+       .across = wide,
+       .cost = [](int n) { return cost_of_springs(n, mss::LinearSolver::iterative); },
+       .expected_bytes = [](int n) { return 14e3 * std::pow(n, 3); }});  // .4 GB at 30^3
+  all.push_back({.model = "fem-stvk:q1-sri",
+                 .what = "equilibrium, direct",
+                 .across = narrow,
+                 .cost = [](int n) { return cost_of_elements(n, "direct"); },
+                 .expected_bytes =
+                     [](int n) { return estimated_memory(elements_of(n, "direct")); }});
+  all.push_back(
+      {.model = "fem-stvk:q1-sri",
+       .what = "equilibrium, multigrid",
+       .across = wide,
+       .cost = [](int n) { return cost_of_elements(n, "multigrid"); },
+       .expected_bytes =
+           [](int n) { return estimated_memory(elements_of(n, "multigrid")); }});
+  return all;
+}
+
+void add_rows(Sheet& sheet, const Growing& growing, double most_seconds) {
+  std::vector<double> cells, seconds, bytes;
+  std::map<double, double> seconds_by_cells;
+  for (const int n : growing.across) {
+    const double count = std::pow(n, 3);
+    const double expected = expected_seconds(seconds_by_cells, count);
+    std::string reason;
+    if (growing.expected_bytes(n) > available_memory())
+      reason = "not run: more memory than is left";
+    else if (expected > most_seconds)
+      reason = fmt::format("not run: may take {:.0f} s", expected);
+    const std::optional<Cost> cost = reason.empty() ? growing.cost(n) : std::nullopt;
+    if (reason.empty() && !cost) reason = "failed";
+    if (!reason.empty()) {
+      sheet.notes.push_back(fmt::format("{}, {}, {:.0f} cells: {}.", growing.model,
+                                        growing.what, count, reason));
+      continue;
+    }
+    cells.push_back(count);
+    seconds.push_back(cost->seconds);
+    bytes.push_back(cost->bytes);
+    seconds_by_cells[count] = cost->seconds;
+  }
+  std::optional<double> time_exponent, memory_exponent;
+  if (cells.size() > 1) {
+    time_exponent = fitted_order(cells, seconds);
+    memory_exponent = fitted_order(cells, bytes);
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    sheet.rows.push_back(
+        {.cells = {
+             {.text = growing.model},
+             {.text = growing.what},
+             {.number = cells[i]},
+             {.number = seconds[i]},
+             {.number = 1e9 * seconds[i] / cells[i]},
+             {.number = time_exponent},
+             {.number = bytes[i] > 0 ? std::optional(bytes[i] / 1e6) : std::nullopt},
+             {.number = memory_exponent}}});
+}
+
+}  // namespace
+
+Sheet growth_sheet(const std::vector<int>& across,
+                   const std::vector<int>& across_directly, double most_seconds) {
+  omp_set_max_active_levels(0);  // see simulate
+  Sheet sheet{
+      .name = "growth",
+      .title = "How time and memory grow with the cells",
+      .columns = {{"model", "model"},
+                  {"what", "what"},
+                  {"cells", "cells", "{:.0f}"},
+                  {"seconds", "time [s]", "{:.4g}"},
+                  {"ns_per_cell", "ns per cell", "{:.4g}"},
+                  {"time_exponent", "exponent", "{:.3f}"},
+                  {"megabytes", "memory [MB]", "{:.4g}"},
+                  {"memory_exponent", "exponent", "{:.3f}"}},
+      .rows = {},
+      .notes = {
+          fmt::format("Measured on {}, compiled by {} (commit {}), one thread.",
+                      processor_name(), build_info::compiler, build_info::commit),
+          "Exponents: least squares of the logarithms over all sizes of the series. "
+          "Explicit steps at nu = .4, the shortest of five measurements of .1 s or one "
+          "step each; memory: the arrays and constants that move, without mesh. "
+          "Equilibria: compression by 5 % at nu = .25, set-up and all, once; memory: "
+          "peak beyond the mesh."}};
+  const std::vector<Growing> all = all_growing(across, across_directly);
+  Progress progress("series");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    progress.show(i, all.size());
+    add_rows(sheet, all[i], most_seconds);
+  }
+  return sheet;
+}
+
+SheetPlan plan_growth_table() {
+  return {.requests = {}, .make = [](std::span<const CaseResult>, MeshStore&) {
+            return growth_sheet({10, 22, 46, 100}, {10, 14, 20, 28});
+          }};
+}
+
+}  // namespace springcheck

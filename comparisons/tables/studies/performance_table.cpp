@@ -1,0 +1,173 @@
+#include "comparisons/tables/studies/performance_table.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <map>
+
+#include "comparisons/build_info/build_info.hpp"
+#include "comparisons/results/provenance.hpp"
+#include "comparisons/running/stepping.hpp"
+
+namespace springcheck {
+namespace {
+
+/// A scene of the thesis's performance study: how many steps its figure shows, and a time
+/// it prints for mss-cf on some body.
+struct Study {
+  const char* name;
+  const char* figures;
+  SteppedLoad load;
+  double poisson_ratio;  // one at which mss-cf has corrections to compute
+  std::vector<std::array<int, 3>> bodies;
+  double steps_shown;
+  double printed_steps, printed_seconds;  // of the first body, mss-cf on 8 threads
+};
+
+/// Golec 2018, sections 5.7 to 5.9; bodies of table 5.5.
+const std::vector<Study>& studies() {
+  static const std::vector<Study> all{
+      {.name = "compression",
+       .figures = "5.20, 5.22-5.25",
+       .load = SteppedLoad::plates,
+       .poisson_ratio = 0.4,
+       .bodies = {{10, 10, 10}, {15, 15, 15}, {20, 20, 20}, {30, 30, 30}},
+       .steps_shown = 1000,
+       .printed_steps = 10'000,
+       .printed_seconds = 5.579},
+      {.name = "beam under gravity",
+       .figures = "5.21, 5.22",
+       .load = SteppedLoad::weight,
+       .poisson_ratio = 0.4,
+       .bodies = {{4, 4, 24}, {8, 8, 48}, {10, 10, 60}, {16, 16, 96}},
+       .steps_shown = 300'000,
+       .printed_steps = 300'000,
+       .printed_seconds = 74.149}};
+  return all;
+}
+
+std::vector<int> thread_counts() {
+  const auto most = static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  std::vector<int> counts;
+  for (int threads = 1; threads < most; threads *= 2) counts.push_back(threads);
+  counts.push_back(most);
+  return counts;
+}
+
+/// The methods whose steps are timed, plain loops first.
+struct Timed {
+  const char* method;
+  mss::Precision precision;
+};
+constexpr std::array<Timed, 10> timed_methods{
+    {{"naive", mss::Precision::double_precision},
+     {"mss-nfd", mss::Precision::double_precision},
+     {"mss-fd", mss::Precision::double_precision},
+     {"mss-cf", mss::Precision::double_precision},
+     {"mss-cf", mss::Precision::single_precision},
+     {"mss-affine", mss::Precision::double_precision},
+     {"mss-tissue", mss::Precision::double_precision},
+     {"fem-explicit-1p", mss::Precision::double_precision},
+     {"fem-explicit-1p", mss::Precision::single_precision},
+     {"fem-explicit-8p", mss::Precision::double_precision}}};
+
+Sheet measured_sheet() {
+  Sheet sheet{
+      .name = "performance",
+      .title = "Time of explicit steps, figures 5.20 to 5.25 and the two printed times",
+      .columns = {{"scene", "scene"},
+                  {"figures", "figures"},
+                  {"cells", "cells", "{:.0f}"},
+                  {"method", "method"},
+                  {"precision", "precision"},
+                  {"threads", "threads", "{:.0f}"},
+                  {"ns_per_cell_step", "ns per cell and step", "{:.1f}"},
+                  {"over_naive", "plain loops' time over it", "{:.1f}"},
+                  {"over_cf", "over mss-cf's time", "{:.2f}"},
+                  {"user_over_real", "user/real", "{:.2f}"},
+                  {"steps", "steps of the figure", "{:.0f}"},
+                  {"seconds", "time of so many [s]", "{:.4g}"},
+                  {"printed_seconds", "printed, mss-cf on 8 threads [s]", "{:.4g}"},
+                  {"seconds_as_printed", "ours for as many steps [s]", "{:.4g}"}},
+      .rows = {},
+      .notes = {
+          fmt::format(
+              "Measured on {}, instruction set {}, compiled by {} (commit {}); the "
+              "shortest of five measurements of .1 s each, and what follows from "
+              "it for the figure's number of steps.",
+              processor_name(), name_of(dynamics::best_instruction_set()),
+              build_info::compiler, build_info::commit),
+          "fem-explicit-1p and -8p are St-Venant-Kirchhoff elements of one point with "
+          "hourglass control and of eight points, by kernels of the same making.",
+          "Plain loops: unique springs, square roots and divisions, one thread, mss-cf's "
+          "network. Nu = 0.4, where mss-cf has corrections to compute; mss-nfd has them "
+          "too, mss-fd has none.",
+          "mss-tissue: spleen, with five branches that remember; over the time of mss-cf "
+          "on as many threads, like mss-affine.",
+          "The thesis's times are of an Intel i7-4790K with 8 threads; its figures 5.23 "
+          "to 5.25 of another machine with up to 36."}};
+  for (const Study& study : studies())
+    for (const auto& cells : study.bodies) {
+      const double count = double{1} * cells[0] * cells[1] * cells[2];
+      std::optional<double> naive;
+      std::map<int, double> linear;  // mss-cf in double precision, by threads
+      for (const auto& [method, precision] : timed_methods)
+        for (const int threads : thread_counts()) {
+          const bool is_naive = method == std::string_view("naive");
+          if (is_naive && threads > 1) continue;
+          const StepTime time =
+              time_of_steps(stepping({.method = method,
+                                      .cells = cells,
+                                      .load = study.load,
+                                      .poisson_ratio = study.poisson_ratio,
+                                      .damping_ratio = 0,
+                                      .precision = precision,
+                                      .instruction_set = dynamics::best_instruction_set(),
+                                      .threads = threads})
+                                .advance);
+          if (is_naive) naive = time.real;
+          const bool is_double = precision == mss::Precision::double_precision;
+          if (method == std::string_view("mss-cf") && is_double)
+            linear[threads] = time.real;
+          const bool is_beside = is_double && (method == std::string_view("mss-affine") ||
+                                               method == std::string_view("mss-tissue"));
+          const bool is_of_naive = is_naive || method == std::string_view("mss-cf");
+          const bool is_printed = method == std::string_view("mss-cf") && is_double &&
+                                  cells == study.bodies.front();
+          const auto if_printed = [&](double value) {
+            return Cell{.number = is_printed ? std::optional(value) : std::nullopt};
+          };
+          sheet.rows.push_back(
+              {.cells = {
+                   {.text = study.name},
+                   {.text = study.figures},
+                   {.number = count},
+                   {.text = is_naive ? "plain loops" : method},
+                   {.text = std::string(name_of(precision))},
+                   {.number = threads},
+                   {.number = 1e9 * time.real / count},
+                   {.number = is_of_naive ? std::optional(naive.value() / time.real)
+                                          : std::nullopt},
+                   {.number = is_beside ? std::optional(time.real / linear.at(threads))
+                                        : std::nullopt},
+                   {.number = time.user_over_real},
+                   {.number = study.steps_shown},
+                   {.number = study.steps_shown * time.real},
+                   if_printed(study.printed_seconds),
+                   if_printed(study.printed_steps * time.real)}});
+        }
+    }
+  return sheet;
+}
+
+}  // namespace
+
+SheetPlan plan_performance_table() {
+  return {.requests = {}, .make = [](std::span<const CaseResult>, MeshStore&) {
+            return measured_sheet();
+          }};
+}
+
+}  // namespace springcheck

@@ -1,0 +1,118 @@
+#include "comparisons/tables/studies/split_output.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "comparisons/sheets/text_table.hpp"
+
+namespace springcheck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json json(const ConvergedValue& converged) {
+  Json grids = Json::array();
+  for (const auto& [cells, key, value] : converged.grids)
+    grids.push_back({{"cells", cells}, {"value", json(value)}, {"key", key}});
+  return {{"value", json(converged.value)},
+          {"order", json(converged.order)},
+          {"bar", json(converged.bar)},
+          {"grids", grids}};
+}
+
+Json json(const ContinuumValue& both) {
+  Json out = json(both.converged);
+  out["check"] = json(both.check);
+  out["disagreement"] = json(both.disagreement);
+  out["resolved"] = both.is_resolved();
+  return out;
+}
+
+Json json(const ErrorPart& part) {
+  return {{"value", json(part.value)}, {"bar", json(part.bar)}};
+}
+
+std::string cells_of(const ThreeCases& cases) {
+  std::string text;
+  for (const CaseSettings& grid : cases)
+    text += fmt::format("{}{}", text.empty() ? "" : ", ",
+                        fmt::join(grid.body.block.cells, " x "));
+  return text;
+}
+
+std::string with_bar(const std::optional<double>& value, const std::optional<double>& bar,
+                     double factor) {
+  if (!value || !bar) return "-";
+  return fmt::format("{:.5g} +- {:.2g}", factor * *value, factor * *bar);
+}
+
+std::string with_order(const ConvergedValue& converged, double factor) {
+  return fmt::format("{}{}", with_bar(converged.value, converged.bar, factor),
+                     converged.order ? fmt::format(" ({:.2f})", *converged.order) : "");
+}
+
+}  // namespace
+
+ShownMeasure shown_measure(const std::string& measure) {
+  if (measure == "volume_change") return {"volume change", "%", 100};
+  if (measure == "plate_force") return {"plate force", "N", 1};
+  if (measure == "plate_force_norm") return {"resultant", "N", 1};
+  if (measure == "plate_torque") return {"torque", "N m", 1};
+  if (measure == "tip_deflection") return {"tip drop", "m", 1};
+  if (measure == "face_displacement") return {"face displacement", "m", 1};
+  if (measure == "mean_deviation") return {"mean deviation", "m", 1};
+  return {measure, "", 1};
+}
+
+Json split_json(const Split& split) {
+  Json quantities;
+  for (const SplitQuantity& quantity : split.quantities)
+    quantities[quantity.name] = {{"springs", json(quantity.springs)},
+                                 {"cauchy_born", json(quantity.cauchy_born)},
+                                 {"reference", json(quantity.reference)},
+                                 {"law", json(quantity.law)},
+                                 {"discretisation", json(quantity.discretisation)},
+                                 {"resolved", quantity.is_resolved()}};
+  return {{"cauchy_born", label(split.plan.cauchy_born[0])},
+          {"reference", label(split.plan.reference[0])},
+          {"check_element", split.plan.reference_check[0].element.name},
+          {"quantities", quantities},
+          {"reasons", split.reasons}};
+}
+
+std::string split_text(const Split& split) {
+  const SplitPlan& plan = split.plan;
+  std::vector<std::vector<std::string>> rows{
+      {"", label(plan.springs), "Cauchy-Born", std::string(plan.reference[0].method.name),
+       "law", "discretisation", "converged values"}};
+  for (const SplitQuantity& quantity : split.quantities) {
+    const auto [name, unit, factor] = shown_measure(quantity.name);
+    rows.push_back(
+        {fmt::format("{} {}", name, unit),
+         quantity.springs ? fmt::format("{:.5g}", factor * *quantity.springs) : "-",
+         with_order(quantity.cauchy_born.converged, factor),
+         with_order(quantity.reference.converged, factor),
+         with_bar(quantity.law.value, quantity.law.bar, factor),
+         with_bar(quantity.discretisation.value, quantity.discretisation.bar, factor),
+         quantity.is_resolved() ? "resolved" : "unresolved"});
+  }
+  std::string text = fmt::format(
+      "Error of {} split: law = Cauchy-Born - {}, discretisation = springs - "
+      "Cauchy-Born.\n{}",
+      label(plan.springs), plan.reference[0].method.name, in_columns(rows));
+  text += fmt::format(
+      "Converged from {} on {} cells, +- error bar (order observed); checked with {} on "
+      "{}.\nDeviations are mean distances from the converged {}; the springs' from "
+      "Cauchy-Born is their discretisation part.\n",
+      plan.reference[0].element.name, cells_of(plan.reference),
+      plan.reference_check[0].element.name, cells_of(plan.reference_check),
+      plan.reference[0].method.name);
+  for (const std::string& reason : split.reasons) text += reason + "\n";
+  return text;
+}
+
+}  // namespace springcheck

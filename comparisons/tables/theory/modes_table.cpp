@@ -1,0 +1,183 @@
+#include "comparisons/tables/theory/modes_table.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+
+#include "comparisons/settings/scene_file.hpp"
+#include "comparisons/tables/theory/beam_cells.hpp"
+#include "comparisons/modes/body_modes.hpp"
+#include "comparisons/modes/free_block_modes.hpp"
+#include "comparisons/modes/mode_pairs.hpp"
+
+namespace springcheck {
+namespace {
+
+constexpr int shown = 10;     // modes of the reference
+constexpr int computed = 30;  // among which other methods' counterparts are looked for
+constexpr double alike = 0.9;
+constexpr int polynomial_degree = 10;
+
+constexpr std::size_t theory_column = 5, fem_column = 6;
+
+struct SwingingBody {
+  const char* name;
+  const char* scene;
+  Hold hold;
+};
+constexpr SwingingBody bodies[] = {{"free cube", "compression", Hold::free},
+                                   {"cantilever", "bending", Hold::as_in_scene}};
+
+Sheet empty_sheet() {
+  Sheet sheet{
+      .name = "modes",
+      .title = "Lowest natural frequencies of a free cube and of a cantilever",
+      .columns = {{"body", "body"},
+                  {"nu", "nu", "{}"},
+                  {"modes", "modes"},
+                  {"motion", "motion"},
+                  {"euler_bernoulli", "Euler-Bernoulli [Hz]", "{:.3f}"},
+                  {"theory", "theory [Hz]", "{:.3f}"},
+                  {"fem", "FEM [Hz]", "{:.3f}"},
+                  {"fem_off", "off theory [%]", "{:.2f}"}},
+      .rows = {},
+      .notes = {
+          "Small undamped vibrations about the rest state; f = omega/(2 pi). Free cube: "
+          "the cube of the scene compression, 5 cm, 10 x 10 x 10 cells, E = 10 kPa, "
+          "held nowhere; its six rigid modes are left out. Cantilever: the beam of the "
+          "scene bending, 0.4 x 0.4 x 2.4 m, 4 x 4 x 24 cells, E = 2 MPa, clamped at one "
+          "end, without gravity. 1000 kg/m^3 both.",
+          "FEM: fem-hooke:q1-sri with consistent masses, from which percentages are "
+          "counted; lumped FEM: the same stiffness with row-sum masses, which on these "
+          "cells are the springs' own. What springs differ by from it is stiffness.",
+          "Modes of equal frequency share a row, such as a square beam's two bendings "
+          "or a cube's threes. Another method's modes are those whose shapes are most "
+          "alike by the modal assurance criterion (MAC, of the mixtures most alike), "
+          "wherever they stand in its own order; of several the mean. MAC: the least of "
+          "the row. Where a method's is below 0.9 a note says so.",
+          "Theory of the free cube: Rayleigh and Ritz, polynomials up to degree 10. "
+          "Modes "
+          "9-10 at nu = 0.25 and 0.4 are two of Lame's three, f = sqrt(mu/rho)/(sqrt(2) "
+          "L) exactly; on cells the third has another frequency.",
+          "Theory of the cantilever: Timoshenko's beam (shear factor 5/6), "
+          "Saint-Venant's torsion (J = "
+          "0.1406 a^4) and the bar, for a slender beam that may contract and warp at the "
+          "clamp, where finite elements and springs may not. Lumped masses "
+          "on 4 x 4 cells have 9/8 of the section's polar moment, which lowers torsion "
+          "by 5.7 %."}};
+  for (const auto& [key, heading] : {std::pair{"lumped", "lumped FEM"},
+                                     {"cf", "mss-cf"},
+                                     {"affine", "mss-affine"},
+                                     {"nfd", "mss-nfd"}}) {
+    sheet.columns.push_back({key, fmt::format("{} [Hz]", heading), "{:.3f}"});
+    sheet.columns.push_back(
+        {fmt::format("{}_off", key), fmt::format("{} off [%]", heading), "{:.2f}"});
+  }
+  sheet.columns.push_back({"mac", "MAC", "{:.3f}"});
+  sheet.columns.push_back({"status", "status"});
+  return sheet;
+}
+
+std::string numbers(const Multiplet& multiplet) {
+  const auto first = multiplet.first + 1, last = multiplet.first + multiplet.count;
+  return first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
+}
+
+/// What is to be said of a method's modes in every row of a body, up to the last row's
+/// frequency.
+std::vector<std::string> body_notes(const MethodModes& method,
+                                    const NaturalModes& reference, double last,
+                                    Hold hold) {
+  std::vector<std::string> notes;
+  const int rigid = hold == Hold::free ? 6 : 0;
+  if (const int more = method.modes->zero_modes - rigid; more != 0)
+    notes.push_back(
+        fmt::format("{} has {} modes of zero frequency beside the {} rigid "
+                    "ones.",
+                    method.method, more, rigid));
+  const auto own = strangers(reference, *method.modes, last);
+  if (!own.empty())
+    notes.push_back(fmt::format(
+        "{} has {} modes of its own up to {:.3f} Hz, from {:.3f} Hz on, in no row: less "
+        "than half of each belongs to the first {} of FEM.",
+        method.method, own.size(), last, own.front(), computed));
+  return notes;
+}
+
+void add_rows(Sheet& sheet, const SwingingBody& body, const char* nu, MeshStore& meshes) {
+  const CaseSettings settings =
+      case_of_scene(body.scene, {{"nu", nu}, {"method", "fem-hooke"}});
+  const Mesh& mesh = meshes.mesh(settings.body);
+  const auto all = body_modes(settings, mesh, body.hold, computed);
+  const NaturalModes& reference = all.front().modes.value();  // Hooke's law is stable
+  std::vector<Multiplet> groups = multiplets(reference);
+  std::erase_if(groups, [](const Multiplet& group) { return group.first >= shown; });
+  std::vector<Counterpart> exact;
+  if (body.hold == Hold::free)
+    exact = counterparts(reference, groups,
+                         free_block_modes(settings.body.block.size, settings.material,
+                                          polynomial_degree, computed, mesh.nodes()));
+  BeamCells beam(settings, mesh);
+
+  std::vector<SheetRow> rows;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    SheetRow row{.cells = {{.text = body.name},
+                           {.number = settings.material.poisson_ratio},
+                           {.text = numbers(groups[i])}}};
+    const std::vector<Cell> theory =
+        body.hold == Hold::free
+            ? std::vector<Cell>{{}, {}, {.number = exact[i].frequency}}
+            : beam.next(reference.shapes.col(groups[i].first));
+    row.cells.insert(row.cells.end(), theory.begin(), theory.end());
+    const double f = reference.frequencies[groups[i].first];
+    row.cells.push_back({.number = f});
+    const std::optional<double> theory_f = row.cells[theory_column].number;
+    row.cells.push_back(theory_f ? Cell{.number = 100 * (f / *theory_f - 1)} : Cell{});
+    rows.push_back(std::move(row));
+  }
+
+  std::vector<double> least_mac(groups.size(), 1);
+  std::string status;
+  for (const MethodModes& method : std::span(all).subspan(1)) {
+    if (!method.modes) {
+      for (SheetRow& row : rows)
+        row.cells.insert(row.cells.end(), {{.text = method.reason}, {}});
+      status += (status.empty() ? "" : ", ") + method.method + " " + method.reason;
+      continue;
+    }
+    const auto pairs = counterparts(reference, groups, *method.modes);
+    const auto notes =
+        body_notes(method, reference, *rows.back().cells[fem_column].number, body.hold);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double f = *rows[i].cells[fem_column].number;
+      rows[i].cells.push_back({.number = pairs[i].frequency});
+      rows[i].cells.push_back({.number = 100 * (pairs[i].frequency / f - 1)});
+      least_mac[i] = std::min(least_mac[i], pairs[i].mac);
+      std::ranges::copy(notes, std::back_inserter(rows[i].notes));
+      if (pairs[i].mac < alike)
+        rows[i].notes.push_back(fmt::format(
+            "No mode of {} is quite like it (MAC {:.2f}).", method.method, pairs[i].mac));
+    }
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].cells.push_back({.number = least_mac[i]});
+    rows[i].cells.push_back({.text = status.empty() ? "ok" : status});
+    sheet.rows.push_back(std::move(rows[i]));
+  }
+}
+
+}  // namespace
+
+SheetPlan plan_modes_table() {
+  return {.requests = {}, .make = [](std::span<const CaseResult>, MeshStore& meshes) {
+            omp_set_num_threads(1);  // CHOLMOD's small loops only wait otherwise
+            Sheet sheet = empty_sheet();
+            for (const SwingingBody& body : bodies)
+              for (const char* nu : {"0", "0.25", "0.4"})
+                add_rows(sheet, body, nu, meshes);
+            return sheet;
+          }};
+}
+
+}  // namespace springcheck

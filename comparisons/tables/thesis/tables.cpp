@@ -1,0 +1,321 @@
+#include "comparisons/tables/thesis/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+
+#include "comparisons/studies/converged_number.hpp"
+#include "comparisons/tables/thesis/printed_figures.hpp"
+#include "comparisons/settings/scene_file.hpp"
+#include "comparisons/tables/thesis/table_notes.hpp"
+
+namespace springcheck {
+namespace {
+
+using Reference = std::optional<ReferenceMethod>;
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+Quantity volume_error() {
+  return {"e", "%", "{:.3f}", [](const Measures& m) -> std::optional<double> {
+            if (!m.volume_error) return std::nullopt;
+            return 100 * *m.volume_error;
+          }};
+}
+
+/// A measure times a factor.
+Quantity scaled(std::string name, std::string unit, std::string format,
+                Measures::Value Measures::*measure, double factor) {
+  return {std::move(name), std::move(unit), std::move(format),
+          [measure, factor](const Measures& m) -> std::optional<double> {
+            if (!(m.*measure)) return std::nullopt;
+            return factor * *(m.*measure);
+          }};
+}
+
+Request request_of(const std::string& scene, const std::string& method,
+                   const Overrides& overrides, const Reference& reference) {
+  SceneFile file = read_scene(scene);
+  file.settings.push_back({"method", Given::from_text("table", method)});
+  for (const auto& [key, value] : overrides)
+    file.settings.push_back({key, Given::from_text("table", value)});
+  RunSettings run = make_run_settings(file.name, file.file, file.settings);
+  if (reference) run.reference = reference;
+  return requests(run).front();
+}
+
+std::string deformation_text(const PrintedFigure& figure) {
+  return figure.test == Test::torsion
+             ? fmt::format("{:g} deg", figure.deformation * 180 / std::numbers::pi)
+             : fmt::format("{:g} %", 100 * figure.deformation);
+}
+
+/// A row of our method beside a printed figure.
+PlannedRow row_of(const PrintedFigure& figure, const std::string& method,
+                  const Overrides& further, const Reference& reference) {
+  const std::string scene(name_of(figure.test));
+  Overrides overrides{{"nu", fmt::format("{}", figure.nu)},
+                      {"deformation", fmt::format("{}", figure.deformation)}};
+  overrides.insert(overrides.end(), further.begin(), further.end());
+  PlannedRow row{
+      .labels = {fmt::format("{:g}", figure.nu), deformation_text(figure), method},
+      .request = request_of(scene, method, overrides, reference),
+      .printed = figure.value,
+      .printed_text = figure.text,
+      .verdict = figure.verdict,
+      .notes = {}};
+  row.labels.back() = label(row.request.settings);
+  return row;
+}
+
+/// Rows of tables 5.1 to 5.4: one per printed figure, but three laws for the FEM column
+/// and the E-form beside the mu-form where the printed value needs it.
+std::vector<PlannedRow> rows_of(const std::string& table, const Reference& reference) {
+  std::vector<PlannedRow> rows;
+  for (const PrintedFigure& figure : printed_figures(table)) {
+    if (figure.method == "fem") {
+      for (const char* law : {"fem-hencky", "fem-hooke", "fem-stvk"}) {
+        rows.push_back(row_of(figure, law, {}, reference));
+        rows.back().notes.emplace_back(table_notes::fem_column);
+        if (table == "5.2") rows.back().notes.emplace_back(table_notes::tension_mesh);
+        if (table == "5.4" && figure.deformation > 0.1 && law == std::string("fem-hooke"))
+          rows.back().notes.emplace_back(table_notes::small_strain);
+      }
+      continue;
+    }
+    rows.push_back(row_of(figure, figure.method, {}, reference));
+    std::vector<std::string>& notes = rows.back().notes;
+    const bool is_plate_force = table == "5.3" || table == "5.4";
+    const bool large = figure.deformation == 0.2;
+    if (is_plate_force) notes.emplace_back(table_notes::dynamics);
+    if (is_plate_force && figure.method == "mss-baudet")
+      notes.emplace_back(table_notes::baudet);
+    if (!is_plate_force && figure.nu == 0.25 &&
+        (figure.method == "mss-baudet" || figure.method == "mss-nfd"))
+      notes.emplace_back(table_notes::same_network);
+    if (table == "5.1" && figure.method == "mss-nfd" && figure.nu == 0 && large)
+      notes.emplace_back(table_notes::no_compression);
+    if (table == "5.2" && figure.nu == 0 && !large &&
+        (figure.method == "mss-cf" || figure.method == "mss-nfd"))
+      notes.emplace_back(table_notes::tension_nu_0);
+    if (table == "5.2" && figure.nu == 0 && large &&
+        (figure.method == "mss-cf" || figure.method == "mss-nfd"))
+      notes.emplace_back(table_notes::no_tension);
+    const bool needs_young_form =
+        table == "5.1" && figure.nu == 0 &&
+        (figure.method == "mss-cf" || figure.method == "mss-nfd");
+    if (needs_young_form) {
+      const char* note = figure.method == "mss-cf" ? table_notes::young_form
+                                                   : table_notes::young_form_wrinkles;
+      notes.emplace_back(note);
+      rows.push_back(row_of(figure, figure.method, {{"stiffness-form", "E"}}, reference));
+      rows.back().labels.back() += ", E-form";
+      rows.back().notes.emplace_back(note);
+    }
+  }
+  return rows;
+}
+
+TablePlan volume_table(const std::string& name, const std::string& title,
+                       const Reference& reference) {
+  return {.name = name,
+          .title = title,
+          .label_headings = {"nu", "deformation", "method"},
+          .quantity = volume_error(),
+          .further = {scaled("smallest V/V0 of a cell", "-", "{:.4f}",
+                             &Measures::cell_volume_ratio_min, 1),
+                      scaled("largest V/V0 of a cell", "-", "{:.4f}",
+                             &Measures::cell_volume_ratio_max, 1),
+                      scaled("plate force", "N", "{:.6g}", &Measures::plate_force, 1)},
+          .rows = rows_of(name, reference),
+          .notes = {table_notes::exact_volume}};
+}
+
+TablePlan shear_table(const Reference& reference) {
+  return {.name = "5.3",
+          .title = "Table 5.3: force on the plate in shearing",
+          .label_headings = {"nu", "deformation", "method"},
+          .quantity =
+              scaled("resultant", "1e-4 N", "{:.0f}", &Measures::plate_force_norm, 1e4),
+          .further = {scaled("sideways force", "1e-4 N", "{:.0f}", &Measures::plate_force,
+                             1e4)},
+          .rows = rows_of("5.3", reference),
+          .notes = {table_notes::units}};
+}
+
+TablePlan torsion_table(const Reference& reference) {
+  return {
+      .name = "5.4",
+      .title = "Table 5.4: torque on the plate in torsion",
+      .label_headings = {"nu", "deformation", "method"},
+      .quantity = scaled("torque", "1e-6 N m", "{:.0f}", &Measures::plate_torque, 1e6),
+      .further = {},
+      .rows = rows_of("5.4", reference),
+      .notes = {table_notes::units, table_notes::torsion_angle}};
+}
+
+TablePlan deviation_table(const Reference& reference) {
+  TablePlan plan{
+      .name = "deviation",
+      .title = "Distance of mss-cf's points from the reference's, section 5.6.2",
+      .label_headings = {"test", "nu", "deformation", "method"},
+      .quantity = scaled("mean on the middle layer", "cm", "{:.4f}",
+                         &Measures::middle_layer_deviation, 100),
+      .further = {scaled("mean over all nodes", "cm", "{:.4f}", &Measures::mean_deviation,
+                         100),
+                  scaled("largest", "cm", "{:.4f}", &Measures::max_deviation, 100),
+                  scaled("relative L2", "%", "{:.2f}", &Measures::deviation_l2_relative,
+                         100),
+                  scaled("relative largest", "%", "{:.2f}",
+                         &Measures::deviation_max_relative, 100),
+                  scaled("rms difference of cells' V/V0", "-", "{:.4f}",
+                         &Measures::cell_volume_ratio_rms_difference, 1)},
+      .rows = {},
+      .notes = {
+          "The relative measures are volume-weighted over the free nodes and divided "
+          "by the largest imposed displacement.",
+          table_notes::layer, table_notes::torsion_angle}};
+  for (const PrintedFigure& figure : printed_figures("deviation")) {
+    PlannedRow row = row_of(figure, figure.method, {}, reference);
+    row.labels.insert(row.labels.begin(), std::string(name_of(figure.test)));
+    row.notes.emplace_back(table_notes::deviation);
+    plan.rows.push_back(std::move(row));
+  }
+  return plan;
+}
+
+TablePlan bending_table(const Reference& reference) {
+  TablePlan plan{
+      .name = "bending",
+      .title = "Beams under gravity, figures 5.15 to 5.19: drop of the tip",
+      .label_headings = {"scene", "E [MPa]", "cells", "method"},
+      .quantity = scaled("tip drop", "m", "{:.5g}", &Measures::tip_deflection, 1),
+      .further =
+          {scaled("Euler-Bernoulli", "m", "{:.5g}", &Measures::tip_euler_bernoulli, 1),
+           scaled("Timoshenko", "m", "{:.5g}", &Measures::tip_timoshenko, 1),
+           scaled("elastica", "m", "{:.5g}", &Measures::tip_elastica, 1),
+           scaled("centre line off Euler-Bernoulli", "m", "{:.3g}",
+                  &Measures::centre_line_euler_bernoulli, 1),
+           scaled("off Timoshenko", "m", "{:.3g}", &Measures::centre_line_timoshenko, 1),
+           scaled("off the elastica", "m", "{:.3g}", &Measures::centre_line_elastica, 1)},
+      .rows = {},
+      .notes = {table_notes::figures_only,
+                "The distances are the largest between a node of the centre line and the "
+                "theory's point of the same arc length. The elastica is inextensible and "
+                "has no shear; Timoshenko's shear factor is 5/6."}};
+  const auto add = [&](const std::string& scene, double young, const std::string& cells,
+                       const std::string& method, const std::string& element,
+                       const std::string& verdict) {
+    PlannedRow row{
+        .labels = {},
+        .request = request_of(
+            scene, method,
+            {{"young", fmt::format("{}", young)}, {"cells", cells}, {"element", element}},
+            reference),
+        .printed = std::nullopt,
+        .printed_text = {},
+        .verdict = verdict,
+        .notes = {}};
+    row.labels = {
+        scene, fmt::format("{:g}", young / 1e6),
+        fmt::format("{}", fmt::join(row.request.settings.body.block.cells, " x ")),
+        label(row.request.settings)};
+    plan.rows.push_back(std::move(row));
+  };
+  for (const double young : {10e6, 2e6})
+    for (const char* cells : {"4,4,24", "8,8,48"}) {
+      const bool shown = young == 2e6;  // figure 5.15
+      add("bending", young, cells, "mss-baudet", "q1-sri", shown ? "yes" : "");
+      add("bending", young, cells, "mss-nfd", "q1-sri", shown ? "yes" : "");
+      add("bending", young, cells, "mss-cf", "q1-sri", shown ? "no" : "");
+      add("bending", young, cells, "fem-stvk", "q1-sri", "");
+    }
+  for (const char* cells : {"4,4,24", "8,8,48"}) {
+    add("bending-cm", 2e6, cells, "mss-cf", "q1-sri", "");
+    add("bending-cm", 2e6, cells, "fem-hooke", "q1", "");
+    add("bending-cm", 2e6, cells, "fem-hooke", "q1-sri", "");
+  }
+  return plan;
+}
+
+/// Puts in the quantity of the reference, extrapolated where it ran on three grids. None
+/// for deviations, which are from it.
+void set_reference_value(TableRow& row, const Quantity& quantity,
+                         std::span<const CaseResult> runs) {
+  if (runs.size() == 1) row.reference_value = quantity.of(runs.front().measures);
+  if (runs.size() != 3) return;
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::optional<double> value = quantity.of(runs[i].measures);
+    if (!value) return;
+    values[i] = *value;
+  }
+  const ConvergedNumber limit = converged_number(
+      {runs[0].request.settings, runs[1].request.settings, runs[2].request.settings},
+      values);
+  row.reference_value = limit.value;
+  row.reference_order = limit.order;
+  row.reference_bar = limit.bar;
+}
+
+}  // namespace
+
+const std::vector<std::string>& table_names() {
+  static const std::vector<std::string> names{"5.1", "5.2",       "5.3",
+                                              "5.4", "deviation", "bending"};
+  return names;
+}
+
+TablePlan plan_table(const std::string& name, const Reference& reference) {
+  if (name == "5.1")
+    return volume_table(name, "Table 5.1: volume error in compression", reference);
+  if (name == "5.2")
+    return volume_table(name, "Table 5.2: volume error in tension", reference);
+  if (name == "5.3") return shear_table(reference);
+  if (name == "5.4") return torsion_table(reference);
+  if (name == "deviation") return deviation_table(reference);
+  if (name == "bending") return bending_table(reference);
+  throw std::logic_error("no table '" + name + "'");
+}
+
+std::vector<Request> table_requests(const TablePlan& plan) {
+  std::vector<Request> all;
+  for (const PlannedRow& row : plan.rows) {
+    all.push_back(row.request);
+    for (const CaseSettings& reference : reference_cases(row.request))
+      all.push_back({.settings = reference, .reference = std::nullopt});
+  }
+  return all;
+}
+
+Table fill_table(TablePlan plan, const std::vector<CaseResult>& results) {
+  Table table{.plan = std::move(plan), .rows = {}};
+  std::size_t next = 0;
+  for (const PlannedRow& planned : table.plan.rows) {
+    TableRow row{.plan = planned,
+                 .result = results.at(next++),
+                 .ours = {},
+                 .difference = {},
+                 .reference_value = {},
+                 .reference_order = {},
+                 .reference_bar = {},
+                 .further = {}};
+    const std::size_t references = reference_cases(planned.request).size();
+    set_reference_value(row, table.plan.quantity,
+                        std::span(results).subspan(next, references));
+    next += references;
+    row.ours = table.plan.quantity.of(row.result.measures);
+    if (row.ours && planned.printed) row.difference = *row.ours - *planned.printed;
+    for (const Quantity& quantity : table.plan.further)
+      row.further.push_back(quantity.of(row.result.measures));
+    if (std::ranges::count(row.result.flags, Status::wrinkled) > 0)
+      row.plan.notes.emplace_back(table_notes::wrinkled);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,120 @@
+#include "fem_reference/cells/cell.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "fem_reference/cells/cell_stiffness.hpp"
+
+namespace springcheck::fem_reference {
+namespace {
+
+/// The dilatation of the whole cell; empty sums where it is taken at the points.
+template <class Law>
+double mean_dilatation(const Law& law, DilatationTaken taken, const Shape& shape,
+                       const CellVectors& u) {
+  if (taken == DilatationTaken::of_mean_gradient)
+    return law.dilatation(displacement_gradient(shape, u, shape.weights.size())).value;
+  double integral = 0;
+  if (taken == DilatationTaken::cell_mean)
+    for (Eigen::Index q = 0; q < shape.weights.size(); ++q)
+      integral +=
+          shape.weights[q] * law.dilatation(displacement_gradient(shape, u, q)).value;
+  return integral / shape.volume;
+}
+
+template <class Law>
+CellState state(const Law& law, DilatationTaken taken, const Shape& shape,
+                const CellVectors& u) {
+  const VolumetricEnergy whole =
+      law.volumetric_energy(mean_dilatation(law, taken, shape, u));
+  CellState sum{.energy = 0,
+                .forces = CellVectors::Zero(3, u.cols()),
+                .smallest_jacobian = std::numeric_limits<double>::infinity(),
+                .gradient_square = 0,
+                .deformed_volume = 0};
+  for (Eigen::Index q = 0; q < shape.weights.size(); ++q) {
+    const Matrix3 H = displacement_gradient(shape, u, q);
+    const double w = shape.weights[q];
+    double psi = law.energy(H);
+    Matrix3 P = law.stress(H);
+    if (taken == DilatationTaken::at_points) {
+      const Dilatation t = law.dilatation(H);
+      const VolumetricEnergy U = law.volumetric_energy(t.value);
+      psi += U.value;
+      P += U.first * t.first;
+    } else if (taken == DilatationTaken::cell_mean) {
+      P += whole.first * law.dilatation(H).first;
+    }
+    sum.energy += w * psi;
+    sum.forces += w * P * shape.gradients_at(q);
+    const double J = (H + Matrix3::Identity()).determinant();
+    sum.smallest_jacobian = std::min(sum.smallest_jacobian, J);
+    sum.gradient_square += w * H.squaredNorm();
+    sum.deformed_volume += w * J;
+  }
+  if (taken == DilatationTaken::at_points) return sum;
+  sum.energy += shape.volume * whole.value;
+  if (taken == DilatationTaken::of_mean_gradient) {
+    const Matrix3 H = displacement_gradient(shape, u, shape.weights.size());
+    sum.forces +=
+        shape.volume * whole.first * law.dilatation(H).first * shape.mean_gradients();
+  }
+  return sum;
+}
+
+template <class Law>
+CellMatrix stiffness(const Law& law, DilatationTaken taken, const Shape& shape,
+                     const CellVectors& u) {
+  const VolumetricEnergy whole =
+      law.volumetric_energy(mean_dilatation(law, taken, shape, u));
+  CellVectors c = CellVectors::Zero(3, u.cols());  // V dt/du
+  CellMatrix K = CellMatrix::Zero(3 * u.cols(), 3 * u.cols());
+  for (Eigen::Index q = 0; q < shape.weights.size(); ++q) {
+    const Matrix3 H = displacement_gradient(shape, u, q);
+    const double w = shape.weights[q];
+    Matrix9 A = law.tangent(H);
+    if (taken != DilatationTaken::of_mean_gradient) {
+      const Dilatation t = law.dilatation(H);
+      if (taken == DilatationTaken::cell_mean) {
+        A += whole.first * t.second;
+        c += w * t.first * shape.gradients_at(q);
+      } else {
+        const VolumetricEnergy U = law.volumetric_energy(t.value);
+        A += U.first * t.second +
+             U.second * t.first.reshaped() * t.first.reshaped().transpose();
+      }
+    }
+    add_stiffness(K, w * A, shape.gradients_at(q));
+  }
+  if (taken == DilatationTaken::at_points) return K;
+  if (taken == DilatationTaken::of_mean_gradient) {
+    const Dilatation t =
+        law.dilatation(displacement_gradient(shape, u, shape.weights.size()));
+    c = shape.volume * t.first * shape.mean_gradients();
+    add_stiffness(K, shape.volume * whole.first * t.second, shape.mean_gradients());
+  }
+  K += whole.second / shape.volume * c.reshaped() * c.reshaped().transpose();
+  return K;
+}
+
+}  // namespace
+
+DilatationTaken dilatation_taken(const Settings& settings) {
+  if (settings.element != Element::q1_sri) return DilatationTaken::at_points;
+  return settings.law == Law::cauchy_born ? DilatationTaken::of_mean_gradient
+                                          : DilatationTaken::cell_mean;
+}
+
+CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u) {
+  return std::visit(
+      [&](const auto& part) { return state(part, law.dilatation, shape, u); },
+      law.constitution);
+}
+
+CellMatrix cell_tangent(const CellLaw& law, const Shape& shape, const CellVectors& u) {
+  return std::visit(
+      [&](const auto& part) { return stiffness(part, law.dilatation, shape, u); },
+      law.constitution);
+}
+
+}  // namespace springcheck::fem_reference

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "fem_reference/laws/tensors.hpp"
+
+namespace springcheck::fem_reference {
+
+/// A scalar measure of volume change t at a point, with its derivatives by F.
+struct Dilatation {
+  double value;    // t
+  Matrix3 first;   // dt/dF
+  Matrix9 second;  // d2t/dF2
+};
+
+/// The measures that the laws use, of the displacement gradient H = F - I:
+///
+///     trace of small strain    t = tr H                         dt/dF = I
+///     trace of Green strain    t = tr (F^T F - I)/2             dt/dF = F
+///     Jacobian                 t = det F - 1                    dt/dF = cof F
+///
+/// Formed from H without the cancellation that F - I would bring:
+/// det F - 1 = tr H + [(tr H)^2 - tr H^2]/2 + det H.
+Dilatation small_strain_trace(const Matrix3& displacement_gradient);
+Dilatation green_strain_trace(const Matrix3& displacement_gradient);
+Dilatation volume_change(const Matrix3& displacement_gradient);
+
+/// Energy per undeformed volume of a dilatation, U(t) [Pa], and its derivatives.
+struct VolumetricEnergy {
+  double value;
+  double first;
+  double second;
+};
+
+/// U = modulus/2 t^2.
+VolumetricEnergy quadratic(double modulus, double dilatation);
+
+}  // namespace springcheck::fem_reference

@@ -1,0 +1,61 @@
+#include "fem_reference/statics/direct_solver.hpp"
+
+#include <Eigen/CholmodSupport>
+#include <Eigen/SparseCholesky>
+
+#include "meshing/random_numbers.hpp"
+
+namespace springcheck::fem_reference {
+
+struct DirectSolver::Solvers {
+  Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> definite;
+  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> indefinite;
+  bool definite_analysed = false;
+  bool indefinite_analysed = false;
+  bool last_definite = true;
+  int factorisations = 0;
+};
+
+DirectSolver::DirectSolver() : solvers_(std::make_unique<Solvers>()) {
+  solvers_->definite.cholmod().print = 0;  // a failure is an answer, not a warning
+}
+
+DirectSolver::~DirectSolver() = default;
+
+bool DirectSolver::factor_definite(const SparseMatrix& matrix) {
+  auto& cholesky = solvers_->definite;
+  if (!solvers_->definite_analysed) {
+    const std::lock_guard lock(random_numbers());  // the ordering is METIS's
+    cholesky.analyzePattern(matrix);
+  }
+  solvers_->definite_analysed = true;
+  solvers_->last_definite = true;
+  cholesky.factorize(matrix);
+  ++solvers_->factorisations;
+  return cholesky.info() == Eigen::Success;
+}
+
+bool DirectSolver::factor_indefinite(const SparseMatrix& matrix) {
+  auto& ldlt = solvers_->indefinite;
+  if (!solvers_->indefinite_analysed) ldlt.analyzePattern(matrix);
+  solvers_->indefinite_analysed = true;
+  solvers_->last_definite = false;
+  ldlt.factorize(matrix);
+  ++solvers_->factorisations;
+  return ldlt.info() == Eigen::Success;
+}
+
+int DirectSolver::negative_pivots() const {
+  return static_cast<int>((solvers_->indefinite.vectorD().array() < 0).count());
+}
+
+int DirectSolver::factorisations() const {
+  return solvers_->factorisations;
+}
+
+Eigen::VectorXd DirectSolver::solve(const Eigen::VectorXd& right) const {
+  if (solvers_->last_definite) return solvers_->definite.solve(right);
+  return solvers_->indefinite.solve(right);
+}
+
+}  // namespace springcheck::fem_reference

@@ -1,0 +1,272 @@
+#include "mss/forces/tangent.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "mss/forces/cell_forces.hpp"
+
+namespace springcheck::mss {
+namespace {
+
+Eigen::Index row(std::size_t node) {
+  return static_cast<Eigen::Index>(3 * node);
+}
+
+/// D of StarTangent, for any patch: 9 rows, 3 columns per node.
+template <class Gradients>
+Eigen::Matrix<double, 9, Eigen::Dynamic> gradient_matrix(const Gradients& gradients,
+                                                         std::size_t nodes) {
+  Eigen::Matrix<double, 9, Eigen::Dynamic> D =
+      Eigen::Matrix<double, 9, Eigen::Dynamic>::Zero(9, row(nodes));
+  for (std::size_t a = 0; a < nodes; ++a)
+    for (Eigen::Index J = 0; J < 3; ++J)
+      D.block<3, 3>(3 * J, row(a)).diagonal().setConstant(gradients(a)[J]);
+  return D;
+}
+
+void add_constant_springs(Eigen::MatrixXd& tangent, const Network& network,
+                          std::size_t cell, std::span<const Vector3> positions) {
+  const auto nodes = network.cells.nodes(cell);
+  for (const auto& [ends, stiffness, rest] : network.cells.springs(cell)) {
+    const Vector3 d = positions[nodes[ends[1]]] - positions[nodes[ends[0]]];
+    const double length = d.norm();
+    if (length == 0) continue;
+    const Vector3 n = d / length;
+    const double across = 1 - rest.norm() / length;
+    add_between(
+        tangent, ends,
+        stiffness * (across * Matrix3::Identity() + (1 - across) * n * n.transpose()));
+  }
+}
+
+/// k [q q^T + e (d2|d| - d2|F r|)] with q the gradient of e = |d| - |F r|; the last term
+/// goes by way of F, into the matrix `by_gradient`.
+void add_affine_springs(Eigen::MatrixXd& tangent, Matrix9& by_gradient,
+                        const Network& network, const CellStates& states,
+                        std::size_t cell) {
+  const auto gradients = network.cells.gradients(cell);
+  Eigen::MatrixXd q(tangent.rows(), network.cells.springs(cell).size());
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(q.cols());
+  q.setZero();
+  Eigen::Index column = 0;
+  for_each_affine_spring(
+      network, states, cell, [&](const CellSpring& spring, const AffineSpring& now) {
+        const double k = spring.stiffness, e = now.elongation;
+        const Vector3 n = now.d / now.length, m = now.rest / now.rest_length,
+                      &r = spring.rest;
+        q.block<3, 1>(row(spring.ends[0]), column) = -n;
+        q.block<3, 1>(row(spring.ends[1]), column) = n;
+        for (std::size_t a = 0; a < gradients.size(); ++a)
+          q.block<3, 1>(row(a), column) -= gradients[a].dot(r) * m;
+        weights[column++] = k;
+        add_between(tangent, spring.ends,
+                    k * e / now.length * (Matrix3::Identity() - n * n.transpose()));
+        const Matrix3 across =
+            k * e / now.rest_length * (Matrix3::Identity() - m * m.transpose());
+        for (Eigen::Index J = 0; J < 3; ++J)
+          for (Eigen::Index L = 0; L < 3; ++L)
+            by_gradient.block<3, 3>(3 * J, 3 * L) -= r[J] * r[L] * across;
+      });
+  tangent += q * weights.asDiagonal() * q.transpose();
+}
+
+Eigen::MatrixXd cell_tangent(const Network& network, const CellStates& states,
+                             std::span<const Vector3> positions, std::size_t cell) {
+  const auto gradients = network.cells.gradients(cell);
+  Eigen::MatrixXd tangent =
+      Eigen::MatrixXd::Zero(row(gradients.size()), row(gradients.size()));
+  if (network.cell_springs == RestLength::constant)
+    add_constant_springs(tangent, network, cell, positions);
+  if (!cells_act(network)) return tangent;
+
+  const Matrix3& H = states.displacement_gradients[cell];
+  const double V = network.cells.volume(cell);
+  Matrix9 by_gradient = own_part(network, cell) * V * law_of(network).tangent(H);
+  if (!states.star_pressures.empty())
+    by_gradient += V * star_pressure(network, states, cell) * volume_hessian(H);
+  if (network.cell_springs == RestLength::affine)
+    add_affine_springs(tangent, by_gradient, network, states, cell);
+  const auto D =
+      gradient_matrix([&](std::size_t a) { return gradients[a]; }, gradients.size());
+  tangent += D.transpose() * by_gradient * D;
+  return tangent;
+}
+
+std::vector<NodeIndex> star_nodes(const Network& network, std::size_t star) {
+  std::vector<NodeIndex> nodes;
+  for (const Stars* stars : {&network.shape_stars, &network.volume_stars}) {
+    if (stars->size() == 0) continue;
+    for (const auto& [cell, weight] : (*stars)[star]) {
+      const auto at = network.cells.nodes(cell);
+      nodes.insert(nodes.end(), at.begin(), at.end());
+    }
+  }
+  std::ranges::sort(nodes);
+  const auto repeated = std::ranges::unique(nodes);
+  nodes.erase(repeated.begin(), repeated.end());
+  return nodes;
+}
+
+/// Adds weight * (map G_a) to the column of each of a cell's nodes a.
+void add_gradients(Eigen::Matrix3Xd& columns, const std::vector<NodeIndex>& nodes,
+                   const Cells& cells, const Stars::Part& part, const Matrix3& map) {
+  const auto at = cells.nodes(part.cell);
+  for (std::size_t a = 0; a < at.size(); ++a) {
+    const auto column = std::ranges::lower_bound(nodes, at[a]) - nodes.begin();
+    columns.col(column) += part.weight * map * cells.gradients(part.cell)[a];
+  }
+}
+
+StarTangent star_tangent(const Network& network, const CellStates& states,
+                         std::size_t star) {
+  StarTangent tangent{.nodes = star_nodes(network, star),
+                      .gradients = {},
+                      .shape = Matrix9::Zero(),
+                      .volume_gradients = {},
+                      .volume = 0};
+  const auto count = static_cast<Eigen::Index>(tangent.nodes.size());
+  tangent.gradients.setZero(3, count);
+  tangent.volume_gradients.setZero(3, count);
+  if (network.shape_stars.size() > 0 && !network.shape_stars[star].empty()) {
+    for (const Stars::Part& part : network.shape_stars[star])
+      add_gradients(tangent.gradients, tangent.nodes, network.cells, part,
+                    Matrix3::Identity());
+    tangent.shape = star_part * network.shape_stars.volumes[star] *
+                    law_of(network).tangent(states.star_gradients[star]);
+  }
+  if (network.volume_stars.size() > 0) {
+    for (const Stars::Part& part : network.volume_stars[star])
+      add_gradients(tangent.volume_gradients, tangent.nodes, network.cells, part,
+                    cofactor(states.displacement_gradients[part.cell]));
+    tangent.volume = network.volume_modulus * network.volume_stars.volumes[star];
+  }
+  return tangent;
+}
+
+std::size_t star_count(const Network& network) {
+  return std::max(network.shape_stars.size(), network.volume_stars.size());
+}
+
+template <class Matrix>
+void clamp(Matrix& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Matrix> spectrum(matrix);
+  const Matrix& vectors = spectrum.eigenvectors();
+  matrix =
+      vectors * spectrum.eigenvalues().cwiseMax(0).asDiagonal() * vectors.transpose();
+}
+
+}  // namespace
+
+void add_between(Eigen::MatrixXd& tangent, const LocalEdge& ends, const Matrix3& block) {
+  const Eigen::Index i = row(ends[0]), j = row(ends[1]);
+  tangent.block<3, 3>(i, i) += block;
+  tangent.block<3, 3>(j, j) += block;
+  tangent.block<3, 3>(i, j) -= block;
+  tangent.block<3, 3>(j, i) -= block;
+}
+
+Eigen::MatrixXd matrix(const StarTangent& star) {
+  const auto D = gradient_matrix(
+      [&](std::size_t a) { return star.gradients.col(static_cast<Eigen::Index>(a)); },
+      star.nodes.size());
+  const auto v = star.volume_gradients.reshaped();
+  Eigen::MatrixXd sum = star.volume * v * v.transpose();
+  if (!star.shape.isZero(0)) sum += D.transpose() * star.shape * D;
+  return sum;
+}
+
+Matrix3 star_block(const StarTangent& star, Eigen::Index a, Eigen::Index b) {
+  Matrix3 block = star.volume * star.volume_gradients.col(a) *
+                  star.volume_gradients.col(b).transpose();
+  if (star.shape.isZero(0)) return block;
+  for (Eigen::Index J = 0; J < 3; ++J)
+    for (Eigen::Index L = 0; L < 3; ++L)
+      block += star.gradients(J, a) * star.gradients(L, b) *
+               star.shape.block<3, 3>(3 * J, 3 * L);
+  return block;
+}
+
+Tangent tangent_at(const Network& network, std::span<const Vector3> positions) {
+  CellStates states;
+  if (cells_act(network)) update_deformations(network, positions, states);
+  Tangent tangent;
+  tangent.cells.resize(network.cells.size());
+  tbb::parallel_for(std::size_t{0}, tangent.cells.size(), [&](std::size_t c) {
+    tangent.cells[c] = cell_tangent(network, states, positions, c);
+  });
+  tangent.stars.resize(star_count(network));
+  tbb::parallel_for(std::size_t{0}, tangent.stars.size(), [&](std::size_t n) {
+    tangent.stars[n] = star_tangent(network, states, n);
+  });
+  return tangent;
+}
+
+void clamp_to_positive(Tangent& tangent) {
+  tbb::parallel_for(std::size_t{0}, tangent.cells.size(),
+                    [&](std::size_t c) { clamp(tangent.cells[c]); });
+  tbb::parallel_for(std::size_t{0}, tangent.stars.size(),
+                    [&](std::size_t n) { clamp(tangent.stars[n].shape); });
+}
+
+std::vector<Vector3> product(const Network& network, const Tangent& tangent,
+                             std::span<const Vector3> vectors) {
+  std::vector<Vector3> result(vectors.size(), Vector3::Zero());
+  for (std::size_t c = 0; c < tangent.cells.size(); ++c) {
+    const auto nodes = network.cells.nodes(c);
+    Eigen::VectorXd stacked(row(nodes.size()));
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      stacked.segment<3>(row(a)) = vectors[nodes[a]];
+    if (stacked.isZero(0)) continue;
+    const Eigen::VectorXd answer = tangent.cells[c] * stacked;
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      result[nodes[a]] += answer.segment<3>(row(a));
+  }
+  for (const StarTangent& star : tangent.stars) {
+    Matrix3 gradient = Matrix3::Zero();
+    double volume = 0;
+    for (std::size_t a = 0; a < star.nodes.size(); ++a) {
+      const auto column = static_cast<Eigen::Index>(a);
+      const Vector3& u = vectors[star.nodes[a]];
+      gradient += u * star.gradients.col(column).transpose();
+      volume += u.dot(star.volume_gradients.col(column));
+    }
+    Matrix3 stress;
+    stress.reshaped() = star.shape * gradient.reshaped();
+    for (std::size_t a = 0; a < star.nodes.size(); ++a) {
+      const auto column = static_cast<Eigen::Index>(a);
+      result[star.nodes[a]] += stress * star.gradients.col(column) +
+                               star.volume * volume * star.volume_gradients.col(column);
+    }
+  }
+  return result;
+}
+
+std::vector<Vector3> diagonal(const Network& network, const Tangent& tangent) {
+  std::vector<Vector3> result(network.rest_positions.size(), Vector3::Zero());
+  for (std::size_t c = 0; c < tangent.cells.size(); ++c) {
+    const auto nodes = network.cells.nodes(c);
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      result[nodes[a]] += tangent.cells[c].diagonal().segment<3>(row(a));
+  }
+  for (const StarTangent& star : tangent.stars)
+    for (std::size_t a = 0; a < star.nodes.size(); ++a)
+      result[star.nodes[a]] +=
+          star_block(star, static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(a))
+              .diagonal();
+  return result;
+}
+
+std::vector<std::vector<NodeIndex>> patches(const Network& network) {
+  std::vector<std::vector<NodeIndex>> all;
+  for (std::size_t c = 0; c < network.cells.size(); ++c) {
+    const auto nodes = network.cells.nodes(c);
+    all.emplace_back(nodes.begin(), nodes.end());
+  }
+  for (std::size_t n = 0; n < star_count(network); ++n)
+    all.push_back(star_nodes(network, n));
+  return all;
+}
+
+}  // namespace springcheck::mss

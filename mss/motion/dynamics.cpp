@@ -1,0 +1,216 @@
+#include "mss/motion/dynamics.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "dynamics/blocks/explicit_motion.hpp"
+#include "dynamics/marching/stable_step.hpp"
+#include "meshing/stopwatch.hpp"
+#include "mss/forces/forces.hpp"
+#include "mss/motion/implicit_motion.hpp"
+#include "mss/kernels/affine_kernel.hpp"
+#include "mss/kernels/lattice_kernel.hpp"
+
+namespace springcheck::mss {
+namespace {
+
+using dynamics::Block;
+using dynamics::ExplicitBody;
+using dynamics::State;
+
+double cell_edge(const Network& network) {
+  double volume = 0;
+  for (std::size_t c = 0; c < network.cells.size(); ++c)
+    volume += network.cells.volume(c);
+  return std::cbrt(volume / static_cast<double>(network.cells.size()));
+}
+
+void plain_forces(const Network& network, double damping_ratio, const State& state,
+                  std::vector<Vector3>& positions, CellStates& room,
+                  std::span<Vector3> forces) {
+  positions.resize(state.displacements.size());
+  for (std::size_t n = 0; n < positions.size(); ++n)
+    positions[n] = network.rest_positions[n] + state.displacements[n];
+  nodal_forces(network, positions, room, forces);
+  if (damping_ratio > 0)
+    add_dashpot_forces(network, damping_ratio, positions, state.velocities, forces);
+}
+
+/// The plain loops as the forces of a single block.
+dynamics::BlockForces<double> plain_kernel(const Network& network, double damping_ratio) {
+  struct Room {
+    State state;
+    std::vector<Vector3> positions, forces;
+    CellStates cells;
+  };
+  const std::size_t nodes = network.rest_positions.size();
+  const auto room = std::make_shared<Room>();
+  room->state.displacements.resize(nodes);
+  room->state.velocities.resize(nodes);
+  room->forces.resize(nodes);
+  const auto add = [&network, damping_ratio, room](
+                       std::size_t, const dynamics::BlockArrays<double>& arrays) {
+    for (std::size_t n = 0; n < room->forces.size(); ++n)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto j = static_cast<Eigen::Index>(i);
+        room->state.displacements[n][j] = arrays.displacement[i][n];
+        room->state.velocities[n][j] = arrays.velocity[i][n];
+      }
+    plain_forces(network, damping_ratio, room->state, room->positions, room->cells,
+                 room->forces);
+    for (std::size_t n = 0; n < room->forces.size(); ++n)
+      for (std::size_t i = 0; i < 3; ++i)
+        arrays.force[i][n] = room->forces[n][static_cast<Eigen::Index>(i)];
+  };
+  return {.lanes = 1, .add = add};
+}
+
+std::optional<std::vector<Block>> blocks_for_kernel(const Mesh& mesh,
+                                                    const Network& network) {
+  const bool is_affine = takes_affine_kernel(network);
+  if (!is_affine && !takes_lattice_kernel(network)) return std::nullopt;
+  if (const auto grid = dynamics::grid_of(mesh)) return dynamics::grid_blocks(*grid);
+  if (!is_affine) return std::nullopt;
+  return dynamics::free_blocks(mesh);
+}
+
+template <class Real>
+std::unique_ptr<dynamics::Motion> by_kernel(const Mesh& mesh, const Scene& scene,
+                                            const Network& network,
+                                            const DynamicsSettings& settings,
+                                            std::vector<Block> blocks,
+                                            dynamics::InstructionSet set) {
+  auto forces = takes_affine_kernel(network)
+                    ? affine_kernel<Real>(network, blocks, settings.damping_ratio, set)
+                    : lattice_kernel<Real>(network, blocks, settings.damping_ratio, set);
+  const std::vector<Vector3> load = load_forces(mesh, scene, network);
+  return dynamics::explicit_motion<Real>(
+      {.rest = network.rest_positions,
+       .masses = network.masses,
+       .load = load,
+       .supports = dynamics::supports(scene, prescribed_components(mesh, scene)),
+       .blocks = std::move(blocks),
+       .forces = std::move(forces)},
+      {.integrator = settings.protocol.integrator,
+       .instruction_set = set,
+       .threads = settings.threads});
+}
+
+dynamics::SmallMotions small_motions(const Network& network, double damping_ratio,
+                                     const std::vector<bool>& is_free) {
+  const std::size_t nodes = network.rest_positions.size();
+  return {.forces = {},
+          .state = {.displacements = std::vector<Vector3>(nodes, Vector3::Zero()),
+                    .velocities = std::vector<Vector3>(nodes, Vector3::Zero())},
+          .masses = network.masses,
+          .is_free = is_free,
+          .amplitude = dynamics::probe * cell_edge(network),
+          .has_dashpots = damping_ratio > 0};
+}
+
+/// Why explicit Euler may find a motion that swings undamped.
+std::string what_is_undamped(const Network& network, double damping_ratio) {
+  if (!(damping_ratio > 0))
+    return "without dashpots (--damping) every motion is undamped";
+  if (network.spring_modulus != 0)
+    return "mss-affine has its dashpots along the cells' edges, which leave their shear "
+           "undamped";
+  return "a motion that stretches no dashpot is undamped";
+}
+
+}  // namespace
+
+std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Network& network,
+                                            const DynamicsSettings& settings) {
+  if (settings.precision == Precision::double_precision) return std::nullopt;
+  if (settings.protocol.integrator == dynamics::Integrator::implicit_euler)
+    return "implicit Euler's equations are solved in double precision";
+  if (!blocks_for_kernel(mesh, network)) return "single precision is for hexahedra";
+  return std::nullopt;
+}
+
+std::unique_ptr<dynamics::Motion> motion_of(const Mesh& mesh, const Scene& scene,
+                                            const Network& network,
+                                            const DynamicsSettings& settings,
+                                            dynamics::InstructionSet set) {
+  if (settings.protocol.integrator == dynamics::Integrator::implicit_euler)
+    return implicit_motion(mesh, scene, network, settings.damping_ratio);
+  auto blocks =
+      settings.kernel == Kernel::fast ? blocks_for_kernel(mesh, network) : std::nullopt;
+  if (blocks && settings.precision == Precision::single_precision)
+    return by_kernel<float>(mesh, scene, network, settings, std::move(*blocks), set);
+  if (blocks)
+    return by_kernel<double>(mesh, scene, network, settings, std::move(*blocks), set);
+  const std::vector<Vector3> load = load_forces(mesh, scene, network);
+  return dynamics::explicit_motion<double>(
+      {.rest = network.rest_positions,
+       .masses = network.masses,
+       .load = load,
+       .supports = dynamics::supports(scene, prescribed_components(mesh, scene)),
+       .blocks = {dynamics::whole_mesh(mesh)},
+       .forces = plain_kernel(network, settings.damping_ratio)},
+      {.integrator = settings.protocol.integrator, .instruction_set = set, .threads = 1});
+}
+
+double largest_stable_step(const Network& network, double damping_ratio,
+                           const std::vector<bool>& is_free,
+                           dynamics::Integrator integrator) {
+  dynamics::SmallMotions system = small_motions(network, damping_ratio, is_free);
+  std::vector<Vector3> positions;
+  CellStates room;
+  system.forces = [&](const State& state) {
+    std::vector<Vector3> forces(state.displacements.size());
+    plain_forces(network, damping_ratio, state, positions, room, forces);
+    return forces;
+  };
+  return dynamics::largest_stable_step(system, integrator);
+}
+
+Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& network,
+                      const DynamicsSettings& settings,
+                      const dynamics::Observers& observers) {
+  if (const auto reason = reason_to_refuse(mesh, network, settings))
+    return refused(*reason);
+  const Stopwatch stopwatch;
+  const auto motion = motion_of(mesh, scene, network, settings);
+  const double motion_wall_s = stopwatch.seconds();
+  const std::vector<Vector3> load = load_forces(mesh, scene, network);
+  const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
+  std::vector<Vector3> positions;
+  CellStates room;
+  const auto stable_step = [&](const std::optional<State>& state,
+                               const dynamics::StableStep* near) {
+    return dynamics::largest_stable_step(
+        small_motions(network, settings.damping_ratio, is_free), *motion,
+        settings.precision, state, settings.protocol.integrator, near);
+  };
+  Solution solution = dynamics::march(
+      {.mesh = mesh,
+       .scene = scene,
+       .masses = network.masses,
+       .load = load,
+       .forces = {.internal =
+                      [&](const State& state, std::span<Vector3> forces) {
+                        plain_forces(network, settings.damping_ratio, state, positions,
+                                     room, forces);
+                      },
+                  .strain_energy =
+                      [&](std::span<const Vector3> displacements) {
+                        std::vector<Vector3> x(displacements.size());
+                        for (std::size_t n = 0; n < x.size(); ++n)
+                          x[n] = network.rest_positions[n] + displacements[n];
+                        return strain_energy(network, x);
+                      }},
+       .stable_step = stable_step,
+       .step_setters = fmt::format("set by nu = {:g}, cells of {:.3g} m and a damping "
+                                   "ratio of {:g}",
+                                   scene.material.poisson_ratio, cell_edge(network),
+                                   settings.damping_ratio),
+       .undamped = what_is_undamped(network, settings.damping_ratio)},
+      *motion, settings.protocol, observers);
+  solution.setup_wall_s += motion_wall_s;
+  return solution;
+}
+
+}  // namespace springcheck::mss

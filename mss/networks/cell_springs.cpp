@@ -1,0 +1,45 @@
+#include "mss/networks/cell_springs.hpp"
+
+#include <bit>
+#include <cassert>
+
+namespace springcheck::mss {
+namespace {
+
+/// Which of a hexahedron's directions two of its corners differ in, as bits.
+unsigned differing_directions(const LocalEdge& pair) {
+  // Corner i is at (x, y, z) of the unit cube, one bit each.
+  constexpr std::array<unsigned, 8> places{0, 1, 3, 2, 4, 5, 7, 6};
+  return places[pair[0]] ^ places[pair[1]];
+}
+
+}  // namespace
+
+std::vector<LocalEdge> face_diagonals(CellType type) {
+  std::vector<LocalEdge> diagonals;
+  for (const LocalFace& face : faces(type)) {
+    if (face.size() != 4) continue;
+    diagonals.push_back({face[0], face[2]});
+    diagonals.push_back({face[1], face[3]});
+  }
+  return diagonals;
+}
+
+std::vector<LocalEdge> inner_diagonals(CellType type) {
+  if (type != CellType::hexahedron) return {};
+  return {{0, 6}, {1, 7}, {2, 4}, {3, 5}};
+}
+
+std::size_t edge_direction(const LocalEdge& edge) {
+  const unsigned along = differing_directions(edge);
+  assert(std::popcount(along) == 1);
+  return static_cast<std::size_t>(std::countr_zero(along));
+}
+
+std::size_t face_direction(const LocalEdge& diagonal) {
+  const unsigned across = 7U ^ differing_directions(diagonal);
+  assert(std::popcount(across) == 1);
+  return static_cast<std::size_t>(std::countr_zero(across));
+}
+
+}  // namespace springcheck::mss

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meshing/scene.hpp"
+#include "mss/networks/cells.hpp"
+#include "mss/networks/stiffness.hpp"
+
+namespace springcheck::mss {
+
+enum class Method {
+  baudet,     // edges and inner diagonals by Baudet's formulas, no correction
+  nfd,        // no face diagonals (A = 0), with volume correction
+  fd,         // face diagonals, no correction: right at nu = 1/4 only
+  cf,         // face diagonals and volume correction: the thesis's method
+  custom,     // constants of the user's choice
+  affine,     // virtual springs in every cell, springs against hourglasses: any cells
+  vangelder,  // edges of tetrahedra by Van Gelder's formula
+  lloyd       // edges of tetrahedra by Lloyd's formula
+};
+
+enum class StiffnessForm { shear_modulus, young_modulus };
+
+enum class VolumeCorrection { on, off };
+
+struct NetworkSettings {
+  Method method;
+  StiffnessForm stiffness_form;  // of nfd, fd and cf
+  double diagonal_ratio;         // A of fd and cf on cubes
+  // Of custom, which needs them, as they stand: they belong to the mesh's cell size, and
+  // the same material in cells of edge h' has the stiffness times h'/h, kappa unchanged.
+  std::optional<LatticeConstants> constants{};
+  VolumeCorrection volume_correction = VolumeCorrection::on;  // of vangelder and lloyd
+};
+
+/// A linear spring between two nodes, tension k (|d| - L).
+struct Spring {
+  NodeIndex a;
+  NodeIndex b;
+  double stiffness;    // k [N/m], summed over the cells that share it
+  double rest_length;  // L [m]
+};
+
+/// What the springs of a cell pull towards: their length at rest, or in the cell's mean
+/// deformation, |F r|. The latter resist hourglasses alone.
+enum class RestLength { constant, affine };
+
+/// A mass-spring system with volume correction, at rest in the mesh's positions. Energy:
+/// see strain_energy.
+struct Network {
+  std::vector<Vector3> rest_positions;  // [m]
+  std::vector<Spring> springs;  // of constant rest length, each pair of nodes once
+  // Edges that carry the dashpots of the virtual springs, and do not pull; once each:
+  std::vector<Spring> damped_edges{};
+  Cells cells;  // their springs are those above, cell by cell, where those are constant
+  RestLength cell_springs = RestLength::constant;
+  double spring_modulus = 0;   // mu of the virtual springs [Pa]; 0: there are none
+  double volume_modulus;       // kappa [Pa]; 0 without correction
+  Stars shape_stars{};         // means of F; none: virtual springs act on cells alone
+  Stars volume_stars{};        // means of det F; none: the correction acts on cells
+  std::vector<double> masses;  // [kg] density times nodal_volumes
+};
+
+/// Why the method cannot treat this mesh and material, or nothing when it can:
+///
+///     mss-affine              takes all
+///     mss-cf, mss-fd          cubes, and boxes that box_lattice covers
+///     mss-nfd, mss-custom     cubes
+///     mss-baudet              cubes, and nu in (-1/4, 1/2)
+///     vangelder, lloyd        tetrahedra
+///
+/// Shapes are judged to 1e-6 of a cell's edge. Mss-affine is stable at rest for every nu
+/// in (-1, 1/2): all its parts are then positive or zero, Hooke's law and springs without
+/// tension. Tried from -.99 to .4999 on distorted and mixed meshes of all types: no
+/// negative eigenvalue, and six of zero. With vangelder and lloyd a negative kappa, below
+/// nu = 1/4, may leave no stable rest state; the solver says so.
+std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Material& material,
+                                            Method method);
+
+/// Springs and correction cells of the mesh. Every cube adds k_e/4 to its edges, k_f/2
+/// to its face diagonals, k_c to its inner diagonals, so that an edge of n cells gets
+/// k_e n/4 and a boundary face diagonal k_f/2 without special cases (Golec 2018, 5.3).
+/// The mesh must not be one that reason_to_refuse names.
+///
+/// mss-affine: virtual springs in every cell (VirtualSprings), hourglass_springs where
+/// there are any, and on tetrahedra three quarters of the virtual springs' energy on the
+/// mean deformation of the tetrahedra around each node, a quarter on their own. Above
+/// nu = 1/4 the volume correction acts on the mean of det F over the cells around each
+/// node; at or below, where kappa is not positive, wherever the virtual springs do.
+/// Its dashpots lie on the edges, where springs of sum k l^2 = 15 mu V, as in the virtual
+/// springs of a cell, would be shared equally among them: k = 15 mu V/(n_edges l^2).
+Network build_network(const Mesh& mesh, const Material& material,
+                      const NetworkSettings& settings);
+
+}  // namespace springcheck::mss

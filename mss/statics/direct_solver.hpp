@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/CholmodSupport>
+#include <optional>
+#include <random>
+
+#include "mss/forces/assembly.hpp"
+
+namespace springcheck::mss {
+
+/// Solves with a tangent by its Cholesky factor, which exists where the tangent is
+/// positive definite. The ordering is found once. Vectors hold the free components.
+class DirectSolver {
+ public:
+  DirectSolver(const Network& network, const std::vector<bool>& is_free);
+
+  void prepare(const Tangent& tangent);
+
+  /// For a tangent of clamped patches: shifted where it is singular.
+  void prepare_clamped(const Tangent& tangent);
+
+  [[nodiscard]] bool is_definite() const { return definite_; }
+
+  [[nodiscard]] int factorisations() const { return factorisations_; }  // so far
+
+  /// None where what was prepared is not positive definite.
+  [[nodiscard]] std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& right);
+
+  /// Unit vector of the most negative curvature of a tangent that is not positive
+  /// definite, by inverse iteration on the tangent shifted just far enough.
+  [[nodiscard]] Eigen::VectorXd negative_curvature(const Tangent& tangent,
+                                                   std::mt19937_64& random);
+
+ private:
+  void factor(const Eigen::SparseMatrix<double>& matrix);
+  void factor_shifted(Eigen::SparseMatrix<double> matrix);
+
+  FreeAssembly assembly_;
+  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky_;
+  bool analysed_ = false;
+  bool definite_ = false;
+  int factorisations_ = 0;
+};
+
+}  // namespace springcheck::mss

@@ -1,0 +1,129 @@
+#include "mss/statics/equilibrium.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <random>
+
+#include "meshing/stopwatch.hpp"
+#include "mss/statics/minimum.hpp"
+#include "mss/statics/random_vector.hpp"
+#include "mss/statics/static_solution.hpp"
+
+namespace springcheck::mss {
+namespace {
+
+constexpr double smallest_load_step = 1. / 1024;
+constexpr double gradient_per_step = 0.06;  // see Landscape::gradient
+// Three searches to their end. The state sought may be far away, or none.
+constexpr int most_lost_iterations = 450;
+
+}  // namespace
+
+Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
+                          unsigned seed, LinearSolver linear_solver, double noise) {
+  const Stopwatch stopwatch;
+  Landscape landscape(mesh, scene, network, linear_solver);
+  const double setup_wall_s = stopwatch.seconds();
+  std::mt19937_64 random(seed);
+  Positions x = mesh.nodes();
+  double reached = 0;
+  int steps = 0;
+  SolveStatus status = SolveStatus::ok;
+  std::string reason;
+  std::optional<double> definite_up_to;
+
+  bool definite = true;
+  landscape.linearise(x);
+  // The chord of the whole path, or its length where that is longer: supports that turn.
+  constexpr double little = 1. / 64;
+  const Positions whole = landscape.predicted(x, 1);
+  const double chord = landscape.gradient(x, whole);
+  const double path = landscape.gradient(x, landscape.predicted(x, little)) / little;
+  const double whole_gradient = path > 1.01 * chord ? path : chord;
+  const double largest_step =
+      whole_gradient > gradient_per_step
+          ? std::max(gradient_per_step / whole_gradient, 2 * smallest_load_step)
+          : 1;
+  double step = largest_step;
+  int lost_iterations = 0;
+  while (reached < 1) {
+    // The last step may be a little longer, not a sliver.
+    const double to = reached + 1.05 * step > 1 ? 1 : reached + step;
+    if (!definite) landscape.linearise(x);
+    landscape.set_load(reached);
+    Positions start = reached == 0 && to == 1 ? whole : landscape.predicted(x, to);
+    landscape.set_load(to);
+    Minimum minimum = minimise(landscape, std::move(start), random);
+    spdlog::debug("load {:.5f}: {}, residual {:.2e}", to,
+                  minimum.found ? (minimum.definite ? "minimum" : "saddle") : "none",
+                  minimum.residual);
+    if (minimum.undecided) {
+      status = SolveStatus::not_converged;
+      reason = fmt::format(
+          "conjugate gradients gave up at {:.2f} % of the load before they could tell "
+          "whether the equilibrium found there is a minimum",
+          100 * to);
+      break;
+    }
+    if (minimum.found) {
+      if (!minimum.definite && !definite_up_to) definite_up_to = reached;
+      x = std::move(minimum.positions);
+      definite = minimum.definite;
+      reached = to;
+      ++steps;
+      step = std::min(largest_step, 2 * step);
+      continue;
+    }
+    step = (to - reached) / 2;
+    if (!minimum.ran_away) lost_iterations += minimum.iterations;
+    if (step < smallest_load_step || lost_iterations >= most_lost_iterations) {
+      status =
+          minimum.ran_away ? SolveStatus::no_equilibrium : SolveStatus::not_converged;
+      if (minimum.ran_away && !definite_up_to) definite_up_to = reached;
+      reason = fmt::format(
+          "{} beyond {:.2f} % of the load: the next step of {:.2g} % ends with {}",
+          minimum.ran_away ? "no equilibrium found" : "not converged", 100 * reached,
+          200 * step,
+          minimum.ran_away ? "a cell grown fourfold, the energy still falling"
+                           : fmt::format("relative residual {:.1e}", minimum.residual));
+      break;
+    }
+    landscape.linearise(x);
+  }
+  if (status == SolveStatus::ok && noise > 0) {
+    const Eigen::VectorXd shake = random_vector(landscape.unknowns(), random);
+    Minimum minimum = minimise(
+        landscape, landscape.moved(x, shake, noise * landscape.cell_edge()), random);
+    if (minimum.found && !minimum.undecided) {
+      x = std::move(minimum.positions);
+      definite = minimum.definite;
+    } else {
+      status =
+          minimum.ran_away ? SolveStatus::no_equilibrium : SolveStatus::not_converged;
+      reason = fmt::format(
+          "a noise of {:g} cell edges leads away from the equilibrium, to none", noise);
+    }
+  }
+  if (status == SolveStatus::ok && !definite) {
+    status = SolveStatus::indefinite;
+    reason = fmt::format(
+        "the tangent is not positive definite beyond {:.2f} % of the load, and no "
+        "direction lowers the energy",
+        100 * definite_up_to.value_or(reached));
+  }
+
+  Solution solution = static_solution(mesh, scene, network, x, reached);
+  solution.status = status;
+  solution.reason = reason;
+  solution.steps = steps;
+  solution.force_evaluations = landscape.evaluations();
+  solution.definite_up_to = definite_up_to;
+  solution.linear_iterations = landscape.linear_iterations();
+  solution.factorisations = landscape.factorisations();
+  solution.setup_wall_s = setup_wall_s;
+  return solution;
+}
+
+}  // namespace springcheck::mss

@@ -1,0 +1,199 @@
+#include "mss/statics/landscape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mss/forces/forces.hpp"
+
+namespace springcheck::mss {
+namespace {
+
+// Up to here a factor costs seconds at most, however ill-conditioned the body is.
+constexpr std::size_t most_unknowns_solved_directly = 10'000;
+// At 60^3 cells and nu = .499 less, 1e-3, leaves so much volume change that the load has
+// to be cut in two.
+constexpr double predictor_accuracy = 1e-4;
+
+std::vector<std::size_t> places_of_true(const std::vector<bool>& is_free) {
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < is_free.size(); ++i)
+    if (is_free[i]) free.push_back(i);
+  return free;
+}
+
+std::variant<DirectSolver, IterativeSolver> solver(LinearSolver choice,
+                                                   const Network& network,
+                                                   const std::vector<bool>& is_free,
+                                                   std::size_t unknowns) {
+  const bool direct =
+      choice == LinearSolver::direct ||
+      (choice == LinearSolver::by_size && unknowns <= most_unknowns_solved_directly);
+  if (direct)
+    return std::variant<DirectSolver, IterativeSolver>(std::in_place_type<DirectSolver>,
+                                                       network, is_free);
+  return std::variant<DirectSolver, IterativeSolver>(std::in_place_type<IterativeSolver>,
+                                                     network, is_free);
+}
+
+}  // namespace
+
+Landscape::Landscape(const Mesh& mesh, const Scene& scene, const Network& network,
+                     LinearSolver linear_solver)
+    : mesh_(mesh),
+      scene_(scene),
+      network_(network),
+      prescribed_(prescribed_components(mesh, scene)),
+      load_(load_forces(mesh, scene, network)),
+      free_(places_of_true(free_components(mesh, prescribed_))),
+      cell_edge_(std::cbrt(mesh.volume() / static_cast<double>(mesh.cells().size()))),
+      forces_(mesh.nodes().size()),
+      tangent_(tangent_at(network, network.rest_positions)),
+      solver_(solver(linear_solver, network, free_components(mesh, prescribed_),
+                     free_.size())) {
+  stiffness_ = on_free(diagonal(network, tangent_)).norm();
+}
+
+double Landscape::energy(const Positions& x) const {
+  double total = strain_energy(network_, x);
+  for (std::size_t n = 0; n < x.size(); ++n)
+    total -= load_fraction_ * load_[n].dot(x[n] - network_.rest_positions[n]);
+  return total;
+}
+
+const std::vector<Vector3>& Landscape::forces(const Positions& x) {
+  nodal_forces(network_, x, states_, forces_);
+  ++evaluations_;
+  for (std::size_t n = 0; n < x.size(); ++n) forces_[n] += load_fraction_ * load_[n];
+  return forces_;
+}
+
+double Landscape::force_round_off(const Positions& x) const {
+  double reach = 0;
+  for (const Vector3& place : x) reach = std::max(reach, place.cwiseAbs().maxCoeff());
+  return std::numeric_limits<double>::epsilon() * stiffness_ * reach;
+}
+
+double Landscape::energy_round_off(const Positions& x, double energy) const {
+  // Errors of a sum add up like a random walk; 1e-13 is ample for 10^4 unknowns.
+  const double terms = std::max(1., static_cast<double>(free_.size()) / 1e4);
+  return 1e-13 * std::sqrt(terms) * std::abs(energy) +
+         force_round_off(x) * std::sqrt(2 * std::abs(energy) / stiffness_);
+}
+
+Eigen::VectorXd Landscape::on_free(const std::vector<Vector3>& all) const {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(free_.size()));
+  for (std::size_t k = 0; k < free_.size(); ++k)
+    values[static_cast<Eigen::Index>(k)] =
+        all[free_[k] / 3][static_cast<Eigen::Index>(free_[k] % 3)];
+  return values;
+}
+
+Positions Landscape::moved(const Positions& x, const Eigen::VectorXd& by,
+                           double factor) const {
+  Positions y = x;
+  for (std::size_t k = 0; k < free_.size(); ++k)
+    y[free_[k] / 3][static_cast<Eigen::Index>(free_[k] % 3)] +=
+        factor * by[static_cast<Eigen::Index>(k)];
+  return y;
+}
+
+double Landscape::longest_move(const Eigen::VectorXd& step) const {
+  const Positions moves = moved(Positions(forces_.size(), Vector3::Zero()), step, 1);
+  double longest = 0;
+  for (const Vector3& move : moves) longest = std::max(longest, move.norm());
+  return longest;
+}
+
+void Landscape::linearise(const Positions& x) {
+  tangent_ = tangent_at(network_, x);
+  std::visit([&](auto& solver) { solver.prepare(tangent_); }, solver_);
+}
+
+void Landscape::clamp() {
+  clamp_to_positive(tangent_);
+  std::visit([&](auto& solver) { solver.prepare_clamped(tangent_); }, solver_);
+}
+
+std::optional<bool> Landscape::is_definite(std::mt19937_64& random) {
+  if (auto* iterative = std::get_if<IterativeSolver>(&solver_))
+    return iterative->is_definite(random);
+  return std::get<DirectSolver>(solver_).is_definite();
+}
+
+std::optional<Eigen::VectorXd> Landscape::solve(const Eigen::VectorXd& right,
+                                                double accuracy) {
+  if (auto* iterative = std::get_if<IterativeSolver>(&solver_))
+    return iterative->solve(right, accuracy);
+  return std::get<DirectSolver>(solver_).solve(right);
+}
+
+Eigen::VectorXd Landscape::negative_curvature(const Eigen::VectorXd& downhill,
+                                              std::mt19937_64& random) {
+  auto* iterative = std::get_if<IterativeSolver>(&solver_);
+  Eigen::VectorXd v =
+      iterative != nullptr
+          ? iterative->negative_curvature(random)
+          : std::get<DirectSolver>(solver_).negative_curvature(tangent_, random);
+  if (downhill.dot(v) < 0) v = -v;
+  return v;
+}
+
+std::optional<int> Landscape::linear_iterations() const {
+  if (const auto* iterative = std::get_if<IterativeSolver>(&solver_))
+    return iterative->iterations();
+  return std::nullopt;
+}
+
+std::optional<int> Landscape::factorisations() const {
+  if (const auto* direct = std::get_if<DirectSolver>(&solver_))
+    return direct->factorisations();
+  return std::nullopt;
+}
+
+Positions Landscape::predicted(const Positions& x, double to) {
+  std::vector<Vector3> increment(x.size(), Vector3::Zero());
+  for (const PrescribedComponent& held : prescribed_) {
+    const auto& [node, i, plate] = held;
+    increment[node][i] = mesh_.nodes()[node][i] +
+                         prescribed_displacement(mesh_, scene_, held, to) - x[node][i];
+  }
+  const auto answer = [&] {
+    std::vector<Vector3> push = product(network_, tangent_, increment);
+    for (std::size_t n = 0; n < x.size(); ++n)
+      push[n] = (to - load_fraction_) * load_[n] - push[n];
+    return solve(on_free(push), predictor_accuracy);
+  };
+  std::optional<Eigen::VectorXd> step = answer();
+  if (!step) {
+    clamp();
+    step = answer();
+  }
+  Positions y = moved(x, step.value(), 1);
+  for (const auto& [node, i, plate] : prescribed_) y[node][i] += increment[node][i];
+  return y;
+}
+
+double Landscape::gradient(const Positions& from, const Positions& to) const {
+  double sum = 0;
+  std::size_t count = 0;
+  for_each_dashpot(network_, [&](const Spring& spring) {
+    const Vector3 change =
+        to[spring.b] - to[spring.a] - (from[spring.b] - from[spring.a]);
+    sum += change.squaredNorm() / (spring.rest_length * spring.rest_length);
+    ++count;
+  });
+  return std::sqrt(sum / static_cast<double>(count));
+}
+
+double Landscape::largest_volume_ratio(const Positions& x) const {
+  std::vector<Vector3> u(x.size());
+  for (std::size_t n = 0; n < x.size(); ++n) u[n] = x[n] - network_.rest_positions[n];
+  double largest = 0;
+  for (std::size_t c = 0; c < network_.cells.size(); ++c)
+    largest =
+        std::max(largest, 1 + volume_change(network_.cells.displacement_gradient(c, u)));
+  return largest;
+}
+
+}  // namespace springcheck::mss

@@ -1,0 +1,119 @@
+#include "mss/statics/minimum.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace springcheck::mss {
+namespace {
+
+constexpr double relative_residual = 1e-10;
+constexpr int newton_limit = 150;
+constexpr double largest_move = 0.5;   // of a node in one iteration, in cell edges
+constexpr double runaway_growth = 4;   // of the largest cell: there is no way back
+constexpr double near_saddle = 1e-3;   // relative residual
+constexpr double first_escape = 1e-3;  // along negative curvature, in cell edges
+
+/// Newton's method is quadratic near the minimum: more digits than the next residual can
+/// show are lost work.
+double solver_accuracy(double residual) {
+  return std::max(std::min(residual, 0.1), 0.2 * relative_residual / residual);
+}
+
+double norm(const std::vector<Vector3>& vectors) {
+  double sum = 0;
+  for (const Vector3& v : vectors) sum += v.squaredNorm();
+  return std::sqrt(sum);
+}
+
+/// Moves x along the direction of negative curvature, doubling the step while the energy
+/// falls. False when it falls nowhere: the curvature is zero to round-off.
+bool leave_saddle(Landscape& landscape, Positions& x, double& energy,
+                  const Eigen::VectorXd& downhill, std::mt19937_64& random) {
+  Eigen::VectorXd direction = landscape.negative_curvature(downhill, random);
+  direction *= landscape.cell_edge() / landscape.longest_move(direction);
+  bool fell = false;
+  for (double step = first_escape; step <= largest_move; step *= 2) {
+    Positions trial = landscape.moved(x, direction, step);
+    const double trial_energy = landscape.energy(trial);
+    if (trial_energy >= energy) break;
+    x = std::move(trial);
+    energy = trial_energy;
+    fell = true;
+  }
+  return fell;
+}
+
+}  // namespace
+
+Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
+  Minimum minimum{.positions = std::move(x),
+                  .found = false,
+                  .definite = false,
+                  .undecided = false,
+                  .ran_away = false,
+                  .residual = INFINITY,
+                  .iterations = 0};
+  Positions& now = minimum.positions;
+  const double runaway_ratio =
+      runaway_growth * std::max(1., landscape.largest_volume_ratio(now));
+  double energy = landscape.energy(now);
+  for (; minimum.iterations < newton_limit; ++minimum.iterations) {
+    const std::vector<Vector3>& forces = landscape.forces(now);
+    const Eigen::VectorXd downhill = landscape.on_free(forces);
+    const double scale =
+        std::max(norm(forces), landscape.force_round_off(now) / relative_residual);
+    minimum.residual = downhill.norm() / scale;
+    if (!std::isfinite(minimum.residual)) return minimum;
+    minimum.ran_away = landscape.largest_volume_ratio(now) > runaway_ratio;
+    if (minimum.ran_away) return minimum;
+    landscape.linearise(now);
+    minimum.found = minimum.residual < relative_residual;
+    std::optional<Eigen::VectorXd> direction;
+    if (minimum.found) {
+      const std::optional<bool> definite = landscape.is_definite(random);
+      minimum.undecided = !definite;
+      minimum.definite = definite.value_or(false);
+    } else {
+      direction = landscape.solve(downhill, solver_accuracy(minimum.residual));
+      minimum.definite = direction.has_value();
+    }
+    spdlog::debug("  newton {}: energy {:.9e}, residual {:.2e}{}", minimum.iterations,
+                  energy, minimum.residual, minimum.definite ? "" : ", indefinite");
+    if (minimum.found && (minimum.definite || minimum.undecided)) return minimum;
+
+    // Near a saddle the clamped tangent hardly moves along the unstable direction.
+    if (!minimum.definite && minimum.residual < near_saddle) {
+      const bool left = leave_saddle(landscape, now, energy, downhill, random);
+      if (left) continue;
+      if (minimum.found) return minimum;
+    }
+    if (!direction) {
+      landscape.clamp();
+      direction = landscape.solve(downhill, solver_accuracy(minimum.residual));
+    }
+    Eigen::VectorXd& step = direction.value();
+    step *=
+        std::min(1., largest_move * landscape.cell_edge() / landscape.longest_move(step));
+    const double slope = downhill.dot(step);
+    // Energy differences below round-off cannot be judged; the residual then decides.
+    const double round_off = landscape.energy_round_off(now, energy);
+    double factor = 1;
+    Positions trial = landscape.moved(now, step, factor);
+    double trial_energy = landscape.energy(trial);
+    while (!(trial_energy <= energy - 1e-4 * factor * slope + round_off)) {
+      factor /= 2;
+      if (factor < 1e-8) return minimum;
+      trial = landscape.moved(now, step, factor);
+      trial_energy = landscape.energy(trial);
+    }
+    now = std::move(trial);
+    energy = trial_energy;
+  }
+  minimum.found = false;
+  return minimum;
+}
+
+}  // namespace springcheck::mss

@@ -1,0 +1,164 @@
+#include "mss/statics/path_limit.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <cmath>
+#include <random>
+
+#include "mss/statics/landscape.hpp"
+#include "mss/statics/random_vector.hpp"
+
+namespace springcheck::mss {
+namespace {
+
+constexpr double relative_residual = 1e-9;
+constexpr int most_corrections = 12;        // quadratic convergence takes five or six
+constexpr double longest_move = 0.5;        // of a node in one correction, in cell edges
+constexpr double first_step = 1. / 16;      // of the load
+constexpr double gradient_per_step = 0.06;  // see Landscape::gradient
+constexpr unsigned seed = 1;  // of where iterations start that end at the same place
+
+double norm(const std::vector<Vector3>& vectors) {
+  double sum = 0;
+  for (const Vector3& v : vectors) sum += v.squaredNorm();
+  return std::sqrt(sum);
+}
+
+/// Newton's method with the true tangent, as long as that is positive definite. True when
+/// x is an equilibrium whose tangent is so; the landscape has its factor then.
+bool correct(Landscape& landscape, Positions& x, std::mt19937_64& random) {
+  for (int i = 0; i < most_corrections; ++i) {
+    const std::vector<Vector3>& forces = landscape.forces(x);
+    const Eigen::VectorXd downhill = landscape.on_free(forces);
+    const double scale =
+        std::max(norm(forces), landscape.force_round_off(x) / relative_residual);
+    const double residual = downhill.norm() / scale;
+    if (!std::isfinite(residual)) return false;
+    landscape.linearise(x);
+    if (residual < relative_residual)
+      return landscape.is_definite(random).value_or(false);
+    const auto step = landscape.solve(downhill, std::min(1e-3, residual));
+    if (!step || landscape.longest_move(*step) > longest_move * landscape.cell_edge())
+      return false;
+    x = landscape.moved(x, *step, 1);
+  }
+  return false;
+}
+
+struct Mode {
+  Eigen::VectorXd shape;
+  double curvature;
+};
+
+/// The least curvature of the tangent taken last, positive definite, by inverse
+/// iteration.
+Mode least_curvature(Landscape& landscape, std::mt19937_64& random) {
+  constexpr int most_iterations = 200;
+  Mode mode{.shape = random_vector(landscape.unknowns(), random).normalized(),
+            .curvature = 0};
+  for (int i = 0; i < most_iterations; ++i) {
+    const Eigen::VectorXd image = landscape.solve(mode.shape, 1e-6).value();
+    const double curvature = 1 / mode.shape.dot(image);
+    const bool settled = std::abs(curvature - mode.curvature) < 1e-6 * curvature;
+    mode.curvature = curvature;
+    mode.shape = image.normalized();
+    if (settled) break;
+  }
+  return mode;
+}
+
+/// The part of the path's direction at x, on the free components, that is along the mode;
+/// the landscape has the tangent there.
+double part_along(Landscape& landscape, const Positions& x, double load,
+                  const Eigen::VectorXd& mode) {
+  constexpr double little = 1e-6;  // of the load
+  const Positions ahead = landscape.predicted(x, load + little);
+  std::vector<Vector3> way(x.size());
+  for (std::size_t n = 0; n < x.size(); ++n) way[n] = ahead[n] - x[n];
+  const Eigen::VectorXd free_way = landscape.on_free(way);
+  return std::abs(mode.dot(free_way)) / free_way.norm();
+}
+
+}  // namespace
+
+PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& network,
+                          double resolution, const AcceptState& accept,
+                          LinearSolver linear_solver) {
+  constexpr double small = 0.1;  // a curvature over that at rest
+  constexpr double half = 0.5;
+  Landscape landscape(mesh, scene, network, linear_solver);
+  std::mt19937_64 random(seed);
+  PathLimit limit{.end = PathEnd::full_load,
+                  .load_fraction = 0,
+                  .next_load_fraction = 1,
+                  .positions = mesh.nodes(),
+                  .critical_mode = {},
+                  .curvature = 0,
+                  .rest_curvature = 0,
+                  .steps = 0,
+                  .force_evaluations = 0};
+  landscape.linearise(limit.positions);
+  // Where conjugate gradients cannot tell, the path's first step shows it.
+  if (!landscape.is_definite(random).value_or(true)) {
+    limit.end = PathEnd::bifurcation;
+    limit.next_load_fraction = 0;
+    limit.critical_mode.assign(mesh.nodes().size(), Vector3::Zero());
+    const Eigen::VectorXd downhill = Eigen::VectorXd::Ones(landscape.unknowns());
+    limit.critical_mode = landscape.moved(
+        limit.critical_mode, landscape.negative_curvature(downhill, random), 1);
+    return limit;
+  }
+  limit.rest_curvature = least_curvature(landscape, random).curvature;
+  const double whole =
+      landscape.gradient(limit.positions, landscape.predicted(limit.positions, 1));
+  const double longest_step = std::min(first_step, gradient_per_step / whole);
+  bool was_rejected = false;
+  constexpr double none = 2;
+  double failed = none;  // the lowest load that was tried and not reached
+  for (double step = longest_step; limit.load_fraction < 1;) {
+    const double to = std::min(1., limit.load_fraction + step);
+    landscape.linearise(limit.positions);
+    landscape.set_load(limit.load_fraction);
+    Positions x = landscape.predicted(limit.positions, to);
+    landscape.set_load(to);
+    const bool is_stable = correct(landscape, x, random);
+    was_rejected = is_stable && !accept(x);
+    spdlog::debug("load {:.6f}: {}", to,
+                  was_rejected ? "not accepted"
+                  : is_stable  ? "stable"
+                               : "not reached");
+    if (is_stable && !was_rejected) {
+      limit.positions = std::move(x);
+      limit.load_fraction = to;
+      ++limit.steps;
+      // What a long step failed at is tried again by a shorter one.
+      if (to >= failed) failed = none;
+      if (failed == none) step = std::min(longest_step, 2 * step);
+      continue;
+    }
+    failed = limit.next_load_fraction = to;
+    if (to - limit.load_fraction <= resolution * to || to < 1e-6) break;
+    step = (to - limit.load_fraction) / 2;
+  }
+  landscape.set_load(limit.load_fraction);
+  landscape.linearise(limit.positions);
+  const Mode mode = least_curvature(landscape, random);
+  limit.curvature = mode.curvature;
+  limit.force_evaluations = landscape.evaluations();
+  limit.critical_mode =
+      landscape.moved(Positions(mesh.nodes().size(), Vector3::Zero()), mode.shape, 1);
+  if (limit.load_fraction == 1)
+    limit.end = PathEnd::full_load;
+  else if (was_rejected)
+    limit.end = PathEnd::rejected;
+  else if (mode.curvature > small * limit.rest_curvature)
+    limit.end = PathEnd::solver;
+  else
+    limit.end =
+        part_along(landscape, limit.positions, limit.load_fraction, mode.shape) > half
+            ? PathEnd::limit_point
+            : PathEnd::bifurcation;
+  return limit;
+}
+
+}  // namespace springcheck::mss

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+
+#include "mss/statics/linear_solver.hpp"
+#include "mss/networks/network.hpp"
+
+namespace springcheck::mss {
+
+/// Why an equilibrium path cannot be followed further as it is.
+enum class PathEnd {
+  full_load,    // it can
+  bifurcation,  // the tangent loses definiteness, and the path goes on without stability
+  limit_point,  // the tangent loses definiteness, and there is no equilibrium beyond
+  rejected,     // the caller does not accept the next state
+  solver        // Newton's method fails, though the tangent is far from singular
+};
+
+/// The last state of the path from rest that is stable and accepted.
+struct PathLimit {
+  PathEnd end;
+  double load_fraction;       // of that state
+  double next_load_fraction;  // tried last, and not reached; that of the full load: 1
+  std::vector<Vector3> positions;  // [m]
+  // Unit vector of least curvature of the energy there, as it goes to zero where
+  // definiteness is lost; on every node, 0 where held:
+  std::vector<Vector3> critical_mode;
+  double curvature;       // of the energy along it [N/m]
+  double rest_curvature;  // least curvature at rest [N/m]
+  int steps;
+  int force_evaluations;
+};
+
+/// Whether the caller takes a state for one of the path.
+using AcceptState = std::function<bool(std::span<const Vector3> positions)>;
+
+/// Follows the equilibrium path from rest to the full load and stops where its tangent
+/// loses positive definiteness or a state is not accepted; found by bisection to
+/// `resolution` of the load reached. Only tangents that are positive definite are used,
+/// so that no other branch is reached.
+///
+/// At the limit the least curvature is below a tenth of that at rest, or the solver is to
+/// blame. The path's direction du/ds then tells a limit point
+/// from a bifurcation: it grows without bound along the critical mode at the one, and has
+/// no part of it at the other (imperfections aside). Where more than half of du/ds is
+/// along the mode it is called a limit point.
+PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& network,
+                          double resolution, const AcceptState& accept,
+                          LinearSolver linear_solver = LinearSolver::by_size);
+
+}  // namespace springcheck::mss

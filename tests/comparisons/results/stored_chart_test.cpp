@@ -1,0 +1,79 @@
+#include "comparisons/results/stored_chart.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "comparisons/results/result_file.hpp"
+#include "tests/comparisons/chart/example_chart.hpp"
+#include "tests/comparisons/own_folder.hpp"
+
+using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(stored_chart_test)
+
+namespace {
+
+StoredChart with_points(std::initializer_list<std::pair<const char*, int>> points) {
+  ExampleChart example;
+  for (const auto& [model, across] : points) example.add(model, across, 1, 10, 0.002);
+  return example.chart;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_chart_is_of_one_machine_and_one_truth) {
+  const StoredChart chart = with_points({{"mss-cf", 4}});
+  StoredChart other = with_points({{"mss-cf", 8}, {"fem-stvk:q2", 4}});
+  BOOST_TEST(identity_of(other) == identity_of(chart));
+  other.machine = "another";
+  BOOST_TEST(identity_of(other) != identity_of(chart));
+  other = chart;
+  other.truths[0].keys[2] = "finer";
+  BOOST_TEST(identity_of(other) != identity_of(chart));
+  other = chart;
+  other.truths.push_back({.law = "fem-hooke", .cell_sizes = {}, .keys = {}});
+  BOOST_TEST(identity_of(other) == identity_of(chart));
+}
+
+BOOST_AUTO_TEST_CASE(files_of_one_chart_give_all_its_points) {
+  const OwnFolder own;
+  StoredChart first = with_points({{"mss-cf", 4}, {"mss-cf", 8}});
+  first.points[1].timing.reset();
+  first.points[1].left_out = "over budget";
+  StoredChart second = with_points({{"mss-cf", 8}, {"fem-stvk:q2", 4}, {"mss-cf", 4}});
+  second.points[2].timing->median = 7;  // measured again: the first one's stays
+  StoredChart elsewhere = second;
+  elsewhere.machine = "another";
+  ResultFile(own.path / "first.h5").put_chart(first);
+  {
+    ResultFile file(own.path / "second.h5");
+    file.put_chart(second);
+    file.put_chart(elsewhere);
+  }
+  ResultFile(own.path / "first.h5").absorb(own.path / "second.h5");
+
+  const std::vector<StoredChart> charts = read_charts(own.path / "first.h5");
+  BOOST_TEST_REQUIRE(charts.size() == 2U);  // of each machine
+  const StoredChart& both = charts[0].machine == "another" ? charts[1] : charts[0];
+  BOOST_TEST_REQUIRE(both.points.size() == 3U);
+  BOOST_TEST(both.points[0].key == "mss-cf4");
+  BOOST_TEST(both.points[0].timing->median == 1);
+  BOOST_TEST(both.points[1].key == "mss-cf8");
+  BOOST_TEST(both.points[1].timing.has_value());
+  BOOST_TEST(!both.points[1].left_out.has_value());
+  BOOST_TEST(both.points[2].key == "fem-stvk:q24");
+  BOOST_TEST(both.comparisons.size() == 3U);
+}
+
+BOOST_AUTO_TEST_CASE(why_a_point_was_left_out_is_kept) {
+  const OwnFolder own;
+  StoredChart chart = with_points({{"mss-cf", 4}, {"mss-cf", 8}});
+  chart.points[1].timing.reset();
+  chart.points[1].left_out = "over memory";
+  ResultFile(own.path / "one.h5").put_chart(chart);
+  const StoredChart read = read_charts(own.path / "one.h5").at(0);
+  BOOST_TEST(!read.points[0].left_out.has_value());
+  BOOST_TEST(read.points[1].left_out.value() == "over memory");
+  BOOST_TEST(!read.points[1].timing.has_value());
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,125 @@
+#include "comparisons/results/stored_map.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "tests/comparisons/own_folder.hpp"
+#include "comparisons/stability/atlas.hpp"
+#include "comparisons/stability/atlas_json.hpp"
+
+using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(stored_map_test)
+
+namespace {
+
+AtlasPlan plan_of(const std::vector<std::string>& over,
+                  const std::vector<std::pair<std::string, std::string>>& options) {
+  AtlasPlan plan{.scene = "compression", .options = {}, .axes = {}};
+  for (const std::string& axis : over) plan.axes.push_back(axis_named("--over", axis));
+  for (const auto& [key, value] : options)
+    plan.options.push_back({key, Given::from_text("--" + key, value)});
+  return plan;
+}
+
+Atlas atlas_in(const std::filesystem::path& file, const AtlasPlan& plan) {
+  CaseRunner runner(file, 2);
+  return make_atlas(plan, runner);
+}
+
+StoredMap planned() {
+  return {.scene = "compression",
+          .axes = {"deformation", "nu"},
+          .points = {{.method = "mss-cf", .values = {"2%", "0.1"}, .key = "a"},
+                     {.method = "mss-cf", .values = {"4%", "0.1"}, .key = "b"}},
+          .limits = {}};
+}
+
+StoredMap completed() {
+  StoredMap map = planned();
+  map.limits.push_back({.method = "mss-cf",
+                        .other = "0.1",
+                        .low = 2.5,
+                        .high = std::nullopt,
+                        .failure = "none",
+                        .key = std::nullopt});
+  return map;
+}
+
+}  // namespace
+
+// How cases fail is said again of the stored ones, and is what the atlas said.
+BOOST_AUTO_TEST_CASE(a_map_is_read_as_it_was_made) {
+  const OwnFolder folder;
+  const auto file = folder.path / "atlas.h5";
+  const Atlas atlas =
+      atlas_in(file, plan_of({"deformation=2%:30%:3", "nu=0,0.25"},
+                             {{"cells", "3,3,3"}, {"method", "mss-nfd,mss-baudet"}}));
+  const auto json = atlas_json(file);
+  BOOST_TEST_REQUIRE(json["maps"].size() == 1U);
+  const auto& map = json["maps"][0];
+  BOOST_TEST(map["axes"][0]["numbers"].dump() == "[2.0,16.0,30.0]");
+  BOOST_TEST(map["axes"][0]["unit"] == "%");
+  BOOST_TEST(map["axes"][1]["values"].dump() == R"(["0","0.25"])");
+  BOOST_TEST_REQUIRE(map["points"].size() == atlas.points.size());
+  std::size_t failed = 0;
+  for (std::size_t i = 0; i < atlas.points.size(); ++i) {
+    const auto& point = map["points"][i];
+    BOOST_TEST(point["method"] == atlas.points[i].method);
+    BOOST_TEST((point["values"] == atlas.points[i].values));
+    BOOST_TEST(point["case"] == atlas.points[i].result.key);
+    BOOST_TEST(point["failure"] == name_of(atlas.points[i].failure));
+    failed += atlas.points[i].failure != Failure::none;
+  }
+  BOOST_TEST(failed > 0U);
+  BOOST_TEST_REQUIRE(map["limits"].size() == atlas.limits.size());
+  for (std::size_t i = 0; i < atlas.limits.size(); ++i) {
+    BOOST_TEST(map["limits"][i]["low"].is_null() == !atlas.limits[i].low.has_value());
+    if (atlas.limits[i].low)
+      BOOST_TEST(map["limits"][i]["low"].get<double>() == *atlas.limits[i].low);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(locking_is_judged_by_the_stored_control) {
+  const OwnFolder folder;
+  const auto file = folder.path / "atlas.h5";
+  AtlasPlan plan = plan_of({"nu=0.25,0.499"}, {{"cells", "3,3,3"},
+                                               {"deformation", "1%"},
+                                               {"element", "q1"},
+                                               {"method", "fem-stvk"}});
+  plan.judges_locking = true;
+  atlas_in(file, plan);
+  const auto points = atlas_json(file)["maps"][0]["points"];
+  BOOST_TEST(points[0]["failure"] == "none");
+  BOOST_TEST(points[1]["failure"] == "locking");
+}
+
+// What is planned stands in the file before it is computed, and never replaces what is.
+BOOST_AUTO_TEST_CASE(a_planned_map_waits_for_its_cases) {
+  const OwnFolder folder;
+  const auto file = folder.path / "atlas.h5";
+  ResultFile(file).put_map(planned(), MapState::planned);
+  auto map = atlas_json(file)["maps"][0];
+  BOOST_TEST(map["points"].size() == 2U);
+  BOOST_TEST(map["points"][0]["failure"].is_null());
+  BOOST_TEST(map["limits"].empty());
+  ResultFile(file).put_map(completed(), MapState::complete);
+  ResultFile(file).put_map(planned(), MapState::planned);
+  BOOST_TEST_REQUIRE(atlas_json(file)["maps"].size() == 1U);
+  map = atlas_json(file)["maps"][0];
+  BOOST_TEST_REQUIRE(map["limits"].size() == 1U);
+  BOOST_TEST(map["limits"][0]["low"] == 2.5);
+  BOOST_TEST(map["limits"][0]["high"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(maps_are_merged) {
+  const OwnFolder folder;
+  const auto whole = folder.path / "whole.h5", part = folder.path / "part.h5",
+             none = folder.path / "none.h5";
+  ResultFile(whole).put_map(completed(), MapState::complete);
+  ResultFile(part).put_map(planned(), MapState::planned);
+  for (const auto& from : {part, whole, part}) ResultFile(none).absorb(from);
+  BOOST_TEST_REQUIRE(read_maps(none).size() == 1U);
+  BOOST_TEST(read_maps(none)[0].limits.size() == 1U);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

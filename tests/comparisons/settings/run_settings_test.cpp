@@ -1,0 +1,411 @@
+#include <unistd.h>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "comparisons/cases/mechanical_scene.hpp"
+#include "meshing/input_error.hpp"
+#include "tests/comparisons/settings.hpp"
+
+using namespace springcheck;
+namespace data = boost::unit_test::data;
+
+BOOST_AUTO_TEST_SUITE(run_settings_test)
+
+namespace {
+
+/// The message of reading this text as a scene file.
+std::string message_of_scene(const std::string& text) {
+  std::string name =
+      (std::filesystem::temp_directory_path() / "springcheck_XXXXXX.toml").string();
+  close(mkstemps(name.data(), 5));
+  const std::filesystem::path file(name);
+  std::ofstream(file) << text;
+  struct Remove {
+    const std::filesystem::path& file;
+    ~Remove() { std::filesystem::remove(file); }
+  } const remove{file};
+  try {
+    const SceneFile scene = read_scene(file.string());
+    make_run_settings(scene.name, "scene.toml", scene.settings);
+  } catch (const InputError& error) {
+    std::string message = error.what();
+    if (const auto at = message.find(file.string()); at != std::string::npos)
+      message.replace(at, file.string().size(), "scene.toml");
+    return message;
+  }
+  return "accepted";
+}
+
+std::string message_of_option(const std::string& scene, const std::string& change) {
+  try {
+    run_of(scene, {change});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+const std::string good =
+    "test = \"compression\"\nsize = [1, 1, 1]\ncells = [2, 2, 2]\nyoung = 1e4\n"
+    "nu = 0.25\ndensity = 1000\ndeformation = 0.05\nmethod = \"mss-cf\"\n";
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = good;
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// The good scene with springs of one's own, whose constants are to follow in line 9.
+const std::string own = with("mss-cf", "mss-custom");
+
+/// The good scene as another test, with this in the place of its deformation (line 7).
+std::string of_test(const std::string& test, const std::string& instead) {
+  std::string text = with("deformation = 0.05", instead);
+  return text.replace(text.find("compression"), 11, test);
+}
+
+struct Bad {
+  std::string scene;
+  std::string message_start;
+};
+std::ostream& operator<<(std::ostream& out, const Bad& bad) {
+  return out << bad.message_start;
+}
+
+const std::vector<Bad> bad_scenes{
+    {"", "scene.toml:1:1: expected settings, got an empty scene"},
+    {"test = ", "scene.toml:1:"},
+    {good + "colour = 3\n", "scene.toml:9:1: expected one of test, body, gravity"},
+    {with("nu = 0.25", "nu = \"soft\""),
+     "scene.toml:5:6: nu: expected a finite number, got 'soft'"},
+    {with("nu = 0.25\n", ""),
+     "scene.toml:1:1: key 'nu': expected a number in (-1, 0.5), got none"},
+    {with("nu = 0.25", "nu = 0.5"),
+     "scene.toml:5:6: nu: expected a number in (-1, 0.5), got 0.5"},
+    {with("nu = 0.25", "nu = -1"),
+     "scene.toml:5:6: nu: expected a number in (-1, 0.5), got -1"},
+    {with("nu = 0.25", "nu = nan"),
+     "scene.toml:5:6: nu: expected a finite number, got nan"},
+    {with("young = 1e4", "young = -1"),
+     "scene.toml:4:9: young: expected a positive finite number"},
+    {with("young = 1e4", "young = inf"),
+     "scene.toml:4:9: young: expected a positive finite number"},
+    {with("density = 1000", "density = 0"),
+     "scene.toml:6:11: density: expected a positive"},
+    {with("density = 1000", "density = {x = 1}"),
+     "scene.toml:6:11: density: expected a positive finite number, got a table"},
+    {with("[1, 1, 1]", "[1, 1]"),
+     "scene.toml:2:8: size: expected three finite numbers, got [1, 1]"},
+    {with("[1, 1, 1]", "[1, 0, 1]"),
+     "scene.toml:2:8: size: expected three lengths between 1e-9 and 1e9 m, got [1, 0, "
+     "1]"},
+    {with("[2, 2, 2]", "[2, 0, 2]"),
+     "scene.toml:3:9: cells: expected three counts of at least 1"},
+    {with("[2, 2, 2]", "[2, 2.5, 2]"), "scene.toml:3:9: cells: expected three integers"},
+    {with("[2, 2, 2]", "[2, 4.0, 2]"),
+     "scene.toml:3:9: cells: expected three integers, got [2, 4.0, 2]"},
+    {with("nu = 0.25", "nu = [0.25]"),
+     "scene.toml:5:6: nu: expected a finite number, got [0.25]"},
+    {with("deformation = 0.05", "deformation = 1e200"),
+     "scene.toml:7:15: deformation: expected a deformation of at most 100"},
+    {with("deformation = 0.05", "deformation = \"5deg\""),
+     "scene.toml:7:15: deformation: expected a finite strain"},
+    {with("[2, 2, 2]", "[2, 99999999999, 2]"),
+     "scene.toml:3:9: cells: expected three counts"},
+    {with("deformation = 0.05", "deformation = -0.05"),
+     "scene.toml:7:15: deformation: expected a positive"},
+    {with("deformation = 0.05", "deformation = 1"),
+     "scene.toml:7:15: deformation: expected a strain below 1"},
+    {with("deformation = 0.05", "deformation = \"5kg\""),
+     "scene.toml:7:15: deformation: expected a finite"},
+    {with("\"mss-cf\"", "\"mss-fc\""),
+     "scene.toml:8:10: method: expected one of mss-baudet, mss-nfd"},
+    {with("\"mss-cf\"", "[]"),
+     "scene.toml:8:10: method: expected at least one name, got []"},
+    {with("\"mss-cf\"", "[\"mss-cf\", \"mss-cf\"]"),
+     "scene.toml:8:10: method: expected each name once"},
+    {with("\"compression\"", "\"squeezing\""),
+     "scene.toml:1:8: test: expected one of compression, tension"},
+    {good + "element = \"q9\"\n", "scene.toml:9:11: element: expected one of q1, q1-sri"},
+    {good + "solver = \"magic\"\n",
+     "scene.toml:9:10: solver: expected one of static, limit, explicit, semi-implicit, "
+     "verlet, implicit"},
+    {good + "dt = 0\n", "scene.toml:9:6: dt: expected a positive finite number, got 0"},
+    {good + "dt = \"soon\"\n",
+     "scene.toml:9:6: dt: expected a positive time [s] or 'auto', got 'soon'"},
+    {good + "damping = -1\n",
+     "scene.toml:9:11: damping: expected a number of at least 0"},
+    {good + "gravity = [0, 0, -1]\n",
+     "scene.toml:9:11: gravity: expected no gravity but in bending"},
+    {good + "expect = \"fine\"\n",
+     "scene.toml:9:10: expect: expected statuses among ok, wrinkled"},
+    {good + "reference = \"fem-stvk@fine\"\n",
+     "scene.toml:9:13: reference: expected METHOD[:ELEMENT] and behind it @NX,NY,NZ"},
+    {good + "reference = \"mss-cf:q1@4\"\n",
+     "scene.toml:9:13: reference: expected an element for fem- methods only, and "
+     "none for fem-explicit-"},
+    {good + "reference = \"fem@converged\"\n",
+     "scene.toml:9:13: reference: expected one of mss-baudet, mss-nfd"},
+    {good + "traction = [0, 0, 1]\n",
+     "scene.toml:9:12: traction: expected no traction but in traction"},
+    {good + "gradient = [1, 0, 0, 0, 0, 0, 0, 0, 0]\n",
+     "scene.toml:9:12: gradient: expected no gradient but in affine"},
+    {good + "plates = \"sliding\"\n",
+     "scene.toml:9:10: plates: expected no plates but in traction"},
+    {good + "lattice = \"fem-hooke\"\n",
+     "scene.toml:9:11: lattice: expected one of mss-baudet, mss-nfd, mss-fd, mss-cf, "
+     "mss-affine, got 'fem-hooke'"},
+    {good + "lattice = \"mss-fd\"\n",
+     "scene.toml:9:11: lattice: expected no lattice without fem-cauchy-born"},
+    {good + "lattice-direction = 110\n",
+     "scene.toml:9:21: lattice-direction: expected no lattice-direction without"},
+    {good + "lattice-direction = 101\n",
+     "scene.toml:9:21: lattice-direction: expected one of 100, 110, 111, got 101"},
+    {good + "linear-solver = \"cholesky\"\n",
+     "scene.toml:9:17: linear-solver: expected one of auto, direct, multigrid"},
+    {good + "stiffness = [1, 2, 3]\n",
+     "scene.toml:9:13: stiffness: expected no stiffness without mss-custom as method or "
+     "reference, got [1, 2, 3]"},
+    {good + "kappa = 1\n", "scene.toml:9:9: kappa: expected no kappa without mss-custom"},
+    {own,
+     "scene.toml:1:1: key 'stiffness': expected KE,KF,KC of mss-custom [N/m], got "
+     "none"},
+    {own + "kappa = 1\n", "scene.toml:1:1: key 'stiffness': expected KE,KF,KC"},
+    {own + "stiffness = [1, 2]\n",
+     "scene.toml:9:13: stiffness: expected three finite numbers, got [1, 2]"},
+    {own + "stiffness = [1, nan, 3]\n",
+     "scene.toml:9:13: stiffness: expected three finite numbers, got [1, nan, 3]"},
+    {own + "stiffness = [1, 2, -3]\n",
+     "scene.toml:9:13: stiffness: expected KE,KF,KC of at least 0 N/m, one of them above "
+     "0, got [1, 2, -3]"},
+    {own + "stiffness = [0, 0, 0]\n",
+     "scene.toml:9:13: stiffness: expected KE,KF,KC of at least 0 N/m, one of them above "
+     "0, got [0, 0, 0]"},
+    {own + "stiffness = [1, 2, 3]\nkappa = nan\n",
+     "scene.toml:10:9: kappa: expected a finite number, got nan"},
+    {own + "stiffness = [1, 2, 3]\nreference = \"mss-custom@4\"\n",
+     "scene.toml:10:13: reference: expected mss-custom on the case's own mesh"},
+    {of_test("uniaxial", "deformation = 0"),
+     "scene.toml:7:15: deformation: expected a strain above -1 other than 0"},
+    {of_test("uniaxial", "deformation = -1"),
+     "scene.toml:7:15: deformation: expected a strain above -1 other than 0"},
+    {of_test("uniaxial", "deformation = 101"),
+     "scene.toml:7:15: deformation: expected a deformation of at most 100"},
+    {of_test("uniaxial", "traction = [0, 0, 1]"),
+     "scene.toml:7:12: traction: expected no traction but in traction"},
+    {good + "dt = 1979-05-27\n",
+     "scene.toml:9:6: dt: expected a positive finite number, got 1979-05-27"},
+    {of_test("affine", "gradient = [[0.1, 0, 0], [0, 0.1, 0], [0, 0]]"),
+     "scene.toml:7:12: gradient: expected nine finite numbers, row by row, got [[0.1, 0, "
+     "0], [0, 0.1, 0], [0, 0]]"},
+    {of_test("traction", ""),
+     "scene.toml:1:1: key 'traction': expected a force per area [Pa], got none"},
+    {of_test("traction", "traction = [0, 0, 0]"),
+     "scene.toml:7:12: traction: expected a vector other than zero [Pa]"},
+    {of_test("traction", "traction = [1, 2]"),
+     "scene.toml:7:12: traction: expected three finite numbers"},
+    {of_test("traction", "traction = [0, 1, 2]\nplates = 'sliding'"),
+     "scene.toml:7:12: traction: expected a traction along z: the body slides"},
+    {of_test("traction", "traction = [0, 0, 1]\nplates = 'loose'"),
+     "scene.toml:8:10: plates: expected one of glued, sliding, got 'loose'"},
+    {of_test("traction", "traction = [0, 0, 1]\ndeformation = 0.1"),
+     "scene.toml:8:15: deformation: expected no deformation in traction"},
+    {of_test("affine", ""),
+     "scene.toml:1:1: key 'gradient': expected nine numbers, row by row, got none"},
+    {of_test("affine", "gradient = [1, 2, 3]"),
+     "scene.toml:7:12: gradient: expected nine finite numbers"},
+    {of_test("affine", "gradient = [0, 0, 0, 0, 0, 0, 0, 0, 0]"),
+     "scene.toml:7:12: gradient: expected a gradient other than zero"},
+    {of_test("affine", "gradient = [0, 0, 0, 0, 101, 0, 0, 0, 0]"),
+     "scene.toml:7:12: gradient: expected components between -100 and 100"},
+    {of_test("affine", "gradient = [0, 0, 0, 0, 0, 0, 0, 0, -1]"),
+     "scene.toml:7:12: gradient: expected a gradient H that turns no body inside out"},
+    // Half a turn about z: its end is regular, the way there is not.
+    {of_test("affine", "gradient = [-2, 0, 0, 0, -2, 0, 0, 0, 0]"),
+     "scene.toml:7:12: gradient: expected a gradient H that turns no body inside out"},
+    {of_test("affine", "deformation = 0.1"),
+     "scene.toml:7:15: deformation: expected no deformation in affine"},
+    {good + "nu = 0.3\n", "scene.toml:9:6: expected TOML, got"}};  // a key twice
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE(a_bad_scene_is_refused_with_line_and_column,
+                     data::make(bad_scenes)) {
+  const std::string message = message_of_scene(sample.scene);
+  BOOST_TEST(message.starts_with(sample.message_start), message);
+  BOOST_TEST(message.find('\n') == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_that_cannot_be_read_is_named) {
+  BOOST_CHECK_EXCEPTION(read_scene("no/such.toml"), InputError, [](const InputError& e) {
+    return std::string(e.what()).starts_with(
+        "no/such.toml:1:1: expected a readable scene");
+  });
+  BOOST_CHECK_EXCEPTION(read_scene("compresion"), InputError, [](const InputError& e) {
+    return std::string(e.what()).find("compression-thesis-raw, kidney") !=
+           std::string::npos;
+  });
+}
+
+BOOST_AUTO_TEST_CASE(options_are_checked_like_keys) {
+  BOOST_TEST(message_of_option("compression", "nu=.5") ==
+             "--nu: expected a number in (-1, 0.5), got 0.5");
+  BOOST_TEST(message_of_option("compression", "nu=a").starts_with("--nu: expected"));
+  BOOST_TEST(
+      message_of_option("compression", "cells=3,3").starts_with("--cells: expected"));
+  BOOST_TEST(message_of_option("bending", "deformation=.1").starts_with("--deformation"));
+  BOOST_TEST(message_of_option("bending", "gravity=0,0,0").starts_with("--gravity"));
+}
+
+BOOST_AUTO_TEST_CASE(deformations_are_understood_with_units,
+                     *boost::unit_test::tolerance(1e-15)) {
+  BOOST_TEST(*case_of("compression", {"deformation=5%"}).deformation == 0.05);
+  BOOST_TEST(*case_of("torsion", {"deformation=45deg"}).deformation ==
+             std::numbers::pi / 4);
+  BOOST_TEST(*case_of("compression", {"deformation=.2"}).deformation == 0.2);
+  BOOST_TEST(*case_of("uniaxial", {"deformation=-5%"}).deformation == -0.05);
+}
+
+BOOST_AUTO_TEST_CASE(loads_and_gradients_reach_the_scene) {
+  const auto scene_of = [](const CaseSettings& settings) {
+    return mechanical_scene(settings, build_mesh(settings.body));
+  };
+  const Scene glued =
+      scene_of(case_of("traction", {"plates=glued", "traction=1,-2,3", "method=mss-cf"}));
+  BOOST_TEST((glued.plates.front().held == all_components));
+  BOOST_TEST(glued.pins.empty());
+  BOOST_TEST((glued.tractions.front().stress == Vector3(1, -2, 3)));
+  const Scene affine = scene_of(
+      case_of("affine", {"gradient=.1,.2,.3,.4,.5,.6,.7,.8,.9", "method=mss-cf"}));
+  BOOST_TEST((*affine.boundary_gradient)(0, 1) == 0.2);  // row by row
+  BOOST_TEST((*affine.boundary_gradient)(2, 0) == 0.7);
+}
+
+// What holds the body leaves it no rigid motion and no more: on sliding plates, one
+// component of each node on them and three at two corners.
+BOOST_AUTO_TEST_CASE(sliding_plates_and_pins_hold_only_rigid_motions) {
+  const auto held = [](const std::string& scene) {
+    const CaseSettings settings = case_of(scene, {"cells=2,2,2", "method=mss-cf"});
+    const Mesh mesh = build_mesh(settings.body);
+    return prescribed_components(mesh, mechanical_scene(settings, mesh)).size();
+  };
+  BOOST_TEST(held("uniaxial") == 2 * 9U + 3);
+  BOOST_TEST(held("traction") == 9U + 3);
+  BOOST_TEST(held("compression") == 2 * 27U);
+  BOOST_TEST(held("bending") == 27U);
+  BOOST_TEST(held("affine") == 26 * 3U);
+}
+
+// INTERFACE: fem-hooke:q1-sri up to .02, fem-stvk:q1-sri above, on the same mesh.
+BOOST_AUTO_TEST_CASE(the_default_reference_depends_on_the_deformation) {
+  const auto reference = [](const std::string& scene, const std::string& change) {
+    return label(*requests(run_of(scene, {"method=mss-cf", change})).front().reference);
+  };
+  BOOST_TEST(reference("compression", "deformation=.02") == "fem-hooke:q1-sri");
+  BOOST_TEST(reference("compression", "deformation=.021") == "fem-stvk:q1-sri");
+  BOOST_TEST(reference("torsion", "deformation=1deg") == "fem-hooke:q1-sri");
+  BOOST_TEST(reference("bending", "nu=.2") == "fem-stvk:q1-sri");
+  BOOST_TEST(reference("bending-cm", "nu=.2") == "fem-hooke:q1-sri");
+  BOOST_TEST(reference("uniaxial", "deformation=-.02") == "fem-hooke:q1-sri");
+  BOOST_TEST(reference("uniaxial", "deformation=-.2") == "fem-stvk:q1-sri");
+  BOOST_TEST(reference("traction", "nu=.2") == "fem-stvk:q1-sri");
+  BOOST_TEST(reference("affine", "nu=.2") == "fem-stvk:q1-sri");
+  BOOST_TEST(reference("compression", "reference=fem-cauchy-born:q2") ==
+             "fem-cauchy-born:q2");
+  BOOST_TEST(reference("compression", "reference=fem-hooke:q1") == "fem-hooke:q1");
+  BOOST_TEST(reference("compression", "reference=mss-fd") == "mss-fd");
+}
+
+BOOST_AUTO_TEST_CASE(the_reference_itself_has_none) {
+  const auto all = requests(run_of("compression", {"method=mss-cf,fem-stvk"}));
+  BOOST_TEST_REQUIRE(all.size() == 2U);
+  BOOST_TEST(all[0].reference.has_value());
+  BOOST_TEST(!all[1].reference.has_value());
+}
+
+// Two cases that cannot differ must share a key, two that can must not.
+BOOST_AUTO_TEST_CASE(settings_json_holds_what_a_method_reads) {
+  const auto json = [](const std::vector<std::string>& changes) {
+    return settings_json(case_of("compression", changes)).dump();
+  };
+  BOOST_TEST(json({"method=fem-hooke"}) == json({"method=fem-hooke", "seed=7"}));
+  BOOST_TEST(json({"method=fem-hooke"}) != json({"method=fem-hooke", "element=q1"}));
+  BOOST_TEST(json({"method=mss-cf"}) == json({"method=mss-cf", "element=q1"}));
+  BOOST_TEST(json({"method=mss-cf"}) != json({"method=mss-cf", "diagonal-ratio=2"}));
+  BOOST_TEST(json({"method=mss-nfd"}) == json({"method=mss-nfd", "diagonal-ratio=2"}));
+  BOOST_TEST(json({"method=mss-cf"}) != json({"method=mss-cf", "seed=7"}));
+  BOOST_CHECK_THROW(json({"method=mss-cf", "dt=.001"}), InputError);  // read by none
+  BOOST_TEST(json({"method=mss-cf"}) != json({"method=mss-cf", "solver=semi-implicit"}));
+  const auto differ = [&](const std::string& method, const std::string& change) {
+    const std::string reference = "reference=fem-cauchy-born";  // may have a lattice
+    return json({"method=" + method, reference}) !=
+           json({"method=" + method, reference, change});
+  };
+  BOOST_TEST(differ("fem-stvk", "linear-solver=direct"));
+  BOOST_TEST(differ("fem-stvk", "element=q2"));
+  BOOST_TEST(!differ("mss-cf", "linear-solver=direct"));
+  for (const char* change : {"lattice=mss-nfd", "lattice-direction=111",
+                             "diagonal-ratio=2", "stiffness-form=E"}) {
+    BOOST_TEST(differ("fem-cauchy-born", change), change);
+    BOOST_TEST(!differ("fem-hencky", change), change);
+  }
+  BOOST_TEST(json({"method=fem-cauchy-born", "lattice=mss-baudet"}) ==
+             json({"method=fem-cauchy-born", "lattice=mss-baudet", "diagonal-ratio=2",
+                   "stiffness-form=E"}));
+}
+
+BOOST_AUTO_TEST_CASE(springs_of_one_s_own_are_known_by_their_constants_alone) {
+  const auto json = [](const std::vector<std::string>& changes) {
+    std::vector<std::string> all{"method=mss-custom", "stiffness=1,2,3"};
+    all.insert(all.end(), changes.begin(), changes.end());
+    return settings_json(case_of("compression", all));
+  };
+  BOOST_TEST(json({})["stiffness"] == nlohmann::json({1., 2., 3.}));
+  BOOST_TEST(json({})["kappa"] == 0.);
+  BOOST_TEST(json({"kappa=-5"})["kappa"] == -5.);
+  BOOST_TEST(json({}) != json({"stiffness=1,3,2"}));
+  BOOST_TEST(json({}) == json({"diagonal-ratio=2", "stiffness-form=E"}));
+  // Beside it, the others' keys are what they are without.
+  const auto beside = requests(
+      run_of("compression", {"method=mss-cf,mss-custom", "stiffness=1,2,3", "kappa=4"}));
+  BOOST_TEST(settings_json(beside.front().settings) ==
+             settings_json(case_of("compression", {"method=mss-cf"})));
+  BOOST_TEST(settings_json(beside.back().settings) == json({"kappa=4"}));
+  const auto reference =
+      requests(run_of("compression",
+                      {"method=mss-cf", "reference=mss-custom", "stiffness=1,2,3"}))
+          .front()
+          .reference.value();
+  BOOST_TEST(settings_json(reference) == json({}));
+}
+
+BOOST_AUTO_TEST_CASE(settings_json_holds_what_a_test_reads) {
+  const auto json = [](const std::string& scene, const std::string& change) {
+    return settings_json(case_of(scene, {"method=mss-cf", change})).dump();
+  };
+  BOOST_TEST(json("traction", "plates=glued") != json("traction", "plates=sliding"));
+  BOOST_TEST(json("traction", "traction=0,0,1") != json("traction", "traction=0,0,2"));
+  BOOST_TEST(json("affine", "gradient=.1,0,0,0,0,0,0,0,0") !=
+             json("affine", "gradient=0,.1,0,0,0,0,0,0,0"));
+}
+
+BOOST_AUTO_TEST_CASE(every_key_reaches_the_finite_elements) {
+  const auto settings = reference_settings(case_of(
+      "compression",
+      {"method=fem-cauchy-born", "element=q2", "lattice=mss-fd", "lattice-direction=110",
+       "diagonal-ratio=3", "stiffness-form=E", "linear-solver=multigrid"}));
+  using namespace fem_reference;
+  BOOST_TEST((settings.law == Law::cauchy_born));
+  BOOST_TEST((settings.element == Element::q2));
+  BOOST_TEST((settings.lattice.springs == Springs::fd));
+  BOOST_TEST((settings.lattice.direction == LatticeDirection::d110));
+  BOOST_TEST((settings.lattice.constants == SpringConstants::from_young_modulus));
+  BOOST_TEST(settings.lattice.diagonal_ratio == 3);
+  BOOST_TEST((settings.linear_solver == LinearSolver::multigrid));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

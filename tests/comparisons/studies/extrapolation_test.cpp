@@ -1,0 +1,129 @@
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "comparisons/studies/extrapolation.hpp"
+
+using namespace springcheck;
+using boost::test_tools::tolerance;
+
+BOOST_AUTO_TEST_SUITE(extrapolation_test)
+
+namespace {
+
+constexpr double noise = 1e-12;
+
+Eigen::MatrixXd scalar(double value) {
+  return Eigen::MatrixXd::Constant(1, 1, value);
+}
+
+Extrapolated limit_of(const GridSizes& sizes, double q1, double q2, double q3) {
+  return extrapolate(sizes, {scalar(q1), scalar(q2), scalar(q3)}, noise);
+}
+
+}  // namespace
+
+// q = 2 + 3 h^p is its own extrapolation: exact up to round-off, amplified where the
+// changes are small beside q.
+BOOST_AUTO_TEST_CASE(a_power_law_is_recovered_for_constant_and_changing_ratios,
+                     *boost::unit_test::tolerance(1e-9)) {
+  for (const GridSizes& h :
+       {GridSizes{0.4, 0.2, 0.1}, GridSizes{0.2, 0.1, 0.05}, GridSizes{0.5, 0.3, 0.2},
+        GridSizes{1. / 3, 1. / 5, 1. / 10}})
+    for (const double p : {0.5, 1., 1.4, 2., 3.}) {
+      const auto q = [&](double size) { return 2 + 3 * std::pow(size, p); };
+      const Extrapolated limit = limit_of(h, q(h[0]), q(h[1]), q(h[2]));
+      BOOST_TEST_REQUIRE(limit.order.has_value());
+      BOOST_TEST(*limit.order == p);
+      BOOST_TEST(limit.value(0) == 2.);
+      BOOST_TEST(limit.bar(0) == 1.25 * 3 * std::pow(h[2], p));
+    }
+}
+
+// p = ln((q1 - q2)/(q2 - q3))/ln 2 by hand: changes of 4 and 1 are of order 2, and a
+// third of the last change is left.
+BOOST_AUTO_TEST_CASE(halving_follows_the_textbook_formula,
+                     *boost::unit_test::tolerance(1e-12)) {
+  const Extrapolated limit = limit_of({4, 2, 1}, 15, 11, 10);
+  BOOST_TEST(*limit.order == 2.);
+  BOOST_TEST(limit.value(0) == 10 - 1. / 3);
+  BOOST_TEST(limit.bar(0) == 1.25 / 3);
+}
+
+BOOST_AUTO_TEST_CASE(without_an_order_the_finest_value_keeps_three_times_its_change,
+                     *boost::unit_test::tolerance(1e-12)) {
+  const GridSizes halving{4, 2, 1};
+  const auto expect_no_order = [&](double q1, double q2, double q3) {
+    const Extrapolated limit = limit_of(halving, q1, q2, q3);
+    BOOST_TEST(!limit.order.has_value());
+    BOOST_TEST(limit.value(0) == q3);
+    BOOST_TEST(limit.bar(0) == 3 * std::abs(q3 - q2));
+  };
+  expect_no_order(10, 11, 10.5);       // oscillates
+  expect_no_order(10, 11, 12);         // order 0
+  expect_no_order(10, 11, 13);         // grows
+  expect_no_order(10, 11, 11.000001);  // order 20
+  expect_no_order(10, 10, 11);         // the first change is nothing
+}
+
+BOOST_AUTO_TEST_CASE(equal_values_have_converged_up_to_the_noise) {
+  for (const double left_over : {0., 0.4 * noise}) {
+    const Extrapolated limit = limit_of({4, 2, 1}, 5 + left_over, 5, 5 - left_over);
+    BOOST_TEST(!limit.order.has_value());
+    BOOST_TEST(limit.value(0) == 5 - left_over);
+    BOOST_TEST(limit.bar(0) == noise);
+  }
+}
+
+// The last change is nothing, an earlier one was not: no order, and no bar below noise.
+BOOST_AUTO_TEST_CASE(no_bar_is_smaller_than_the_noise) {
+  const Extrapolated limit = limit_of({4, 2, 1}, 6, 5, 5);
+  BOOST_TEST(!limit.order.has_value());
+  BOOST_TEST(limit.bar(0) == noise);
+}
+
+// One order for the field, from its norms: the entry that does not change stays, the
+// others follow. u = (1 + h, 2 - 2 h, 3).
+BOOST_AUTO_TEST_CASE(a_field_is_extrapolated_with_one_order,
+                     *boost::unit_test::tolerance(1e-12)) {
+  const auto field = [](double h) {
+    return Eigen::MatrixXd(Eigen::RowVector3d(1 + h, 2 - 2 * h, 3));
+  };
+  const Extrapolated limit =
+      extrapolate({0.4, 0.2, 0.1}, {field(0.4), field(0.2), field(0.1)}, noise);
+  BOOST_TEST(*limit.order == 1.);
+  BOOST_TEST((limit.value - Eigen::RowVector3d(1, 2, 3)).norm() < 1e-12);
+  BOOST_TEST((limit.bar - Eigen::RowVector3d(0.125, 0.25, noise)).norm() < 1e-12);
+}
+
+// Changes of falling size that turn back are no convergence.
+BOOST_AUTO_TEST_CASE(a_field_whose_changes_oppose_has_no_order) {
+  const auto field = [](double x, double y) {
+    return Eigen::MatrixXd(Eigen::RowVector2d(x, y));
+  };
+  const Extrapolated limit =
+      extrapolate({4, 2, 1}, {field(0, 0), field(4, 4), field(2, 2)}, noise);
+  BOOST_TEST(!limit.order.has_value());
+  BOOST_TEST(limit.value(0) == 2);
+  BOOST_TEST(limit.bar(0) == 6);
+}
+
+// Errors of C h^1.5 exactly: round-off. An error of zero has no logarithm.
+BOOST_AUTO_TEST_CASE(fitted_order_is_the_exponent_of_a_power_law,
+                     *boost::unit_test::tolerance(1e-12)) {
+  const std::vector<double> sizes{0.5, 0.25, 0.1};
+  std::vector<double> errors;
+  for (const double h : sizes) errors.push_back(7 * std::pow(h, 1.5));
+  BOOST_TEST(fitted_order(sizes, errors).value() == 1.5);
+  errors.back() = 0;
+  BOOST_TEST(!fitted_order(sizes, errors).has_value());
+}
+
+// Least squares of (0, 0), (1, 0), (2, 3) in logarithms: slope 3/2 by hand.
+BOOST_AUTO_TEST_CASE(fitted_order_is_the_least_squares_slope,
+                     *boost::unit_test::tolerance(1e-12)) {
+  const double e = std::exp(1.);
+  const std::vector<double> sizes{1, e, e * e}, errors{1, 1, e * e * e};
+  BOOST_TEST(fitted_order(sizes, errors).value() == 1.5);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,169 @@
+#include <array>
+#include <boost/test/unit_test.hpp>
+
+#include "comparisons/running/memory.hpp"
+#include "comparisons/results/result_file.hpp"
+#include "meshing/input_error.hpp"
+#include "tests/comparisons/settings.hpp"
+
+using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(study_test)
+
+namespace {
+
+const std::vector<std::string> small{"cells=4,4,4", "method=mss-cf,fem-hooke"};
+
+std::vector<CaseResult> study(const std::vector<Request>& requests, MeshStore& meshes,
+                              int parallel, std::size_t* simulations = nullptr) {
+  return run_study(requests, meshes, parallel, [&](std::size_t, std::size_t all) {
+    if (simulations != nullptr) *simulations = all;
+  });
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_verdict_lists_all_flags_and_takes_the_first) {
+  using Flags = std::vector<Status>;
+  const auto is = [](const Verdict& verdict, Status status, const Flags& flags) {
+    return verdict.status == status && verdict.flags == flags;
+  };
+  BOOST_TEST(is(judge(SolveStatus::ok, false, false), Status::ok, {}));
+  BOOST_TEST(
+      is(judge(SolveStatus::ok, false, true), Status::wrinkled, {Status::wrinkled}));
+  BOOST_TEST(is(judge(SolveStatus::indefinite, true, true), Status::inverted,
+                {Status::inverted, Status::wrinkled, Status::indefinite}));
+  BOOST_TEST(is(judge(SolveStatus::indefinite, false, false), Status::indefinite,
+                {Status::indefinite}));
+  BOOST_TEST(
+      is(judge(SolveStatus::no_equilibrium, true, true), Status::no_equilibrium, {}));
+  BOOST_TEST(is(judge(SolveStatus::refused, false, false), Status::refused, {}));
+}
+
+BOOST_AUTO_TEST_CASE(shared_simulations_run_once) {
+  MeshStore meshes;
+  std::vector<Request> all = requests(run_of("compression", small));
+  all.push_back(all.front());
+  std::size_t simulations = 0;
+  const auto results = study(all, meshes, 2, &simulations);
+  BOOST_TEST(simulations == 3U);  // mss-cf, fem-hooke and the reference fem-stvk
+  BOOST_TEST_REQUIRE(results.size() == 3U);
+  BOOST_TEST(results[0].key == results[2].key);
+  BOOST_TEST(results[0].key != results[1].key);
+}
+
+// The same numbers subtracted: bit by bit.
+BOOST_AUTO_TEST_CASE(the_deviation_is_the_displacement_less_the_reference_s) {
+  MeshStore meshes;
+  std::vector<std::string> against_hooke = small;
+  against_hooke.emplace_back("reference=fem-hooke");
+  const auto results = study(requests(run_of("compression", against_hooke)), meshes, 1);
+  const CaseResult &springs = results.front(), &hooke = results.back();
+  BOOST_TEST_REQUIRE(springs.deviation.size() == springs.solution.displacements.size());
+  for (std::size_t n = 0; n < springs.deviation.size(); ++n)
+    BOOST_TEST((springs.deviation[n] ==
+                springs.solution.displacements[n] - hooke.solution.displacements[n]));
+  BOOST_TEST(hooke.deviation.empty());
+}
+
+BOOST_AUTO_TEST_CASE(the_key_holds_what_deviations_are_measured_against) {
+  MeshStore meshes;
+  Request request = requests(run_of("compression", small)).front();
+  const Mesh& mesh = meshes.mesh(request.settings.body);
+  const std::string key = case_key(request, mesh);
+  request.reference->element = *find_element("q1");
+  BOOST_TEST(case_key(request, mesh) != key);
+  request.reference.reset();
+  BOOST_TEST(case_key(request, mesh) != key);
+}
+
+// A reference that a file holds with its fields is not computed again.
+BOOST_AUTO_TEST_CASE(known_references_are_taken_with_their_fields) {
+  MeshStore meshes;
+  const Request request = requests(run_of("compression", small)).front();
+  const Request alone{.settings = *request.reference, .reference = std::nullopt};
+  const CaseResult reference = study({alone}, meshes, 1).front();
+  const CaseResult computed = study({request}, meshes, 1).front();
+  std::size_t simulations = 0;
+  const CaseResult result =
+      run_study(
+          {request}, meshes, 1, [&](std::size_t, std::size_t all) { simulations = all; },
+          [&](const Request&, const std::string& key) -> std::optional<CaseResult> {
+            if (key != reference.key) return std::nullopt;
+            return reference;
+          })
+          .front();
+  BOOST_TEST(simulations == 1U);
+  BOOST_TEST(*result.measures.mean_deviation == *computed.measures.mean_deviation);
+}
+
+// Nearly incompressible and crushed to four tenths of its height, the lattice folds over.
+BOOST_AUTO_TEST_CASE(a_folded_cell_is_reported_inverted) {
+  MeshStore meshes;
+  const auto results = study(
+      requests(run_of("compression",
+                      {"cells=4,4,4", "method=mss-cf", "nu=0.499", "deformation=0.6"})),
+      meshes, 2);
+  BOOST_TEST((results.front().status == Status::inverted));
+  BOOST_TEST(*results.front().measures.corner_jacobian_ratio_min < 0);
+}
+
+// The same bits whatever runs beside: every simulation is sequential in its sums.
+BOOST_AUTO_TEST_CASE(results_do_not_depend_on_how_many_run_at_once) {
+  MeshStore meshes;
+  const auto all = requests(run_of("torsion", small));
+  const auto alone = study(all, meshes, 1), together = study(all, meshes, 2);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    BOOST_TEST((alone[i].solution.displacements == together[i].solution.displacements));
+    BOOST_TEST(*alone[i].measures.plate_torque == *together[i].measures.plate_torque);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_refused_case_is_a_result_without_measures) {
+  MeshStore meshes;
+  const auto results =
+      study(requests(run_of("compression",
+                            {"size=.05,.05,.06", "cells=4,4,4", "method=mss-nfd"})),
+            meshes, 1);
+  BOOST_TEST((results.front().status == Status::refused));
+  BOOST_TEST(results.front().reason.find("cubic") != std::string::npos);
+  for_each_measure(results.front().measures, [](const char* name, const auto& value) {
+    BOOST_TEST(!value.has_value(), name);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(too_many_cells_are_refused_before_allocating) {
+  const auto all =
+      requests(run_of("compression", {"cells=2000,2000,2000", "method=mss-cf"}));
+  BOOST_CHECK_EXCEPTION(
+      check_memory("--cells", all), InputError, [](const InputError& error) {
+        return std::string(error.what()).find("GB") != std::string::npos;
+      });
+  BOOST_CHECK_NO_THROW(check_memory("--cells", requests(run_of("compression", small))));
+}
+
+// A result that cannot be taken ends the study; simulations that run beside it are not
+// left with half of their loops.
+BOOST_AUTO_TEST_CASE(what_deliver_throws_ends_the_study) {
+  MeshStore meshes;
+  std::vector<Request> all;
+  for (const char* nu : {"nu=.1", "nu=.2", "nu=.3", "nu=.4"})
+    for (const Request& request :
+         requests(run_of("compression", {"cells=4,4,4", "method=fem-stvk", nu})))
+      all.push_back(request);
+  for (int round = 0; round < 5; ++round) {
+    std::vector<CaseResult> taken;
+    const auto deliver = [&](std::size_t, CaseResult&& result) {
+      if (!taken.empty()) throw std::runtime_error("no room");
+      taken.push_back(std::move(result));
+    };
+    BOOST_CHECK_EXCEPTION(
+        run_study(
+            all, meshes, 2, [](std::size_t, std::size_t) {}, {}, deliver),
+        std::runtime_error,
+        [](const std::runtime_error& e) { return std::string(e.what()) == "no room"; });
+    BOOST_TEST((taken.at(0).status == Status::ok));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

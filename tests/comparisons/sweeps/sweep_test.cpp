@@ -1,0 +1,270 @@
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "comparisons/running/cost.hpp"
+#include "comparisons/results/result_writer.hpp"
+#include "comparisons/shipped/shipped.hpp"
+#include "comparisons/commands/sweep_command.hpp"
+#include "comparisons/sweeps/sweep_file.hpp"
+#include "meshing/input_error.hpp"
+#include "tests/comparisons/own_folder.hpp"
+#include "tests/comparisons/settings.hpp"
+
+using namespace springcheck;
+namespace fs = std::filesystem;
+namespace data = boost::unit_test::data;
+
+BOOST_AUTO_TEST_SUITE(sweep_test)
+
+namespace {
+
+Sweep sweep_of(const std::string& text, std::size_t most = 1000) {
+  const OwnFolder own;
+  std::ofstream(own.path / "sweep.toml") << text;
+  return read_sweep((own.path / "sweep.toml").string(), most);
+}
+
+std::string message_of(const std::string& text, std::size_t most = 1000) {
+  try {
+    sweep_of(text, most);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    return message.substr(std::min(message.find("sweep.toml"), message.size()));
+  }
+  return "accepted";
+}
+
+/// "compression mss-cf 0.25 0.05" of each request.
+std::vector<std::string> cases_of(const Sweep& sweep) {
+  std::vector<std::string> cases;
+  for (const Request& request : sweep.requests) {
+    const CaseSettings& s = request.settings;
+    std::ostringstream text;
+    text << s.scene << " " << label(s) << " " << s.material.poisson_ratio << " "
+         << s.deformation.value_or(0);
+    cases.push_back(text.str());
+  }
+  return cases;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_sweep_is_the_product_of_its_lists_the_last_fastest) {
+  const auto cases = cases_of(sweep_of(R"(
+scene = ["compression", "shearing"]
+method = "mss-cf"
+nu = {from = 0, to = 0.4, count = 3}
+deformation = "5%"
+)"));
+  const std::vector<std::string> expected{
+      "compression mss-cf 0 0.05",   "compression mss-cf 0.2 0.05",
+      "compression mss-cf 0.4 0.05", "shearing mss-cf 0 0.05",
+      "shearing mss-cf 0.2 0.05",    "shearing mss-cf 0.4 0.05"};
+  BOOST_TEST(cases == expected, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(each_of_the_cases_has_its_own_keys) {
+  const Sweep sweep = sweep_of(R"(
+method = ["mss-cf", "fem-hooke"]
+nu = 0.3
+fields = true
+[[cases]]
+scene = "tension"
+[[cases]]
+scene = "torsion"
+deformation = ["1deg", 0.5]
+nu = 0.1
+cells = [[2, 2, 2], [4, 4, 4]]
+)");
+  BOOST_TEST(sweep.with_fields);
+  const auto cases = cases_of(sweep);
+  BOOST_TEST(cases.size() == 2U + 2 * 2 * 2);
+  BOOST_TEST(cases[0] == "tension mss-cf 0.3 0.05");
+  BOOST_TEST(cases[1] == "tension fem-hooke:q1-sri 0.3 0.05");
+  BOOST_TEST(cases[2].starts_with("torsion mss-cf 0.1 0.0174"), cases[2]);
+  BOOST_TEST((sweep.requests[3].settings.body.block.cells == std::array{4, 4, 4}));
+}
+
+BOOST_AUTO_TEST_CASE(ranges_hold_the_numbers_that_lists_would) {
+  const Sweep sweep = sweep_of(
+      "scene = 'compression'\nmethod = 'mss-cf'\nnu = {from = 0, to = 0.45, count = "
+      "10}\n");
+  const std::vector<double> list{0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45};
+  for (std::size_t i = 0; i < list.size(); ++i)
+    BOOST_TEST(sweep.requests.at(i).settings.material.poisson_ratio == list[i]);
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_s_own_methods_are_taken_where_none_is_given) {
+  BOOST_TEST(cases_of(sweep_of("scene = 'compression'\n")).size() ==
+             run_of("compression", {}).methods.size());
+}
+
+namespace {
+
+struct Bad {
+  const char *text, *message;
+};
+std::ostream& operator<<(std::ostream& out, const Bad& bad) {
+  return out << bad.message;
+}
+const std::vector<Bad> bad_sweeps{
+    {"nu = 0.2\n", "sweep.toml:1:1: key 'scene': expected the name of a scene, got none"},
+    {"scene = []\n", "sweep.toml:1:9: scene: expected at least one value, got an empty"},
+    {"scene = 'compression'\nnu = []\n",
+     "sweep.toml:2:6: nu: expected at least one value, got an empty list"},
+    {"scene = 'compression'\nnü = 1\n", "sweep.toml:2:2: expected TOML"},
+    {"scene = 'compression'\nmu = 1\n", "sweep.toml:2:1: expected one of scene, fields"},
+    {"scene = 'compression'\nnu = [0.1, 0.5]\n",
+     "sweep.toml:2:12: nu: expected a number in (-1, 0.5), got 0.5"},
+    {"scene = 'compression'\nnu = {from = 0, to = 1}\n",
+     "sweep.toml:2:6: nu: expected {from = A, to = B, count = N}, numbers, N at least 2"},
+    {"scene = 'compression'\nnu = {from = 0, to = 1, count = 2, by = 3}\n",
+     "sweep.toml:2:6: nu: expected {from = A, to = B, count = N}, numbers, N at least 2, "
+     "got "
+     "unknown key 'by'"},
+    {"scene = 'compression'\ncases = 3\n",
+     "sweep.toml:2:9: cases: expected tables, [[cases]], got others"},
+    {"fields = 1\nscene = 'compression'\n", "sweep.toml:1:10: fields: expected"},
+    {"scene = 'compression'\nreference = 'fem-hookee'\n", "sweep.toml:2:13: reference"}};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE(a_bad_sweep_is_refused_with_line_and_column,
+                     data::make(bad_sweeps)) {
+  BOOST_TEST(message_of(sample.text).starts_with(sample.message),
+             message_of(sample.text));
+}
+
+BOOST_AUTO_TEST_CASE(large_products_need_to_be_meant) {
+  const std::string text =
+      "scene = 'compression'\nmethod = 'mss-cf'\nnu = {from = 0, to = 0.4, count = 30}\n"
+      "seed = {from = 1, to = 40, count = 40}\n";
+  BOOST_TEST(message_of(text, 1199) ==
+             "sweep.toml: cases: expected at most 1199 without --yes, got 1200");
+}
+
+BOOST_AUTO_TEST_CASE(shipped_sweeps_can_be_read) {
+  std::set<std::string> names;
+  for (const ShippedFile& sweep : shipped_sweeps()) {
+    const std::string name = fs::path(sweep.name).stem().string();
+    BOOST_TEST(!read_sweep(name, 1000).requests.empty(), name);
+    names.insert(name);
+  }
+  for (const char* name : {"nu", "refinement", "diagonal-ratio", "deformation"})
+    BOOST_TEST(names.contains(name), name);
+  BOOST_TEST(read_sweep("nu", 1000).requests.size() == 330U);
+}
+
+BOOST_AUTO_TEST_CASE(shards_are_disjoint_and_whole) {
+  const OwnFolder own;
+  const std::string sweep = (own.path / "s.toml").string();
+  std::ofstream(sweep) << "scene = 'compression'\nmethod = ['fem-hooke', 'mss-cf']\n"
+                          "cells = [2, 2, 2]\nnu = [0.1, 0.2, 0.3]\n"
+                          "element = ['q1', 'q1-sri']\n";  // springs read no element
+  std::size_t cases = 0;
+  for (int shard = 1; shard <= 4; ++shard) {
+    const fs::path file = own.path / ("part" + std::to_string(shard) + ".h5");
+    sweep_command(sweep, file, {.jobs = 2, .shard = shard, .shards = 4});
+    cases += read_cases(file).rows;
+    merge_command(own.path / "all.h5", {file});
+  }
+  BOOST_TEST(cases == 9U);
+  BOOST_TEST(read_cases(own.path / "all.h5").rows == 9U);
+  // Nothing is left to do, and merging again changes nothing.
+  sweep_command(sweep, own.path / "all.h5", {.jobs = 1});
+  BOOST_TEST(merge_command(own.path / "all.h5", {own.path / "part1.h5"}) ==
+             ExitStatus::done);
+  const Columns all = read_cases(own.path / "all.h5");
+  BOOST_TEST(all.rows == 9U);
+
+  sweep_command(sweep, own.path / "whole.h5", {.jobs = 2});
+  const Columns whole = read_cases(own.path / "whole.h5");
+  const auto force_of = [](const Columns& table, const std::string& key) {
+    const auto& keys = table.texts.at("key");
+    return table.numbers.at("plate_force")
+        .values.at(static_cast<std::size_t>(std::ranges::find(keys, key) - keys.begin()));
+  };
+  for (const std::string& key : whole.texts.at("key"))
+    BOOST_TEST(force_of(all, key) == force_of(whole, key));  // the same bits
+}
+
+// A case that both files have with other figures is kept as it is, and named.
+BOOST_AUTO_TEST_CASE(conflicts_of_a_merge_are_reported) {
+  const OwnFolder own;
+  MeshStore meshes;
+  auto results = run_study(requests(run_of("compression", {"cells=2,2,2"})), meshes, 1,
+                           [](std::size_t, std::size_t) {});
+  write_results(own.path / "ours.h5", results, meshes);
+  const double force = *results[0].measures.plate_force;
+  *results[0].measures.plate_force += 1e-9;
+  results[1].wall_s = 77;  // times may differ
+  write_results(own.path / "theirs.h5", results, meshes);
+  ResultFile ours(own.path / "ours.h5");
+  const auto absorbed = ours.absorb(own.path / "theirs.h5");
+  BOOST_TEST(absorbed.added == 0U);
+  BOOST_TEST(absorbed.already_there == results.size());
+  BOOST_TEST_REQUIRE(absorbed.conflicts.size() == 1U);
+  BOOST_TEST(absorbed.conflicts[0].find(results[0].key + ": plate_force differs") !=
+             std::string::npos);
+  BOOST_TEST(
+      *read_results(own.path / "ours.h5").at(results[0].key).measures.plate_force ==
+      force);
+}
+
+BOOST_AUTO_TEST_CASE(only_failed_runs_what_is_there_and_not_ok) {
+  const OwnFolder own;
+  const fs::path file = own.path / "a.h5";
+  const std::string sweep = (own.path / "s.toml").string();
+  std::ofstream(sweep) << "scene = 'compression'\nmethod = 'fem-hooke'\n"
+                          "cells = [2, 2, 2]\nnu = [0.1, 0.2, 0.3]\n";
+  sweep_command(sweep, file, {.jobs = 1});
+  MeshStore meshes;
+  const Request request = sweep_of(
+                              "scene = 'compression'\nmethod = 'fem-hooke'\n"
+                              "cells = [2, 2, 2]\nnu = 0.2\n")
+                              .requests.front();
+  CaseResult failed{};
+  failed.request = request;
+  failed.key = case_key(request, meshes.mesh(request.settings.body));
+  failed.status = Status::not_converged;
+  ResultFile(file).put({&failed, 1}, false, meshes);
+  BOOST_TEST(ResultFile(file).stored().statuses.size() == 3U);
+  sweep_command(sweep, file, {.jobs = 1});  // failed or not, it is there
+  BOOST_TEST(
+      (ResultFile(file).stored().statuses.at(failed.key) == Status::not_converged));
+  sweep_command(sweep, file, {.jobs = 1, .only_failed = true});
+  BOOST_TEST((ResultFile(file).stored().statuses.at(failed.key) == Status::ok));
+  BOOST_TEST(read_cases(file).rows == 3U);
+}
+
+// The estimate is of the right size and grows with the mesh: never trusted further.
+BOOST_AUTO_TEST_CASE(the_estimate_counts_each_simulation_once) {
+  const auto seconds = [](const std::string& cells) {
+    return estimated_seconds(
+        sweep_of("scene = 'compression'\nmethod = ['mss-cf', 'mss-fd']\ncells = " + cells)
+            .requests);
+  };
+  BOOST_TEST(seconds("[10, 10, 10]") == 0.5 + 0.5 + 0.6,  // one reference for both
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(seconds("[20, 20, 20]") > 8 * seconds("[10, 10, 10]"));
+}
+
+// What the writing throws reaches who puts results in or waits for the end.
+BOOST_AUTO_TEST_CASE(a_failure_of_the_writer_is_not_lost) {
+  const OwnFolder own;
+  MeshStore meshes;
+  const auto results = run_study(requests(run_of("compression", {"cells=2,2,2"})), meshes,
+                                 1, [](std::size_t, std::size_t) {});
+  fs::create_directory(own.path / "folder");
+  ResultFile file(own.path / "folder" / "a.h5");
+  fs::remove_all(own.path / "folder");
+  ResultWriter writer(file, true, meshes);
+  writer.put(CaseResult(results.front()));
+  BOOST_CHECK_THROW(writer.finish(), std::exception);
+  BOOST_CHECK_THROW(writer.put(CaseResult(results.front())), std::exception);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,268 @@
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+
+#include "comparisons/studies/study.hpp"
+#include "comparisons/tables/catalogue.hpp"
+#include "comparisons/tables/thesis/printed_figures.hpp"
+#include "comparisons/sheets/sheet.hpp"
+#include "comparisons/tables/thesis/format_table.hpp"
+#include "comparisons/sheets/text_table.hpp"
+#include "meshing/input_error.hpp"
+
+using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(tables_test)
+
+namespace {
+
+/// Results of table_requests without computing: e = .0317, or a limit point.
+std::vector<CaseResult> invented(const TablePlan& plan, Status status) {
+  std::vector<CaseResult> results;
+  for (const Request& request : table_requests(plan)) {
+    CaseResult result{};
+    result.request = request;
+    result.key = "0123456789abcdef";
+    result.status = status;
+    result.solution.load_fraction = status == Status::ok ? 1 : 0.5;
+    if (status == Status::ok) result.measures.volume_error = 0.0317;
+    results.push_back(result);
+  }
+  return results;
+}
+
+/// Every line of markdown has as many bars, every line of CSV as many commas.
+void expect_rectangular(const std::string& markdown_text, const std::string& csv_text,
+                        std::size_t rows, const std::string& name) {
+  std::istringstream markdown(markdown_text);
+  std::set<std::ptrdiff_t> bars;
+  for (std::string line; std::getline(markdown, line);)
+    if (line.starts_with('|')) bars.insert(std::ranges::count(line, '|'));
+  BOOST_TEST(bars.size() == 1U, name);
+
+  std::istringstream csv(csv_text);
+  std::set<std::ptrdiff_t> commas;
+  std::size_t lines = 0;
+  for (std::string line; std::getline(csv, line); ++lines) {
+    bool in_quotes = false;
+    std::ptrdiff_t count = 0;
+    for (const char c : line) {
+      if (c == '"') in_quotes = !in_quotes;
+      count += c == ',' && !in_quotes;
+    }
+    commas.insert(count);
+  }
+  BOOST_TEST(commas.size() == 1U, name);
+  BOOST_TEST(lines == rows + 1);
+}
+
+}  // namespace
+
+// Spot checks against the thesis's own pages: first, middle and last printed rows.
+BOOST_AUTO_TEST_CASE(printed_figures_are_the_thesis_s) {
+  BOOST_TEST(printed_figures("5.1").size() == 24U);
+  BOOST_TEST(printed_figures("5.2").size() == 24U);
+  BOOST_TEST(printed_figures("5.3").size() == 8U);
+  BOOST_TEST(printed_figures("5.4").size() == 8U);
+  BOOST_TEST(printed_figures("deviation").size() == 6U);
+  const PrintedFigure first = printed_figures("5.1").front();
+  BOOST_TEST(first.method == "mss-baudet");
+  BOOST_TEST(first.text == "2.6");
+  BOOST_TEST(first.verdict == "yes");
+  const PrintedFigure last = printed_figures("5.4").back();
+  BOOST_TEST(last.value == 57981);
+  BOOST_TEST(last.deformation == std::numbers::pi / 4,
+             boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(every_printed_figure_has_its_row) {
+  for (const char* name : {"5.1", "5.2", "5.3", "5.4", "deviation"}) {
+    std::multiset<double> printed, planned;
+    for (const PrintedFigure& figure : printed_figures(name))
+      printed.insert(figure.value);
+    for (const PlannedRow& row : plan_table(name, std::nullopt).rows)
+      if (label(row.request.settings) != "fem-hooke:q1-sri" &&
+          label(row.request.settings) != "fem-hencky:q1-sri" &&
+          row.request.settings.stiffness_form == mss::StiffnessForm::shear_modulus)
+        planned.insert(*row.printed);
+    BOOST_TEST((printed == planned), name);
+  }
+}
+
+// The printed nu = 0 rows of 5.1 need the E-form (MODEL.md section 1).
+BOOST_AUTO_TEST_CASE(table_5_1_shows_the_young_modulus_form_at_nu_0_only) {
+  int rows = 0;
+  for (const PlannedRow& row : plan_table("5.1", std::nullopt).rows)
+    if (row.request.settings.stiffness_form == mss::StiffnessForm::young_modulus) {
+      ++rows;
+      BOOST_TEST(row.request.settings.material.poisson_ratio == 0);
+      BOOST_TEST(row.labels.back().find("E-form") != std::string::npos);
+    }
+  BOOST_TEST(rows == 4);  // mss-nfd and mss-cf at 5 and 20 %
+}
+
+BOOST_AUTO_TEST_CASE(a_row_holds_the_difference_its_reference_and_its_case) {
+  const TablePlan plan = plan_table("5.1", std::nullopt);
+  const Table table = fill_table(plan, invented(plan, Status::ok));
+  const auto json = nlohmann::json::parse(format_table(table, TableFormat::json));
+  const auto& row = json["rows"][0];
+  BOOST_TEST(row["printed"] == 2.6);
+  BOOST_TEST(row["ours"].get<double>() == 3.17, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(row["difference"].get<double>() == 0.57,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(row["reference"] == "fem-stvk:q1-sri");
+  BOOST_TEST(row["case"] == "0123456789abcdef");
+  BOOST_TEST(row["printed_instabilities"] == "yes");
+}
+
+BOOST_AUTO_TEST_CASE(a_method_without_equilibrium_shows_its_status_in_its_cell) {
+  const TablePlan plan = plan_table("5.2", std::nullopt);
+  const Table table = fill_table(plan, invented(plan, Status::no_equilibrium));
+  const std::string markdown = format_table(table, TableFormat::markdown);
+  BOOST_TEST(markdown.find("| no_equilibrium beyond 10 % |") != std::string::npos);
+  const auto json = nlohmann::json::parse(format_table(table, TableFormat::json));
+  BOOST_TEST(json["rows"][0]["ours"].is_null());
+  BOOST_TEST(json["rows"][0]["difference"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(markdown_and_csv_are_rectangular) {
+  for (const std::string& name : table_names()) {
+    const TablePlan plan = plan_table(name, std::nullopt);
+    const Table table = fill_table(plan, invented(plan, Status::ok));
+    expect_rectangular(format_table(table, TableFormat::markdown),
+                       format_table(table, TableFormat::csv), plan.rows.size(), name);
+  }
+}
+
+// Made of invented results: a force of its place in the table, in N.
+BOOST_AUTO_TEST_CASE(
+    the_locking_table_compares_each_element_with_the_two_that_do_not_lock,
+    *boost::unit_test::tolerance(1e-12)) {
+  const SheetPlan plan = plan_sheet("locking");
+  BOOST_TEST_REQUIRE(plan.requests.size() == 18U);  // 2 laws, 3 ratios, 3 locking
+  std::vector<CaseResult> results;
+  for (const Request& request : plan.requests) {
+    CaseResult result{};
+    result.request = request;
+    result.key = "0123456789abcdef";
+    result.measures.plate_force = 1. + static_cast<double>(results.size());
+    results.push_back(result);
+  }
+  results[1].measures.plate_force.reset();
+  results[1].status = Status::not_converged;
+  MeshStore meshes;
+  const Sheet sheet = plan.make(results, meshes);
+  expect_rectangular(format_sheet(sheet, TableFormat::markdown),
+                     format_sheet(sheet, TableFormat::csv), 18, "locking");
+  const auto json = nlohmann::json::parse(format_sheet(sheet, TableFormat::json));
+  BOOST_TEST(json["table"] == "locking");
+  const auto& row = json["rows"][3];
+  BOOST_TEST(row["law"] == "fem-hooke");
+  BOOST_TEST(row["nu"] == 0.499);
+  BOOST_TEST(row["element"] == "q1");
+  BOOST_TEST(row["plate_force"] == 4.);
+  BOOST_TEST(row["over_q1_sri"].get<double>() == 4. / 5);
+  BOOST_TEST(row["over_q2"].get<double>() == 4. / 6);
+  BOOST_TEST(row["case"] == "0123456789abcdef");
+  BOOST_TEST(json["rows"][0]["over_q1_sri"].is_null());
+  BOOST_TEST(json["rows"][1]["plate_force"].is_null());
+  BOOST_TEST(format_sheet(sheet, TableFormat::markdown).find("| not_converged |") !=
+             std::string::npos);
+}
+
+// The first table that is computed whole: 24 small cases. The anisotropy of an
+// independent prototype, printed with three digits.
+BOOST_AUTO_TEST_CASE(the_orientation_table_shows_the_lattice_s_anisotropy) {
+  const SheetPlan plan = plan_sheet("orientation");
+  MeshStore meshes;
+  const auto results =
+      run_study(plan.requests, meshes, 2, [](std::size_t, std::size_t) {});
+  const auto json =
+      nlohmann::json::parse(format_sheet(plan.make(results, meshes), TableFormat::json));
+  BOOST_TEST_REQUIRE(json["rows"].size() == 12U);
+  const std::vector<double> at_20{0.906, 0.868, 0.908, 1.240, 1.177, 1.242};
+  std::vector<double> found;
+  for (const auto& row : json["rows"]) {
+    const auto stiffness = row["cauchy_born"].get<double>();
+    // The turned springs follow the continuum: homogeneous, so up to the solvers.
+    BOOST_TEST(row["springs"].get<double>() == stiffness,
+               boost::test_tools::tolerance(1e-7));
+    if (row["strain"] == -0.2)
+      found.push_back(stiffness);
+    else
+      BOOST_TEST(std::abs(row["over_100"].get<double>() - 1) < 0.015);
+  }
+  BOOST_TEST_REQUIRE(found.size() == at_20.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    BOOST_TEST(std::abs(found[i] - at_20[i]) < 6e-4, i);
+}
+
+BOOST_AUTO_TEST_CASE(the_split_table_has_five_tests) {
+  const SheetPlan plan = plan_sheet("split");
+  BOOST_TEST(plan.requests.size() == 9U * 13U);
+  std::set<std::string> tests;
+  for (const Request& request : plan.requests)
+    tests.insert(std::string(name_of(request.settings.test)));
+  BOOST_TEST(tests.size() == 5U);
+}
+
+BOOST_AUTO_TEST_CASE(csv_keeps_all_digits_and_words_its_notes) {
+  const TablePlan plan = plan_table("5.1", std::nullopt);
+  std::vector<CaseResult> results = invented(plan, Status::ok);
+  results.front().measures.volume_error = 0.01171875;
+  const std::string csv = format_table(fill_table(plan, results), TableFormat::csv);
+  BOOST_TEST(csv.find(",1.171875,") != std::string::npos);
+  BOOST_TEST(csv.find("logarithmic strain") != std::string::npos);
+  BOOST_TEST(csv.find("0123456789abcdef") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(columns_without_an_entry_are_left_out_of_markdown) {
+  const TablePlan plan = plan_table("5.3", std::nullopt);
+  const std::string markdown =
+      format_table(fill_table(plan, invented(plan, Status::ok)), TableFormat::markdown);
+  BOOST_TEST(markdown.find("printed instabilities") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_table_is_refused) {
+  BOOST_CHECK_EXCEPTION(
+      plan_table("5.9", std::nullopt), InputError, [](const InputError& error) {
+        const std::string message = error.what();
+        return message.find("5.1, 5.2") != std::string::npos &&
+               message.find("split, elements, convergence") != std::string::npos;
+      });
+  BOOST_CHECK_THROW(plan_sheet("5.1"), InputError);
+}
+
+// On three grids .2, .16, .14 m halve their change: order 1, limit .12, bar 1.25 * .02.
+BOOST_AUTO_TEST_CASE(a_converged_reference_shows_its_order_and_bar,
+                     *boost::unit_test::tolerance(1e-9)) {
+  TablePlan plan = plan_table(
+      "5.1", reference_named(Given::from_text("--reference", "fem-hencky@converged")));
+  plan.rows.resize(1);
+  std::vector<CaseResult> results = invented(plan, Status::ok);
+  BOOST_TEST_REQUIRE(results.size() == 4U);
+  for (std::size_t i = 1; i < 4; ++i)
+    results[i].measures.volume_error = std::array{0.20, 0.16, 0.14}.at(i - 1);
+  const Table table = fill_table(plan, results);
+  BOOST_TEST(*table.rows[0].reference_value == 12.);  // %
+  BOOST_TEST(*table.rows[0].reference_order == 1.);
+  BOOST_TEST(*table.rows[0].reference_bar == 2.5);
+  const auto json = nlohmann::json::parse(format_table(table, TableFormat::json));
+  BOOST_TEST(json["rows"][0]["reference_bar"].get<double>() == 2.5);
+  BOOST_TEST(json["rows"][0]["reference_order"].get<double>() == 1.);
+  const std::string text = format_table(table, TableFormat::markdown);
+  BOOST_TEST(text.find("| 12.000 | 2 | 1.00 | fem-hencky:q1-sri@converged |") !=
+                 std::string::npos,
+             text);
+}
+
+BOOST_AUTO_TEST_CASE(rounding_leaves_no_signed_zero_and_hides_no_failure) {
+  BOOST_TEST(rounded("{:+.2f}", -0.001) == "+0.00");
+  BOOST_TEST(rounded("{:.2f}", -0.006) == "-0.01");
+  BOOST_TEST(rounded("{:.2f}", std::nan("")) == "nan");
+  BOOST_TEST(rounded("{:.2f}", -INFINITY) == "-inf");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,145 @@
+#include "mss/forces/tangent.hpp"
+
+#include <Eigen/Dense>
+#include <boost/test/unit_test.hpp>
+
+#include "tests/mss/blocks.hpp"
+#include "mss/forces/assembly.hpp"
+#include "mss/forces/forces.hpp"
+
+using namespace springcheck;
+using namespace springcheck::mss;
+
+BOOST_AUTO_TEST_SUITE(tangent_test)
+
+namespace {
+
+/// 2^3 cells of edge 2 m (so that no volume is 1) and E = 1 Pa: stiffnesses are of the
+/// order of 1.
+Network soft_block(Method method, double nu) {
+  return build_network(cube(2, 2),
+                       {.young_modulus = 1, .poisson_ratio = nu, .density = 1},
+                       in_shear_modulus_form(method));
+}
+
+std::vector<Vector3> deformed(const Network& network, unsigned seed) {
+  return sum(network.rest_positions,
+             random_field(network.rest_positions.size(), 0.6, seed));
+}
+
+/// The patches put together in the plainest way, all nodes.
+Eigen::MatrixXd dense(const Network& network, const Tangent& tangent) {
+  const auto unknowns = static_cast<Eigen::Index>(3 * network.masses.size());
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  const auto add = [&](std::span<const NodeIndex> nodes, const Eigen::MatrixXd& patch) {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t j = 0; j < nodes.size(); ++j)
+        K.block<3, 3>(3 * Eigen::Index{nodes[i]}, 3 * Eigen::Index{nodes[j]}) +=
+            patch.block<3, 3>(static_cast<Eigen::Index>(3 * i),
+                              static_cast<Eigen::Index>(3 * j));
+  };
+  for (std::size_t c = 0; c < tangent.cells.size(); ++c)
+    add(network.cells.nodes(c), tangent.cells[c]);
+  for (const StarTangent& star : tangent.stars) add(star.nodes, matrix(star));
+  return K;
+}
+
+Eigen::VectorXd stacked_forces(const Network& network, const std::vector<Vector3>& x) {
+  std::vector<Vector3> forces(x.size());
+  nodal_forces(network, x, forces);
+  Eigen::VectorXd stacked(static_cast<Eigen::Index>(3 * x.size()));
+  for (std::size_t n = 0; n < x.size(); ++n)
+    stacked.segment<3>(static_cast<Eigen::Index>(3 * n)) = forces[n];
+  return stacked;
+}
+
+}  // namespace
+
+// Central difference with a step of 1e-5 m: truncation of the order of step^2 =
+// 1e-10, round-off 1e-16/1e-5 = 1e-11 of the forces.
+BOOST_AUTO_TEST_CASE(patches_add_up_to_minus_the_slope_of_the_forces) {
+  constexpr double step = 1e-5;
+  for (const auto& [name, method] : methods)
+    for (const double nu : {-0.2, 0., 0.25, 0.4, 0.49}) {
+      const Network network = soft_block(method, nu);
+      std::vector<Vector3> x = deformed(network, 1);
+      const Eigen::MatrixXd K = dense(network, tangent_at(network, x));
+      Eigen::MatrixXd slopes(K.rows(), K.cols());
+      for (Eigen::Index column = 0; column < K.cols(); ++column) {
+        double& coordinate = x[static_cast<std::size_t>(column / 3)][column % 3];
+        const double here = coordinate;
+        coordinate = here + step;
+        const Eigen::VectorXd ahead = stacked_forces(network, x);
+        coordinate = here - step;
+        slopes.col(column) = (ahead - stacked_forces(network, x)) / (2 * step);
+        coordinate = here;
+      }
+      BOOST_TEST((K + slopes).cwiseAbs().maxCoeff() < 1e-8 * K.cwiseAbs().maxCoeff(),
+                 name << ", nu = " << nu);
+    }
+}
+
+// Eigenvalues from -11 to 12, and from -4 to 4, on random axes. The result is known
+// exactly; 1e-12 is round-off of the decomposition relative to their size.
+BOOST_AUTO_TEST_CASE(clamp_removes_negative_eigenvalues_and_leaves_the_others) {
+  std::srand(1);  // Eigen's Random draws from rand()
+  const auto axes = [](Eigen::Index size) -> Eigen::MatrixXd {
+    return Eigen::HouseholderQR<Eigen::MatrixXd>(Eigen::MatrixXd::Random(size, size))
+        .householderQ();
+  };
+  const Eigen::MatrixXd Q = axes(24), R = axes(9);
+  const Eigen::VectorXd of_cell = Eigen::VectorXd::LinSpaced(24, -11, 12),
+                        of_star = Eigen::VectorXd::LinSpaced(9, -4, 4);
+  Tangent tangent{.cells = {Q * of_cell.asDiagonal() * Q.transpose()}, .stars = {{}}};
+  tangent.stars.front().shape = R * of_star.asDiagonal() * R.transpose();
+  clamp_to_positive(tangent);
+  const Eigen::MatrixXd cell = Q * of_cell.cwiseMax(0).asDiagonal() * Q.transpose(),
+                        star = R * of_star.cwiseMax(0).asDiagonal() * R.transpose();
+  BOOST_TEST((tangent.cells.front() - cell).norm() < 1e-12);
+  BOOST_TEST((tangent.stars.front().shape - star).norm() < 1e-12);
+}
+
+// A swollen cell's springs all pull, and its tangent has no negative eigenvalue:
+// round-off.
+BOOST_AUTO_TEST_CASE(clamp_leaves_a_positive_tangent_alone) {
+  const Network network = soft_block(Method::cf, 0.4);
+  std::vector<Vector3> x = network.rest_positions;
+  for (Vector3& place : x) place *= 1.01;
+  const Tangent tangent = tangent_at(network, x);
+  Tangent clamped = tangent;
+  clamp_to_positive(clamped);
+  for (std::size_t c = 0; c < tangent.cells.size(); ++c)
+    BOOST_TEST((clamped.cells[c] - tangent.cells[c]).norm() <
+               1e-13 * tangent.cells[c].norm());
+}
+
+// The same sums in the same order, patch by patch: to the bit. The second assembly must
+// not remember the first.
+BOOST_AUTO_TEST_CASE(
+    assembly_is_the_lower_triangle_of_the_dense_one_over_the_free_components) {
+  const Network network = soft_block(Method::cf, 0.4);
+  std::vector<bool> is_free(3 * network.masses.size(), true);
+  // A corner, one component of the next, two of the middle, one of the last.
+  for (const std::size_t component : {0, 1, 2, 5, 39, 41, 78}) is_free[component] = false;
+  FreeAssembly assembly(network, is_free);
+  BOOST_TEST(assembly.size() == 3 * 27 - 7);
+
+  std::vector<Eigen::Index> rows;
+  for (NodeIndex node = 0; node < network.masses.size(); ++node)
+    for (int i = 0; i < 3; ++i) {
+      const auto component = static_cast<Eigen::Index>(3 * node) + i;
+      const bool kept = is_free[static_cast<std::size_t>(component)];
+      BOOST_TEST(assembly.unknown(node, i) ==
+                 (kept ? static_cast<Eigen::Index>(rows.size()) : -1));
+      if (kept) rows.push_back(component);
+    }
+  for (const unsigned seed : {1U, 2U}) {
+    const Tangent tangent = tangent_at(network, deformed(network, seed));
+    const Eigen::MatrixXd expected =
+        dense(network, tangent)(rows, rows).triangularView<Eigen::Lower>();
+    const Eigen::MatrixXd assembled = assembly.assemble(tangent);
+    BOOST_TEST((assembled == expected));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
