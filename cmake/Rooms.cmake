@@ -35,7 +35,8 @@ function(springcheck_room)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name}
     PUBLIC ${rooms_seen_by_${name}} ${room_PUBLIC} Eigen3::Eigen
-    PRIVATE ${room_PRIVATE} warnings)
+    PRIVATE ${room_PRIVATE} fmt::fmt warnings)
+  use_precompiled(${name} precompiled)
 endfunction()
 
 # The libraries of all rooms that a folder of tests may see: the line of the nearest folder
@@ -47,7 +48,7 @@ function(rooms_seen_by_tests folder variable)
   foreach(seen ${rooms_seen_by_${key}})
     string(REPLACE "_**" "" seen ${seen})
     foreach(room ${rooms_all})
-      if(room STREQUAL seen OR room MATCHES "^${seen}_")
+      if((room STREQUAL seen OR room MATCHES "^${seen}_") AND TARGET ${room})  # main is none
         list(APPEND libraries ${room})
       endif()
     endforeach()

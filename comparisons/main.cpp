@@ -12,11 +12,11 @@
 #include <stdexcept>
 #include <thread>
 
-#include "comparisons/commands/blas.hpp"
 #include "comparisons/build_info/build_info.hpp"
-#include "comparisons/commands/advise_command.hpp"
-#include "comparisons/commands/chart_command.hpp"
 #include "comparisons/chart/chart_models.hpp"
+#include "comparisons/commands/advise_command.hpp"
+#include "comparisons/commands/blas.hpp"
+#include "comparisons/commands/chart_command.hpp"
 #include "comparisons/commands/commands.hpp"
 #include "comparisons/commands/gate_command.hpp"
 #include "comparisons/commands/measure_command.hpp"

@@ -1,8 +1,8 @@
 #include "mss/solve.hpp"
 
 #include "meshing/stopwatch.hpp"
-#include "mss/statics/equilibrium.hpp"
 #include "mss/networks/spring_strain.hpp"
+#include "mss/statics/equilibrium.hpp"
 #include "mss/statics/path_limit_solution.hpp"
 
 namespace springcheck::mss {

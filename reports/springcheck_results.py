@@ -23,7 +23,7 @@ LAYOUT = 2
 _PAGE = 4096
 _MAGIC = b"springcheck journal 1\n".ljust(32, b"\0")
 CELLS = ["tetrahedra", "pyramids", "prisms", "hexahedra"]
-# Columns of a history, those of comparisons/history.hpp.
+# Columns of a history, those of comparisons/measures/history.hpp.
 HISTORY = ["time", "load_fraction", "deformation", "volume_change"]
 HISTORY += [f"{name}_{axis}" for name in ("force", "torque") for axis in "xyz"]
 HISTORY += ["kinetic_energy", "strain_energy"]

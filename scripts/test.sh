@@ -10,5 +10,5 @@ case "${1:-}" in
   *) echo "usage: bash scripts/test.sh [--all]" >&2; exit 2 ;;
 esac
 bash scripts/install_packages.sh scripts/packages_for_tests.txt
-bash scripts/build.sh
+bash scripts/build.sh all
 ctest --preset release --parallel "$(nproc)" "${labels[@]}"

@@ -58,7 +58,7 @@ void add_reference_settings(nlohmann::json& json, const CaseSettings& settings) 
 std::string joined(const dynamics::LoadPath& load, double dynamics::LoadPoint::*number) {
   std::string text;
   for (const dynamics::LoadPoint& point : load)
-    text += (text.empty() ? "" : ",") + fmt::format("{}", point.*number);
+    text += fmt::format("{}{}", text.empty() ? "" : ",", point.*number);
   return text;
 }
 
@@ -312,10 +312,9 @@ nlohmann::json settings_json(const CaseSettings& settings) {
 }
 
 std::string label(const CaseSettings& settings) {
-  std::string text(settings.method.name);
   if (is_finite_element(settings.method))
-    text += ":" + std::string(settings.element.name);
-  return text;
+    return fmt::format("{}:{}", settings.method.name, settings.element.name);
+  return std::string(settings.method.name);
 }
 
 }  // namespace springcheck

@@ -198,12 +198,12 @@ class Search {
     }
     if (advice_.chosen && !path_of(*advice_.chosen).was_followed) {
       advice_.is_path_known = false;
-      advice_.cautions.push_back(
+      advice_.cautions.emplace_back(
           "Whether its path to the full load is stable was not looked at: that would "
           "take more than the budget or the memory that is left.");
     }
     if (advice_.chosen && !on_finer_cells(*advice_.chosen).were_seen)
-      advice_.cautions.push_back(
+      advice_.cautions.emplace_back(
           "Whether its errors only cancel was not looked at: finer cells would take more "
           "than the budget or the memory that is left.");
   }

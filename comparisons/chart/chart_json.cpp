@@ -1,6 +1,7 @@
 #include "comparisons/chart/chart_json.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "comparisons/chart/claims.hpp"
 #include "comparisons/results/result_file.hpp"

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/build_info/build_info.hpp"
+#include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/chart/chart_models.hpp"
 #include "comparisons/measures/displacement_norms.hpp"
-#include "comparisons/cases/mechanical_scene.hpp"
-#include "comparisons/running/memory.hpp"
 #include "comparisons/results/provenance.hpp"
+#include "comparisons/running/memory.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/studies/converged.hpp"
 #include "meshing/input_error.hpp"

@@ -10,8 +10,8 @@
 
 #include "comparisons/chart/advise.hpp"
 #include "comparisons/chart/chart_run.hpp"
-#include "comparisons/settings/scene_file.hpp"
 #include "comparisons/running/simulate.hpp"
+#include "comparisons/settings/scene_file.hpp"
 #include "comparisons/sheets/text_table.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/settings/run_settings.hpp"
 #include "comparisons/running/simulate.hpp"
+#include "comparisons/settings/run_settings.hpp"
 #include "comparisons/sheets/table_format.hpp"
 
 namespace springcheck {

@@ -4,16 +4,17 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/commands/result_json.hpp"
+#include "comparisons/commands/result_text.hpp"
 #include "comparisons/measured/measured_case.hpp"
 #include "comparisons/measured/nodal_csv.hpp"
 #include "comparisons/measured/vtu_file.hpp"
-#include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/results/result_file.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
-#include "comparisons/results/result_file.hpp"
-#include "comparisons/commands/result_json.hpp"
-#include "comparisons/commands/result_text.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "meshing/input_error.hpp"
 

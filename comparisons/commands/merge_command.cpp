@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "comparisons/results/result_file.hpp"
 #include "comparisons/commands/sweep_command.hpp"
+#include "comparisons/results/result_file.hpp"
 
 namespace springcheck {
 

@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "comparisons/chart/chart_json.hpp"
 #include "comparisons/chart/chart_sheets.hpp"
 #include "comparisons/commands/report_program.hpp"
+#include "comparisons/commands/table_files.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/stability/atlas_json.hpp"
 #include "comparisons/tables/stored_tables.hpp"
-#include "comparisons/commands/table_files.hpp"
 #include "comparisons/tables/theory_curves.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"

@@ -6,12 +6,12 @@
 #include <chrono>
 #include <set>
 
-#include "comparisons/results/known_results.hpp"
 #include "comparisons/commands/report_command.hpp"
-#include "comparisons/tables/catalogue.hpp"
-#include "comparisons/tables/summary.hpp"
+#include "comparisons/results/known_results.hpp"
 #include "comparisons/sweeps/sweep_file.hpp"
 #include "comparisons/sweeps/sweep_run.hpp"
+#include "comparisons/tables/catalogue.hpp"
+#include "comparisons/tables/summary.hpp"
 #include "meshing/output_file.hpp"
 
 namespace springcheck {

@@ -1,6 +1,7 @@
 #include "comparisons/commands/result_json.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/tables/studies/split_output.hpp"

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "comparisons/running/cost.hpp"
 #include "comparisons/results/known_results.hpp"
+#include "comparisons/running/cost.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/sweeps/sweep_file.hpp"
 #include "comparisons/sweeps/sweep_run.hpp"

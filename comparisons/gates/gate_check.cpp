@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <span>
 
-#include "comparisons/results/case_rows.hpp"
 #include "comparisons/gates/measure_column.hpp"
 #include "comparisons/gates/sweep_rows.hpp"
+#include "comparisons/results/case_rows.hpp"
 
 namespace springcheck::gates {
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
+#include <nlohmann/json.hpp>
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/sheets/text_table.hpp"

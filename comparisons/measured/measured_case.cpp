@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "comparisons/measured/node_finder.hpp"
 #include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/measured/node_finder.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/settings/utf8.hpp"
 #include "meshing/input_error.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/studies/study.hpp"
 #include "comparisons/settings/run_settings.hpp"
+#include "comparisons/studies/study.hpp"
 
 namespace springcheck {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/measures/beam_measures.hpp"
 #include "comparisons/measures/displacement_norms.hpp"
 #include "comparisons/measures/measures.hpp"
-#include "comparisons/cases/mechanical_scene.hpp"
 
 namespace springcheck {
 namespace {

@@ -6,9 +6,9 @@
 #include <span>
 #include <type_traits>
 
+#include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/measures/beam_measures.hpp"
 #include "comparisons/measures/displacement_norms.hpp"
-#include "comparisons/cases/mechanical_scene.hpp"
 #include "meshing/cell_geometry.hpp"
 #include "meshing/traction.hpp"
 

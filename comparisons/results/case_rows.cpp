@@ -14,7 +14,7 @@ namespace {
 std::string joined(const std::vector<Status>& flags) {
   std::string text;
   for (const Status flag : flags)
-    text += (text.empty() ? "" : ",") + std::string(name_of(flag));
+    text += fmt::format("{}{}", text.empty() ? "" : ",", name_of(flag));
   return text;
 }
 

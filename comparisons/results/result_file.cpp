@@ -7,13 +7,13 @@
 #include <fstream>
 #include <system_error>
 
-#include "comparisons/results/stored_chart.hpp"
-#include "comparisons/store/open_result_file.hpp"
 #include "comparisons/results/provenance.hpp"
+#include "comparisons/results/stored_chart.hpp"
 #include "comparisons/results/stored_map.hpp"
-#include "comparisons/store/overlay_file.hpp"
 #include "comparisons/results/stored_mesh.hpp"
 #include "comparisons/results/xdmf.hpp"
+#include "comparisons/store/open_result_file.hpp"
+#include "comparisons/store/overlay_file.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "comparisons/store/open_result_file.hpp"
 #include "comparisons/results/result_file.hpp"
+#include "comparisons/store/open_result_file.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "comparisons/results/stored_mesh.hpp"
 #include "comparisons/store/columns.hpp"
 #include "comparisons/store/hdf5.hpp"
-#include "comparisons/results/stored_mesh.hpp"
 #include "meshing/output_file.hpp"
 
 namespace springcheck {
@@ -38,7 +38,7 @@ std::string grid_name(const Columns& cases, std::size_t row) {
     return column == cases.texts.end() ? std::string() : column->second[row];
   };
   std::string name = text("scene") + " " + text("method");
-  if (!text("element").empty()) name += ":" + text("element");
+  if (!text("element").empty()) name += fmt::format(":{}", text("element"));
   for (const char* key : {"nu", "deformation"})
     if (const auto column = cases.numbers.find(key);
         column != cases.numbers.end() && !std::isnan(column->second.values[row]))

@@ -10,12 +10,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "comparisons/running/checkpoint_file.hpp"
-#include "comparisons/measures/hourglassing.hpp"
 #include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/measures/hourglassing.hpp"
+#include "comparisons/measures/wrinkles.hpp"
+#include "comparisons/running/checkpoint_file.hpp"
 #include "comparisons/running/progress.hpp"
 #include "comparisons/running/tissue_case.hpp"
-#include "comparisons/measures/wrinkles.hpp"
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/stopwatch.hpp"

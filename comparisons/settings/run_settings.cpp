@@ -8,10 +8,11 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "comparisons/settings/body_settings.hpp"
 #include "comparisons/cases/grids.hpp"
+#include "comparisons/settings/body_settings.hpp"
 #include "comparisons/settings/setting_values.hpp"
 #include "meshing/input_error.hpp"
 #include "tissue/maxwell_fit.hpp"
@@ -124,6 +125,18 @@ void check_reversed(const CaseSettings& common, const Given& given) {
     given.refuse("no load that presses the plates through each other");
   if (common.test == Test::affine && turns_inside_out(least * common.gradient))
     given.refuse("no load that turns the body inside out");
+}
+
+/// Without its load, see read_load.
+Dynamics dynamics_of(const Settings& settings) {
+  return {.duration = 0,
+          .time_step = value_or(settings, "dt", std::optional<double>{}, time_step_of),
+          .step_ratio = value_or(settings, "dt-ratio", 0.9, &Given::positive_number),
+          .force_time_step = value_or(settings, "force-dt", false, &Given::truth),
+          .damping_ratio = value_or(settings, "damping", 0.05, not_negative_of),
+          .precision = value_or(settings, "precision", mss::Precision::double_precision,
+                                precision_of),
+          .history = value_or(settings, "history", 0, sample_count_of)};
 }
 
 /// The time over which the load acts, and how: given as a duration, by a rate of the
@@ -290,15 +303,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
       .correction =
           value_or(settings, "correction", mss::VolumeCorrection::on, correction_of),
       .solver = value_or(settings, "solver", std::optional<Solver>{}, solver_named),
-      .dynamics =
-          {.duration = 0,  // read_load
-           .time_step = value_or(settings, "dt", std::optional<double>{}, time_step_of),
-           .step_ratio = value_or(settings, "dt-ratio", 0.9, &Given::positive_number),
-           .force_time_step = value_or(settings, "force-dt", false, &Given::truth),
-           .damping_ratio = value_or(settings, "damping", 0.05, not_negative_of),
-           .precision = value_or(settings, "precision", mss::Precision::double_precision,
-                                 precision_of),
-           .history = value_or(settings, "history", 0, sample_count_of)},
+      .dynamics = dynamics_of(settings),
       .seed = value_or(settings, "seed", 1U, seed_of),
       .noise = value_or(settings, "noise", 0., not_negative_of)};
   if (test == Test::bending)

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "comparisons/shipped/shipped.hpp"
 #include "comparisons/settings/toml_values.hpp"
+#include "comparisons/shipped/shipped.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/cases/request.hpp"
 #include "comparisons/cases/status.hpp"
 #include "comparisons/settings/given.hpp"
-#include "comparisons/cases/request.hpp"
 
 namespace springcheck {
 

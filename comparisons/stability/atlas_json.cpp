@@ -1,12 +1,13 @@
 #include "comparisons/stability/atlas_json.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "comparisons/results/result_file.hpp"
+#include "comparisons/results/stored_map.hpp"
 #include "comparisons/stability/axis.hpp"
 #include "comparisons/stability/failure.hpp"
-#include "comparisons/results/stored_map.hpp"
 
 namespace springcheck {
 namespace {

@@ -1,7 +1,7 @@
 #include "comparisons/stability/case_runner.hpp"
 
-#include "comparisons/running/progress.hpp"
 #include "comparisons/results/result_writer.hpp"
+#include "comparisons/running/progress.hpp"
 
 namespace springcheck {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "comparisons/studies/extrapolation.hpp"
 #include "comparisons/cases/convergence_grids.hpp"
+#include "comparisons/studies/extrapolation.hpp"
 #include "comparisons/studies/study.hpp"
 
 namespace springcheck {
@@ -50,10 +50,10 @@ struct ReferenceField {
 
 /// The request's, from the runs of reference_cases(request); none when one of them
 /// failed. Of three grids it is converged_field where the case's nodes are nodes of the
-/// coarsest. Elsewhere what interpolation adds to a coarse grid's errors does not converge
-/// as they do: there it is the finest run's field, with bars of what it may be off itself,
-/// by the order that the coarsest's nodes show, and of the interpolation between its
-/// nodes, 1.25/(2^(3/2) - 1) times what leaving out every other node changes.
+/// coarsest. Elsewhere what interpolation adds to a coarse grid's errors does not
+/// converge as they do: there it is the finest run's field, with bars of what it may be
+/// off itself, by the order that the coarsest's nodes show, and of the interpolation
+/// between its nodes, 1.25/(2^(3/2) - 1) times what leaving out every other node changes.
 std::optional<ReferenceField> reference_field(const Request& request,
                                               std::span<const CaseResult* const> runs,
                                               MeshStore& meshes);

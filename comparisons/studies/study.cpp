@@ -8,9 +8,9 @@
 #include <condition_variable>
 #include <exception>
 
-#include "comparisons/studies/converged.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/simulate.hpp"
+#include "comparisons/studies/converged.hpp"
 
 namespace springcheck {
 namespace {

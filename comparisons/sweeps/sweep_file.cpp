@@ -11,8 +11,8 @@
 
 #include "comparisons/settings/run_settings.hpp"
 #include "comparisons/settings/scene_file.hpp"
-#include "comparisons/shipped/shipped.hpp"
 #include "comparisons/settings/toml_values.hpp"
+#include "comparisons/shipped/shipped.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

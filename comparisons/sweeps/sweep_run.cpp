@@ -1,7 +1,7 @@
 #include "comparisons/sweeps/sweep_run.hpp"
 
-#include "comparisons/running/progress.hpp"
 #include "comparisons/results/result_writer.hpp"
+#include "comparisons/running/progress.hpp"
 
 namespace springcheck {
 

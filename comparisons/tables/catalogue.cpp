@@ -20,11 +20,11 @@
 #include "comparisons/tables/theory/orientation_table.hpp"
 #include "comparisons/tables/theory/regions_table.hpp"
 #include "comparisons/tables/thesis/meshes_table.hpp"
+#include "comparisons/tables/thesis/tables.hpp"
 #include "comparisons/tables/tissue/oscillation_table.hpp"
 #include "comparisons/tables/tissue/relaxation_table.hpp"
 #include "comparisons/tables/tissue/tissue_table.hpp"
 #include "comparisons/tables/tissue/torsion_table.hpp"
-#include "comparisons/tables/thesis/tables.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "comparisons/tables/cases_sheet.hpp"
 #include "comparisons/results/known_results.hpp"
+#include "comparisons/tables/cases_sheet.hpp"
 #include "comparisons/tables/catalogue.hpp"
 
 namespace springcheck {

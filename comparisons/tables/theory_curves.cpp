@@ -1,13 +1,14 @@
 #include "comparisons/tables/theory_curves.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "comparisons/measures/beam_measures.hpp"
 #include "comparisons/cases/case.hpp"
 #include "comparisons/cases/methods.hpp"
+#include "comparisons/measures/beam_measures.hpp"
 
 namespace springcheck {
 namespace {

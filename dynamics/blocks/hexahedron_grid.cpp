@@ -13,7 +13,7 @@ constexpr std::array<std::uint8_t, 8> gmsh_corner{0, 1, 3, 2, 4, 5, 7, 6};
 /// For each cell and each of its faces the cell beyond; itself at the boundary.
 std::vector<std::array<std::uint32_t, 6>> neighbours_of(const Mesh& mesh) {
   struct Side {
-    FaceNodes nodes;
+    std::array<NodeIndex, 4> nodes;  // ascending
     std::uint32_t cell;
     std::uint8_t face;
   };
@@ -24,7 +24,8 @@ std::vector<std::array<std::uint32_t, 6>> neighbours_of(const Mesh& mesh) {
   for (std::uint32_t c = 0; c < mesh.cells().size(); ++c)
     for (std::uint8_t f = 0; f < 6; ++f) {
       neighbours[c][f] = c;
-      FaceNodes nodes = face_nodes(mesh.cells()[c], local[f]);
+      std::array<NodeIndex, 4> nodes{};
+      std::ranges::copy(face_nodes(mesh.cells()[c], local[f]), nodes.begin());
       std::ranges::sort(nodes);
       sides.push_back({.nodes = nodes, .cell = c, .face = f});
     }

@@ -7,8 +7,8 @@
 
 #include "dynamics/integrators.hpp"
 #include "dynamics/marching/load_path.hpp"
-#include "dynamics/motion.hpp"
 #include "dynamics/marching/stable_step.hpp"
+#include "dynamics/motion.hpp"
 
 namespace springcheck::dynamics {
 

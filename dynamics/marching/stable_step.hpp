@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "dynamics/integrators.hpp"
+#include "dynamics/marching/small_motions.hpp"
 #include "dynamics/motion.hpp"
 #include "dynamics/precision.hpp"
-#include "dynamics/marching/small_motions.hpp"
 
 namespace springcheck::dynamics {
 

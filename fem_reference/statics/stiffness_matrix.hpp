@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "fem_reference/statics/direct_solver.hpp"
 #include "fem_reference/cells/discretisation.hpp"
+#include "fem_reference/statics/direct_solver.hpp"
 
 namespace springcheck::fem_reference {
 

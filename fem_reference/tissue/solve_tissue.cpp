@@ -3,8 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fem_reference/statics/loads.hpp"
 #include "fem_reference/laws/settings.hpp"
+#include "fem_reference/statics/loads.hpp"
 #include "fem_reference/statics/stiffness_matrix.hpp"
 #include "fem_reference/statics/supports.hpp"
 #include "fem_reference/tissue/tissue_cell.hpp"

@@ -8,9 +8,9 @@
 #include "dynamics/marching/stable_step.hpp"
 #include "meshing/stopwatch.hpp"
 #include "mss/forces/forces.hpp"
-#include "mss/motion/implicit_motion.hpp"
 #include "mss/kernels/affine_kernel.hpp"
 #include "mss/kernels/lattice_kernel.hpp"
+#include "mss/motion/implicit_motion.hpp"
 
 namespace springcheck::mss {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mss/statics/linear_solver.hpp"
 #include "mss/networks/network.hpp"
+#include "mss/statics/linear_solver.hpp"
 
 namespace springcheck::mss {
 

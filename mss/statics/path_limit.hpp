@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "mss/statics/linear_solver.hpp"
 #include "mss/networks/network.hpp"
+#include "mss/statics/linear_solver.hpp"
 
 namespace springcheck::mss {
 

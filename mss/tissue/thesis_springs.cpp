@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "meshing/stopwatch.hpp"
-#include "mss/statics/direct_solver.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/forces/tangent.hpp"
+#include "mss/statics/direct_solver.hpp"
 
 namespace springcheck::mss {
 namespace {

@@ -1,6 +1,9 @@
-#include <cmath>
-
 #include "tests/cli/program.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <fstream>
+#include <sstream>
 
 BOOST_AUTO_TEST_SUITE(chart_cli_test)
 
@@ -143,7 +146,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_met_ends_with_the_nearest) {
 
 // Its own reference is on a grid that refines the cells it had.
 BOOST_AUTO_TEST_CASE(an_advised_scene_runs_whatever_the_reference_was) {
-  const std::string scene = text_of(SOURCES "/comparisons/shipped/scenes/compression.toml");
+  const std::string scene = text_of("comparisons/shipped/scenes/compression.toml");
   std::ofstream(folder / "finer-reference.toml")
       << scene << "reference = \"fem-stvk@20\"\n";
   const Run run = springcheck(

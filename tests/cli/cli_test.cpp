@@ -1,7 +1,11 @@
-#include <cmath>
-#include <set>
-
 #include "tests/cli/program.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
 
 BOOST_AUTO_TEST_SUITE(cli_test)
 

@@ -1,6 +1,10 @@
-#include <cmath>
-
 #include "tests/cli/program.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
 
 BOOST_AUTO_TEST_SUITE(dynamics_cli_test)
 

@@ -1,5 +1,8 @@
 #include "tests/cli/program.hpp"
 
+#include <boost/test/unit_test.hpp>
+#include <fstream>
+
 BOOST_AUTO_TEST_SUITE(mesh_cli_test)
 
 // What the commands say of cell types, quality and meshes of the user's own.

@@ -1,7 +1,9 @@
-#include <cmath>
-#include <set>
-
 #include "tests/cli/program.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <fstream>
+#include <set>
 
 BOOST_AUTO_TEST_SUITE(report_cli_test)
 

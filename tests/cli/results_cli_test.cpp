@@ -1,5 +1,8 @@
 #include "tests/cli/program.hpp"
 
+#include <boost/test/unit_test.hpp>
+#include <fstream>
+
 BOOST_AUTO_TEST_SUITE(results_cli_test)
 
 namespace {

@@ -1,5 +1,7 @@
 #include "tests/cli/program.hpp"
 
+#include <boost/test/unit_test.hpp>
+
 BOOST_AUTO_TEST_SUITE(stability_cli_test)
 
 namespace {

@@ -1,5 +1,9 @@
 #include "tests/cli/program.hpp"
 
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <fstream>
+
 BOOST_AUTO_TEST_SUITE(tissue_cli_test)
 
 namespace {
@@ -38,7 +42,7 @@ BOOST_AUTO_TEST_CASE(sheared_organs_have_the_laws_stress) {
 }
 
 BOOST_AUTO_TEST_CASE(a_law_of_ones_own_is_the_organs_of_the_same_numbers) {
-  const std::string scene = text_of(SOURCES "/comparisons/shipped/scenes/tissue-shearing.toml");
+  const std::string scene = text_of("comparisons/shipped/scenes/tissue-shearing.toml");
   const std::string organ = "organ = \"spleen\"";
   std::string own = scene;
   own.replace(own.find(organ), organ.size(), "law = [861, 0.1138, 0.40, 4.17]");

@@ -1,5 +1,7 @@
 #include "tests/fem_reference/figures.hpp"
 
+#include <boost/test/unit_test.hpp>
+
 // Converged values of the Cauchy-Born continuum of mss-cf and of Hencky's law, nu = 1/4,
 // against those of an independent program: Aitken extrapolation of q1 on 10, 20 and 40
 // cells across there, on 5, 10 and 20 here.

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/fem_reference/bodies.hpp"
 #include "fem_reference/solve.hpp"
 #include "meshing/cell_geometry.hpp"
 #include "meshing/generators/generate_block.hpp"
+#include "tests/fem_reference/bodies.hpp"
 
 // What the stored figures measure: a body glued between two plates.
 namespace springcheck::fem_reference {

@@ -2,6 +2,7 @@
 #include "meshing/generators/generate_block.hpp"
 
 #include <array>
+#include <boost/test/unit_test.hpp>
 
 // Figures that an independent program, or CalculiX where it says so, gave for the same
 // meshes. Forces and torques are in N and N m. Unless a comment says otherwise the band

@@ -1,7 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
-#include "tests/fem_reference/bodies.hpp"
 #include "fem_reference/solve.hpp"
+#include "tests/fem_reference/bodies.hpp"
 #include "tests/fem_reference/laws.hpp"
 
 using namespace springcheck;

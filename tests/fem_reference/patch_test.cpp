@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
-#include "tests/fem_reference/bodies.hpp"
-#include "fem_reference/statics/elasticity.hpp"
 #include "fem_reference/solve.hpp"
+#include "fem_reference/statics/elasticity.hpp"
+#include "tests/fem_reference/bodies.hpp"
 #include "tests/fem_reference/laws.hpp"
 
 // The patch test: an affine displacement of the whole boundary is the solution, for every

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "meshing/input_error.hpp"
 #include "tests/fem_reference/bodies.hpp"
 #include "tests/fem_reference/laws.hpp"
-#include "meshing/input_error.hpp"
 
 // The solver as its users call it, against closed forms of whole bodies.
 

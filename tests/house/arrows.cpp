@@ -27,9 +27,8 @@ bool covers(const std::string& pattern, const std::string& folder) {
 
 bool is_source(const fs::path& file) {
   const std::string name = file.filename().string();
-  return std::ranges::any_of(
-      std::array{".hpp", ".cpp", ".hpp.in", ".cpp.in"},
-      [&](const char* ending) { return name.ends_with(ending); });
+  return std::ranges::any_of(std::array{".hpp", ".cpp", ".hpp.in", ".cpp.in"},
+                             [&](const char* ending) { return name.ends_with(ending); });
 }
 
 }  // namespace
@@ -85,7 +84,8 @@ std::vector<std::string> faults(const std::vector<Room>& rooms,
                above.folder == seen;
       });
       if (!stands_above)
-        found.push_back(room->folder + " sees " + seen + ", which does not stand above it");
+        found.push_back(room->folder + " sees " + seen +
+                        ", which does not stand above it");
     }
   std::set<std::pair<std::string, std::string>> used;  // room, entry
   for (const Include& include : includes) {

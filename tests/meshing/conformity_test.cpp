@@ -1,5 +1,7 @@
 #include "meshing/conformity.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -137,7 +139,7 @@ BOOST_AUTO_TEST_CASE(warped_faces_are_the_bilinear_ones) {
 BOOST_AUTO_TEST_CASE(errors_name_nodes_as_they_are_told_to) {
   BOOST_CHECK_EXCEPTION(
       check_conformity(on_cube(box({0, 0, 1}, {1, 1, 2}), {second_cube}),
-                       [](NodeIndex node) { return "#" + std::to_string(10 * node); }),
+                       [](NodeIndex node) { return fmt::format("#{}", 10 * node); }),
       InputError, [](const InputError& error) {
         BOOST_TEST(error.what() ==
                    std::string("body: #40: expected a place of its own, or cells merged "

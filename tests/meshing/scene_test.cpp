@@ -1,5 +1,5 @@
-#include "meshing/generators/generate_block.hpp"
 #include "meshing/scene.hpp"
+#include "meshing/generators/generate_block.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,5 @@
-#include "meshing/generators/generate_block.hpp"
 #include "meshing/traction.hpp"
+#include "meshing/generators/generate_block.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <numeric>

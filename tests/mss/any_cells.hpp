@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/mss/blocks.hpp"
 #include "meshing/generators/generate_block.hpp"
+#include "tests/mss/blocks.hpp"
 
 // Meshes of every type of cell, and dense matrices of their networks.
 namespace springcheck::mss {

@@ -5,10 +5,10 @@
 #include <numeric>
 #include <ostream>
 
-#include "tests/mss/blocks.hpp"
 #include "meshing/cell_geometry.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "mss/solve.hpp"
+#include "tests/mss/blocks.hpp"
 
 // The thesis's deformation tests on their own meshes, solved for equilibrium. The stored
 // figures come from independent prototypes written before this project, which share no

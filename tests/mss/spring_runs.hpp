@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "tests/mss/blocks.hpp"
 #include "mss/motion/dynamics.hpp"
+#include "tests/mss/blocks.hpp"
 
 // What several tests of the springs' dynamics are made from.
 namespace springcheck::mss {

@@ -37,7 +37,7 @@ inline std::vector<std::string> split_at_commas(const std::string& line) {
 }
 
 inline std::vector<ReferenceRow> reference_rows(const std::string& name) {
-  std::ifstream file(std::string(SOURCES "/tests/tissue/reference/") + name);
+  std::ifstream file(std::string("tests/tissue/reference/") + name);
   BOOST_TEST_REQUIRE(file.is_open(), name << " is missing");
   std::string line;
   std::getline(file, line);

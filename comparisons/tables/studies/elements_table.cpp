@@ -7,8 +7,8 @@
 #include <map>
 
 #include "comparisons/studies/converged_number.hpp"
-#include "comparisons/tables/plans/planned_requests.hpp"
 #include "comparisons/studies/split.hpp"
+#include "comparisons/tables/plans/planned_requests.hpp"
 
 namespace springcheck {
 namespace {

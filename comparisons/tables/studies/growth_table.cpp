@@ -9,14 +9,14 @@
 #include <map>
 
 #include "comparisons/build_info/build_info.hpp"
+#include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/results/provenance.hpp"
+#include "comparisons/running/memory.hpp"
+#include "comparisons/running/progress.hpp"
+#include "comparisons/running/stepping.hpp"
 #include "comparisons/running/timing.hpp"
 #include "comparisons/studies/extrapolation.hpp"
-#include "comparisons/cases/mechanical_scene.hpp"
-#include "comparisons/running/memory.hpp"
 #include "comparisons/tables/plans/planned_requests.hpp"
-#include "comparisons/running/progress.hpp"
-#include "comparisons/results/provenance.hpp"
-#include "comparisons/running/stepping.hpp"
 #include "meshing/stopwatch.hpp"
 #include "mss/statics/equilibrium.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "comparisons/tables/plans/sheet_plan.hpp"
 #include "comparisons/studies/split.hpp"
+#include "comparisons/tables/plans/sheet_plan.hpp"
 
 namespace springcheck {
 

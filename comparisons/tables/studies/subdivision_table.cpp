@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/tables/plans/planned_requests.hpp"
 #include "comparisons/studies/split.hpp"
+#include "comparisons/tables/plans/planned_requests.hpp"
 
 namespace springcheck {
 namespace {

@@ -3,9 +3,9 @@
 #include <map>
 #include <vector>
 
+#include "comparisons/cases/case.hpp"
 #include "comparisons/modes/beam_frequencies.hpp"
 #include "comparisons/modes/beam_motion.hpp"
-#include "comparisons/cases/case.hpp"
 #include "comparisons/sheets/sheet.hpp"
 
 namespace springcheck {

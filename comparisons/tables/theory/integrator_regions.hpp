@@ -41,7 +41,7 @@ double region_border(dynamics::Integrator integrator, double damping_ratio);
 /// the plane of dt Gamma: the circle of radius 1 about -1; of that of radius 2 sqrt(2)
 /// about 2 the part to the left of the imaginary axis; and the circle of radius 1
 /// about 1. -1 <= zeta for implicit Euler. Source: the roots of the amplification
-/// polynomials in dynamics/stable_step.hpp.
+/// polynomials in dynamics/marching/stable_step.hpp.
 double border_on_paper(dynamics::Integrator integrator, double damping_ratio);
 
 }  // namespace springcheck

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "comparisons/settings/scene_file.hpp"
-#include "comparisons/tables/theory/beam_cells.hpp"
 #include "comparisons/modes/body_modes.hpp"
 #include "comparisons/modes/free_block_modes.hpp"
 #include "comparisons/modes/mode_pairs.hpp"
+#include "comparisons/settings/scene_file.hpp"
+#include "comparisons/tables/theory/beam_cells.hpp"
 
 namespace springcheck {
 namespace {

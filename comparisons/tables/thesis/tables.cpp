@@ -8,9 +8,9 @@
 #include <span>
 #include <stdexcept>
 
+#include "comparisons/settings/scene_file.hpp"
 #include "comparisons/studies/converged_number.hpp"
 #include "comparisons/tables/thesis/printed_figures.hpp"
-#include "comparisons/settings/scene_file.hpp"
 #include "comparisons/tables/thesis/table_notes.hpp"
 
 namespace springcheck {

@@ -25,7 +25,7 @@ _STVK_WORDS = (
 _STEP = "largest step of linear theory"
 _STEP_WORDS = (
     "Largest step of linear theory: ratio 1, which is 2/ω_max without damping, ω_max the largest "
-    "frequency of the body's tangent (dynamics/stable_step.hpp)."
+    "frequency of the body's tangent (dynamics/marching/stable_step.hpp)."
 )
 
 

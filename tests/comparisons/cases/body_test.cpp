@@ -3,8 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
-#include "comparisons/running/case_result.hpp"
 #include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/running/case_result.hpp"
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "meshing/input_error.hpp"

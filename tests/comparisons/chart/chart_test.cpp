@@ -1,6 +1,7 @@
 #include "comparisons/chart/chart.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "comparisons/chart/chart_json.hpp"

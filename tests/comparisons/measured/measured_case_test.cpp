@@ -1,12 +1,13 @@
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 
-#include "tests/comparisons/own_folder.hpp"
-#include "tests/comparisons/settings.hpp"
+#include "comparisons/commands/result_json.hpp"
 #include "comparisons/measured/measured_case.hpp"
 #include "comparisons/measured/nodal_csv.hpp"
 #include "comparisons/results/result_file.hpp"
-#include "comparisons/commands/result_json.hpp"
 #include "tests/comparisons/measured/messages.hpp"
+#include "tests/comparisons/own_folder.hpp"
+#include "tests/comparisons/settings.hpp"
 
 using namespace springcheck;
 

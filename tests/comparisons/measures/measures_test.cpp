@@ -1,8 +1,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "comparisons/measures/measures.hpp"
 #include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/measures/measures.hpp"
 #include "comparisons/measures/wrinkles.hpp"
 #include "meshing/traction.hpp"
 #include "tests/comparisons/settings.hpp"

@@ -1,10 +1,11 @@
 #include "comparisons/results/stored_map.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 
-#include "tests/comparisons/own_folder.hpp"
 #include "comparisons/stability/atlas.hpp"
 #include "comparisons/stability/atlas_json.hpp"
+#include "tests/comparisons/own_folder.hpp"
 
 using namespace springcheck;
 

@@ -7,10 +7,10 @@
 #include <iostream>
 #include <variant>
 
-#include "comparisons/measures/hourglassing.hpp"
 #include "comparisons/cases/mechanical_scene.hpp"
-#include "comparisons/running/simulate.hpp"
+#include "comparisons/measures/hourglassing.hpp"
 #include "comparisons/measures/wrinkles.hpp"
+#include "comparisons/running/simulate.hpp"
 #include "meshing/cell_geometry.hpp"
 #include "meshing/wavelength.hpp"
 #include "mss/statics/path_limit.hpp"

@@ -2,8 +2,8 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "tests/comparisons/own_folder.hpp"
 #include "comparisons/stability/atlas_sheets.hpp"
+#include "tests/comparisons/own_folder.hpp"
 
 using namespace springcheck;
 

@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
 
 #include "comparisons/studies/study.hpp"
 #include "tests/comparisons/settings.hpp"

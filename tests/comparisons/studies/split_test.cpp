@@ -1,4 +1,5 @@
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 
 #include "comparisons/studies/split.hpp"
 #include "comparisons/tables/studies/split_output.hpp"

@@ -1,8 +1,8 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 
-#include "comparisons/running/memory.hpp"
 #include "comparisons/results/result_file.hpp"
+#include "comparisons/running/memory.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
 

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "comparisons/running/cost.hpp"
-#include "comparisons/results/result_writer.hpp"
-#include "comparisons/shipped/shipped.hpp"
 #include "comparisons/commands/sweep_command.hpp"
+#include "comparisons/results/result_writer.hpp"
+#include "comparisons/running/cost.hpp"
+#include "comparisons/shipped/shipped.hpp"
 #include "comparisons/sweeps/sweep_file.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/own_folder.hpp"

@@ -4,9 +4,9 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 
+#include "meshing/cell_geometry.hpp"
 #include "tests/fem_reference/bodies.hpp"
 #include "tests/fem_reference/laws.hpp"
-#include "meshing/cell_geometry.hpp"
 
 // One cell: its energy's derivatives, and what each place of the dilatation makes of it.
 

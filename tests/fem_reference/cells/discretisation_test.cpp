@@ -3,10 +3,10 @@
 #include <boost/test/unit_test.hpp>
 #include <set>
 
-#include "tests/fem_reference/bodies.hpp"
 #include "fem_reference/statics/loads.hpp"
-#include "tests/fem_reference/laws.hpp"
 #include "meshing/cell_geometry.hpp"
+#include "tests/fem_reference/bodies.hpp"
+#include "tests/fem_reference/laws.hpp"
 
 // Nodes, shape functions and consistent loads. What is exact on paper has round-off as
 // its tolerance.

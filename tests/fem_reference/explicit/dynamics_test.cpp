@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/fem_reference/laws.hpp"
 #include "fem_reference/solve.hpp"
 #include "tests/fem_reference/explicit/fields.hpp"
+#include "tests/fem_reference/laws.hpp"
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;

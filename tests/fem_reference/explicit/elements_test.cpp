@@ -3,13 +3,13 @@
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
-#include "tests/fem_reference/laws.hpp"
 #include "fem_reference/explicit/hexahedra.hpp"
 #include "fem_reference/explicit/plain_forces.hpp"
 #include "fem_reference/solve.hpp"
-#include "tests/fem_reference/explicit/fields.hpp"
 #include "meshing/cell_geometry.hpp"
 #include "meshing/generators/generate_block.hpp"
+#include "tests/fem_reference/explicit/fields.hpp"
+#include "tests/fem_reference/laws.hpp"
 
 // The elements by plain loops.
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tests/fem_reference/bodies.hpp"
 #include "fem_reference/explicit/explicit_element.hpp"
+#include "tests/fem_reference/bodies.hpp"
 
 // Displacements and sums that several tests of the explicit elements are made from.
 namespace springcheck::fem_reference {

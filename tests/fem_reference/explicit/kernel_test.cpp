@@ -3,12 +3,12 @@
 #include <Eigen/Geometry>
 #include <boost/test/unit_test.hpp>
 
-#include "tests/dynamics/blocks/block_forces.hpp"
-#include "tests/dynamics/blocks/shuffled_cells.hpp"
-#include "tests/fem_reference/laws.hpp"
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "fem_reference/explicit/plain_forces.hpp"
+#include "tests/dynamics/blocks/block_forces.hpp"
+#include "tests/dynamics/blocks/shuffled_cells.hpp"
 #include "tests/fem_reference/explicit/fields.hpp"
+#include "tests/fem_reference/laws.hpp"
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;

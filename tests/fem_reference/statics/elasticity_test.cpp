@@ -3,9 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <boost/test/unit_test.hpp>
 
+#include "meshing/cell_geometry.hpp"
 #include "tests/fem_reference/bodies.hpp"
 #include "tests/fem_reference/laws.hpp"
-#include "meshing/cell_geometry.hpp"
 
 // The discrete body: sums over its cells, and its linearisation.
 

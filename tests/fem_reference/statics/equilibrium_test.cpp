@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/fem_reference/bodies.hpp"
 #include "fem_reference/statics/loads.hpp"
 #include "fem_reference/statics/newton.hpp"
 #include "fem_reference/statics/supports.hpp"
+#include "tests/fem_reference/bodies.hpp"
 #include "tests/fem_reference/laws.hpp"
 #include "tests/fem_reference/statics/log.hpp"
 

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/fem_reference/bodies.hpp"
 #include "fem_reference/statics/loads.hpp"
 #include "fem_reference/statics/newton.hpp"
 #include "fem_reference/statics/supports.hpp"
+#include "tests/fem_reference/bodies.hpp"
 #include "tests/fem_reference/laws.hpp"
 
 // Manufactured solutions: a smooth field u, the body force f = -div P(grad u) that it

@@ -2,9 +2,9 @@
 
 #include <numbers>
 
-#include "tests/fem_reference/bodies.hpp"
 #include "fem_reference/statics/modes.hpp"
 #include "meshing/generators/generate_block.hpp"
+#include "tests/fem_reference/bodies.hpp"
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;

@@ -3,10 +3,10 @@
 #include <Eigen/Eigenvalues>
 #include <boost/test/unit_test.hpp>
 
-#include "tests/fem_reference/bodies.hpp"
 #include "fem_reference/solve.hpp"
 #include "fem_reference/statics/stiffness_matrix.hpp"
 #include "fem_reference/statics/supports.hpp"
+#include "tests/fem_reference/bodies.hpp"
 #include "tests/fem_reference/laws.hpp"
 
 // The iterative solver against the direct one, and against dense eigenvalues.

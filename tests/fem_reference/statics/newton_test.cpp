@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
-#include "tests/fem_reference/bodies.hpp"
 #include "fem_reference/statics/loads.hpp"
 #include "fem_reference/statics/supports.hpp"
+#include "tests/fem_reference/bodies.hpp"
 #include "tests/fem_reference/laws.hpp"
 #include "tests/fem_reference/statics/log.hpp"
 

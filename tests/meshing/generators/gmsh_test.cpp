@@ -1,6 +1,6 @@
-#include "meshing/generators/generate_block.hpp"
 #include "meshing/generators/gmsh.hpp"
 #include "meshing/files/mesh_files.hpp"
+#include "meshing/generators/generate_block.hpp"
 
 #include <gmsh.h>
 

@@ -1,7 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
-#include "tests/mss/any_cells.hpp"
 #include "mss/forces/assembly.hpp"
+#include "tests/mss/any_cells.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;

@@ -1,10 +1,10 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "tests/mss/any_cells.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "mss/forces/assembly.hpp"
 #include "mss/forces/forces.hpp"
+#include "tests/mss/any_cells.hpp"
 
 // Energy, forces and tangent of mss-affine on every type of cell, distorted and mixed.
 

@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <boost/test/unit_test.hpp>
 
-#include "tests/mss/blocks.hpp"
 #include "mss/forces/assembly.hpp"
 #include "mss/forces/forces.hpp"
+#include "tests/mss/blocks.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;

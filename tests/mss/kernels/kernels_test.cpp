@@ -1,9 +1,9 @@
 #include <boost/test/unit_test.hpp>
 #include <functional>
 
-#include "tests/dynamics/blocks/shuffled_cells.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "mss/forces/forces.hpp"
+#include "tests/dynamics/blocks/shuffled_cells.hpp"
 #include "tests/mss/spring_runs.hpp"
 
 using namespace springcheck;

@@ -3,8 +3,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "mss/statics/equilibrium.hpp"
 #include "mss/forces/forces.hpp"
+#include "mss/statics/equilibrium.hpp"
 #include "tests/mss/spring_runs.hpp"
 
 using namespace springcheck;

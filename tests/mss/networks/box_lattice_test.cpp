@@ -1,11 +1,11 @@
-#include "meshing/generators/generate_block.hpp"
 #include "mss/networks/box_lattice.hpp"
+#include "meshing/generators/generate_block.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "tests/mss/any_cells.hpp"
 #include "mss/statics/equilibrium.hpp"
+#include "tests/mss/any_cells.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;

@@ -3,9 +3,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "tests/mss/any_cells.hpp"
 #include "mss/forces/assembly.hpp"
 #include "mss/networks/cell_springs.hpp"
+#include "tests/mss/any_cells.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "tests/mss/blocks.hpp"
 #include "mss/forces/tangent.hpp"
+#include "tests/mss/blocks.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;

@@ -1,7 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
-#include "tests/mss/any_cells.hpp"
 #include "mss/statics/equilibrium.hpp"
+#include "tests/mss/any_cells.hpp"
 
 // The patch test: a body whose whole boundary follows an affine displacement follows it
 // inside, whatever its cells.

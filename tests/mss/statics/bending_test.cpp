@@ -1,9 +1,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "tests/mss/blocks.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "mss/statics/equilibrium.hpp"
+#include "tests/mss/blocks.hpp"
 
 // A slender cantilever with one cell across: what a cell makes of bending.
 

@@ -1,13 +1,13 @@
-#include "meshing/generators/generate_block.hpp"
 #include "mss/statics/equilibrium.hpp"
+#include "meshing/generators/generate_block.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "tests/mss/blocks.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/solve.hpp"
+#include "tests/mss/blocks.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "tests/mss/blocks.hpp"
 #include "meshing/cell_geometry.hpp"
 #include "meshing/traction.hpp"
 #include "mss/statics/equilibrium.hpp"
+#include "tests/mss/blocks.hpp"
 
 // Blocks between sliding plates, under tractions and on an affine boundary deform
 // homogeneously, and the lattice's energy per volume is known on paper.

@@ -1,5 +1,5 @@
-#include "meshing/generators/generate_block.hpp"
 #include "mss/statics/iterative_solver.hpp"
+#include "meshing/generators/generate_block.hpp"
 
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
@@ -8,9 +8,9 @@
 #include <memory>
 #include <sstream>
 
-#include "tests/mss/any_cells.hpp"
 #include "mss/forces/assembly.hpp"
 #include "mss/statics/equilibrium.hpp"
+#include "tests/mss/any_cells.hpp"
 
 // Conjugate gradients against the Cholesky factor.
 

@@ -1,8 +1,8 @@
 #include <boost/test/unit_test.hpp>
 
-#include "tests/mss/blocks.hpp"
-#include "mss/statics/equilibrium.hpp"
 #include "mss/forces/forces.hpp"
+#include "mss/statics/equilibrium.hpp"
+#include "tests/mss/blocks.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;

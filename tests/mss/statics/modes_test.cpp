@@ -2,9 +2,9 @@
 
 #include <numbers>
 
-#include "tests/mss/blocks.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "mss/statics/modes.hpp"
+#include "tests/mss/blocks.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;

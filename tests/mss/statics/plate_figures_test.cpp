@@ -1,9 +1,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "tests/mss/any_cells.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "mss/statics/equilibrium.hpp"
+#include "tests/mss/any_cells.hpp"
 
 // Plate forces and torques at small strain, glued plates, 5^3 cells of 1 cm, as errors
 // against Hooke's law on triquadratic elements on the same 5^3 cubes: errors of

@@ -1,11 +1,11 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "tests/mss/any_cells.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "mss/statics/equilibrium.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/forces/tangent.hpp"
+#include "mss/statics/equilibrium.hpp"
+#include "tests/mss/any_cells.hpp"
 
 // Springs on the edges of tetrahedra by the formulas of Van Gelder and Lloyd, which
 // mss-affine is compared with: that they are what their sources say, and that they do not

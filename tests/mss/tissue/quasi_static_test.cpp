@@ -1,5 +1,5 @@
-#include "meshing/generators/generate_block.hpp"
 #include "mss/tissue/quasi_static.hpp"
+#include "meshing/generators/generate_block.hpp"
 
 #include <algorithm>
 #include <boost/test/data/test_case.hpp>

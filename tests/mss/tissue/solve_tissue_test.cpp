@@ -2,8 +2,8 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "tissue/strain_history.hpp"
 #include "tests/mss/tissue/tissue_scenes.hpp"
+#include "tissue/strain_history.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;

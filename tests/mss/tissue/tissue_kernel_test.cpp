@@ -1,7 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
-#include "meshing/generators/generate_block.hpp"
 #include "meshing/generators/disc.hpp"
+#include "meshing/generators/generate_block.hpp"
 #include "mss/tissue/tissue_motion.hpp"
 #include "tests/mss/tissue/tissue_scenes.hpp"
 

@@ -3,8 +3,8 @@
 #include <map>
 #include <string>
 
-#include "tests/mss/blocks.hpp"
 #include "mss/tissue/tissue_body.hpp"
+#include "tests/mss/blocks.hpp"
 #include "tissue/maxwell_fit.hpp"
 
 namespace springcheck::mss {

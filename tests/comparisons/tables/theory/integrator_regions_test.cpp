@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "meshing/generators/generate_block.hpp"
-#include "mss/motion/dynamics.hpp"
 #include "mss/forces/forces.hpp"
+#include "mss/motion/dynamics.hpp"
 #include "mss/motion/implicit_motion.hpp"
 
 using namespace springcheck;

@@ -4,12 +4,12 @@
 #include <numbers>
 #include <set>
 
+#include "comparisons/sheets/sheet.hpp"
+#include "comparisons/sheets/text_table.hpp"
 #include "comparisons/studies/study.hpp"
 #include "comparisons/tables/catalogue.hpp"
-#include "comparisons/tables/thesis/printed_figures.hpp"
-#include "comparisons/sheets/sheet.hpp"
 #include "comparisons/tables/thesis/format_table.hpp"
-#include "comparisons/sheets/text_table.hpp"
+#include "comparisons/tables/thesis/printed_figures.hpp"
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;
