@@ -12,11 +12,15 @@ file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
 
 # An object library whose headers others can take over: those of below and further ones.
 #
-#   add_precompiled(<name> LIBRARIES <target>... HEADERS <header>...)
+#   add_precompiled(<name> LIBRARIES <target>... DEFINITIONS <name>... HEADERS <header>...)
 function(add_precompiled name)
-  cmake_parse_arguments(PARSE_ARGV 1 precompiled "" "" "LIBRARIES;HEADERS")
+  if(NOT SPRINGCHECK_PRECOMPILE)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 1 precompiled "" "" "LIBRARIES;DEFINITIONS;HEADERS")
   add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
   target_link_libraries(${name} PRIVATE Eigen3::Eigen fmt::fmt ${precompiled_LIBRARIES} warnings)
+  target_compile_definitions(${name} PRIVATE ${precompiled_DEFINITIONS})
   target_precompile_headers(${name} PRIVATE
     <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <numeric> <optional>
     <ranges> <set> <span> <sstream> <stdexcept> <string> <vector>
