@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "comparisons/build_info/build_info.hpp"
-#include "meshing/generators/gmsh.hpp"
+#include "meshing/gmsh/version.hpp"
 
 namespace springcheck {
 namespace {

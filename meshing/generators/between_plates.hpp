@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "meshing/generators/mesh_parts.hpp"
+#include "meshing/mesh_parts.hpp"
 
 namespace springcheck {
 

@@ -6,12 +6,12 @@
 #include <stdexcept>
 
 #include "meshing/generators/distortion.hpp"
-#include "meshing/generators/gmsh_algorithms.hpp"
-#include "meshing/generators/gmsh_box.hpp"
-#include "meshing/generators/gmsh_cells.hpp"
-#include "meshing/generators/gmsh_session.hpp"
 #include "meshing/generators/transition_block.hpp"
 #include "meshing/generators/z_curve.hpp"
+#include "meshing/gmsh/algorithms.hpp"
+#include "meshing/gmsh/box.hpp"
+#include "meshing/gmsh/cells.hpp"
+#include "meshing/gmsh/session.hpp"
 
 namespace springcheck {
 namespace {

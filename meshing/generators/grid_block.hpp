@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshing/generators/block.hpp"
-#include "meshing/generators/mesh_parts.hpp"
+#include "meshing/mesh_parts.hpp"
 
 namespace springcheck {
 

@@ -8,9 +8,9 @@
 
 #include "meshing/generators/between_plates.hpp"
 #include "meshing/generators/extent.hpp"
-#include "meshing/generators/gmsh_algorithms.hpp"
-#include "meshing/generators/gmsh_cells.hpp"
-#include "meshing/generators/gmsh_session.hpp"
+#include "meshing/gmsh/algorithms.hpp"
+#include "meshing/gmsh/cells.hpp"
+#include "meshing/gmsh/session.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

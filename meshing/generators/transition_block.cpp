@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meshing/generators/gmsh_algorithms.hpp"
-#include "meshing/generators/gmsh_box.hpp"
-#include "meshing/generators/gmsh_cells.hpp"
-#include "meshing/generators/gmsh_session.hpp"
 #include "meshing/generators/grid_block.hpp"
 #include "meshing/generators/hexahedron_cuts.hpp"
+#include "meshing/gmsh/algorithms.hpp"
+#include "meshing/gmsh/box.hpp"
+#include "meshing/gmsh/cells.hpp"
+#include "meshing/gmsh/session.hpp"
 
 namespace springcheck {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshing/generators/mesh_parts.hpp"
+#include "meshing/mesh_parts.hpp"
 
 namespace springcheck {
 

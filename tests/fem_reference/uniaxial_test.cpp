@@ -6,7 +6,6 @@
 #include "fem_reference/solve.hpp"
 #include "meshing/cell_geometry.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/generators/gmsh.hpp"
 #include "tests/fem_reference/homogeneous_laws.hpp"
 
 // A block between sliding plates, its sides free, is in a homogeneous state: the elements

@@ -5,7 +5,6 @@
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
-#include "meshing/generators/gmsh.hpp"
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;

@@ -4,7 +4,6 @@
 #include <boost/test/unit_test.hpp>
 #include <numeric>
 
-#include "meshing/generators/gmsh.hpp"
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;

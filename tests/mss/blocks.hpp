@@ -5,7 +5,6 @@
 #include <string>
 
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/generators/gmsh.hpp"
 #include "meshing/scene.hpp"
 #include "mss/networks/network.hpp"
 

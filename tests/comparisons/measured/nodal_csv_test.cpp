@@ -3,7 +3,6 @@
 #include "comparisons/measured/nodal_csv.hpp"
 #include "comparisons/measured/node_finder.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/generators/gmsh.hpp"
 #include "tests/comparisons/measured/messages.hpp"
 #include "tests/comparisons/own_folder.hpp"
 

@@ -8,7 +8,6 @@
 #include "comparisons/measured/vtu_file.hpp"
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/generators/gmsh.hpp"
 #include "tests/comparisons/measured/messages.hpp"
 #include "tests/comparisons/own_folder.hpp"
 

@@ -10,7 +10,6 @@
 #include "dynamics/blocks/ghosts.hpp"
 #include "dynamics/blocks/shared_nodes.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/generators/gmsh.hpp"
 #include "tests/dynamics/blocks/shuffled_cells.hpp"
 
 namespace springcheck::dynamics {  // the mesh generators have a Block too

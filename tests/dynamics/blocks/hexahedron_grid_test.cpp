@@ -7,7 +7,6 @@
 #include <set>
 
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/generators/gmsh.hpp"
 #include "tests/dynamics/blocks/shuffled_cells.hpp"
 
 using namespace springcheck;

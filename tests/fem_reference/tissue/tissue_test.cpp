@@ -5,7 +5,6 @@
 #include "fem_reference/tissue/solve_tissue.hpp"
 #include "fem_reference/tissue/tissue_cell.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/generators/gmsh.hpp"
 #include "tissue/maxwell_fit.hpp"
 
 using namespace springcheck;

@@ -1,4 +1,3 @@
-#include "meshing/generators/gmsh.hpp"
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
 

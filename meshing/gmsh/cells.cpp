@@ -1,4 +1,4 @@
-#include "meshing/generators/gmsh_cells.hpp"
+#include "meshing/gmsh/cells.hpp"
 
 #include <gmsh.h>
 

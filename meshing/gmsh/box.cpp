@@ -1,4 +1,4 @@
-#include "meshing/generators/gmsh_box.hpp"
+#include "meshing/gmsh/box.hpp"
 
 #include <gmsh.h>
 

@@ -1,8 +1,8 @@
-#include "meshing/generators/gmsh.hpp"
+#include "meshing/gmsh/version.hpp"
 
 #include <gmsh.h>
 
-#include "meshing/generators/gmsh_session.hpp"
+#include "meshing/gmsh/session.hpp"
 
 namespace springcheck {
 

@@ -1,4 +1,4 @@
-#include "meshing/generators/gmsh_algorithms.hpp"
+#include "meshing/gmsh/algorithms.hpp"
 
 #include <gmsh.h>
 

@@ -1,4 +1,4 @@
-#include "meshing/generators/gmsh_session.hpp"
+#include "meshing/gmsh/session.hpp"
 
 #include <gmsh.h>
 
