@@ -36,7 +36,6 @@ function(springcheck_room)
   target_link_libraries(${name}
     PUBLIC ${rooms_seen_by_${name}} ${room_PUBLIC} Eigen3::Eigen
     PRIVATE ${room_PRIVATE} fmt::fmt warnings)
-  use_precompiled(${name} precompiled)
 endfunction()
 
 # The libraries of all rooms that a folder of tests may see: the line of the nearest folder

@@ -5,13 +5,9 @@
 #include <limits>
 
 namespace springcheck {
-namespace {
-
 CellType type_of(const CornerPositions& x) {
   return type_with(static_cast<std::size_t>(x.cols()));
 }
-
-}  // namespace
 
 CornerPositions corners(const CellNodes& cell, std::span<const Vector3> positions) {
   CornerPositions x(3, cell.size());

@@ -11,6 +11,14 @@ namespace springcheck {
 /// Positions of a cell's nodes as columns, four to eight of them.
 using CornerPositions = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 8>;
 
+CellType type_of(const CornerPositions& x);
+
+/// From the first of two corners to the second [m].
+inline Vector3 along(const CornerPositions& x, const LocalEdge& ends) {
+  return x.col(static_cast<Eigen::Index>(ends[1])) -
+         x.col(static_cast<Eigen::Index>(ends[0]));
+}
+
 CornerPositions corners(const CellNodes& cell, std::span<const Vector3> positions);
 
 /// Exact volume of a cell with straight edges and bilinear quadrilateral faces [m^3],

@@ -33,6 +33,9 @@ inline constexpr std::array all_cell_types{CellType::tetrahedron, CellType::pyra
 using LocalEdge = std::array<std::size_t, 2>;
 using LocalFace = ShortList<std::uint8_t, 4>;
 
+/// Of a hexahedron's corners in the order of a grid, x fastest, the places in CellNodes.
+inline constexpr std::array<std::uint8_t, 8> grid_corners{0, 1, 3, 2, 4, 5, 7, 6};
+
 std::string_view name_of(CellType type);
 std::size_t node_count(CellType type);
 

@@ -191,7 +191,8 @@ Mesh::Mesh(std::string source, std::vector<Vector3> nodes, std::vector<CellNodes
 }
 
 std::size_t Mesh::count(CellType type) const {
-  return static_cast<std::size_t>(std::ranges::count(cells_, type, type_of));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      cells_, [&](const CellNodes& cell) { return type_of(cell) == type; }));
 }
 
 const Region& Mesh::region(const std::string& name) const {

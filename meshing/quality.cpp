@@ -8,10 +8,6 @@
 namespace springcheck {
 namespace {
 
-CellType type_of(const CornerPositions& x) {
-  return type_with(static_cast<std::size_t>(x.cols()));
-}
-
 constexpr std::array<CornerStar, 4> tetrahedron_corners{
     {{0, 1, 2, 3}, {1, 2, 0, 3}, {2, 0, 1, 3}, {3, 0, 2, 1}}};
 constexpr std::array<CornerStar, 8> pyramid_corners{{{0, 1, 3, 4},

@@ -6,7 +6,7 @@
 namespace springcheck {
 namespace {
 
-constexpr double on_plane = 1e-9;  // of the block's height: coordinates are exact
+constexpr double on_line = 1e-9;  // of the block's height: coordinates are exact
 
 /// Nodes of the centre line from the clamp to the tip; empty unless x and y counts are
 /// even.
@@ -14,8 +14,8 @@ std::vector<NodeIndex> centre_line(const CaseSettings& settings, const Mesh& mes
   std::vector<NodeIndex> line;
   const auto [width, depth, height] = settings.body.block.size;
   for (NodeIndex n = 0; n < mesh.nodes().size(); ++n)
-    if (std::abs(mesh.nodes()[n].x() - width / 2) < on_plane * height &&
-        std::abs(mesh.nodes()[n].y() - depth / 2) < on_plane * height)
+    if (std::abs(mesh.nodes()[n].x() - width / 2) < on_line * height &&
+        std::abs(mesh.nodes()[n].y() - depth / 2) < on_line * height)
       line.push_back(n);
   std::ranges::sort(line, {}, [&](NodeIndex n) { return mesh.nodes()[n].z(); });
   return line;

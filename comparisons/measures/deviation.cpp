@@ -9,7 +9,7 @@
 namespace springcheck {
 namespace {
 
-constexpr double on_plane = 1e-9;  // of the block's height: coordinates are exact
+constexpr double in_layer = 1e-9;  // of the block's height: coordinates are exact
 
 /// The length deviations are divided by: the largest imposed displacement, or the
 /// reference's tip deflection in bending and face displacement in traction.
@@ -37,7 +37,7 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
   for (std::size_t n = 0; n < mesh.nodes().size(); ++n) {
     sum += distance(n);
     largest = std::max(largest, distance(n));
-    if (has_layers && std::abs(mesh.nodes()[n].z() - height / 2) < on_plane * height) {
+    if (has_layers && std::abs(mesh.nodes()[n].z() - height / 2) < in_layer * height) {
       layer_sum += distance(n);
       ++layer_nodes;
     }

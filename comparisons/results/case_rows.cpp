@@ -25,13 +25,13 @@ Row::mapped_type cell(const nlohmann::json& value) {
   return std::vector{value.get<double>()};
 }
 
-void put(Row& row, const char* name, const Measures::Value& value) {
+void put_measure(Row& row, const char* name, const Measures::Value& value) {
   if (value) row[name] = std::vector{*value};
 }
-void put(Row& row, const char* name, const Measures::Vector& value) {
+void put_measure(Row& row, const char* name, const Measures::Vector& value) {
   if (value) row[name] = std::vector(value->data(), value->data() + 3);
 }
-void put(Row& row, const char* name, const Measures::Matrix& value) {
+void put_measure(Row& row, const char* name, const Measures::Matrix& value) {
   if (!value) return;
   const Eigen::Matrix3d columns = value->transpose();  // the file holds rows
   row[name] = std::vector(columns.data(), columns.data() + 9);
@@ -138,8 +138,9 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
   row["status"] = std::string(name_of(result.status));
   row["flags"] = joined(result.flags);
   row["reason"] = result.reason;
-  for_each_measure(result.measures,
-                   [&](const char* name, const auto& value) { put(row, name, value); });
+  for_each_measure(result.measures, [&](const char* name, const auto& value) {
+    put_measure(row, name, value);
+  });
   const auto number = [&](const char* name, double value) {
     row[name] = std::vector{value};
   };
@@ -153,8 +154,8 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
   if (solution.linear_iterations)
     number("linear_iterations", *solution.linear_iterations);
   if (solution.factorisations) number("factorisations", *solution.factorisations);
-  put(row, "dt_used", solution.dt);
-  put(row, "dt_limit", solution.dt_limit);
+  put_measure(row, "dt_used", solution.dt);
+  put_measure(row, "dt_limit", solution.dt_limit);
   number("provenance", static_cast<double>(provenance));
   return row;
 }

@@ -75,13 +75,6 @@ Row row_of(const StoredChart::Comparison& comparison) {
           {"compared", comparison.compared}};
 }
 
-template <class Part>
-void write_rows(hid_t parent, const char* name, const std::vector<Part>& parts) {
-  std::vector<Row> rows;
-  for (const Part& part : parts) rows.push_back(row_of(part));
-  append_rows(hdf5::create_group(parent, name), rows);
-}
-
 ChartKind kind_named(const std::string& name) {
   for (const ChartKind kind : {ChartKind::equilibrium, ChartKind::motion})
     if (name == name_of(kind)) return kind;
@@ -207,9 +200,12 @@ void write_chart(hid_t charts, const StoredChart& chart) {
   hdf5::write_attribute(group, "height", chart.height);
   if (chart.imposed) hdf5::write_attribute(group, "imposed", *chart.imposed);
   hdf5::write_attribute(group, "machine", chart.machine);
-  write_rows(group, "truths", chart.truths);
-  write_rows(group, "points", chart.points);
-  write_rows(group, "comparisons", chart.comparisons);
+  write_rows(group, "truths", chart.truths,
+             [](const auto& part) { return row_of(part); });
+  write_rows(group, "points", chart.points,
+             [](const auto& part) { return row_of(part); });
+  write_rows(group, "comparisons", chart.comparisons,
+             [](const auto& part) { return row_of(part); });
 }
 
 std::vector<StoredChart> read_charts(const std::filesystem::path& file) {

@@ -23,13 +23,6 @@ Row row_of(const StoredMap::Limit& limit) {
   return row;
 }
 
-template <class Part>
-void write_rows(hid_t parent, const char* name, const std::vector<Part>& parts) {
-  std::vector<Row> rows;
-  for (const Part& part : parts) rows.push_back(row_of(part));
-  append_rows(hdf5::create_group(parent, name), rows);
-}
-
 StoredMap read_map(hid_t group) {
   StoredMap map{.scene = hdf5::read_text(group, "scene").value_or(""),
                 .axes = {hdf5::read_text(group, "first").value_or("")},
@@ -77,8 +70,8 @@ void write_map(hid_t maps, const StoredMap& map, MapState state) {
   hdf5::write_attribute(group, "scene", map.scene);
   hdf5::write_attribute(group, "first", map.axes.at(0));
   if (map.axes.size() == 2) hdf5::write_attribute(group, "second", map.axes[1]);
-  write_rows(group, "points", map.points);
-  write_rows(group, "limits", map.limits);
+  write_rows(group, "points", map.points, [](const auto& part) { return row_of(part); });
+  write_rows(group, "limits", map.limits, [](const auto& part) { return row_of(part); });
 }
 
 std::vector<StoredMap> read_maps(const std::filesystem::path& file) {

@@ -2,14 +2,25 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "comparisons/store/columns.hpp"
+#include "comparisons/store/hdf5.hpp"
 
 namespace springcheck {
 
 /// Puts a value into a row; what is lacking, or an empty text, is left out.
 void put(Row& row, const char* name, const std::optional<std::string>& text);
 void put(Row& row, const char* name, const std::optional<double>& number);
+
+/// A new table in the group: row_of(part) of each part.
+template <class Part, class RowOf>
+void write_rows(hid_t group, const char* name, const std::vector<Part>& parts,
+                const RowOf& row_of) {
+  std::vector<Row> rows;
+  for (const Part& part : parts) rows.push_back(row_of(part));
+  append_rows(hdf5::create_group(group, name), rows);
+}
 
 /// A table that is read row by row; columns that none of its rows has need not be there.
 class TableRows {

@@ -14,8 +14,6 @@ namespace {
 constexpr std::size_t most_cells = 4096, fewest_cells = 500, wanted_blocks = 4;
 constexpr std::size_t sparse_cells = 64;  // a block mostly of holes is cut down to this
 
-constexpr std::array<std::size_t, 8> gmsh_corner{0, 1, 3, 2, 4, 5, 7, 6};
-
 std::size_t cells_per_block(std::size_t cells) {
   return std::clamp(cells / wanted_blocks, fewest_cells, most_cells);
 }
@@ -135,7 +133,7 @@ Block free_block(std::span<const std::uint32_t> cells, const Mesh& mesh) {
     std::array<std::uint32_t, 8> corners{};
     for (std::size_t corner = 0; corner < 8; ++corner)
       corners[corner] =
-          std::ranges::lower_bound(slots, mesh.cells()[c][gmsh_corner[corner]], {},
+          std::ranges::lower_bound(slots, mesh.cells()[c][grid_corners[corner]], {},
                                    &std::pair<NodeIndex, std::uint32_t>::first)
               ->second;
     block.corners.push_back(corners);

@@ -8,7 +8,6 @@ namespace springcheck::dynamics {
 namespace {
 
 constexpr std::uint32_t no_body = ~std::uint32_t{0};
-constexpr std::array<std::uint8_t, 8> gmsh_corner{0, 1, 3, 2, 4, 5, 7, 6};
 
 /// For each cell and each of its faces the cell beyond; itself at the boundary.
 std::vector<std::array<std::uint32_t, 6>> neighbours_of(const Mesh& mesh) {
@@ -103,7 +102,7 @@ std::optional<std::vector<GridCell>> grid_of(const Mesh& mesh) {
     if (grid[first].body != no_body) continue;
     grid[first].body = bodies++;
     for (std::size_t c = 0; c < 8; ++c)
-      grid[first].corners[c] = mesh.cells()[first][gmsh_corner[c]];
+      grid[first].corners[c] = mesh.cells()[first][grid_corners[c]];
     std::queue<std::uint32_t> front({first});
     while (!front.empty()) {
       const GridCell here = grid[front.front()];

@@ -15,12 +15,11 @@ namespace {
 
 /// Of each of deal.II's vertices of a cell, the place in CellNodes.
 std::span<const std::uint8_t> deal_ii_order(CellType type) {
-  static constexpr std::array<std::uint8_t, 8> hexahedron{0, 1, 3, 2, 4, 5, 7, 6};
   static constexpr std::array<std::uint8_t, 5> pyramid{0, 1, 3, 2, 4};
   static constexpr std::array<std::uint8_t, 6> same{0, 1, 2, 3, 4, 5};
   switch (type) {
     case CellType::hexahedron:
-      return hexahedron;
+      return grid_corners;
     case CellType::pyramid:
       return pyramid;
     case CellType::prism:

@@ -10,7 +10,7 @@ namespace springcheck::fem_reference {
 CornerVectors corner_vectors(const CellNodes& hexahedron, std::span<const Vector3> of) {
   CornerVectors vectors;
   for (std::size_t c = 0; c < 8; ++c)
-    vectors.col(static_cast<Eigen::Index>(c)) = of[hexahedron[gmsh_corner[c]]];
+    vectors.col(static_cast<Eigen::Index>(c)) = of[hexahedron[grid_corners[c]]];
   return vectors;
 }
 
@@ -70,13 +70,13 @@ OnePointCell one_point_cell(const CornerVectors& rest) {
   OnePointCell cell;
   CornerPositions in_gmsh_order(3, 8);
   for (std::size_t c = 0; c < 8; ++c)
-    in_gmsh_order.col(static_cast<Eigen::Index>(gmsh_corner[c])) =
+    in_gmsh_order.col(static_cast<Eigen::Index>(grid_corners[c])) =
         rest.col(static_cast<Eigen::Index>(c));
   cell.volume = cell_volume(in_gmsh_order);
   const CornerPositions gradient = cell_volume_gradient(in_gmsh_order);
   for (std::size_t c = 0; c < 8; ++c)
     cell.gradients.col(static_cast<Eigen::Index>(c)) =
-        gradient.col(static_cast<Eigen::Index>(gmsh_corner[c])) / cell.volume;
+        gradient.col(static_cast<Eigen::Index>(grid_corners[c])) / cell.volume;
 
   const std::array<GaussPoint, 8> points = gauss_points(rest);
   for (Eigen::Index h = 0; h < 4; ++h) {

@@ -9,12 +9,10 @@
 
 namespace springcheck::fem_reference {
 
-/// Vectors of a hexahedron's corners as columns. Corner x + 2 y + 4 z, each 0 or 1, is at
-/// xi = (2 x - 1, 2 y - 1, 2 z - 1) of the cube that is mapped to the cell.
+/// Vectors of a hexahedron's corners as columns, in the order of grid_corners. Corner x +
+/// 2 y + 4 z, each 0 or 1, is at xi = (2 x - 1, 2 y - 1, 2 z - 1) of the cube that is
+/// mapped to the cell.
 using CornerVectors = Eigen::Matrix<double, 3, 8>;
-
-/// Gmsh's number of each of these corners.
-inline constexpr std::array<std::size_t, 8> gmsh_corner{0, 1, 3, 2, 4, 5, 7, 6};
 
 CornerVectors corner_vectors(const CellNodes& hexahedron, std::span<const Vector3> of);
 

@@ -72,7 +72,7 @@ std::vector<Vector3> plain_forces(const Mesh& mesh, const LameConstants& lame,
     const CornerVectors f = cell_forces(corner_vectors(cell, mesh.nodes()), lame, element,
                                         corner_vectors(cell, displacements));
     for (std::size_t c = 0; c < 8; ++c)
-      forces[cell[gmsh_corner[c]]] += f.col(static_cast<Eigen::Index>(c));
+      forces[cell[grid_corners[c]]] += f.col(static_cast<Eigen::Index>(c));
   }
   return forces;
 }
@@ -91,7 +91,7 @@ std::vector<double> lumped_masses(const Mesh& mesh, double density) {
   for (const CellNodes& cell : mesh.cells()) {
     const auto volumes = corner_volumes(corner_vectors(cell, mesh.nodes()));
     for (std::size_t c = 0; c < 8; ++c)
-      masses[cell[gmsh_corner[c]]] += density * volumes[c];
+      masses[cell[grid_corners[c]]] += density * volumes[c];
   }
   return masses;
 }

@@ -9,7 +9,7 @@ namespace springcheck::fem_reference {
 namespace {
 
 constexpr double relative_residual = 1e-10;
-constexpr int iteration_limit = 15;
+constexpr int most_iterations = 15;
 constexpr double smallest_step = 1. / 16;
 constexpr double sufficient_decrease = 1e-4;
 
@@ -86,7 +86,7 @@ NewtonResult newton(Elasticity& body, Eigen::VectorXd start, const Eigen::Vector
       if (!body.accept_indefinite()) return finish(NewtonOutcome::stalled);
     }
     if (converged) return finish(NewtonOutcome::converged);
-    if (iteration == iteration_limit) return finish(NewtonOutcome::stalled);
+    if (iteration == most_iterations) return finish(NewtonOutcome::stalled);
     if (!definite) step = body.step(now.unbalanced, no_increment);
     if (!step) return finish(NewtonOutcome::stalled);
 

@@ -20,10 +20,10 @@ SymmetricTensor on_both_sides(const SymmetricTensor& a, const SymmetricTensor& b
 }
 
 /// The law at Cm, and its derivative.
-class Law {
+class SolidAtPoint {
  public:
-  Law(const tissue::Solid& solid, const tissue::MemoryStep& step,
-      std::span<const double> state, const SymmetricTensor& C)
+  SolidAtPoint(const tissue::Solid& solid, const tissue::MemoryStep& step,
+               std::span<const double> state, const SymmetricTensor& C)
       : C_(C),
         inverse_(tissue::inverse(C)),
         J_(std::sqrt(tissue::determinant(C))),
@@ -76,7 +76,7 @@ TissuePointTangent tangent_after(const tissue::Solid& solid,
   const double Jm = cell_jacobian, s = std::pow(Jm / F.determinant(), 2. / 3);
   const SymmetricTensor own = symmetric(F.transpose() * F), Cm = s * own;
   const SymmetricTensor own_inverse = tissue::inverse(own), inverse = own_inverse / s;
-  const Law law(solid, step, state, Cm);
+  const SolidAtPoint law(solid, step, state, Cm);
   const SymmetricTensor S = law.stress();
   const double t = contraction(S, Cm);
   const SymmetricTensor shape = s * (S - t / 3 * inverse);

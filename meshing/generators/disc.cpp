@@ -33,7 +33,7 @@ void check(const Disc& disc) {
 
 /// Its bottom in gmsh's current model, the diameter 1, to be cut into rectangles; returns
 /// its surfaces.
-::gmsh::vectorpair add_bottom(const Disc& disc) {
+::gmsh::vectorpair add_disc(const Disc& disc) {
   namespace geo = ::gmsh::model::geo;
   const int of_sector = std::max(1, disc.across / 4),
             of_core = disc.across - 2 * of_sector;
@@ -75,7 +75,7 @@ MeshParts disc_cells(const Disc& disc) {
   namespace geo = ::gmsh::model::geo;
   const GmshSession session("disc");
   ::gmsh::vectorpair above;
-  geo::extrude(add_bottom(disc), 0, 0, disc.height / disc.diameter, above, {disc.layers},
+  geo::extrude(add_disc(disc), 0, 0, disc.height / disc.diameter, above, {disc.layers},
                {}, true);
   geo::synchronize();
   ::gmsh::model::mesh::generate(3);

@@ -143,7 +143,7 @@ class Dashpots {
 };
 
 template <class Real>
-struct Kernel {
+struct AffineKernel {
   AffineBlock<Real> block;
   AffineFunctions<Real> functions;
 };
@@ -171,7 +171,7 @@ dynamics::BlockForces<Real> affine_kernel(const Network& network,
   const double rounding = dynamics::rounding_of(network.rest_positions);
   const Correction correction = correction_of(network);
   Dashpots dashpots(network, damping_ratio);
-  const auto kernels = std::make_shared<std::vector<Kernel<Real>>>();
+  const auto kernels = std::make_shared<std::vector<AffineKernel<Real>>>();
   for (const Block& block : blocks) {
     AffineBlock<Real> affine{
         .cells = dynamics::cells_in_arrays(block, lanes),
@@ -190,7 +190,7 @@ dynamics::BlockForces<Real> affine_kernel(const Network& network,
   }
   const auto on_block = [&](BlockFunction<Real> AffineFunctions<Real>::*function) {
     return [kernels, function](std::size_t b, const dynamics::BlockArrays<Real>& arrays) {
-      const Kernel<Real>& kernel = (*kernels)[b];
+      const AffineKernel<Real>& kernel = (*kernels)[b];
       (kernel.functions.*function)(kernel.block, arrays);
     };
   };

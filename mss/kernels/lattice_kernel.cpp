@@ -90,7 +90,7 @@ void add_spring(LatticeBlock<Real>& lattice, bool alike, std::size_t step,
 }
 
 template <class Real>
-struct Kernel {
+struct LatticeKernel {
   LatticeBlock<Real> block;
   LatticeForces<Real> forces;
 };
@@ -113,7 +113,7 @@ dynamics::BlockForces<Real> lattice_kernel(const Network& network,
     common.push_back(common_shape(network, block, rounding));
   const BorderSprings border(network, blocks, common);
   const std::size_t lanes = dynamics::lane_count<Real>(set);
-  const auto kernels = std::make_shared<std::vector<Kernel<Real>>>();
+  const auto kernels = std::make_shared<std::vector<LatticeKernel<Real>>>();
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     LatticeBlock<Real> lattice = with_common<Real>(blocks[b], common[b], network, lanes);
     lattice.twice_damping_ratio = static_cast<Real>(2 * damping_ratio);

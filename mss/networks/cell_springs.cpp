@@ -8,9 +8,9 @@ namespace {
 
 /// Which of a hexahedron's directions two of its corners differ in, as bits.
 unsigned differing_directions(const LocalEdge& pair) {
-  // Corner i is at (x, y, z) of the unit cube, one bit each.
-  constexpr std::array<unsigned, 8> places{0, 1, 3, 2, 4, 5, 7, 6};
-  return places[pair[0]] ^ places[pair[1]];
+  // In a grid's order corner i is at (x, y, z) of the unit cube, one bit each; and the
+  // order is its own inverse.
+  return unsigned{grid_corners[pair[0]]} ^ grid_corners[pair[1]];
 }
 
 }  // namespace

@@ -8,11 +8,6 @@
 namespace springcheck::mss {
 namespace {
 
-Vector3 along(const CornerPositions& x, const LocalEdge& ends) {
-  return x.col(static_cast<Eigen::Index>(ends[1])) -
-         x.col(static_cast<Eigen::Index>(ends[0]));
-}
-
 std::vector<CellSpring> of_hexahedron_or_pyramid(CellType type, const CornerPositions& x,
                                                  double V, const Material& material) {
   const double E = material.young_modulus;

@@ -51,11 +51,6 @@ LatticeStiffness cube_stiffness(const Material& material, double cell_edge,
              : young_modulus_form(material.young_modulus, cell_edge, A);
 }
 
-Vector3 along(const CornerPositions& x, const LocalEdge& ends) {
-  return x.col(static_cast<Eigen::Index>(ends[1])) -
-         x.col(static_cast<Eigen::Index>(ends[0]));
-}
-
 /// One spring for each of the pairs, of stiffness(pair, r) where that is not 0.
 template <class Stiffness>
 void add_springs(std::vector<CellSpring>& springs, const CornerPositions& x,

@@ -15,7 +15,6 @@ namespace springcheck::mss {
 namespace {
 
 constexpr double smallest_load_step = 1. / 1024;
-constexpr double gradient_per_step = 0.06;  // see Landscape::gradient
 // Three searches to their end. The state sought may be far away, or none.
 constexpr int most_lost_iterations = 450;
 

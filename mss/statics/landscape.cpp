@@ -38,6 +38,12 @@ std::variant<DirectSolver, IterativeSolver> solver(LinearSolver choice,
 
 }  // namespace
 
+double norm(const std::vector<Vector3>& vectors) {
+  double sum = 0;
+  for (const Vector3& v : vectors) sum += v.squaredNorm();
+  return std::sqrt(sum);
+}
+
 Landscape::Landscape(const Mesh& mesh, const Scene& scene, const Network& network,
                      LinearSolver linear_solver)
     : mesh_(mesh),

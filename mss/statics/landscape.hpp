@@ -14,6 +14,12 @@ namespace springcheck::mss {
 
 using Positions = std::vector<Vector3>;  // [m], one per node
 
+/// Largest step of the load on the way to an equilibrium, by Landscape::gradient.
+inline constexpr double gradient_per_step = 0.06;
+
+/// Of all components.
+double norm(const std::vector<Vector3>& vectors);
+
 /// The total energy of a body at a load fraction, over its free displacement components:
 /// values, forces, and its tangent, solved with directly or iteratively. Refers to the
 /// mesh, scene and network it was made from. Vectors of unknowns hold one entry per free

@@ -22,12 +22,6 @@ double solver_accuracy(double residual) {
   return std::max(std::min(residual, 0.1), 0.2 * relative_residual / residual);
 }
 
-double norm(const std::vector<Vector3>& vectors) {
-  double sum = 0;
-  for (const Vector3& v : vectors) sum += v.squaredNorm();
-  return std::sqrt(sum);
-}
-
 /// Moves x along the direction of negative curvature, doubling the step while the energy
 /// falls. False when it falls nowhere: the curvature is zero to round-off.
 bool leave_saddle(Landscape& landscape, Positions& x, double& energy,

@@ -11,18 +11,11 @@
 namespace springcheck::mss {
 namespace {
 
-constexpr double relative_residual = 1e-9;
-constexpr int most_corrections = 12;        // quadratic convergence takes five or six
-constexpr double longest_move = 0.5;        // of a node in one correction, in cell edges
-constexpr double first_step = 1. / 16;      // of the load
-constexpr double gradient_per_step = 0.06;  // see Landscape::gradient
+constexpr double path_residual = 1e-9;
+constexpr int most_corrections = 12;    // quadratic convergence takes five or six
+constexpr double longest_move = 0.5;    // of a node in one correction, in cell edges
+constexpr double first_step = 1. / 16;  // of the load
 constexpr unsigned seed = 1;  // of where iterations start that end at the same place
-
-double norm(const std::vector<Vector3>& vectors) {
-  double sum = 0;
-  for (const Vector3& v : vectors) sum += v.squaredNorm();
-  return std::sqrt(sum);
-}
 
 /// Newton's method with the true tangent, as long as that is positive definite. True when
 /// x is an equilibrium whose tangent is so; the landscape has its factor then.
@@ -31,12 +24,11 @@ bool correct(Landscape& landscape, Positions& x, std::mt19937_64& random) {
     const std::vector<Vector3>& forces = landscape.forces(x);
     const Eigen::VectorXd downhill = landscape.on_free(forces);
     const double scale =
-        std::max(norm(forces), landscape.force_round_off(x) / relative_residual);
+        std::max(norm(forces), landscape.force_round_off(x) / path_residual);
     const double residual = downhill.norm() / scale;
     if (!std::isfinite(residual)) return false;
     landscape.linearise(x);
-    if (residual < relative_residual)
-      return landscape.is_definite(random).value_or(false);
+    if (residual < path_residual) return landscape.is_definite(random).value_or(false);
     const auto step = landscape.solve(downhill, std::min(1e-3, residual));
     if (!step || landscape.longest_move(*step) > longest_move * landscape.cell_edge())
       return false;

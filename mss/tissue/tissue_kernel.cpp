@@ -102,7 +102,7 @@ TissueBlock tissue_block(const TissueBody& body, const Block& block,
   return tissue;
 }
 
-struct Kernel {
+struct TissueKernel {
   TissueBlock block;
   TissueFunction looks, advances;
 };
@@ -115,7 +115,7 @@ TissueForces tissue_kernel(const TissueBody& body, const std::vector<Block>& blo
   const double rounding = dynamics::rounding_of(body.rest_positions);
   const auto constants =
       std::make_shared<const TissueConstants>(constants_of(body.solid));
-  const auto kernels = std::make_shared<std::vector<Kernel>>();
+  const auto kernels = std::make_shared<std::vector<TissueKernel>>();
   for (const Block& block : blocks) {
     const auto edges = dynamics::common_edges(block, body.rest_positions, rounding);
     const auto function = [&](bool advances) {
@@ -129,7 +129,7 @@ TissueForces tissue_kernel(const TissueBody& body, const std::vector<Block>& blo
   }
   const auto step = std::make_shared<const tissue::MemoryStep*>(nullptr);
   const auto add = [=](std::size_t b, const dynamics::BlockArrays<double>& arrays) {
-    Kernel& kernel = (*kernels)[b];
+    TissueKernel& kernel = (*kernels)[b];
     (*step != nullptr ? kernel.advances : kernel.looks)(*constants, kernel.block, *step,
                                                         arrays);
   };

@@ -1,4 +1,5 @@
 #include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "tests/cli/program.hpp"

@@ -80,16 +80,6 @@ BOOST_AUTO_TEST_CASE(a_chart_comes_back_from_its_file) {
     BOOST_TEST((retimed[1]["rows"][i]["force"] == first[1]["rows"][i]["force"]));
 }
 
-BOOST_AUTO_TEST_CASE(a_page_has_the_charts_tables) {
-  charted();
-  BOOST_TEST(springcheck("report chart.h5 --out page").status == 0);
-  for (const char* name :
-       {"chart", "chart-truths", "chart-laws", "chart-front", "chart-claims"})
-    BOOST_TEST(fs::exists(folder / "page" / "tables" / (std::string(name) + ".csv")));
-  const Json charts = Json::parse(text_of(folder / "page" / "data" / "charts.json"));
-  BOOST_TEST(charts[0]["scene"] == "compression");
-}
-
 BOOST_AUTO_TEST_CASE(advice_meets_the_tolerance_at_falling_cost) {
   // Within 1 % of the limit of finer grids than the advice knew.
   const double truth =

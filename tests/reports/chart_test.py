@@ -78,6 +78,11 @@ class Charts(unittest.TestCase):
         (law,) = (truth["law"] for truth in one["truths"] if block.title.endswith(f" {truth['law']}"))
         return law
 
+    def test_the_page_has_the_charts_tables(self):
+        for name in ("chart", "chart-truths", "chart-laws", "chart-front", "chart-claims"):
+            self.assertTrue((self.folder / "tables" / f"{name}.csv").is_file(), name)
+        self.assertEqual(self.charts[0]["scene"], "compression")
+
     def test_both_kinds_have_figures_of_their_own(self):
         """Against the truth of the scene's own law, where it has one, and of the others."""
         names = [f"chart_compression_{kind}{laws}" for laws in ("", "_other-laws") for kind in KINDS]

@@ -107,9 +107,15 @@ class Page(unittest.TestCase):
         cls.report = cls.folder / "report"
         springcheck("report", cls.file, "--out", cls.report)
         cls.results = springcheck_results.read(cls.file)
-        cls.browser = browser.chromium()
-        cls.addClassCleanup(cls.browser.quit)
-        cls.browser.get((cls.report / "index.html").as_uri())
+        cls.browser = cls.opened(webgl=True)
+        cls.without_webgl = cls.opened(webgl=False)  # quicker, where no view is looked at
+
+    @classmethod
+    def opened(cls, webgl):
+        driver = browser.chromium(webgl)
+        cls.addClassCleanup(driver.quit)
+        driver.get((cls.report / "index.html").as_uri())
+        return driver
 
     def every(self, selector):
         return self.browser.find_elements(By.CSS_SELECTOR, selector)
@@ -141,13 +147,14 @@ class Page(unittest.TestCase):
                 self.assertTrue((self.report / link).is_file(), link)
 
     def test_every_figure_is_drawn_in_all_forms(self):
-        figures = self.every("main figure")
+        driver = self.without_webgl
+        figures = driver.find_elements(By.CSS_SELECTOR, "main figure")
         self.assertGreater(len(figures), 10)
         for figure in figures:
             image = figure.find_element(By.TAG_NAME, "img")
             name = figure.get_attribute("id").removeprefix("figure-")
-            self.assertGreater(self.browser.execute_script("return arguments[0].naturalWidth", image), 100)
-            browser.show(self.browser, image)
+            self.assertGreater(driver.execute_script("return arguments[0].naturalWidth", image), 100)
+            browser.show(driver, image)
             self.assertGreater(browser.drawn_share(browser.pixels(image)), 0.01, name)
             self.assertTrue(image.get_attribute("alt"))
             self.assertLess(self.pdf_differs(name, browser.pixels(image)), 0.03, name)
@@ -333,22 +340,18 @@ class Page(unittest.TestCase):
             self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
 
     def test_without_webgl_pictures_stand_for_views(self):
-        plain = browser.chromium(webgl=False)
-        try:
-            plain.get((self.report / "index.html").as_uri())
-            views = plain.find_elements(By.CSS_SELECTOR, ".viewer")
-            self.assertEqual({view.is_displayed() for view in views}, {False})
-            picture = plain.find_element(By.CSS_SELECTOR, "#figure-bodies_compression img")
-            browser.show(plain, picture)
-            self.assertGreater(browser.drawn_share(browser.pixels(picture)), 0.05)
-            self.assertEqual([e for e in plain.get_log("browser") if e["level"] == "SEVERE"], [])
-        finally:
-            plain.quit()
+        driver = self.without_webgl
+        views = driver.find_elements(By.CSS_SELECTOR, ".viewer")
+        self.assertEqual({view.is_displayed() for view in views}, {False})
+        picture = driver.find_element(By.CSS_SELECTOR, "#figure-bodies_compression img")
+        browser.show(driver, picture)
+        self.assertGreater(browser.drawn_share(browser.pixels(picture)), 0.05)
 
     def test_zz_the_console_is_free_of_errors(self):
         """Last: of everything that the other tests did."""
-        errors = [entry for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
-        self.assertEqual(errors, [])
+        for driver in (self.browser, self.without_webgl):
+            errors = [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"]
+            self.assertEqual(errors, [])
 
     def test_files_for_paraview(self):
         import meshio
@@ -377,6 +380,16 @@ class Page(unittest.TestCase):
 
 
 class SmallFiles(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """A file of one case, and its report."""
+        one = Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, one)
+        cls.one, cls.report_of_one = one / "one.h5", one / "report"
+        springcheck("run", "compression", "--method", "mss-cf", "--cells", "2,2,2", "--nu", "0.25",
+                    "--out", cls.one)
+        springcheck("report", cls.one, "--out", cls.report_of_one)
+
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder)
@@ -398,10 +411,7 @@ class SmallFiles(unittest.TestCase):
         self.assertNotIn("Plotly", page)
 
     def test_one_case(self):
-        file = self.folder / "one.h5"
-        springcheck("run", "compression", "--method", "mss-cf", "--cells", "2,2,2", "--nu", "0.25",
-                    "--out", file)
-        self.assertIn("1 case: 1 ok", self.page_of(file))
+        self.assertIn("1 case: 1 ok", (self.report_of_one / "index.html").read_text(encoding="utf-8"))
 
     def test_failed_and_refused_cases_alone(self):
         file = self.folder / "failed.h5"
@@ -421,12 +431,9 @@ class SmallFiles(unittest.TestCase):
         self.assertIn('data-test="traction"', page)
 
     def test_files_of_others_stay(self):
-        file = self.folder / "one.h5"
-        springcheck("run", "compression", "--method", "mss-cf", "--cells", "2,2,2", "--out", file)
+        shutil.copytree(self.report_of_one, self.folder / "report")
         mine = self.folder / "report" / "figures" / "mine.svg"
-        mine.parent.mkdir(parents=True)
         mine.write_text("mine")
-        self.page_of(file)
         made = set((self.folder / "report" / "3d").iterdir())
         springcheck("run", "shearing", "--method", "mss-cf", "--cells", "2,2,2", "--out",
                     self.folder / "two.h5")
@@ -435,7 +442,7 @@ class SmallFiles(unittest.TestCase):
         self.assertEqual({path.name for path in left}, {"show.py", "cases.xdmf"})
         self.assertEqual(mine.read_text(), "mine")
         (self.folder / "report" / "index.html").write_text("<p>my page</p>")
-        ended = springcheck("report", file, "--out", self.folder / "report", check=False)
+        ended = springcheck("report", self.one, "--out", self.folder / "report", check=False)
         self.assertEqual(ended.returncode, 2)
         self.assertEqual((self.folder / "report" / "index.html").read_text(), "<p>my page</p>")
 
@@ -453,12 +460,11 @@ class SmallFiles(unittest.TestCase):
         self.assertIn('id="figure-bodies_compression"', self.page_of(file))
 
     def test_a_page_stays_whole_when_the_next_is_interrupted(self):
-        file = self.folder / "one.h5"
-        springcheck("run", "compression", "--method", "mss-cf", "--cells", "2,2,2", "--out", file)
-        page = self.page_of(file)
+        shutil.copytree(self.report_of_one, self.folder / "report")
+        page = (self.folder / "report" / "index.html").read_text(encoding="utf-8")
         before = sorted((self.folder / "report").rglob("*"))
         started = subprocess.Popen(
-            [os.environ["SPRINGCHECK"], "report", file, "--out", self.folder / "report"],
+            [os.environ["SPRINGCHECK"], "report", self.one, "--out", self.folder / "report"],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         at_work = self.folder / "report" / "data"
         while started.poll() is None and not list(at_work.glob("tmp*")):

@@ -8,8 +8,6 @@ from pathlib import Path
 
 REPORTS = Path(__file__).parents[2] / "reports"
 sys.path[:0] = [str(Path(__file__).parent), str(REPORTS), str(REPORTS / "springcheck_report")]
-import json  # noqa: E402
-
 import page_text  # noqa: E402
 import study as study_module  # noqa: E402
 from program import springcheck  # noqa: E402
@@ -118,29 +116,6 @@ class Cases(unittest.TestCase):
         springcheck("run", "compression", "--method", "mss-cf", "--cells", "2,2,2", "--out", f"{still}.h5")
         springcheck("report", f"{still}.h5", "--out", still)
         self.assertIsNone(page_text.section(page_in(still), "through-time"))
-
-
-class Table(unittest.TestCase):
-    def test_the_table_dynamics_has_its_figure_and_rows(self):
-        folder = Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, folder)
-        springcheck("table", "dynamics", "--out", folder / "dynamics.h5")
-        springcheck("report", folder / "dynamics.h5", "--out", folder)
-        section = page_text.section(page_in(folder), "through-time")
-        document = json.loads((folder / "tables" / "dynamics.json").read_text(encoding="utf-8"))
-        rows = page_text.rows(section, "dynamics")
-        self.assertEqual(len(rows), len(document["rows"]))
-        self.assertIn("protocols", page_text.figures(section))
-        self.assertIn("history_torsion", page_text.figures(section))
-        shown = {(n["value"], n.get("data-case")) for n in page_text.numbers(section)}
-        for cells, row in zip(rows, document["rows"]):
-            for key, case in zip(("static", "dynamic", "raw"), row["cases"]):
-                if row[key] is not None:
-                    self.assertIn((repr(row[key]), case), shown)
-        unstable = rows[[row["static"] for row in document["rows"]].index(None)]
-        self.assertIn("no equilibrium", unstable)
-        self.assertIn("diverged", unstable)
-        self.assertNotIn('id="table-solvers"', section)  # each case once
 
 
 if __name__ == "__main__":

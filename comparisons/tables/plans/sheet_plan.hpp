@@ -17,6 +17,9 @@ struct SheetPlan {
   std::function<Sheet(std::span<const CaseResult>, MeshStore&)> make;
 };
 
+/// A sheet that needs no simulation of its own.
+SheetPlan without_cases(Sheet (*make)());
+
 /// A value for a cell, or the status that stands in its place.
 Cell value_or_status(const std::optional<double>& value, const CaseResult& result);
 

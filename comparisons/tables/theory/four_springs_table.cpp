@@ -30,7 +30,7 @@ void add_row(Sheet& sheet, const char* part, double zeta, double x) {
                                   {.number = centre_on_paper(zeta)}}});
 }
 
-Sheet computed_sheet() {
+Sheet four_springs_sheet() {
   const double critical = mss::bifurcation(unit);
   Sheet sheet{
       .name = "four-springs",
@@ -69,9 +69,7 @@ Sheet computed_sheet() {
 }  // namespace
 
 SheetPlan plan_four_springs_table() {
-  return {.requests = {}, .make = [](std::span<const CaseResult>, MeshStore&) {
-            return computed_sheet();
-          }};
+  return without_cases(four_springs_sheet);
 }
 
 }  // namespace springcheck

@@ -52,7 +52,7 @@ LatticeLimit limit_of(const Row& row, UniaxialLoad load) {
       cell, load, load == UniaxialLoad::compression ? most_compression : most_tension);
 }
 
-std::string name_of(const LatticeLimit& limit) {
+std::string loss_in(const LatticeLimit& limit) {
   switch (limit.loss) {
     case LatticeLoss::none:
       return "nothing";
@@ -81,7 +81,7 @@ void add_cells(std::vector<Cell>& cells, const LatticeLimit& limit) {
   const bool is_lost = limit.loss != LatticeLoss::none;
   cells.push_back({.number = is_lost ? std::optional(100 * limit.strain) : std::nullopt,
                    .text = fmt::format("> {:.0f}", 100 * limit.strain)});
-  cells.push_back({.text = name_of(limit)});
+  cells.push_back({.text = loss_in(limit)});
   if (!limit.wave) {
     cells.insert(cells.end(), {{}, {}});
     return;
@@ -92,7 +92,7 @@ void add_cells(std::vector<Cell>& cells, const LatticeLimit& limit) {
                    .text = "infinite"});
 }
 
-Sheet computed_sheet() {
+Sheet lattice_stability_sheet() {
   Sheet sheet{
       .name = "lattice-stability",
       .title = "First loss of stability of the infinite lattice under uniaxial stress",
@@ -148,9 +148,7 @@ Sheet computed_sheet() {
 }  // namespace
 
 SheetPlan plan_lattice_stability_table() {
-  return {.requests = {}, .make = [](std::span<const CaseResult>, MeshStore&) {
-            return computed_sheet();
-          }};
+  return without_cases(lattice_stability_sheet);
 }
 
 }  // namespace springcheck

@@ -29,7 +29,7 @@ void add_point(Sheet& sheet, const char* figure, const char* name, Integrator in
            {.text = integrator == Integrator::implicit_euler ? "outside" : "inside"}}});
 }
 
-Sheet computed_sheet() {
+Sheet regions_sheet() {
   Sheet sheet{
       .name = "regions",
       .title = "Stability regions of the integrators, figures 2.2 and 2.3",
@@ -77,9 +77,7 @@ Sheet computed_sheet() {
 }  // namespace
 
 SheetPlan plan_regions_table() {
-  return {.requests = {}, .make = [](std::span<const CaseResult>, MeshStore&) {
-            return computed_sheet();
-          }};
+  return without_cases(regions_sheet);
 }
 
 }  // namespace springcheck

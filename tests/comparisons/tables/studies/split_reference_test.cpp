@@ -38,7 +38,7 @@ Sheet split_table() {
   return plan.make(results, meshes);
 }
 
-std::size_t column(const Sheet& sheet, const std::string& key) {
+std::size_t column_of(const Sheet& sheet, const std::string& key) {
   const auto found = std::ranges::find(sheet.columns, key, &Column::key);
   BOOST_TEST_REQUIRE((found != sheet.columns.end()), key);
   return static_cast<std::size_t>(found - sheet.columns.begin());
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(the_table_repeats_what_independent_programs_found) {
       const SheetRow& found = row(sheet, wanted);
       const bool is_volume = std::string(wanted.quantity) == "volume change";
       const auto expect = [&](const char* key, double value) {
-        const auto& number = found.cells[column(sheet, key)].number;
+        const auto& number = found.cells[column_of(sheet, key)].number;
         BOOST_TEST_REQUIRE(number.has_value(), key);
         BOOST_TEST(
             std::abs(*number - value) < (is_volume ? 0.02 : 0.003 * std::abs(value)),
@@ -73,9 +73,9 @@ BOOST_AUTO_TEST_CASE(the_table_repeats_what_independent_programs_found) {
       expect("springs", wanted.springs);
       expect("cauchy_born", wanted.cauchy_born);
       expect("reference", wanted.hencky);
-      BOOST_TEST(found.cells[column(sheet, "state")].text == "resolved");
+      BOOST_TEST(found.cells[column_of(sheet, "state")].text == "resolved");
       // Clamped edges are singular: below second order.
-      const auto& order = found.cells[column(sheet, "cauchy_born_order")].number;
+      const auto& order = found.cells[column_of(sheet, "cauchy_born_order")].number;
       BOOST_TEST_REQUIRE(order.has_value());
       BOOST_TEST(*order > 0.7);
       BOOST_TEST(*order < 2);
