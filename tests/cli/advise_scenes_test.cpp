@@ -30,7 +30,7 @@ const std::vector<Scene> scenes{
 };
 
 double answer_of(const Scene& scene, const std::string& run) {
-  const Run ran = springcheck("run " + run + " --json");
+  const Run ran = run_springcheck("run " + run + " --json");
   BOOST_TEST(ran.status == 0, ran.err);
   const Json result = Json::parse(ran.out)["results"][0];
   BOOST_TEST(result["status"] == "ok");
@@ -45,9 +45,9 @@ BOOST_DATA_TEST_CASE(advice_holds_beside_a_finer_truth,
       answer_of(sample, sample.name + " --method fem-stvk --element q2 --cells " +
                             sample.finer_cells);
   for (const double tolerance : {0.2, 0.08}) {
-    const Run run = springcheck("advise " + sample.name + " --out " + sample.name +
-                                ".h5 --truth " + std::to_string(sample.truth) +
-                                " --tolerance " + std::to_string(tolerance));
+    const Run run = run_springcheck("advise " + sample.name + " --out " + sample.name +
+                                    ".h5 --truth " + std::to_string(sample.truth) +
+                                    " --tolerance " + std::to_string(tolerance));
     BOOST_TEST(run.status == 0, run.out + run.err);
     BOOST_TEST_MESSAGE(run.out);
     const double advised = answer_of(sample, "./" + sample.name + "-advised.toml");

@@ -13,8 +13,8 @@ namespace {
 const std::string quick = " --truth 1 --budget 1 ";
 
 const Run& charted() {
-  static const Run run =
-      springcheck("chart compression --sizes 2 --on-threads 1 --out chart.h5" + quick);
+  static const Run run = run_springcheck(
+      "chart compression --sizes 2 --on-threads 1 --out chart.h5" + quick);
   return run;
 }
 
@@ -48,7 +48,7 @@ Chosen chosen(const std::string& text) {
 }
 
 double plate_force(const std::string& run) {
-  const Run ran = springcheck("run " + run + " --json");
+  const Run ran = run_springcheck("run " + run + " --json");
   BOOST_TEST(ran.status == 0, ran.err);
   const Json result = Json::parse(ran.out)["results"][0];
   BOOST_TEST(result["status"] == "ok");
@@ -86,7 +86,8 @@ BOOST_AUTO_TEST_CASE(advice_meets_the_tolerance_at_falling_cost) {
       plate_force("compression --method fem-stvk --element q2 --cells 6,6,6");
   double last = 1e300;
   for (const double percent : {5, 10, 25}) {
-    const Run run = springcheck(advise("--tolerance " + std::to_string(percent / 100)));
+    const Run run =
+        run_springcheck(advise("--tolerance " + std::to_string(percent / 100)));
     BOOST_TEST(run.status == 0, run.out + run.err);
     const Chosen row = chosen(run.out);
     BOOST_TEST(row.percent_off + row.unsure <= percent, run.out);
@@ -114,19 +115,20 @@ BOOST_AUTO_TEST_CASE(a_scenes_own_way_to_be_simulated_is_not_a_charts) {
 }
 
 BOOST_AUTO_TEST_CASE(advice_for_real_time_has_a_step_that_fits_the_frame) {
-  const Run run = springcheck(advise(
+  const Run run = run_springcheck(advise(
       "--tolerance 25% --measure deviation --real-time .02 --scene-file motion.toml"));
   BOOST_TEST(run.status == 0, run.out + run.err);
   BOOST_TEST(holds(run.out, "frame takes [s]"), run.out);
   const std::string scene = text_of(folder / "motion.toml");
   BOOST_TEST(holds(scene, "solver = \"semi-implicit\""), scene);
   BOOST_TEST(holds(scene, "dt = "), scene);
-  BOOST_TEST(springcheck("run motion.toml").status == 0);
+  BOOST_TEST(run_springcheck("run motion.toml").status == 0);
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_met_ends_with_the_nearest) {
   for (const char* wish : {"--tolerance 1e-9", "--tolerance 25% --real-time 1e-12"}) {
-    const Run run = springcheck(advise(std::string(wish) + " --scene-file none.toml"));
+    const Run run =
+        run_springcheck(advise(std::string(wish) + " --scene-file none.toml"));
     BOOST_TEST(run.status == 1, run.out + run.err);
     BOOST_TEST(holds(run.out, "nearest"), run.out);
     BOOST_TEST(holds(run.out, "meets it"), run.out);
@@ -139,10 +141,10 @@ BOOST_AUTO_TEST_CASE(an_advised_scene_runs_whatever_the_reference_was) {
   const std::string scene = text_of("comparisons/shipped/scenes/compression.toml");
   std::ofstream(folder / "finer-reference.toml")
       << scene << "reference = \"fem-stvk@20\"\n";
-  const Run run = springcheck(
+  const Run run = run_springcheck(
       "advise ./finer-reference.toml --tolerance 25% --scene-file advised.toml" + quick);
   BOOST_TEST(run.status == 0, run.out + run.err);
-  BOOST_TEST(springcheck("run ./advised.toml").status == 0);
+  BOOST_TEST(run_springcheck("run ./advised.toml").status == 0);
   BOOST_TEST(holds(text_of(folder / "advised.toml"), "reference = \"fem-stvk\""));
 }
 
@@ -156,7 +158,7 @@ BOOST_AUTO_TEST_CASE(a_scene_of_the_users_own_is_not_lost) {
 
 BOOST_AUTO_TEST_CASE(without_a_truth_there_is_no_advice) {
   const Run run =
-      springcheck("advise compression --tolerance 8% --deformation 95%" + quick);
+      run_springcheck("advise compression --tolerance 8% --deformation 95%" + quick);
   BOOST_TEST(run.status == 1, run.out + run.err);
   BOOST_TEST(holds(run.err, "no truth"), run.err);
 }

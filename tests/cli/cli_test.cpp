@@ -17,7 +17,7 @@ const std::string small = "--cells 4,4,4 ";
 
 BOOST_AUTO_TEST_CASE(run_prints_the_documented_json) {
   const Run run =
-      springcheck("run compression --method mss-cf,fem-hooke --json " + small);
+      run_springcheck("run compression --method mss-cf,fem-hooke --json " + small);
   BOOST_TEST(run.status == 0);
   BOOST_TEST(run.err.empty(), run.err);
   const Json json = Json::parse(run.out);
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(run_prints_the_documented_json) {
 }
 
 BOOST_AUTO_TEST_CASE(run_prints_a_readable_table) {
-  const Run run = springcheck("run shearing --method mss-cf " + small);
+  const Run run = run_springcheck("run shearing --method mss-cf " + small);
   BOOST_TEST(run.status == 0);
   BOOST_TEST(run.out.find("method") != std::string::npos);
   BOOST_TEST(run.out.find("Deviations are from fem-stvk:q1-sri") != std::string::npos);
@@ -160,15 +160,15 @@ BOOST_AUTO_TEST_CASE(springs_of_one_s_own_with_the_constants_of_mss_cf_are_mss_c
                  boost::test_tools::tolerance(1e-10));
   }
   BOOST_TEST(
-      springcheck("run compression --method mss-custom --stiffness 55,15,15 "
-                  "--kappa 100 --solver semi-implicit --duration .2 --out own.h5 " +
-                  small)
+      run_springcheck("run compression --method mss-custom --stiffness 55,15,15 "
+                      "--kappa 100 --solver semi-implicit --duration .2 --out own.h5 " +
+                      small)
           .status == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_table_shows_the_columns_that_have_values) {
-  const std::string affine = springcheck("run affine").out,
-                    traction = springcheck("run traction").out;
+  const std::string affine = run_springcheck("run affine").out,
+                    traction = run_springcheck("run traction").out;
   BOOST_TEST(affine.find("affine deviation %") != std::string::npos);
   BOOST_TEST(affine.find("plate force") == std::string::npos);
   BOOST_TEST(traction.find("face z m") != std::string::npos);
@@ -188,13 +188,14 @@ BOOST_AUTO_TEST_CASE(results_scale_with_the_units) {
 
 BOOST_AUTO_TEST_CASE(one_bad_case_exits_3_and_several_methods_are_rows) {
   const std::string wrinkles = "run compression --json --nu 0.25 --deformation 0.2 ";
-  const Run one = springcheck(wrinkles + "--method mss-nfd --cells 6,6,6");
+  const Run one = run_springcheck(wrinkles + "--method mss-nfd --cells 6,6,6");
   BOOST_TEST(one.status == 3);
   const Json json = Json::parse(one.out);
   BOOST_TEST(json["results"][0]["status"] == "wrinkled");
   BOOST_TEST(json["results"][0]["flags"][0] == "wrinkled");
   BOOST_TEST(json["results"][0]["volume_error"].is_number());
-  BOOST_TEST(springcheck(wrinkles + "--method mss-nfd,mss-cf --cells 6,6,6").status == 0);
+  BOOST_TEST(run_springcheck(wrinkles + "--method mss-nfd,mss-cf --cells 6,6,6").status ==
+             0);
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_s_expectations_decide_the_exit_status) {
@@ -209,12 +210,12 @@ BOOST_AUTO_TEST_CASE(a_scene_s_expectations_decide_the_exit_status) {
          "1e4\n"
          "nu = 0.25\ndensity = 1000\ndeformation = '20%'\nmethod = 'mss-nfd'\n"
          "expect = ['wrinkled']\n";
-  BOOST_TEST(springcheck("run expecting.toml").status == 0);
-  BOOST_TEST(springcheck("run expecting.toml --method mss-cf").status == 3);
+  BOOST_TEST(run_springcheck("run expecting.toml").status == 0);
+  BOOST_TEST(run_springcheck("run expecting.toml --method mss-cf").status == 3);
 }
 
 BOOST_AUTO_TEST_CASE(a_refused_case_has_a_reason_and_null_measures) {
-  const Run run = springcheck(
+  const Run run = run_springcheck(
       "run compression --method mss-nfd --json --size 0.05,0.05,0.06 " + small);
   BOOST_TEST(run.status == 3);
   const Json result = Json::parse(run.out)["results"][0];
@@ -233,7 +234,7 @@ BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_unless_forced) {
   const Json ok = json_of(dynamics)["results"][0];
   BOOST_TEST(ok["status"] == "ok");
   BOOST_TEST(ok["dt"].get<double>() < ok["dt_limit"].get<double>());
-  const Run refused = springcheck(dynamics + "--dt 0.1");
+  const Run refused = run_springcheck(dynamics + "--dt 0.1");
   BOOST_TEST(refused.status == 3);
   const Json result = Json::parse(refused.out)["results"][0];
   BOOST_TEST(result["status"] == "refused");
@@ -307,19 +308,19 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
 
 BOOST_AUTO_TEST_CASE(errors_are_one_line) {
   for (const char* arguments : {"run compression --nu 0.5", "run x.toml", "table 5.9"})
-    BOOST_TEST(lines(springcheck(arguments).err) == 1U, arguments);
+    BOOST_TEST(lines(run_springcheck(arguments).err) == 1U, arguments);
 }
 
 BOOST_AUTO_TEST_CASE(help_version_and_lists_work) {
-  BOOST_TEST(springcheck("--help").status == 0);
+  BOOST_TEST(run_springcheck("--help").status == 0);
   for (const char* command :
        {"run", "table", "reproduce", "measure", "list", "mesh", "gate"}) {
-    BOOST_TEST(springcheck(std::string(command) + " --version").status == 0, command);
-    const Run help = springcheck(std::string(command) + " --help");
+    BOOST_TEST(run_springcheck(std::string(command) + " --version").status == 0, command);
+    const Run help = run_springcheck(std::string(command) + " --help");
     BOOST_TEST(help.status == 0, command);
     BOOST_TEST(help.out.find("Usage") != std::string::npos, command);
   }
-  BOOST_TEST(springcheck("--version").out.starts_with("springcheck "));
+  BOOST_TEST(run_springcheck("--version").out.starts_with("springcheck "));
   const Json lists = json_of("list --json");
   for (const char* method : {"mss-baudet", "mss-nfd", "mss-fd", "mss-cf", "mss-custom",
                              "fem-hooke", "fem-stvk", "fem-hencky", "fem-cauchy-born"})
@@ -331,12 +332,13 @@ BOOST_AUTO_TEST_CASE(help_version_and_lists_work) {
     BOOST_TEST(lists["elements"].contains(element), element);
   for (const char* law : {"hooke", "stvk", "hencky", "cauchy-born"})
     BOOST_TEST(lists["materials"].contains(law), law);
-  BOOST_TEST(springcheck("list elements").out.find("q1-sri") != std::string::npos);
+  BOOST_TEST(run_springcheck("list elements").out.find("q1-sri") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(meshes_are_written_in_three_formats) {
   for (const char* file : {"mesh.msh", "mesh.vtu", "mesh.inp"}) {
-    const Run run = springcheck("mesh bending --cells 2,2,4 --out " + std::string(file));
+    const Run run =
+        run_springcheck("mesh bending --cells 2,2,4 --out " + std::string(file));
     BOOST_TEST(run.status == 0, run.err);
     BOOST_TEST(fs::file_size(folder / file) > 0U);
   }
@@ -360,7 +362,7 @@ BOOST_AUTO_TEST_CASE(a_body_without_free_nodes_is_solved) {
 // measures. Hencky's law in uniaxial stress, stretch l = .9 along z: the sides stretch by
 // l^-nu, V/V0 = l^(1 - 2 nu), and the plate presses with E ln(l)/l per undeformed area.
 BOOST_AUTO_TEST_CASE(another_program_s_result_is_measured_on_the_mesh_it_was_given) {
-  BOOST_TEST(springcheck("mesh uniaxial --out cube.inp").status == 0);
+  BOOST_TEST(run_springcheck("mesh uniaxial --out cube.inp").status == 0);
   std::istringstream mesh(text_of(folder / "cube.inp"));
   const double l = 0.9, across = std::pow(l, -0.25),
                force = 1e4 * std::log(l) / l * 25e-4;
@@ -401,19 +403,19 @@ BOOST_AUTO_TEST_CASE(another_program_s_result_is_measured_on_the_mesh_it_was_giv
                               "force_evaluations", "strain_energy"})
     BOOST_TEST(theirs[unknown].is_null(), unknown);
 
-  const Run bare = springcheck(measure + "--displacements moved.csv --json");
+  const Run bare = run_springcheck(measure + "--displacements moved.csv --json");
   const Json without_forces = Json::parse(bare.out)["results"][0];
   BOOST_TEST(bare.err.empty(), bare.err);
   BOOST_TEST(without_forces["plate_force"].is_null());
   BOOST_TEST(without_forces["volume_change"].get<double>() == l - 1, round_off);
 
   // A case beside others: the file is read again, and may take more.
-  BOOST_TEST(springcheck("run uniaxial --method mss-cf --out own.h5").status == 0);
+  BOOST_TEST(run_springcheck("run uniaxial --method mss-cf --out own.h5").status == 0);
   BOOST_TEST(text_of(folder / "own.xdmf").find("uniaxial theirs nu=0.25") !=
              std::string::npos);
 
   // Pulled instead of pressed: said on stderr and beside the measures.
-  const Run other = springcheck(
+  const Run other = run_springcheck(
       "measure uniaxial --deformation 10% --displacements u.csv --label theirs --json");
   BOOST_TEST(other.status == 0);
   BOOST_TEST(other.err.find("is 0.01 m off") != std::string::npos, other.err);
@@ -439,7 +441,7 @@ BOOST_AUTO_TEST_CASE(a_measured_result_that_is_inverted_exits_3) {
   for (int node = 1; node <= 27; ++node)
     file << node << "," << (node == 14 ? 0.06 : 0) << ",0,0\n";  // the one in the middle
   file.close();
-  const Run run = springcheck(
+  const Run run = run_springcheck(
       "measure compression --cells 2,2,2 --displacements inverted.csv --label x --json");
   BOOST_TEST(run.status == 3);
   BOOST_TEST(Json::parse(run.out)["results"][0]["status"] == "inverted");
@@ -452,13 +454,13 @@ BOOST_AUTO_TEST_CASE(a_full_disk_leaves_the_old_file_alone) {
     const bool is_run = std::string(command).starts_with("run");
     const std::string file = is_run ? "kept.h5" : "kept.msh";
     const std::string arguments = std::string(command) + " " + file;
-    BOOST_TEST(springcheck(arguments).status == 0);
+    BOOST_TEST(run_springcheck(arguments).status == 0);
     const std::string before = text_of(folder / file);
     const auto files = [] {
       return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
     };
     const auto files_before = files();
-    const Run run = springcheck(arguments, "ulimit -f 8; ");
+    const Run run = run_springcheck(arguments, "ulimit -f 8; ");
     BOOST_TEST(run.status == 1, run.err);
     const char* expected = is_run ? "has no room" : "could not be written whole";
     BOOST_TEST(run.err.find(expected) != std::string::npos, run.err);
@@ -468,13 +470,13 @@ BOOST_AUTO_TEST_CASE(a_full_disk_leaves_the_old_file_alone) {
 }
 
 BOOST_AUTO_TEST_CASE(lost_output_is_a_failure) {
-  const Run run = springcheck("list >/dev/full");
+  const Run run = run_springcheck("list >/dev/full");
   BOOST_TEST(run.status == 1);
 }
 
 BOOST_AUTO_TEST_CASE(a_link_stays_a_link) {
   fs::create_symlink("behind.inp", folder / "link.inp");
-  BOOST_TEST(springcheck("mesh tension --out link.inp").status == 0);
+  BOOST_TEST(run_springcheck("mesh tension --out link.inp").status == 0);
   BOOST_TEST(fs::is_symlink(folder / "link.inp"));
   BOOST_TEST(fs::file_size(folder / "behind.inp") > 0U);
 }
@@ -533,9 +535,10 @@ BOOST_AUTO_TEST_CASE(references_on_other_grids_are_named_with_theirs) {
 }
 
 BOOST_AUTO_TEST_CASE(a_table_s_cases_can_be_written_and_taken_again) {
-  const Run first = springcheck("table orientation --out orientation.h5");
+  const Run first = run_springcheck("table orientation --out orientation.h5");
   BOOST_TEST(first.status == 0);
-  const Run again = springcheck("table orientation --from orientation.h5 --out two.h5");
+  const Run again =
+      run_springcheck("table orientation --from orientation.h5 --out two.h5");
   BOOST_TEST(again.out == first.out);
   BOOST_TEST(fs::file_size(folder / "two.h5") > 0U);
 }
@@ -567,7 +570,7 @@ BOOST_AUTO_TEST_CASE(the_table_of_modes_needs_no_simulation) {
   BOOST_TEST(std::abs(cube["cf_off"].get<double>() - 100 * (springs / fem - 1)) < 1e-9);
   BOOST_TEST(cube["notes"].size() == 2U);  // mss-nfd's zero and strange modes
   BOOST_TEST(find("cantilever", 0.25, "3")["motion"] == "torsion 1");
-  BOOST_TEST(springcheck("table modes --reference fem-hooke").status == 2);
+  BOOST_TEST(run_springcheck("table modes --reference fem-hooke").status == 2);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

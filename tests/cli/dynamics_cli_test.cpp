@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(single_precision_is_near_double_and_not_it) {
   BOOST_TEST(rough["plate_force"].get<double>() == fine["plate_force"].get<double>(),
              boost::test_tools::tolerance(1e-4));
   const Run refused =
-      springcheck(run + "mss-affine --cell-type tetrahedron --precision float");
+      run_springcheck(run + "mss-affine --cell-type tetrahedron --precision float");
   BOOST_TEST(refused.status == 3);
   BOOST_TEST(Json::parse(refused.out)["results"][0]["status"] == "refused");
 }
@@ -121,14 +121,14 @@ BOOST_AUTO_TEST_CASE(a_killed_run_goes_on_to_the_bit) {
     int killed = 0;
     for (double seconds = 0.3; seconds < 100; seconds *= 1.5) {
       const Run cut =
-          springcheck(saved, "timeout -s KILL " + std::to_string(seconds) + " ");
+          run_springcheck(saved, "timeout -s KILL " + std::to_string(seconds) + " ");
       if (cut.status == 0) break;
       ++killed;
       if (killed > 2 && fs::exists(folder / (precision + ".h5"))) break;
     }
     BOOST_TEST(killed > 0);
     BOOST_TEST(fs::exists(folder / (precision + ".h5")));
-    const Run rest = springcheck(saved);
+    const Run rest = run_springcheck(saved);
     BOOST_TEST(
         rest.err.find("going on from " + precision + ".h5 at t = ") != std::string::npos,
         rest.err);
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_belongs_to_one_case_in_dynamics) {
   const std::string saved =
       "run compression --method mss-cf --duration 0.2 --checkpoint case.h5 "
       "--checkpoint-every 0 ";
-  BOOST_TEST(springcheck(saved + "--cells 4,4,4 --solver verlet").status == 0);
+  BOOST_TEST(run_springcheck(saved + "--cells 4,4,4 --solver verlet").status == 0);
   const std::vector<std::pair<std::string, std::string>> changes{
       {"--cells 4,4,4 --solver semi-implicit",
        "expected solver = \"semi-implicit\", got solver = \"verlet\""},
@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_belongs_to_one_case_in_dynamics) {
 // The file cannot hold what is to be saved: said on stderr, and the run goes on.
 BOOST_AUTO_TEST_CASE(a_full_disk_for_the_checkpoint_does_not_lose_the_run) {
   // 10 kB hold what is printed, and not 729 nodes.
-  const Run full = springcheck(
+  const Run full = run_springcheck(
       "run compression --cells 8,8,8 --json --method mss-cf --solver verlet --dt 1e-3 "
       "--duration 0.02 --checkpoint full.h5 --checkpoint-every 0",
       "ulimit -f 20 && ");
@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(a_full_disk_for_the_checkpoint_does_not_lose_the_run) {
 BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_with_what_sets_it) {
   for (const char* solver : {"explicit", "semi-implicit", "verlet"}) {
     const std::string run = short_run + "--nu 0.4 --dt 0.01 --solver " + solver + " ";
-    const Run refused = springcheck(run);
+    const Run refused = run_springcheck(run);
     BOOST_TEST(refused.status == 3);
     const Json result = Json::parse(refused.out)["results"][0];
     const std::string reason = result["reason"];
@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_with_what_sets_it) {
                              "cells of 0.0125 m", "damping ratio of 0.05"})
       BOOST_TEST(reason.find(part) != std::string::npos, reason);
     BOOST_TEST(result["dt_limit"].get<double>() < 0.01);
-    const Run forced = springcheck(run + "--force-dt");
+    const Run forced = run_springcheck(run + "--force-dt");
     BOOST_TEST(forced.status == 3);
     const Json broken = Json::parse(forced.out)["results"][0];
     BOOST_TEST(broken["status"] == "diverged");
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(what_explicit_euler_leaves_undamped_is_named) {
        {std::pair("mss-affine", "dashpots along the cells' edges"),
         {"mss-affine --dt 1e-5", "dashpots along the cells' edges"},
         {"mss-cf --damping 0", "without dashpots"}}) {
-    const Run refused = springcheck(run + method);
+    const Run refused = run_springcheck(run + method);
     BOOST_TEST(refused.status == 3);
     const std::string reason = Json::parse(refused.out)["results"][0]["reason"];
     BOOST_TEST(reason.find(cause) != std::string::npos, reason);

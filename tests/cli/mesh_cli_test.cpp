@@ -26,9 +26,8 @@ BOOST_AUTO_TEST_CASE(a_case_on_mixed_cells_counts_them_by_type) {
 BOOST_AUTO_TEST_CASE(a_mesh_that_was_written_gives_the_same_results_when_read) {
   const std::string options =
       " --method mss-affine --nu 0.45 --reference fem-hencky --json";
-  BOOST_TEST(
-      springcheck("mesh torsion --cells 2,2,2 --cell-type mixed --out own.msh").status ==
-      0);
+  BOOST_TEST(run_springcheck("mesh torsion --cells 2,2,2 --cell-type mixed --out own.msh")
+                 .status == 0);
   const Json block =
       json_of("run torsion --cells 2,2,2 --cell-type mixed" + options)["results"][0];
   const Json file = json_of("run torsion --mesh own.msh" + options)["results"][0];
@@ -47,7 +46,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_that_was_written_gives_the_same_results_when_read) {
 
 BOOST_AUTO_TEST_CASE(quality_is_printed_with_or_without_a_file) {
   const Run run =
-      springcheck("mesh compression --cells 2,2,2 --cell-type prism --quality");
+      run_springcheck("mesh compression --cells 2,2,2 --cell-type prism --quality");
   BOOST_TEST(run.status == 0);
   BOOST_TEST(run.out.find("16 prisms") != std::string::npos);
   BOOST_TEST(run.out.find("scaled Jacobian") != std::string::npos);
@@ -56,7 +55,7 @@ BOOST_AUTO_TEST_CASE(quality_is_printed_with_or_without_a_file) {
 }
 
 BOOST_AUTO_TEST_CASE(meshes_that_cannot_be_used_are_bad_input) {
-  springcheck("mesh compression --cells 1,1,1 --out good.msh");
+  run_springcheck("mesh compression --cells 1,1,1 --out good.msh");
   expect_bad_input("run compression --mesh none.msh", "none.msh");
   expect_bad_input("run compression --mesh good.msh --moved lid",
                    "expected one of bottom, top, x_max, x_min, y_max, y_min, got 'lid'");
@@ -82,14 +81,15 @@ BOOST_AUTO_TEST_CASE(the_correction_of_tetrahedral_springs_can_be_left_out) {
 }
 
 BOOST_AUTO_TEST_CASE(result_files_hold_mixed_meshes) {
-  BOOST_TEST(springcheck("run compression --cells 2,2,2 --cell-type mixed --method "
-                         "mss-affine --out mixed.h5")
+  BOOST_TEST(run_springcheck("run compression --cells 2,2,2 --cell-type mixed --method "
+                             "mss-affine --out mixed.h5")
                  .status == 0);
   const std::string xdmf = text_of(folder / "mixed.xdmf");
   BOOST_TEST(xdmf.find("TopologyType=\"Mixed\"") != std::string::npos);
-  BOOST_TEST(springcheck("run compression --cells 2,2,2 --cell-type tetrahedron --method "
-                         "mss-affine --out tetrahedra.h5")
-                 .status == 0);
+  BOOST_TEST(
+      run_springcheck("run compression --cells 2,2,2 --cell-type tetrahedron --method "
+                      "mss-affine --out tetrahedra.h5")
+          .status == 0);
   BOOST_TEST(text_of(folder / "tetrahedra.xdmf").find("TopologyType=\"Tetrahedron\"") !=
              std::string::npos);
 }

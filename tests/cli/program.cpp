@@ -1,14 +1,32 @@
 #include "tests/cli/program.hpp"
 
 #include <sys/wait.h>
+#include <unistd.h>
+#include <wordexp.h>
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <sstream>
+#include <vector>
+
+#include "comparisons/commands/blas.hpp"
+#include "comparisons/commands/command_line.hpp"
 
 namespace {
+
+/// As the program does, which would start again with a test's arguments.
+struct UseFittingBlas {
+  UseFittingBlas() {
+    springcheck::restart_with_fitting_blas(
+        boost::unit_test::framework::master_test_suite().argv);
+  }
+};
+BOOST_TEST_GLOBAL_FIXTURE(UseFittingBlas);
 
 struct RemoveFolder {
   ~RemoveFolder() { fs::remove_all(folder); }
@@ -28,17 +46,60 @@ std::string text_of(const fs::path& file) {
   return text.str();
 }
 
-Run springcheck(const std::string& arguments, const std::string& before) {
-  // A redirection in the arguments comes after ours and wins.
-  const std::string command = "cd " + folder.string() + " && ( " + before +
-                              std::getenv("SPRINGCHECK") + " >out 2>err </dev/null " +
-                              arguments + " )";
-  const int status = std::system(command.c_str());
-  return {WEXITSTATUS(status), text_of(folder / "out"), text_of(folder / "err")};
+namespace {
+
+/// As a shell would split them; empty where only a shell can.
+std::vector<std::string> split(const std::string& arguments) {
+  wordexp_t words;
+  if (wordexp(arguments.c_str(), &words, WRDE_NOCMD) != 0) return {};
+  std::vector<std::string> all(words.we_wordv, words.we_wordv + words.we_wordc);
+  wordfree(&words);
+  return all;
+}
+
+/// Never returns.
+void run_here(std::vector<std::string> words) {
+  // Boost.Test's own handlers would go on with the tests.
+  for (const int number : {SIGABRT, SIGALRM, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS})
+    std::signal(number, SIG_DFL);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  int status = 1;
+  if (chdir(folder.c_str()) == 0 && std::freopen("/dev/null", "r", stdin) != nullptr &&
+      std::freopen("out", "w", stdout) != nullptr &&
+      std::freopen("err", "w", stderr) != nullptr)
+    status = springcheck::command_line(static_cast<int>(words.size()), arguments.data());
+  std::cout.flush();
+  std::fflush(nullptr);
+  _exit(status);  // without the end of the tests
+}
+
+}  // namespace
+
+Run run_springcheck(const std::string& arguments, const std::string& before) {
+  const std::string program = std::getenv("SPRINGCHECK");
+  std::vector<std::string> words = split(arguments);
+  int status = 0;
+  if (before.empty() && !words.empty()) {
+    words.insert(words.begin(), program);
+    std::fflush(nullptr);
+    const pid_t child = fork();
+    BOOST_TEST_REQUIRE(child >= 0);
+    if (child == 0) run_here(std::move(words));
+    waitpid(child, &status, 0);
+  } else {
+    // A redirection in the arguments comes after ours and wins.
+    const std::string command = "cd " + folder.string() + " && ( " + before + program +
+                                " >out 2>err </dev/null " + arguments + " )";
+    status = std::system(command.c_str());
+  }
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+          text_of(folder / "out"), text_of(folder / "err")};
 }
 
 Json json_of(const std::string& arguments) {
-  return Json::parse(springcheck(arguments).out);
+  return Json::parse(run_springcheck(arguments).out);
 }
 
 std::size_t lines(const std::string& text) {
@@ -46,7 +107,7 @@ std::size_t lines(const std::string& text) {
 }
 
 void expect_bad_input(const std::string& arguments, const std::string& part_of_message) {
-  const Run run = springcheck(arguments);
+  const Run run = run_springcheck(arguments);
   BOOST_TEST(run.status == 2, arguments);
   BOOST_TEST(run.out.empty(), run.out);
   BOOST_TEST(run.err.find(part_of_message) != std::string::npos, run.err);

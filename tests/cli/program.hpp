@@ -4,8 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-// Runs the real program, whose path is in the environment variable SPRINGCHECK.
-
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
@@ -19,8 +17,11 @@ std::string text_of(const fs::path& file);
 /// Where the program runs; removed at the end.
 extern const fs::path folder;
 
-/// Runs springcheck with these arguments in a folder of the test's own.
-Run springcheck(const std::string& arguments, const std::string& before = "");
+/// Runs springcheck with these arguments in a folder of the test's own: in a child of
+/// this process, which has loaded the libraries, most of a short run's time. Where it is
+/// started by another (`before`) or the arguments need a shell, the program of the
+/// environment variable SPRINGCHECK.
+Run run_springcheck(const std::string& arguments, const std::string& before = "");
 
 Json json_of(const std::string& arguments);
 

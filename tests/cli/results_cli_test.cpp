@@ -21,16 +21,18 @@ BOOST_AUTO_TEST_CASE(gates_end_with_the_status_that_ci_reads) {
       "# kept\n[[gate]]\nname = 'force'\nreason = 'an example'\n"
       "where = { scene = 'compression', method = 'mss-cf' }\nmeasure = 'plate_force'\n";
   BOOST_TEST(
-      springcheck("run compression --method mss-cf --out gated.h5 " + small).status == 0);
+      run_springcheck("run compression --method mss-cf --out gated.h5 " + small).status ==
+      0);
   write("pass.toml", head + "at_least = 1\nat_most = 2 # N\n");
-  const Run pass = springcheck("gate pass.toml gated.h5 --junit junit.xml");
+  const Run pass = run_springcheck("gate pass.toml gated.h5 --junit junit.xml");
   BOOST_TEST(pass.status == 0, pass.err);
   BOOST_TEST(pass.out.find("1 pass, 0 fall short") != std::string::npos, pass.out);
   BOOST_TEST(text_of(folder / "junit.xml").find("failures=\"0\"") != std::string::npos);
 
   // No force is both of one sign and below every bound.
   write("impossible.toml", head + "at_least = 0\nat_most = 1e-300\n");
-  const Run falls_short = springcheck("gate impossible.toml gated.h5 --junit junit.xml");
+  const Run falls_short =
+      run_springcheck("gate impossible.toml gated.h5 --junit junit.xml");
   BOOST_TEST(falls_short.status == 1, falls_short.out);
   BOOST_TEST(falls_short.out.find("impossible.toml:2:1") != std::string::npos);
   BOOST_TEST(text_of(folder / "junit.xml").find("<failure") != std::string::npos);
@@ -40,7 +42,7 @@ BOOST_AUTO_TEST_CASE(gates_end_with_the_status_that_ci_reads) {
         head +
             "at_most = 1e-300\n[[gate]]\nname = 'other'\nreason = 'an example'\n"
             "where = { scene = 'shearing' }\nexpect = 'ok'\n");
-  const Run missing = springcheck("gate missing.toml gated.h5 --json");
+  const Run missing = run_springcheck("gate missing.toml gated.h5 --json");
   BOOST_TEST(missing.status == 2);
   const Json json = Json::parse(missing.out);
   BOOST_TEST(json["verdicts"][0]["verdict"] == "falls short");
@@ -52,21 +54,21 @@ BOOST_AUTO_TEST_CASE(gates_end_with_the_status_that_ci_reads) {
   expect_bad_input("gate speed gated.h5", "gate: expected one of accuracy, thesis");
   expect_bad_input("gate accuracy gated.h5 --bless", "part of the program");
   expect_bad_input("gate pass.toml gated.h5 --junit none/junit.xml", "none/junit.xml");
-  BOOST_TEST(springcheck("gate thesis gated.h5").status == 2);  // none of its cases
+  BOOST_TEST(run_springcheck("gate thesis gated.h5").status == 2);  // none of its cases
 
   const std::string stored = head + "equals = 3.0  # N\nrelative = 1e-9\n";
   write("stored.toml", stored);
-  BOOST_TEST(springcheck("gate stored.toml gated.h5").status == 1);
+  BOOST_TEST(run_springcheck("gate stored.toml gated.h5").status == 1);
   BOOST_TEST(text_of(folder / "stored.toml") == stored);
-  const Run blessed = springcheck("gate stored.toml gated.h5 --bless");
+  const Run blessed = run_springcheck("gate stored.toml gated.h5 --bless");
   BOOST_TEST(blessed.status == 0, blessed.err);
   BOOST_TEST(blessed.out.find("blessed force: 3.0 -> 1.29") != std::string::npos);
   BOOST_TEST(text_of(folder / "stored.toml").find("  # N\n") != std::string::npos);
-  BOOST_TEST(springcheck("gate stored.toml gated.h5").status == 0);
+  BOOST_TEST(run_springcheck("gate stored.toml gated.h5").status == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_result_file_feeds_a_table_without_computing) {
-  BOOST_TEST(springcheck("run compression --out one.h5 " + small).status == 0);
+  BOOST_TEST(run_springcheck("run compression --out one.h5 " + small).status == 0);
   BOOST_TEST(fs::exists(folder / "one.h5"));
   BOOST_TEST(fs::exists(folder / "one.xdmf"));
   // A result file that cannot be replaced stays as it was.
@@ -80,18 +82,18 @@ BOOST_AUTO_TEST_CASE(a_sweep_resumes_what_a_file_holds) {
       << "scene = ['compression', 'shearing']\nmethod = 'fem-hooke'\nelement = ['q1', "
          "'q1-sri']\n"
          "cells = [3, 3, 3]\nnu = {from = 0.1, to = 0.4, count = 4}\n";
-  const Run dry = springcheck("sweep small.toml --out sweep.h5 --dry-run");
+  const Run dry = run_springcheck("sweep small.toml --out sweep.h5 --dry-run");
   BOOST_TEST(dry.status == 0);
   BOOST_TEST(dry.out.starts_with("small: 16 cases, 16 of them to compute\nabout "),
              dry.out);
   BOOST_TEST(!fs::exists(folder / "sweep.h5"));
-  BOOST_TEST(springcheck("sweep small.toml --out sweep.h5 --shard 1/2").out ==
+  BOOST_TEST(run_springcheck("sweep small.toml --out sweep.h5 --shard 1/2").out ==
              "small: 8 cases, 8 of them to compute\ncomputed: 8 ok\n");
-  BOOST_TEST(springcheck("sweep small.toml --out sweep.h5").out ==
+  BOOST_TEST(run_springcheck("sweep small.toml --out sweep.h5").out ==
              "small: 16 cases, 8 of them to compute\ncomputed: 8 ok\n");
-  BOOST_TEST(springcheck("sweep small.toml --out sweep.h5").out ==
+  BOOST_TEST(run_springcheck("sweep small.toml --out sweep.h5").out ==
              "small: 16 cases, 0 of them to compute\n");
-  BOOST_TEST(springcheck("merge all.h5 sweep.h5 sweep.h5").out ==
+  BOOST_TEST(run_springcheck("merge all.h5 sweep.h5 sweep.h5").out ==
              "sweep.h5: 16 cases added, 0 already there\n"
              "sweep.h5: 0 cases added, 16 already there\n");
   BOOST_TEST(!fs::exists(folder / "sweep.h5.lock"));
@@ -121,16 +123,15 @@ BOOST_AUTO_TEST_CASE(bad_sweeps_and_files_are_refused) {
 
 // No input is written over, and permissions stay.
 BOOST_AUTO_TEST_CASE(gates_do_not_write_over_their_inputs) {
-  BOOST_TEST(
-      springcheck("run compression --method mss-cf --cells 2,2,2 --out in.h5").status ==
-      0);
+  BOOST_TEST(run_springcheck("run compression --method mss-cf --cells 2,2,2 --out in.h5")
+                 .status == 0);
   std::ofstream(folder / "in.toml")
       << "[[gate]]\nname = 'a'\nwhere = { method = 'mss-cf' }\n"
          "measure = 'plate_force'\nequals = 1\nabsolute = 1e-9\nreason = 'none'\n";
   expect_bad_input("gate in.toml in.h5 --junit in.h5", "another file than in.h5");
   expect_bad_input("gate in.toml in.h5 --junit in.toml", "another file than in.toml");
   fs::permissions(folder / "in.toml", fs::perms(0600));
-  BOOST_TEST(springcheck("gate in.toml in.h5 --bless").status == 0);
+  BOOST_TEST(run_springcheck("gate in.toml in.h5 --bless").status == 0);
   BOOST_TEST((fs::status(folder / "in.toml").permissions() == fs::perms(0600)));
 }
 

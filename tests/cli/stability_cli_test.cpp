@@ -11,7 +11,7 @@ const std::string stability = "stability compression --cells 3,3,3 ";
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_map_and_its_limits_are_printed) {
-  const Run run = springcheck(
+  const Run run = run_springcheck(
       stability + "--method mss-cf,mss-nfd --over deformation=2%:20%:2 --over nu=0,0.25");
   BOOST_TEST(run.status == 0, run.err);
   for (const char* part : {"mss-cf: deformation against nu", "mss-nfd: deformation",
@@ -21,14 +21,14 @@ BOOST_AUTO_TEST_CASE(a_map_and_its_limits_are_printed) {
 
 BOOST_AUTO_TEST_CASE(settings_named_without_values_go_over_usual_ones) {
   const Run run =
-      springcheck(stability + "--method mss-nfd --over deformation,nu --format csv");
+      run_springcheck(stability + "--method mss-nfd --over deformation,nu --format csv");
   BOOST_TEST(run.status == 0, run.err);
   for (const char* row : {"mss-nfd,5%,0,", "mss-nfd,60%,0.499,"})
     BOOST_TEST(run.out.find(row) != std::string::npos, run.out);
 }
 
 BOOST_AUTO_TEST_CASE(points_and_limits_are_rows_of_other_formats) {
-  const Run run = springcheck(
+  const Run run = run_springcheck(
       stability + "--method mss-nfd --over deformation=2%:20%:2 --format csv");
   BOOST_TEST(run.status == 0, run.err);
   BOOST_TEST(run.out.find("method,deformation,failure,status") != std::string::npos,
@@ -38,10 +38,11 @@ BOOST_AUTO_TEST_CASE(points_and_limits_are_rows_of_other_formats) {
 
 // A page is made of it too: no path ends there.
 BOOST_AUTO_TEST_CASE(an_atlas_in_which_everything_holds_has_a_page) {
-  BOOST_TEST(springcheck(stability + "--method mss-cf --over deformation=5%:20%:2 --over "
-                                     "nu=.1,.25,.4 --out hold.h5")
+  BOOST_TEST(run_springcheck(stability +
+                             "--method mss-cf --over deformation=5%:20%:2 --over "
+                             "nu=.1,.25,.4 --out hold.h5")
                  .status == 0);
-  BOOST_TEST(springcheck("report hold.h5 --out hold").status == 0);
+  BOOST_TEST(run_springcheck("report hold.h5 --out hold").status == 0);
 }
 
 // Pressed bodies fail at the lower end of the axis.
@@ -95,17 +96,17 @@ BOOST_AUTO_TEST_CASE(steps_above_the_limit_are_run_where_they_are_the_axis) {
 // Seeds have none between them, a mesh's tolerance is no limit of the body, and labels
 // that hold the axis leave holes.
 BOOST_AUTO_TEST_CASE(what_has_no_limits_says_so) {
-  const Run seeds = springcheck(
+  const Run seeds = run_springcheck(
       stability +
       "--method fem-stvk --distortion .25 --deformation 28% --over seed=1,2,3");
   BOOST_TEST(seeds.status == 0, seeds.err);
   BOOST_TEST(seeds.out.find("holds at") == std::string::npos, seeds.out);
-  const Run refused =
-      springcheck(stability + "--method mss-cf --over distortion=0:0.2:3 --format csv");
+  const Run refused = run_springcheck(
+      stability + "--method mss-cf --over distortion=0:0.2:3 --format csv");
   BOOST_TEST(refused.out.find("mss-cf,0,none,not covered") != std::string::npos,
              refused.out);
   const Run elements =
-      springcheck(stability + "--method fem-hooke --over element=q1,q1-sri,q2");
+      run_springcheck(stability + "--method fem-hooke --over element=q1,q1-sri,q2");
   BOOST_TEST(elements.status == 0, elements.err);
 }
 
@@ -115,12 +116,12 @@ BOOST_AUTO_TEST_CASE(an_atlas_is_kept_in_its_file) {
       stability +
       "--method mss-cf,mss-nfd --over deformation=2%:40%:4 --over nu=0:0.4:3 --out "
       "atlas.h5";
-  springcheck(atlas, "timeout -s KILL 0.5 ");
-  BOOST_TEST(springcheck(atlas).status == 0);
-  const Run again = springcheck(atlas);
+  run_springcheck(atlas, "timeout -s KILL 0.5 ");
+  BOOST_TEST(run_springcheck(atlas).status == 0);
+  const Run again = run_springcheck(atlas);
   BOOST_TEST(again.out.find("\n0 simulations computed, 24 points") != std::string::npos,
              again.out);
-  BOOST_TEST(springcheck("report atlas.h5 --out page").status == 0);
+  BOOST_TEST(run_springcheck("report atlas.h5 --out page").status == 0);
   const std::string page = text_of(folder / "page" / "index.html");
   BOOST_TEST(page.find("Limits of stability") != std::string::npos);
   BOOST_TEST(fs::exists(folder / "page" / "figures" / "limits_compression.svg"));

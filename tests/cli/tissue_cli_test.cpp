@@ -11,7 +11,7 @@ namespace {
 const std::string small = "run tissue-shearing --cells 2,2,2 ";
 
 Json result_of(const std::string& options) {
-  const Run run = springcheck(small + options + " --json");
+  const Run run = run_springcheck(small + options + " --json");
   BOOST_TEST(run.status == 0, run.err);
   return Json::parse(run.out)["results"][0];
 }
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(a_held_shear_has_a_history_and_a_place_in_result_files) {
   BOOST_TEST(result["history"]["load_fraction"].back() == 1);
   const std::vector<double> energy = result["history"]["strain_energy"];
   BOOST_TEST(energy[3] > energy[7]);  // it relaxes
-  BOOST_TEST(springcheck("report held.h5 --out page").status == 0);
+  BOOST_TEST(run_springcheck("report held.h5 --out page").status == 0);
 }
 
 // The stress is that of the strain a quarter of a cycle before it, in part: it is largest
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(the_thesiss_springs_run_as_the_table_has_them) {
     }
   }
   BOOST_TEST(found == 6);  // two methods at three rates
-  const Run other = springcheck(
+  const Run other = run_springcheck(
       "run tissue-shearing --cells 2,2,2 --method mss-thesis-tissue --law 900,.1,.3,4");
   BOOST_TEST(other.out.find("to liver, kidney and spleen alone") != std::string::npos);
 }

@@ -1,0 +1,463 @@
+#include "comparisons/commands/command_line.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "comparisons/build_info/build_info.hpp"
+#include "comparisons/chart/chart_models.hpp"
+#include "comparisons/commands/advise_command.hpp"
+#include "comparisons/commands/blas.hpp"
+#include "comparisons/commands/chart_command.hpp"
+#include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/gate_command.hpp"
+#include "comparisons/commands/measure_command.hpp"
+#include "comparisons/commands/report_command.hpp"
+#include "comparisons/commands/reproduce.hpp"
+#include "comparisons/commands/stability_command.hpp"
+#include "comparisons/commands/sweep_command.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+/// The settings among a subcommand's options, but for some, that were given, as text.
+class SettingOptions {
+ public:
+  explicit SettingOptions(CLI::App* command, const std::set<std::string>& without = {}) {
+    for (const SettingKey& key : option_keys()) {
+      const std::string name(key.name);
+      if (without.contains(name)) continue;
+      if (name == "force-dt")
+        options_[name] =
+            command->add_flag("--" + name)->description(std::string(key.help));
+      else
+        options_[name] =
+            command->add_option("--" + name, texts_[name], std::string(key.help));
+    }
+  }
+
+  [[nodiscard]] std::vector<GivenSetting> given() const {
+    std::vector<GivenSetting> settings;
+    for (const auto& [name, option] : options_)
+      if (option->count() > 0)
+        settings.push_back(
+            {name, Given::from_text("--" + name,
+                                    texts_.contains(name) ? texts_.at(name) : "true")});
+    return settings;
+  }
+
+ private:
+  std::map<std::string, CLI::Option*> options_;
+  std::map<std::string, std::string> texts_;
+};
+
+TableFormat table_format(const std::string& name) {
+  if (name == "md") return TableFormat::markdown;
+  if (name == "csv") return TableFormat::csv;
+  if (name == "json") return TableFormat::json;
+  if (name == "latex") return TableFormat::latex;
+  throw InputError("--format", "", "one of md, csv, json, latex", "'" + name + "'");
+}
+
+std::optional<std::filesystem::path> path_or_none(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return text;
+}
+
+/// For options that are left out or hold something.
+std::string check_not_empty(const std::string& text) {
+  return text.empty() ? "expected a path, got ''" : "";
+}
+
+std::string check_seconds(const std::string& text) {
+  char* end = nullptr;
+  const double seconds = std::strtod(text.c_str(), &end);
+  if (!text.empty() && *end == '\0' && seconds >= 0) return "";
+  return "expected a number of seconds, 0 or more, got '" + text + "'";
+}
+
+std::string check_positive_seconds(const std::string& text) {
+  if (check_seconds(text).empty() && std::strtod(text.c_str(), nullptr) > 0) return "";
+  return "expected a number of seconds above 0, got '" + text + "'";
+}
+
+/// Settings that charts and advice choose, or that tests of theirs do not read.
+std::set<std::string> no_options_of_charts() {
+  std::set<std::string> all{"mesh",
+                            "mesh-unit",
+                            "fixed",
+                            "moved",
+                            "traction",
+                            "plates",
+                            "gradient",
+                            "organ",
+                            "law",
+                            "branches",
+                            "time-steps",
+                            "load-times",
+                            "load-fractions",
+                            "angular-frequency",
+                            "cycles"};
+  all.insert(settings_of_charts().begin(), settings_of_charts().end());
+  return all;
+}
+
+/// Refuses a first word that is no command, naming it; CLI11 would only ask for one.
+void check_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw InputError("springcheck", "", "one of " + names,
+                   "'" + std::string(argv[1]) + "'");
+}
+
+/// What was printed must have arrived: a full disk or a closed pipe is a failure.
+void flush_output() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw std::runtime_error("standard output could not be written whole");
+}
+
+int run_arguments(int argc, char** argv) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  CLI::App app("Cross-validates mass-spring soft-tissue models against finite elements.");
+  app.require_subcommand(1);
+  const std::string version =
+      std::string("springcheck ") + build_info::version + " (" + build_info::commit + ")";
+  bool verbose = false;
+  app.add_flag("--verbose", verbose, "log every Newton iteration to stderr");
+
+  std::vector<std::filesystem::path> from;
+  std::string scene, out, name, reference, format = "md", what, results, junit;
+  std::string displacements, forces, checkpoint;
+  Watch watch{.shows_progress = true};
+  std::string shard = "1/1";
+  SweepOptions sweep_options{.jobs = cores};
+  bool json = false, split = false, all = false, bless = false, quality = false;
+  int threads = cores;
+  int status = ExitStatus::done;
+  const auto output = [&] { return json ? Output::json : Output::text; };
+  const auto add_threads = [&](CLI::App* command) {
+    command->add_option("--threads", threads, "at most this many (default: all cores)")
+        ->check(CLI::Range(1, 1024));
+  };
+
+  CLI::App* run = app.add_subcommand("run", "Run one scene with one or more methods");
+  run->add_option("scene", scene, "name of a shipped scene, or a .toml file")->required();
+  const SettingOptions run_options(run);
+  run->add_option("--out", out, "HDF5 file for measures and fields")
+      ->check(check_not_empty);
+  run->add_flag("--split", split,
+                "split the errors of spring methods into law and discretisation; runs "
+                "finite elements on up to 4 times as many cells along each axis");
+  run->add_flag("--json", json, "print one JSON document");
+  CLI::Option* const checkpoint_file =
+      run->add_option(
+             "--checkpoint", checkpoint,
+             "HDF5 file to which dynamics is saved on the way, and from which it "
+             "goes on if it is there")
+          ->check(check_not_empty);
+  run->add_option("--checkpoint-every", watch.seconds_between_checkpoints,
+                  "seconds between two savings (default 60)")
+      ->check(check_seconds)
+      ->needs(checkpoint_file);
+  add_threads(run);
+
+  CLI::App* table =
+      app.add_subcommand("table",
+                         "Print one of the thesis's tables beside ours, or one "
+                         "of our own");
+  table
+      ->add_option(
+          "name", name,
+          "5.1, 5.2, 5.3, 5.4, 5.5, deviation, bending, subdivision, locking, "
+          "orientation, modes, dynamics, performance, lattice-stability, regions, "
+          "four-springs, tissue, tissue-relaxation, tissue-oscillation; tissue-torsion, "
+          "split, elements, convergence and growth take "
+          "minutes")
+      ->required();
+  table->add_option("--from", from, "result files to take cases from; computes the rest")
+      ->check(check_not_empty);
+  table->add_option("--out", out, "HDF5 file for the cases behind the table")
+      ->check(check_not_empty);
+  table->add_option("--reference", reference,
+                    "METHOD[:ELEMENT][@CELLS|@converged] for the thesis's tables");
+  table->add_option("--format", format, "md (default), csv, json or latex");
+  add_threads(table);
+
+  CLI::App* everything =
+      app.add_subcommand("reproduce", "Regenerate every table and the page");
+  everything->add_option("--out", out, "folder for page, tables, results and summary")
+      ->required()
+      ->check(check_not_empty);
+  everything->add_flag("--all", all, "the split table too, which takes many minutes");
+  add_threads(everything);
+
+  CLI::App* measure = app.add_subcommand(
+      "measure", "Measure what another program computed on a scene's mesh");
+  measure->add_option("scene", scene, "name of a shipped scene, or a .toml file")
+      ->required();
+  const SettingOptions measure_options(measure, {"method", "element"});
+  measure
+      ->add_option("--displacements", displacements,
+                   ".vtu or .csv file of the nodes' displacements [m]")
+      ->required()
+      ->check(check_not_empty);
+  measure
+      ->add_option("--forces", forces,
+                   ".csv file of the forces that the plates apply to the nodes [N]")
+      ->check(check_not_empty);
+  measure->add_option("--label", name, "name that stands for the method")->required();
+  measure->add_option("--out", out, "HDF5 file for measures and fields")
+      ->check(check_not_empty);
+  measure->add_flag("--json", json, "print one JSON document");
+  add_threads(measure);
+
+  CLI::App* sweep =
+      app.add_subcommand("sweep", "Run the cases of a sweep that a result file lacks");
+  sweep->add_option("sweep", name, "name of a shipped sweep, or a .toml file")
+      ->required();
+  sweep->add_option("--out", out, "HDF5 file to add the cases to")
+      ->required()
+      ->check(check_not_empty);
+  sweep
+      ->add_option("--jobs", threads, "simulations at once, at most (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+  sweep->add_flag("--dry-run", sweep_options.dry_run, "count and estimate only");
+  sweep->add_flag("--only-failed", sweep_options.only_failed,
+                  "run again what the file holds with a status other than ok");
+  sweep->add_flag("--recompute", sweep_options.recompute,
+                  "run again all that the file holds");
+  sweep->add_option("--shard", shard, "I/N: every N-th case from the I-th on");
+  sweep->add_flag("--yes", sweep_options.yes,
+                  "more than a million combinations are meant");
+
+  CLI::App* merge = app.add_subcommand(
+      "merge", "Add the cases of result files to another; may be repeated");
+  merge->add_option("out", out, "HDF5 file to add to")
+      ->required()
+      ->check(check_not_empty);
+  merge->add_option("from", from, "result files")->required()->check(check_not_empty);
+
+  StabilityOptions stability_options;
+  CLI::App* stability = app.add_subcommand(
+      "stability", "Map where methods fail over one or two settings, and their limits");
+  stability->add_option("scene", scene, "name of a shipped scene, or a .toml file")
+      ->required();
+  const SettingOptions stability_settings(stability);
+  stability
+      ->add_option(
+          "--over", stability_options.over,
+          "KEY=FROM:TO:COUNT or KEY=A,B,C, once or twice, or KEY[,KEY] over usual "
+          "values; limits are along the first")
+      ->required();
+  stability->add_option("--out", out, "HDF5 file to add the cases to")
+      ->check(check_not_empty);
+  stability->add_option("--format", format,
+                        "md, csv, json or latex (default: maps and limits)");
+  stability->add_flag("--locking", stability_options.locking,
+                      "judge locking, too, by a control for every point");
+  stability
+      ->add_option("--jobs", threads, "simulations at once, at most (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+
+  ChartOptions chart_options;
+  CLI::App* chart = app.add_subcommand(
+      "chart", "Measure time against accuracy of every model on a scene");
+  chart
+      ->add_option("scene", scene,
+                   "name of a shipped scene, a .toml file, or all: the thesis's five")
+      ->required();
+  const SettingOptions chart_settings(chart, no_options_of_charts());
+  chart->add_option("--out", chart_options.out, "HDF5 file to add the chart to")
+      ->required()
+      ->check(check_not_empty);
+  chart->add_option("--sizes", chart_options.sizes,
+                    "cells across the shortest edge (default 4,6,10,16)");
+  chart->add_option("--on-threads", chart_options.threads,
+                    "numbers of threads that are timed (default: 1 and all cores)");
+  chart
+      ->add_option("--budget", chart_options.budget,
+                   "seconds that a point's solution may take (default 8)")
+      ->check(check_positive_seconds);
+  chart
+      ->add_option("--repeat-for", chart_options.repeat_for,
+                   "seconds for the repetitions of each point (default 1)")
+      ->check(check_positive_seconds);
+  chart->add_option("--format", format,
+                    "md, csv, json or latex (default: truths, fronts and claims)");
+  chart->add_option("--jobs", threads, "truths at once, at most (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+  chart
+      ->add_option("--truth", chart_options.truth_across,
+                   "cells across of the coarsest of the three grids of q2 that tell the "
+                   "truth (default 4; 2 for bodies much longer than wide)")
+      ->check(CLI::Range(1, 1000));
+  chart->add_flag("--retime", chart_options.retime,
+                  "time again what the file has a time of, and nothing else");
+  chart
+      ->add_option("--least-models", chart_options.least_models,
+                   "models at equilibrium that get to the finest cells and are ok there, "
+                   "the cheapest first, whatever the budget (default 12)")
+      ->check(CLI::Range(0, 1000));
+
+  AdviseOptions advise_options;
+  CLI::App* advise = app.add_subcommand(
+      "advise", "Find the cheapest model of a scene that meets a tolerance");
+  advise->add_option("scene", scene, "name of a shipped scene, or a .toml file")
+      ->required();
+  const SettingOptions advise_settings(advise, no_options_of_charts());
+  advise
+      ->add_option("--tolerance", advise_options.tolerance,
+                   "largest error, such as 0.08 or 8%")
+      ->required();
+  advise->add_option("--measure", advise_options.measure,
+                     "of what: force (default; torque, or a tip's drop), volume or "
+                     "deviation");
+  advise->add_option("--real-time", advise_options.real_time,
+                     "seconds of a frame of motion that must be simulated in as many "
+                     "(default: an equilibrium is wanted)");
+  advise
+      ->add_option("--budget", advise_options.budget,
+                   "seconds that a solution may take (default 20)")
+      ->check(check_positive_seconds);
+  advise
+      ->add_option("--out", advise_options.out,
+                   "HDF5 file to keep what was measured in, and to take it from")
+      ->check(check_not_empty);
+  advise
+      ->add_option("--scene-file", advise_options.scene_file,
+                   "the scene file to write (default SCENE-advised.toml)")
+      ->check(check_not_empty);
+  advise
+      ->add_option("--truth", advise_options.truth_across,
+                   "cells across of the coarsest of the three grids of q2 that tell the "
+                   "truth (default 4; 2 for bodies much longer than wide)")
+      ->check(CLI::Range(1, 1000));
+  advise->add_option("--jobs", threads, "truths at once, at most (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+
+  CLI::App* list = app.add_subcommand("list", "List what there is");
+  list->add_option("what", what,
+                   "methods, scenes, sweeps, cell-types, elements or materials");
+  list->add_flag("--json", json, "print one JSON document");
+
+  CLI::App* mesh = app.add_subcommand("mesh", "Write the mesh that both solvers use");
+  mesh->add_option("scene", scene, "name of a shipped scene, or a .toml file")
+      ->required();
+  const SettingOptions mesh_options(mesh);
+  mesh->add_option("--out", out, "a .msh, .vtu or .inp file")->check(check_not_empty);
+  mesh->add_flag("--quality", quality,
+                 "print volumes, scaled Jacobians and edge ratios of the cells");
+
+  CLI::App* gate = app.add_subcommand("gate", "Judge results by bands, as a CI does");
+  gate->add_option("gates", name, "a gate file (.toml), or accuracy or thesis")
+      ->required();
+  gate->add_option("results", results, "HDF5 file of results")->required();
+  gate->add_option("--junit", junit, "JUnit XML file to write")->check(check_not_empty);
+  gate->add_flag("--json", json, "print one JSON document");
+  gate->add_flag("--bless", bless,
+                 "replace stored values that are outside their bands in the gate file");
+
+  CLI::App* report = app.add_subcommand(
+      "report", "Make page, figures and tables of a result file; computes nothing");
+  report->add_option("results", results, "HDF5 file of results")->required();
+  report->add_option("--out", out, "folder for them")->required()->check(check_not_empty);
+
+  app.set_version_flag("--version", version);
+  for (CLI::App* command : app.get_subcommands({}))
+    command->set_version_flag("--version", version);
+
+  check_command(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    fmt::print(stderr, "springcheck: {} (see --help)\n", error.what());
+    return ExitStatus::bad_input;
+  }
+  spdlog::set_default_logger(spdlog::stderr_color_mt("springcheck"));
+  spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
+  if (*run || *table || *sweep || *stability || *chart || *advise || *everything)
+    restart_with_fitting_blas(argv);
+  use_one_blas_thread();
+  const tbb::global_control limit(
+      tbb::global_control::max_allowed_parallelism,
+      static_cast<std::size_t>(*chart || *advise ? std::max(threads, cores) : threads));
+
+  if (*run) {
+    watch.checkpoint = path_or_none(checkpoint);
+    status =
+        run_command(scene, run_options.given(), path_or_none(out), output(),
+                    split ? ErrorSplit::wanted : ErrorSplit::not_wanted, threads, watch);
+  } else if (*measure)
+    status = measure_command(scene, measure_options.given(),
+                             {displacements, path_or_none(forces), name},
+                             path_or_none(out), output());
+  else if (*table)
+    status = table_command(name, {from, path_or_none(out)}, reference,
+                           table_format(format), threads);
+  else if (*sweep) {
+    sweep_options.jobs = threads;
+    set_shard(sweep_options, shard);
+    status = sweep_command(name, out, sweep_options);
+  } else if (*stability) {
+    stability_options.jobs = threads;
+    stability_options.out = path_or_none(out);
+    if (stability->count("--format") > 0) stability_options.format = table_format(format);
+    status = stability_command(scene, stability_settings.given(), stability_options);
+  } else if (*chart) {
+    chart_options.jobs = threads;
+    if (chart->count("--format") > 0) chart_options.format = table_format(format);
+    status = chart_command(scene, chart_settings.given(), chart_options);
+  } else if (*advise) {
+    advise_options.jobs = threads;
+    status = advise_command(scene, advise_settings.given(), advise_options);
+  } else if (*merge)
+    status = merge_command(out, from);
+  else if (*list)
+    status = list_command(what, output());
+  else if (*gate)
+    status = gate_command(name, results, path_or_none(junit), output(),
+                          bless ? Bless::yes : Bless::no);
+  else if (*mesh)
+    status = mesh_command(scene, mesh_options.given(), path_or_none(out),
+                          quality ? MeshReport::quality : MeshReport::counts);
+  else if (*report)
+    status = report_command(results, out);
+  else
+    status =
+        reproduce_command(out, all ? Extent::all : Extent::without_long_tables, threads);
+  flush_output();
+  return status;
+}
+
+}  // namespace
+
+int command_line(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like others
+  try {
+    return run_arguments(argc, argv);
+  } catch (const InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return ExitStatus::bad_input;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "springcheck: {}\n", error.what());
+    return ExitStatus::fell_short;
+  }
+}
+
+}  // namespace springcheck
