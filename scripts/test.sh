@@ -9,6 +9,9 @@ case "${1:-}" in
   --all) labels=() ;;
   *) echo "usage: bash scripts/test.sh [--all]" >&2; exit 2 ;;
 esac
-bash scripts/install_packages.sh scripts/packages_for_tests.txt
+bash scripts/install_packages.sh
+bash scripts/install_packages.sh scripts/packages_for_tests.txt &  # while it builds
+packages_for_tests=$!
 bash scripts/build.sh all
+wait "$packages_for_tests"
 ctest --preset release --parallel "$(nproc)" "${labels[@]}"
