@@ -31,6 +31,12 @@ function(springcheck_room)
   if(NOT DEFINED rooms_seen_by_${name})
     message(FATAL_ERROR "${rooms_file}: expected a line for ${folder}, got none")
   endif()
+  foreach(package ${room_PUBLIC} ${room_PRIVATE})
+    if(package IN_LIST rooms_all)
+      message(FATAL_ERROR "${folder}/CMakeLists.txt: expected packages, got the room "
+        "${package}, which ${rooms_file} is to list")
+    endif()
+  endforeach()
   add_library(${name} ${room_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name}
@@ -38,16 +44,28 @@ function(springcheck_room)
     PRIVATE ${room_PRIVATE} fmt::fmt warnings)
 endfunction()
 
-# The libraries of all rooms that a folder of tests may see: the line of the nearest folder
-# above it, where "mss/**" is mss and all that is in it.
+# The libraries of all rooms that a folder of tests may see: by its own line, or the one
+# ending in /** of the nearest folder above it. Of what is seen, too, "mss/**" is mss and all
+# that is in it.
 function(rooms_seen_by_tests folder variable)
-  set(key tests_${folder})
-  string(REGEX REPLACE "^tests_([^/]+).*" "tests_\\1___" key ${key})
+  set(line tests/${folder})
+  string(MAKE_C_IDENTIFIER ${line} key)
+  while(NOT DEFINED rooms_seen_by_${key})
+    if(line MATCHES "^tests/?[*]*$")
+      message(FATAL_ERROR "${rooms_file}: expected a line for tests/${folder}, got none")
+    endif()
+    if(line MATCHES "/[*][*]$")
+      string(REGEX REPLACE "/[^/]+/[*][*]$" "/**" line ${line})
+    else()
+      string(APPEND line "/**")
+    endif()
+    string(MAKE_C_IDENTIFIER ${line} key)
+  endwhile()
   set(libraries "")
   foreach(seen ${rooms_seen_by_${key}})
-    string(REPLACE "_**" "" seen ${seen})
+    string(REGEX REPLACE "_[*][*]$" "(_.*)?" pattern ${seen})
     foreach(room ${rooms_all})
-      if((room STREQUAL seen OR room MATCHES "^${seen}_") AND TARGET ${room})  # main is none
+      if(room MATCHES "^${pattern}$" AND TARGET ${room})  # main is none
         list(APPEND libraries ${room})
       endif()
     endforeach()

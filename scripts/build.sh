@@ -7,5 +7,5 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 bash scripts/install_packages.sh
 cmake --preset release -Wno-dev --log-level=WARNING \
-  ${SPRINGCHECK_WERROR:+-DSPRINGCHECK_WERROR="$SPRINGCHECK_WERROR"} >&2
+  -DSPRINGCHECK_WERROR="${SPRINGCHECK_WERROR:-OFF}" >&2
 cmake --build --preset release --target "${@:-springcheck}" -- -j "$(nproc)" >&2

@@ -12,6 +12,8 @@ esac
 bash scripts/install_packages.sh
 bash scripts/install_packages.sh scripts/packages_for_tests.txt &  # while it builds
 packages_for_tests=$!
+trap wait EXIT
 bash scripts/build.sh all
 wait "$packages_for_tests"
-ctest --preset release --parallel "$(nproc)" "${labels[@]}"
+# One more than cores: those of the page often wait for the browser.
+ctest --preset release --parallel "$(($(nproc) + 1))" "${labels[@]}"

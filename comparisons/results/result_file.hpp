@@ -34,9 +34,9 @@ StoredKeys keys_in(hid_t root, const std::filesystem::path& file);
 ///     /cases           one column (dataset) for each setting and measure, see case_rows
 ///     /provenance      columns, a row for each time the file was written
 ///     /meshes/SHA256   nodes, hexahedra, regions/NAME
-///     /maps/IDENTITY   maps of `springcheck stability`, see stability/stored_map.hpp; no
+///     /maps/IDENTITY   maps of `springcheck stability`, see stored_map.hpp; no
 ///                      such group in files without
-///     /charts/IDENTITY of `springcheck chart`, see chart/stored_chart.hpp; likewise
+///     /charts/IDENTITY of `springcheck chart`, see stored_chart.hpp; likewise
 ///     /fields/KEY      of nodes displacement, reaction [N]; of cells cell_volume_ratio,
 ///                      spring_strain (l/L - 1 of the most strained spring): partial_
 ///                      of these when the case ended without an equilibrium; of nodes
@@ -44,7 +44,7 @@ StoredKeys keys_in(hid_t root, const std::filesystem::path& file);
 ///                      where another program's result came without forces, no
 ///                      spring_strain without springs, no deviation without a reference
 ///
-/// Results are added whole or not at all, whatever ends the program (store/journal.hpp).
+/// Results are added whole or not at all, whatever ends the program (comparisons/store/journal.hpp).
 class ResultFile {
  public:
   /// Opens a result file to add to it; a missing one is made with the first results. What

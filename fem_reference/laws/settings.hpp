@@ -14,7 +14,7 @@ enum class Law { hooke, st_venant_kirchhoff, hencky, cauchy_born };
 ///     q2      triquadratic (27 nodes), 3x3x3 Gauss points; hexahedra only
 enum class Element { q1, q1_sri, q2 };
 
-/// Springs whose continuum the law cauchy_born is (lattice.hpp).
+/// Springs whose continuum the law cauchy_born is (cauchy_born.hpp).
 enum class Springs { baudet, nfd, fd, cf, affine };
 
 /// Modulus that the spring constants are computed from, as in the network they mirror.

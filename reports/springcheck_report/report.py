@@ -11,7 +11,6 @@ from pathlib import Path
 
 import bodies
 import jinja2
-import matplotlib
 import method_style
 import paraview
 from content import Figure, Viewer
@@ -90,22 +89,13 @@ def _run_task(place):
 
 
 def _draw(figure, folder):
-    drawn, extent = _laid_out(figure)
+    # Drawn for each form: a figure with pixels in it cannot be saved twice.
     # No date: the same input gives the same file. dpi: of the parts that are pixels, fewer
     # in the page's SVG than in the PDF for print.
     for form, date, dpi in (("svg", "Date", 140), ("pdf", "CreationDate", 300)):
+        drawn = figure.draw(*figure.arguments)
         path = folder / f"{figure.name}.{form}"
-        drawn.savefig(path, bbox_inches=extent, metadata={date: None}, dpi=dpi)
-        if form == "svg" and any(artist.get_rasterized() for artist in drawn.findobj()):
-            drawn, extent = _laid_out(figure)  # what has pixels cannot be saved twice
-
-
-def _laid_out(figure):
-    """(the figure, the rectangle around all of it), laid out once and not for each form."""
-    drawn = figure.draw(*figure.arguments)
-    drawn.draw_without_rendering()
-    drawn.set_layout_engine("none")
-    return drawn, drawn.get_tightbbox().padded(matplotlib.rcParams["savefig.pad_inches"])
+        drawn.savefig(path, bbox_inches="tight", metadata={date: None}, dpi=dpi)
 
 
 def _write_vtus(study, keys, folder):

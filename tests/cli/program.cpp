@@ -19,14 +19,22 @@
 
 namespace {
 
+/// As main takes them.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
 /// As the program does, which would start again with a test's arguments.
-struct UseFittingBlas {
-  UseFittingBlas() {
-    springcheck::restart_with_fitting_blas(
-        boost::unit_test::framework::master_test_suite().argv);
-  }
-};
-BOOST_TEST_GLOBAL_FIXTURE(UseFittingBlas);
+void use_fitting_blas() {
+  std::ifstream file("/proc/self/cmdline");
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');) words.push_back(word);
+  std::vector<char*> arguments = pointers_to(words);
+  springcheck::restart_with_fitting_blas(arguments.data());
+}
 
 struct RemoveFolder {
   ~RemoveFolder() { fs::remove_all(folder); }
@@ -36,6 +44,7 @@ BOOST_TEST_GLOBAL_FIXTURE(RemoveFolder);
 }  // namespace
 
 const fs::path folder = [] {
+  use_fitting_blas();
   std::string name = (fs::temp_directory_path() / "springcheck_cli_XXXXXX").string();
   return fs::path(mkdtemp(name.data()));
 }();
@@ -48,23 +57,23 @@ std::string text_of(const fs::path& file) {
 
 namespace {
 
-/// As a shell would split them; empty where only a shell can.
+/// As a shell would split them; empty where only a shell can, and for names of files in a
+/// folder it is not in yet.
 std::vector<std::string> split(const std::string& arguments) {
   wordexp_t words;
-  if (wordexp(arguments.c_str(), &words, WRDE_NOCMD) != 0) return {};
+  if (arguments.find_first_of("*?[$") != std::string::npos ||
+      wordexp(arguments.c_str(), &words, WRDE_NOCMD) != 0)
+    return {};
   std::vector<std::string> all(words.we_wordv, words.we_wordv + words.we_wordc);
   wordfree(&words);
   return all;
 }
 
-/// Never returns.
-void run_here(std::vector<std::string> words) {
-  // Boost.Test's own handlers would go on with the tests.
+/// noexcept: nothing is to go on with the tests, nor are Boost.Test's signal handlers.
+[[noreturn]] void run_here(std::vector<std::string> words) noexcept {
   for (const int number : {SIGABRT, SIGALRM, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS})
     std::signal(number, SIG_DFL);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+  std::vector<char*> arguments = pointers_to(words);
   int status = 1;
   if (chdir(folder.c_str()) == 0 && std::freopen("/dev/null", "r", stdin) != nullptr &&
       std::freopen("out", "w", stdout) != nullptr &&
@@ -87,7 +96,7 @@ Run run_springcheck(const std::string& arguments, const std::string& before) {
     const pid_t child = fork();
     BOOST_TEST_REQUIRE(child >= 0);
     if (child == 0) run_here(std::move(words));
-    waitpid(child, &status, 0);
+    BOOST_TEST_REQUIRE(waitpid(child, &status, 0) == child);
   } else {
     // A redirection in the arguments comes after ours and wins.
     const std::string command = "cd " + folder.string() + " && ( " + before + program +

@@ -1,11 +1,12 @@
 #include "tests/house/arrows.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
+#include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -26,9 +27,38 @@ bool covers(const std::string& pattern, const std::string& folder) {
 }
 
 bool is_source(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return std::ranges::any_of(std::array{".hpp", ".cpp", ".hpp.in", ".cpp.in"},
-                             [&](const char* ending) { return name.ends_with(ending); });
+  const std::string extension =
+      (file.extension() == ".in" ? file.stem() : file).extension().string();
+  static const std::set<std::string> all{".hpp", ".h",   ".hh",  ".hxx", ".inl", ".inc",
+                                         ".ipp", ".tpp", ".cpp", ".cc",  ".cxx", ".c"};
+  return all.contains(extension);
+}
+
+std::string first_folder(const std::string& place) {
+  return place.substr(0, place.find('/'));
+}
+
+/// What an include directive names, by what stands behind the word; none: no file of
+/// ours.
+std::optional<std::string> file_of_ours(const std::string& named,
+                                        const std::vector<Room>& rooms) {
+  static const std::regex quoted(R"re("([^"]+)".*)re"), bracketed("<([^>]+)>.*");
+  std::smatch found;
+  if (std::regex_match(named, found, bracketed)) {
+    const std::string file = found[1], top = first_folder(file);
+    const bool is_ours = file != top && std::ranges::any_of(rooms, [&](const Room& room) {
+                           return first_folder(room.folder) == top;
+                         });
+    if (!is_ours) return std::nullopt;
+  } else if (!std::regex_match(named, found, quoted)) {
+    return named;
+  }
+  return fs::path(found[1].str()).lexically_normal().generic_string();
+}
+
+[[noreturn]] void refuse(int line, const std::string& expected, const std::string& got) {
+  throw std::runtime_error("docs/rooms.txt:" + std::to_string(line) + ": expected " +
+                           expected + ", got '" + got + "'");
 }
 
 }  // namespace
@@ -36,42 +66,56 @@ bool is_source(const fs::path& file) {
 std::vector<Room> read_rooms(const std::string& text) {
   std::vector<Room> rooms;
   std::istringstream lines(text);
+  int number = 0;
   for (std::string line; std::getline(lines, line);) {
+    ++number;
     if (line.empty() || line.front() == '#') continue;
     const std::size_t colon = line.find(':');
-    rooms.push_back({.folder = line.substr(0, colon), .sees = {}});
-    std::istringstream names(colon == std::string::npos ? "" : line.substr(colon + 1));
-    for (std::string name; names >> name;) rooms.back().sees.push_back(name);
+    if (colon == std::string::npos) refuse(number, "FOLDER: FOLDER...", line);
+    Room room{.folder = line.substr(0, colon), .sees = {}};
+    if (std::ranges::find(rooms, room.folder, &Room::folder) != rooms.end())
+      refuse(number, "each room once", room.folder);
+    std::istringstream names(line.substr(colon + 1));
+    for (std::string name; names >> name;) {
+      if (std::ranges::find(room.sees, name) != room.sees.end())
+        refuse(number, "each folder once", name);
+      room.sees.push_back(name);
+    }
+    rooms.push_back(std::move(room));
   }
   return rooms;
 }
 
-std::vector<Include> includes_below(const fs::path& root) {
-  static const std::regex include_line(R"re(\s*#\s*include\s*"([^"]+)".*)re");
-  std::vector<Include> includes;
+Sources sources_below(const fs::path& root, const std::vector<Room>& rooms) {
+  static const std::regex directive(R"re(\s*#\s*include(?:_next)?\s*(.+))re");
+  Sources sources;
   for (auto entry = fs::recursive_directory_iterator(root);
        entry != fs::recursive_directory_iterator(); ++entry) {
     const std::string place = entry->path().lexically_relative(root).generic_string();
-    if (place == "build" || place == "results" || place == ".git")
+    if (place == "build" || place == "results" || place == ".git" ||
+        fs::exists(entry->path() / "CMakeCache.txt"))
       entry.disable_recursion_pending();
     if (!entry->is_regular_file() || !is_source(entry->path())) continue;
+    sources.files.push_back(place);
     std::ifstream file(entry->path());
     int number = 0;
     for (std::string line; std::getline(file, line);) {
       ++number;
       std::smatch found;
-      if (std::regex_match(line, found, include_line))
-        includes.push_back({.file = place, .line = number, .included = found[1]});
+      if (!std::regex_match(line, found, directive)) continue;
+      if (const auto included = file_of_ours(found[1], rooms))
+        sources.includes.push_back(
+            {.file = place, .line = number, .included = *included});
     }
   }
-  std::ranges::sort(includes, {}, [](const Include& include) {
+  std::ranges::sort(sources.files);
+  std::ranges::sort(sources.includes, {}, [](const Include& include) {
     return std::pair(include.file, include.line);
   });
-  return includes;
+  return sources;
 }
 
-std::vector<std::string> faults(const std::vector<Room>& rooms,
-                                const std::vector<Include>& includes) {
+std::vector<std::string> faults(const std::vector<Room>& rooms, const Sources& sources) {
   std::vector<std::string> found;
   const auto room_of = [&](const std::string& folder) {
     return std::ranges::find_if(
@@ -79,25 +123,30 @@ std::vector<std::string> faults(const std::vector<Room>& rooms,
   };
   for (auto room = rooms.begin(); room != rooms.end(); ++room)
     for (const std::string& seen : room->sees) {
-      const bool stands_above = std::any_of(rooms.begin(), room, [&](const Room& above) {
-        return covers(seen, above.folder) || covers(above.folder, seen) ||
-               above.folder == seen;
-      });
+      const bool stands_above =
+          std::any_of(rooms.begin(), room,
+                      [&](const Room& above) {
+                        return covers(seen, above.folder) || covers(above.folder, seen);
+                      }) &&
+          std::none_of(room, rooms.end(),
+                       [&](const Room& below) { return covers(seen, below.folder); });
       if (!stands_above)
         found.push_back(room->folder + " sees " + seen +
                         ", which does not stand above it");
     }
   std::set<std::pair<std::string, std::string>> used;  // room, entry
-  for (const Include& include : includes) {
+  for (const std::string& file : sources.files) {
+    const auto room = room_of(folder_of(file));
+    if (room == rooms.end())
+      found.push_back(file + ": the list has no line for " + folder_of(file));
+    else
+      used.emplace(room->folder, "");
+  }
+  for (const Include& include : sources.includes) {
     const std::string from = folder_of(include.file), to = folder_of(include.included);
     const std::string place = include.file + ":" + std::to_string(include.line);
     const auto room = room_of(from);
-    if (room == rooms.end()) {
-      found.push_back(place + ": the list has no line for " + from);
-      continue;
-    }
-    used.emplace(room->folder, "");
-    if (covers(room->folder, to)) continue;
+    if (room == rooms.end() || covers(room->folder, to)) continue;
     const auto entry = std::ranges::find_if(
         room->sees, [&](const std::string& seen) { return covers(seen, to); });
     if (entry == room->sees.end())
@@ -108,7 +157,7 @@ std::vector<std::string> faults(const std::vector<Room>& rooms,
   }
   for (const Room& room : rooms) {
     if (!used.contains({room.folder, ""}))
-      found.push_back("no file of " + room.folder + " includes anything");
+      found.push_back("there is no file in " + room.folder);
     for (const std::string& seen : room.sees)
       if (!used.contains({room.folder, seen}))
         found.push_back("no file of " + room.folder + " includes anything of " + seen);

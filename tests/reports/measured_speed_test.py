@@ -1,5 +1,6 @@
 """speed_test.py, of what the program measures now."""
 
+import json
 import sys
 import unittest
 from pathlib import Path
@@ -13,6 +14,11 @@ class MeasuredSpeed(speed_test.Speed):
     @classmethod
     def table(cls, name):
         return springcheck("table", name, "--format", "json", "--threads", speed_test.THREADS).stdout
+
+    def test_what_was_recorded_has_the_columns_of_today(self):
+        for name in ("performance", "modes"):
+            now = json.loads((self.folder / "tables" / f"{name}.json").read_text(encoding="utf-8"))
+            self.assertEqual(json.loads(speed_test.Speed.table(name))["columns"], now["columns"])
 
 
 if __name__ == "__main__":
