@@ -15,5 +15,4 @@ packages_for_tests=$!
 trap wait EXIT
 bash scripts/build.sh all
 wait "$packages_for_tests"
-# One more than cores: those of the page often wait for the browser.
-ctest --preset release --parallel "$(($(nproc) + 1))" "${labels[@]}"
+ctest --preset release --parallel "$(nproc)" "${labels[@]}"
