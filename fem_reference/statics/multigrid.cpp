@@ -16,13 +16,12 @@
 #include <mutex>
 #include <random>
 
+#include "meshing/random_numbers.hpp"
+
 namespace springcheck::fem_reference {
 namespace {
 
 constexpr int iteration_limit = 5000;
-
-/// Trilinos and MPI are used by one thread at a time.
-std::mutex trilinos;
 
 void start_mpi() {
   int started = 0;
@@ -105,7 +104,7 @@ struct Multigrid::Implementation {
   std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> hierarchy;  // needs MPI
 
   void vmult(Vector& result, const Vector& x) const {
-    const std::lock_guard lock(trilinos);
+    const std::lock_guard lock(random_numbers());  // every Epetra vector draws its seed
     hierarchy->vmult(result, x);
   }
 };
@@ -116,12 +115,12 @@ Multigrid::Multigrid(std::span<const Vector3> nodes, const std::vector<bool>& pr
 }
 
 Multigrid::~Multigrid() {
-  const std::lock_guard lock(trilinos);
+  const std::lock_guard lock(random_numbers());
   implementation_.reset();
 }
 
 void Multigrid::precondition(const SparseMatrix& matrix) {
-  const std::lock_guard lock(trilinos);
+  const std::lock_guard lock(random_numbers());
   start_mpi();
   Implementation& self = *implementation_;
   self.hierarchy = std::make_unique<dealii::TrilinosWrappers::PreconditionAMG>();
