@@ -15,4 +15,5 @@ packages_for_tests=$!
 trap wait EXIT
 bash scripts/build.sh all
 wait "$packages_for_tests"
-ctest --preset release --parallel "$(nproc)" "${labels[@]}"
+# One more than processors: browsers often wait.
+ctest --preset release --parallel "$(($(nproc) + 1))" "${labels[@]}"

@@ -1,6 +1,7 @@
 """Makes the report of a result file: page, figures, files for ParaView."""
 
 import base64
+import gc
 import multiprocessing
 import os
 import re
@@ -74,13 +75,21 @@ _tasks = []  # of _in_parallel, which forks: nothing is pickled
 
 
 def _in_parallel(tasks):
-    """Calls (function, *arguments) of every task, on all cores."""
+    """Calls (function, *arguments) of every task, on all cores where they are many."""
     _tasks[:] = tasks
+    # What matplotlib loads for its first figure, each worker would load for itself.
+    here = range(1 if len(tasks) > 3 else len(tasks))
+    for place in here:
+        _run_task(place)
+    beside = range(len(here), len(tasks))
+    if not beside:
+        return
+    gc.freeze()  # or the workers' collectors would copy all memory
     context = multiprocessing.get_context("fork")
-    workers = min(len(os.sched_getaffinity(0)), max(len(tasks), 1))
+    workers = min(len(os.sched_getaffinity(0)), len(beside))
     # An interrupt ends this process, which ends the workers.
     with context.Pool(workers, signal.signal, (signal.SIGINT, signal.SIG_IGN)) as pool:
-        pool.map(_run_task, range(len(tasks)), chunksize=1)
+        pool.map(_run_task, beside, chunksize=1)
 
 
 def _run_task(place):

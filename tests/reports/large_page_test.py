@@ -11,11 +11,16 @@ sys.path[:0] = [str(Path(__file__).parent)]
 import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 import page_test  # noqa: E402
-from program import springcheck  # noqa: E402
+from program import same_files, springcheck  # noqa: E402
 
 
 class AllViews(page_test.Page):
     TURNED = ("compression", "shearing", "bending")
+
+    def test_the_report_is_the_same_again(self):
+        again = self.folder / "again"
+        springcheck("report", self.file, "--out", again)
+        same_files(self, self.report, again)
 
 
 class Large(unittest.TestCase):

@@ -112,10 +112,6 @@ class Cases(unittest.TestCase):
         page = page_in(self.folder)
         self.assertIsNone(page_text.section(page, "speed"))
         self.assertIsNone(page_text.section(page, "modes"))
-        still = self.folder / "still"
-        springcheck("run", "compression", "--method", "mss-cf", "--cells", "2,2,2", "--out", f"{still}.h5")
-        springcheck("report", f"{still}.h5", "--out", still)
-        self.assertIsNone(page_text.section(page_in(still), "through-time"))
 
 
 if __name__ == "__main__":

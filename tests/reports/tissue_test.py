@@ -36,13 +36,6 @@ class Tissue(unittest.TestCase):
             for row in page_text.rows(self.section, name):
                 self.assertRegex(row[-1], "^[0-9a-f]{8}$", name)
 
-    def test_a_file_without_tissue_has_no_such_section(self):
-        other = self.folder / "other.h5"
-        springcheck(*"run compression --method mss-cf --cells 2,2,2 --out".split(), other)
-        springcheck("report", other, "--out", self.folder / "other")
-        page = (self.folder / "other" / "index.html").read_text(encoding="utf-8")
-        self.assertIsNone(page_text.section(page, "tissue"))
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# A sweep that is killed twenty times, at moments drawn from a fixed seed, ends with the same cases
+# A sweep that is killed several times, at moments drawn from a fixed seed, ends with the same cases
 # and the same bits as one that is left alone; a second writer is refused with the first's id.
-#   interrupted_sweep_test.sh SPRINGCHECK
+#   interrupted_sweep_test.sh SPRINGCHECK TIMES
 set -euo pipefail
 springcheck=$1
+times=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -18,7 +19,7 @@ EOF
 "$springcheck" sweep sweep.toml --out whole.h5 >whole.log
 
 RANDOM=1
-for _ in $(seq 1 20); do
+for _ in $(seq 1 "$times"); do
   "$springcheck" sweep sweep.toml --out killed.h5 >killed.log 2>&1 &
   writer=$!
   sleep "$(printf '0.%03d' $((300 + RANDOM % 700)))"

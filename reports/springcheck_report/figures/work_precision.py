@@ -5,12 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
+from matplotlib.patches import Patch, Polygon
 from matplotlib.ticker import FixedLocator
 from method_style import TWO_COLUMNS, line
 
 _FRONT = {"color": "#CC3311", "linewidth": 3, "alpha": 0.25, "solid_joinstyle": "miter"}
-_BAND = {"facecolor": "#E9E2CF", "edgecolor": "none", "zorder": 0}
+_BAND = {"facecolor": "#E9E2CF", "edgecolor": "none", "zorder": -2}
 _CONTEXT = "#D0D0D0"
 _INK = "#444444"
 _ROW_HEIGHT = 1.38  # inches
@@ -187,19 +187,29 @@ def _frame(axes, times, scale, points, measure):
         axis.set_major_formatter("{x:g}")
     if scale.lanes:
         axes.axhline(scale.high, color=_INK, linewidth=0.5)
+    axes.patch.set_visible(False)
     if measure.bar and measure.bar > scale.low:
-        axes.axhspan(scale.low, measure.bar, **_BAND)
-    # As pixels: so many markers in so many panels would be most of the file.
-    grey = {"ls": "none", "color": _CONTEXT, "zorder": 1, "rasterized": True}
+        low, high = scale.low, measure.bar
+        _put_behind(axes, Polygon([(0, low), (1, low), (1, high), (0, high)], **_BAND), axes.get_yaxis_transform())
     shown = [p for p in points if not is_failed(p) and p.errors[measure.name] is not None]
     heights = [scale.height(p.errors[measure.name]) for p in shown]
-    axes.plot([p.time for p in shown], heights, marker="o", markersize=1.8, **grey)
+    grey = {"linestyle": "none", "color": _CONTEXT, "zorder": -1, "rasterized": True}
+    _put_behind(axes, Line2D([p.time for p in shown], heights, marker="o", markersize=1.8, **grey), axes.transData)
     lost = [p for p in points if p not in shown]
-    axes.plot([p.time for p in lost], [_lane(scale, p) for p in lost], marker="x", markersize=2.5, **grey)
+    heights = [_lane(scale, p) for p in lost]
+    _put_behind(axes, Line2D([p.time for p in lost], heights, marker="x", markersize=2.5, **grey), axes.transData)
     if measure.front:
         x = [*(p.time for p in measure.front), times[1]]
         y = [scale.height(error) for error in measure.errors_told]
         axes.step(x, [*y, y[-1]], where="post", zorder=1.5, **_FRONT)
+
+
+def _put_behind(axes, artist, transform):
+    """Into the figure, below its axes. What is grey there is pixels, in one image for all
+    axes: so many markers in so many panels would be most of the file."""
+    artist.set_transform(transform)
+    axes.figure.add_artist(artist)
+    artist.set_clip_box(axes.bbox)
 
 
 def ticks(low, high, fewest=3):
