@@ -98,13 +98,13 @@ def _run_task(place):
 
 
 def _draw(figure, folder):
-    # Drawn for each form: a figure with pixels in it cannot be saved twice.
     # No date: the same input gives the same file. dpi: of the parts that are pixels, fewer
     # in the page's SVG than in the PDF for print.
+    drawn = figure.draw(*figure.arguments)
     for form, date, dpi in (("svg", "Date", 140), ("pdf", "CreationDate", 300)):
-        drawn = figure.draw(*figure.arguments)
         path = folder / f"{figure.name}.{form}"
         drawn.savefig(path, bbox_inches="tight", metadata={date: None}, dpi=dpi)
+        drawn.set_layout_engine("none")  # the layout stays
 
 
 def _write_vtus(study, keys, folder):

@@ -545,7 +545,8 @@ BOOST_AUTO_TEST_CASE(a_table_s_cases_can_be_written_and_taken_again) {
 
 // Frequencies of the cube at nu = .25 to the digits of the other tests' oracle, Rayleigh
 // and Ritz; that springs differ is what the table is for.
-BOOST_AUTO_TEST_CASE(the_table_of_modes_needs_no_simulation) {
+BOOST_AUTO_TEST_CASE(the_table_of_modes_needs_no_simulation,
+                     *boost::unit_test::label("slow")) {
   const Json table = json_of("table modes --format json");
   BOOST_TEST(table["table"] == "modes");
   std::set<double> ratios;

@@ -352,7 +352,8 @@ void print(const char* title, const Confusion& counts) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(detectors_call_states_what_their_critical_modes_do) {
+BOOST_AUTO_TEST_CASE(detectors_call_states_what_their_critical_modes_do,
+                     *boost::unit_test::label("slow")) {
   const std::vector<State> states = all_states();
   BOOST_TEST(states.size() >= 60U);
   double smooth = 0, wrinkled = INFINITY;  // scores in the setting half

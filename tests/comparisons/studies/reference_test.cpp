@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(mss_cf_at_nu_0_cannot_be_stretched_by_20_percent) {
 }
 
 BOOST_AUTO_TEST_CASE(mss_nfd_at_nu_0_cannot_be_compressed_by_20_percent) {
-  const CaseResult result = result_of("compression", {nfd, "nu=0", at_20});
+  const CaseResult result = result_of("compression", {nfd, "nu=0", at_20, "cells=6,6,6"});
   BOOST_TEST((result.status != Status::ok));
 }
 

@@ -40,7 +40,8 @@ double number(const Sheet& sheet, const SheetRow& row, const std::string& key) {
 
 // Kinds of loss that the tests of the lattice know: zigzags at small A, long waves at
 // large, in tension at nu = 0 the sides, at nu = 1/4 nothing.
-BOOST_AUTO_TEST_CASE(the_lattice_s_table_names_each_loss_with_its_wave) {
+BOOST_AUTO_TEST_CASE(the_lattice_s_table_names_each_loss_with_its_wave,
+                     *boost::unit_test::label("slow")) {
   const Sheet sheet = sheet_of("lattice-stability");
   const auto find = [&](double A, double nu) -> const SheetRow& {
     return *std::ranges::find_if(sheet.rows, [&](const SheetRow& row) {
