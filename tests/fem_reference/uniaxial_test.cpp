@@ -198,8 +198,13 @@ BOOST_AUTO_TEST_CASE(closed_lattice_solutions_are_the_figures_on_record) {
   BOOST_TEST(std::abs((wrong.lateral[0] - 1) / -1e-6 + 1. / 6) < 1e-5);
 }
 
-// At nu = 0 the lattices have no equilibrium that far: see below.
 BOOST_AUTO_TEST_CASE(large_strain_gives_the_closed_solution) {
+  for (const LawCase& law : exact_laws())
+    for (const double stretch : {0.8, 1.2}) compare(law, 0.25, stretch);
+}
+
+// At nu = 0 the lattices have no equilibrium that far: see below.
+BOOST_AUTO_TEST_CASE(so_it_does_at_all_poisson_ratios, *boost::unit_test::label("slow")) {
   for (const LawCase& law : exact_laws())
     for (const double nu : {0., 0.25, 0.499})
       for (const double stretch : {0.8, 0.95, 1.05, 1.2}) {

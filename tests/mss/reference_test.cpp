@@ -211,6 +211,7 @@ BOOST_DATA_TEST_CASE(coarse_beam_drops_as_the_prototypes, data::make(beams), row
   BOOST_TEST(std::abs(drop - row.coarse) < 0.002, drop << " m instead of " << row.coarse);
 }
 
+BOOST_TEST_DECORATOR(*boost::unit_test::label("slow"))
 BOOST_DATA_TEST_CASE(fine_beam_drops_as_the_prototypes, data::make(beams), row) {
   const double drop = tip_drop(row, 8);
   BOOST_TEST(std::abs(drop - row.fine) < 0.002, drop << " m instead of " << row.fine);

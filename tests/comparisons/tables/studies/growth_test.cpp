@@ -9,7 +9,8 @@ using namespace springcheck;
 
 BOOST_AUTO_TEST_SUITE(growth_test)
 
-BOOST_AUTO_TEST_CASE(every_series_has_its_sizes_and_exponents) {
+BOOST_AUTO_TEST_CASE(every_series_has_its_sizes_and_exponents,
+                     *boost::unit_test::label("slow")) {
   const Sheet sheet = growth_sheet({4, 10}, {3, 10});
   std::map<std::string, std::vector<const SheetRow*>> series;
   for (const SheetRow& row : sheet.rows) {
