@@ -152,4 +152,9 @@ BOOST_AUTO_TEST_CASE(mss_nfd_at_nu_0_cannot_be_compressed_by_20_percent) {
   BOOST_TEST((result.status != Status::ok));
 }
 
+BOOST_AUTO_TEST_CASE(nor_on_the_cells_of_the_thesis, *boost::unit_test::label("slow")) {
+  const CaseResult result = result_of("compression", {nfd, "nu=0", at_20});
+  BOOST_TEST((result.status != Status::ok));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
