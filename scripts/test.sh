@@ -10,7 +10,7 @@ case "${1:-}" in
   *) echo "usage: bash scripts/test.sh [--all]" >&2; exit 2 ;;
 esac
 bash scripts/install_packages.sh
-bash scripts/install_packages.sh scripts/packages_for_tests.txt &  # while it builds
+bash scripts/install_packages.sh scripts/packages_for_{tests,docs}.txt &  # while it builds
 packages_for_tests=$!
 trap wait EXIT
 bash scripts/build.sh all

@@ -43,7 +43,7 @@ void check(const MaxwellModel& model);
 double branch_stiffness(const BranchModuli& moduli, double mean_square_strain,
                         double linear_limit, double hardening_index);
 
-/// <D> and <D^2> of a branch.
+/// Means of D and of its square, of a branch.
 struct BranchStrain {
   double mean, mean_square;
 };

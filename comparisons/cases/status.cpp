@@ -36,4 +36,29 @@ std::string_view name_of(Status status) {
   return {};
 }
 
+std::string_view description_of(Status status) {
+  switch (status) {
+    case Status::ok:
+      return "equilibrium, and stable: its tangent is positive definite. In dynamics: "
+             "the "
+             "end was reached";
+    case Status::wrinkled:
+      return "equilibrium whose free faces zigzag from cell to cell";
+    case Status::inverted:
+      return "equilibrium with a cell turned inside out at a corner";
+    case Status::indefinite:
+      return "equilibrium that is not stable";
+    case Status::no_equilibrium:
+      return "the energy has no minimum before the full load; the fraction reached is "
+             "reported";
+    case Status::diverged:
+      return "the dynamics blew up";
+    case Status::not_converged:
+      return "the solver gave up before the full load";
+    case Status::refused:
+      return "the method does not cover this mesh, material or time step";
+  }
+  return {};
+}
+
 }  // namespace springcheck

@@ -18,6 +18,7 @@ enum class Status {
 };
 
 std::string_view name_of(Status status);
+std::string_view description_of(Status status);
 const std::vector<Status>& all_statuses();
 
 }  // namespace springcheck

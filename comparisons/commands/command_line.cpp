@@ -17,7 +17,6 @@
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/chart/chart_models.hpp"
 #include "comparisons/commands/advise_command.hpp"
-#include "comparisons/commands/blas.hpp"
 #include "comparisons/commands/chart_command.hpp"
 #include "comparisons/commands/commands.hpp"
 #include "comparisons/commands/gate_command.hpp"
@@ -26,6 +25,7 @@
 #include "comparisons/commands/reproduce.hpp"
 #include "comparisons/commands/stability_command.hpp"
 #include "comparisons/commands/sweep_command.hpp"
+#include "comparisons/system/blas.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -183,11 +183,8 @@ int run_arguments(int argc, char** argv) {
   table
       ->add_option(
           "name", name,
-          "5.1, 5.2, 5.3, 5.4, 5.5, deviation, bending, subdivision, locking, "
-          "orientation, modes, dynamics, performance, lattice-stability, regions, "
-          "four-springs, tissue, tissue-relaxation, tissue-oscillation; tissue-torsion, "
-          "split, elements, convergence and growth take "
-          "minutes")
+          "see 'springcheck list tables'; tissue-torsion, split, elements, convergence "
+          "and growth take minutes")
       ->required();
   table->add_option("--from", from, "result files to take cases from; computes the rest")
       ->check(check_not_empty);
@@ -351,8 +348,7 @@ int run_arguments(int argc, char** argv) {
       ->check(CLI::Range(1, 1024));
 
   CLI::App* list = app.add_subcommand("list", "List what there is");
-  list->add_option("what", what,
-                   "methods, scenes, sweeps, cell-types, elements or materials");
+  list->add_option("what", what, "one of " + list_names() + " (default: all)");
   list->add_flag("--json", json, "print one JSON document");
 
   CLI::App* mesh = app.add_subcommand("mesh", "Write the mesh that both solvers use");

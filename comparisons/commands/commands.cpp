@@ -14,7 +14,6 @@
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
 #include "comparisons/settings/scene_file.hpp"
-#include "comparisons/shipped/shipped.hpp"
 #include "comparisons/tables/computed_tables.hpp"
 #include "comparisons/tables/studies/split_output.hpp"
 #include "comparisons/tables/thesis/format_table.hpp"
@@ -158,49 +157,6 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
     fmt::print("{}", format_table(table, format));
   for (const Sheet& sheet : computed.set.sheets)
     fmt::print("{}", format_sheet(sheet, format));
-  return ExitStatus::done;
-}
-
-ExitStatus list_command(const std::string& what, Output output) {
-  Json lists;
-  for (const Method& method : methods())
-    lists["methods"][std::string(method.name)] = method.description;
-  for (const ShippedFile& scene : shipped_scenes()) {
-    // Its first comment line describes it.
-    const std::size_t end = scene.text.find('\n');
-    lists["scenes"][std::filesystem::path(scene.name).stem().string()] =
-        scene.text.substr(2, end - 2);
-  }
-  for (const ShippedFile& sweep : shipped_sweeps()) {
-    const std::size_t end = sweep.text.find('\n');
-    lists["sweeps"][std::filesystem::path(sweep.name).stem().string()] =
-        sweep.text.substr(2, end - 2);
-  }
-  for (const CellPatternName& pattern : cell_patterns())
-    lists["cell-types"][std::string(pattern.name)] = pattern.description;
-  for (const ElementName& element : elements())
-    lists["elements"][std::string(element.name)] = element.description;
-  lists["materials"] = {
-      {"hooke", "small-strain Hooke (fem-hooke)"},
-      {"stvk", "St-Venant-Kirchhoff (fem-stvk)"},
-      {"hencky", "Hencky, logarithmic strain (fem-hencky)"},
-      {"cauchy-born", "continuum of a spring lattice (fem-cauchy-born)"}};
-  if (!what.empty()) {
-    if (!lists.contains(what))
-      throw InputError("list", "",
-                       "one of methods, scenes, sweeps, cell-types, elements, materials",
-                       "'" + what + "'");
-    lists = Json{{what, lists[what]}};
-  }
-  if (output == Output::json) {
-    fmt::print("{}\n", lists.dump(2));
-    return ExitStatus::done;
-  }
-  for (const auto& [heading, entries] : lists.items()) {
-    fmt::print("{}\n", heading);
-    for (const auto& [name, description] : entries.items())
-      fmt::print("  {:<15} {}\n", name, description.get<std::string>());
-  }
   return ExitStatus::done;
 }
 

@@ -36,8 +36,12 @@ struct TableFiles {
 ExitStatus table_command(const std::string& name, const TableFiles& files,
                          const std::string& reference, TableFormat format, int parallel);
 
-/// `springcheck list`; an empty `what` lists everything.
+/// `springcheck list`; an empty `what` lists everything. Throws InputError for a list that
+/// there is not.
 ExitStatus list_command(const std::string& what, Output output);
+
+/// "methods, scenes, ...": what list_command takes.
+std::string list_names();
 
 /// What is printed of a mesh: how much there is, or how good it is too.
 enum class MeshReport { counts, quality };

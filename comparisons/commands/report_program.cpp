@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "comparisons/commands/process.hpp"
 #include "comparisons/shipped/shipped.hpp"
+#include "comparisons/system/process.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
 

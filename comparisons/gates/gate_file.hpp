@@ -21,7 +21,7 @@ namespace springcheck::gates {
 ///     absolute = 5e-5
 ///     reason = "half a unit of the last digit that is printed"
 ///
-/// The README has all keys. Throws InputError with file, line and column for whatever is
+/// All keys: gate_keys.hpp. Throws InputError with file, line and column for whatever is
 /// unknown, missing, of another type or contradicts itself.
 std::vector<Gate> parse_gates(std::string_view text, const std::string& file);
 

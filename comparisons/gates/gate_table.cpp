@@ -7,17 +7,13 @@
 #include <array>
 #include <span>
 
+#include "comparisons/gates/gate_keys.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::gates {
 namespace {
 
 constexpr std::array<std::string_view, 3> file_keys{"where", "fixed", "gate"};
-constexpr std::array<std::string_view, 17> gate_keys{
-    "name",     "where",    "measure",   "reason",         "expect",       "equals",
-    "absolute", "relative", "at_least",  "at_most",        "against",      "ratio_to",
-    "fixed",    "along",    "monotonic", "order_at_least", "order_between"};
-
 void check_keys_of(const toml::table& table, const std::string& file,
                    std::span<const std::string_view> known) {
   for (const auto& [key, node] : table)
@@ -88,7 +84,9 @@ const toml::table* settings_at(const toml::table& table, std::string_view key,
 }  // namespace
 
 void GateTable::check_keys() const {
-  check_keys_of(table_, file_, gate_keys);
+  std::vector<std::string_view> known;
+  for (const Described& key : gate_keys()) known.push_back(key.name);
+  check_keys_of(table_, file_, known);
 }
 
 std::string GateTable::place() const {

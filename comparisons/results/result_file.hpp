@@ -28,21 +28,7 @@ struct StoredKeys {
 StoredKeys stored_keys(const std::filesystem::path& file);
 StoredKeys keys_in(hid_t root, const std::filesystem::path& file);
 
-/// HDF5 layout 2, documented in the README's reference part:
-///
-///     /                attributes: layout
-///     /cases           one column (dataset) for each setting and measure, see case_rows
-///     /provenance      columns, a row for each time the file was written
-///     /meshes/SHA256   nodes, hexahedra, regions/NAME
-///     /maps/IDENTITY   maps of `springcheck stability`, see stored_map.hpp; no
-///                      such group in files without
-///     /charts/IDENTITY of `springcheck chart`, see stored_chart.hpp; likewise
-///     /fields/KEY      of nodes displacement, reaction [N]; of cells cell_volume_ratio,
-///                      spring_strain (l/L - 1 of the most strained spring): partial_
-///                      of these when the case ended without an equilibrium; of nodes
-///                      deviation (displacement less the reference's [m]). No reaction
-///                      where another program's result came without forces, no
-///                      spring_strain without springs, no deviation without a reference
+/// HDF5 layout 2; its groups and columns are told by layout.hpp.
 ///
 /// Results are added whole or not at all, whatever ends the program (comparisons/store/journal.hpp).
 class ResultFile {

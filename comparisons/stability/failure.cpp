@@ -52,6 +52,40 @@ std::string_view name_of(Failure failure) {
   return {};
 }
 
+std::string_view description_of(Failure failure) {
+  switch (failure) {
+    case Failure::none:
+      return "equilibrium, tangent positive definite, nothing of what follows";
+    case Failure::not_covered:
+      return "the method refuses the scene";
+    case Failure::solver:
+      return "the solver gave up on a path that was stable as far as it came: says "
+             "nothing "
+             "of the body";
+    case Failure::blow_up:
+      return "a motion left all bounds";
+    case Failure::inversion:
+      return "a cell is turned inside out at a corner";
+    case Failure::limit_point:
+      return "no equilibrium beyond some part of the load";
+    case Failure::wrinkling:
+      return "a free face zigzags from cell to cell; of a path's limit, the mode that "
+             "becomes unstable is shorter than four cells";
+    case Failure::hourglassing:
+      return "the inside of hexahedra alternates from cell to cell in modes that the "
+             "cells' mean strain does not see: more than half of their hourglass "
+             "displacement, higher than .05 of edge times strain";
+    case Failure::loss_of_definiteness:
+      return "equilibrium, but no minimum of the energy; finite elements also where the "
+             "path there lost it";
+    case Failure::locking:
+      return "with --locking: plate force or torque more than 10 % above that of the "
+             "same "
+             "law on q1-sri (fem-cauchy-born, for lattices); on hexahedra alone";
+  }
+  return {};
+}
+
 char letter_of(Failure failure) {
   switch (failure) {
     case Failure::none:

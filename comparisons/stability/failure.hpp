@@ -23,6 +23,7 @@ enum class Failure {
 };
 
 std::string_view name_of(Failure failure);
+std::string_view description_of(Failure failure);
 /// One character for maps; '.' for none.
 char letter_of(Failure failure);
 const std::vector<Failure>& all_failures();

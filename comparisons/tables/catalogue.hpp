@@ -3,13 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/cases/described.hpp"
 #include "comparisons/tables/plans/sheet_plan.hpp"
 
 namespace springcheck {
 
-/// "5.5", "split", "elements", "convergence", "subdivision", "locking", "orientation",
-/// "modes", "performance", "dynamics", "lattice-stability", "regions", "four-springs",
-/// "growth", "tissue", "tissue-relaxation", "tissue-oscillation", "tissue-torsion".
+/// Tables of our own, beside those of table_names().
 const std::vector<std::string>& sheet_names();
 
 /// Those that take many minutes; `reproduce` leaves them out unless asked for all.
@@ -18,6 +17,9 @@ const std::vector<std::string>& long_sheet_names();
 /// Those computed when they are printed, with no case behind them: result files cannot
 /// give them back.
 const std::vector<std::string>& caseless_sheet_names();
+
+/// Every table that `springcheck table` prints, and what it shows.
+std::vector<Described> described_tables();
 
 /// Of sheet_names().
 SheetPlan plan_sheet(const std::string& name);

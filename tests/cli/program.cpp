@@ -14,8 +14,8 @@
 #include <sstream>
 #include <vector>
 
-#include "comparisons/commands/blas.hpp"
 #include "comparisons/commands/command_line.hpp"
+#include "comparisons/system/blas.hpp"
 
 namespace {
 

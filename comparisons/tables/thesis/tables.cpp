@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/studies/converged_number.hpp"
@@ -261,24 +263,51 @@ void set_reference_value(TableRow& row, const Quantity& quantity,
   row.reference_bar = limit.bar;
 }
 
+struct ThesisTable {
+  std::string_view name, description;
+  TablePlan (*plan)(const Reference&);
+};
+
+constexpr std::array thesis_tables{
+    ThesisTable{"5.1", "volume error in compression, printed in the thesis and ours",
+                [](const Reference& reference) {
+                  return volume_table("5.1", "Table 5.1: volume error in compression",
+                                      reference);
+                }},
+    ThesisTable{"5.2", "volume error in tension, printed and ours",
+                [](const Reference& reference) {
+                  return volume_table("5.2", "Table 5.2: volume error in tension",
+                                      reference);
+                }},
+    ThesisTable{"5.3", "volume error in shearing, printed and ours", shear_table},
+    ThesisTable{"5.4", "volume error in torsion, printed and ours", torsion_table},
+    ThesisTable{"deviation", "deviation from the reference's points, printed and ours",
+                deviation_table},
+    ThesisTable{"bending", "a beam's tip, printed and ours, beside beam theory",
+                bending_table}};
+
 }  // namespace
 
 const std::vector<std::string>& table_names() {
-  static const std::vector<std::string> names{"5.1", "5.2",       "5.3",
-                                              "5.4", "deviation", "bending"};
+  static const auto names = [] {
+    std::vector<std::string> all;
+    for (const ThesisTable& table : thesis_tables) all.emplace_back(table.name);
+    return all;
+  }();
   return names;
 }
 
+std::vector<Described> described_thesis_tables() {
+  std::vector<Described> all;
+  for (const ThesisTable& table : thesis_tables)
+    all.push_back({table.name, table.description});
+  return all;
+}
+
 TablePlan plan_table(const std::string& name, const Reference& reference) {
-  if (name == "5.1")
-    return volume_table(name, "Table 5.1: volume error in compression", reference);
-  if (name == "5.2")
-    return volume_table(name, "Table 5.2: volume error in tension", reference);
-  if (name == "5.3") return shear_table(reference);
-  if (name == "5.4") return torsion_table(reference);
-  if (name == "deviation") return deviation_table(reference);
-  if (name == "bending") return bending_table(reference);
-  throw std::logic_error("no table '" + name + "'");
+  const auto* table = std::ranges::find(thesis_tables, name, &ThesisTable::name);
+  if (table == thesis_tables.end()) throw std::logic_error("no table '" + name + "'");
+  return table->plan(reference);
 }
 
 std::vector<Request> table_requests(const TablePlan& plan) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/cases/described.hpp"
 #include "comparisons/running/case_result.hpp"
 #include "comparisons/settings/run_settings.hpp"
 
@@ -41,6 +42,9 @@ struct TablePlan {
 
 /// Names of the tables beside the thesis's: 5.1, 5.2, 5.3, 5.4, deviation, bending.
 const std::vector<std::string>& table_names();
+
+/// The same, with what each shows.
+std::vector<Described> described_thesis_tables();
 
 /// The plan of a table of table_names(); `reference` replaces the default of requests().
 TablePlan plan_table(const std::string& name,

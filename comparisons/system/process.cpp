@@ -1,4 +1,4 @@
-#include "comparisons/commands/process.hpp"
+#include "comparisons/system/process.hpp"
 
 #include <spawn.h>
 #include <sys/wait.h>

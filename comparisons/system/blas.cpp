@@ -1,4 +1,4 @@
-#include "comparisons/commands/blas.hpp"
+#include "comparisons/system/blas.hpp"
 
 #include <unistd.h>
 

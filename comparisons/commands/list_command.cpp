@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <ranges>
+
+#include "comparisons/cases/methods.hpp"
+#include "comparisons/chart/chart_sheets.hpp"
+#include "comparisons/commands/commands.hpp"
+#include "comparisons/gates/gate_keys.hpp"
+#include "comparisons/measures/measure_list.hpp"
+#include "comparisons/results/layout.hpp"
+#include "comparisons/settings/run_settings.hpp"
+#include "comparisons/shipped/shipped.hpp"
+#include "comparisons/stability/failure.hpp"
+#include "comparisons/tables/catalogue.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// {name: description}, of values that have both.
+template <class Range>
+Json described(const Range& range) {
+  Json entries;
+  for (const auto& one : range) entries[std::string(one.name)] = one.description;
+  return entries;
+}
+
+/// {name: {"unit": ..., "description": ...}}.
+Json with_units(const std::vector<Described>& range) {
+  Json entries;
+  for (const Described& one : range)
+    entries[std::string(one.name)] = {{"unit", one.unit},
+                                      {"description", one.description}};
+  return entries;
+}
+
+/// Shipped TOML files by their names; the first comment line describes each.
+Json shipped(const std::vector<ShippedFile>& files) {
+  Json entries;
+  for (const ShippedFile& file : files)
+    entries[std::filesystem::path(file.name).stem().string()] =
+        file.text.substr(2, file.text.find('\n') - 2);
+  return entries;
+}
+
+Json materials() {
+  return {{"hooke", "small-strain Hooke (fem-hooke)"},
+          {"stvk", "St-Venant-Kirchhoff (fem-stvk)"},
+          {"hencky", "Hencky, logarithmic strain (fem-hencky)"},
+          {"cauchy-born", "continuum of a spring lattice (fem-cauchy-born)"}};
+}
+
+Json settings() {
+  Json entries;
+  for (const SettingKey& key : option_keys())
+    entries[std::string(key.name)] = {{"option", true}, {"description", key.help}};
+  for (const SettingKey& key : scene_only_keys())
+    entries[std::string(key.name)] = {{"option", false}, {"description", key.help}};
+  return entries;
+}
+
+Json statuses() {
+  Json entries;
+  for (const Status status : all_statuses())
+    entries[std::string(name_of(status))] = description_of(status);
+  return entries;
+}
+
+Json failures() {
+  Json entries;
+  for (const Failure failure : all_failures())
+    entries[std::string(name_of(failure))] = {
+        {"letter", std::string(1, letter_of(failure))},
+        {"description", description_of(failure)}};
+  return entries;
+}
+
+Json exit_statuses() {
+  return {{std::to_string(ExitStatus::done), "done"},
+          {std::to_string(ExitStatus::fell_short),
+           "a failure that was not foreseen; a gate that falls short; nothing meets what "
+           "advise is asked for; a merge that found conflicts"},
+          {std::to_string(ExitStatus::bad_input),
+           "bad input: nothing was computed; or a gate that has no case"},
+          {std::to_string(ExitStatus::unexpected_status),
+           "a run of one method ended in a status that the scene's expect does not "
+           "list"}};
+}
+
+struct List {
+  const char* name;
+  Json (*make)();
+};
+
+constexpr std::array lists{
+    List{"methods", [] { return described(methods()); }},
+    List{"scenes", [] { return shipped(shipped_scenes()); }},
+    List{"sweeps", [] { return shipped(shipped_sweeps()); }},
+    List{"cell-types", [] { return described(cell_patterns()); }},
+    List{"elements", [] { return described(elements()); }},
+    List{"materials", materials},
+    List{"settings", settings},
+    List{"tables", [] { return described(described_tables()); }},
+    List{"measures", [] { return with_units(measure_list()); }},
+    List{"statuses", statuses},
+    List{"failures", failures},
+    List{"gate-keys", [] { return described(gates::gate_keys()); }},
+    List{"result-file", [] { return described(file_layout()); }},
+    List{"columns", [] { return with_units(case_columns()); }},
+    List{"exit-statuses", exit_statuses}};
+
+/// "W wrinkling", "force [N]".
+std::string heading_of(const std::string& name, const Json& entry) {
+  if (entry.contains("letter"))
+    return fmt::format("{} {}", entry["letter"].get<std::string>(), name);
+  if (entry.contains("unit") && entry["unit"] != "")
+    return fmt::format("{} [{}]", name, entry["unit"].get<std::string>());
+  return name;
+}
+
+void print_entries(const Json& entries) {
+  std::size_t width = 15;
+  for (const auto& [name, entry] : entries.items())
+    width = std::max(width, heading_of(name, entry).size());
+  for (const auto& [name, entry] : entries.items()) {
+    const Json& text = entry.is_string() ? entry : entry["description"];
+    fmt::print("  {:<{}} {}\n", heading_of(name, entry), width, text.get<std::string>());
+  }
+}
+
+}  // namespace
+
+std::string list_names() {
+  return fmt::format("{}", fmt::join(std::views::transform(lists, &List::name), ", "));
+}
+
+ExitStatus list_command(const std::string& what, Output output) {
+  Json all;
+  for (const List& list : lists)
+    if (what.empty() || what == list.name) all[list.name] = list.make();
+  if (all.empty())
+    throw InputError("list", "", "one of " + list_names(), "'" + what + "'");
+  if (output == Output::json) {
+    fmt::print("{}\n", all.dump(2));
+    return ExitStatus::done;
+  }
+  for (const auto& [heading, entries] : all.items()) {
+    fmt::print("{}\n", heading);
+    print_entries(entries);
+  }
+  return ExitStatus::done;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,67 @@
+#include "comparisons/results/layout.hpp"
+
+namespace springcheck {
+
+const std::vector<Described>& file_layout() {
+  static const std::vector<Described> parts{
+      {"/", "attribute layout: 2"},
+      {"/cases",
+       "a dataset of one length for each column: every setting, every measure and the "
+       "columns of `list columns`. Texts are UTF-8 padded with zeros; what a case has "
+       "not is NaN or an empty text; vectors are rows of 3, matrices of 9 numbers"},
+      {"/provenance",
+       "a row for each time the file was written: springcheck, commit, compiler, "
+       "deal.II, gmsh, Eigen, HDF5, cpu, cores, threads, date"},
+      {"/meshes/SHA256",
+       "nodes [m]; tetrahedra, pyramids, prisms, hexahedra, those there are (gmsh's "
+       "order, from 0; fields of cells follow in this order); regions/NAME (outward "
+       "faces, of triangles the last node twice); with prisms or several types "
+       "xdmf_topology, the same cells for ParaView"},
+      {"/maps/SHA256",
+       "maps of `springcheck stability`: attributes scene, first, second (settings); "
+       "points (columns method, first, second, key, control: the case that locking is "
+       "judged by), limits (method, second, low, high, failure, key)"},
+      {"/charts/SHA256",
+       "charts of `springcheck chart`: attributes scene, settings, law, answer, height, "
+       "imposed, machine; truths (law, size_1 to size_3, key_1 to key_3), points "
+       "(model, kind, across, cells, nodes, threads, key, left_out, setup, simulated, "
+       "times, repetitions, minimum, lower_quartile, median, upper_quartile, maximum), "
+       "comparisons (key, law, compared)"},
+      {"/fields/KEY",
+       "of nodes displacement [m], reaction [N] (unless measured without forces), "
+       "deviation [m] (displacement less the reference's); of cells cell_volume_ratio, "
+       "spring_strain (of springs, the strain of largest size); named partial_... when "
+       "the case ended without an equilibrium. Through time with `history` also "
+       "history, a row for each sample: time, load_fraction, deformation, "
+       "volume_change, force and torque (x, y, z), kinetic_energy, strain_energy, "
+       "stress (xx to zz: mean_stress, in affine)"}};
+  return parts;
+}
+
+const std::vector<Described>& case_columns() {
+  static const std::vector<Described> columns{
+      {"key", "SHA-256 of settings, reference, mesh and program version"},
+      {"scene", "the shipped scene, or the name of a scene file"},
+      {"mesh", "SHA-256 of the mesh, its name in /meshes"},
+      {"reference", "what deviations are measured against"},
+      {"reference_settings", "all settings of that reference, as JSON"},
+      {"status", "how the case ended"},
+      {"flags", "all statuses that apply, with commas"},
+      {"reason", "why, in words"},
+      {"load_fraction", "part of the load that was reached"},
+      {"steps", "Newton steps, or steps through time"},
+      {"force_evaluations", "how often the forces of all cells were computed"},
+      {"linear_iterations", "of iterative linear solvers"},
+      {"factorisations", "of direct linear solvers"},
+      {"dt_used", "last step through time", "s"},
+      {"dt_limit", "largest stable step, as looked at last", "s"},
+      {"wall_s", "wall-clock time of the case, with its meshes and measures", "s"},
+      {"solve_wall_s", "wall-clock time of the solution alone", "s"},
+      {"provenance", "row of /provenance: who computed it, with what and when"},
+      {"source", "\"measured\", of what another program computed"},
+      {"displacements", "SHA-256 of the numbers that were measured"},
+      {"forces", "SHA-256 of the forces that were measured"}};
+  return columns;
+}
+
+}  // namespace springcheck

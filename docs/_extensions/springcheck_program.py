@@ -1,0 +1,93 @@
+"""Directives whose text comes from the program itself, so that no page copies it by hand.
+
+    {program-list} measures     the table of `springcheck list measures`
+    {program-help} run          what `springcheck run --help` prints
+
+The program is $SPRINGCHECK, or build/release/springcheck of this clone.
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+
+from docutils import nodes
+from docutils.parsers.rst import Directive
+from docutils.statemachine import StringList
+from sphinx.errors import ExtensionError
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("SPRINGCHECK", str(ROOT / "build/release/springcheck"))
+HEADS = {"methods": "method", "scenes": "scene", "sweeps": "sweep", "settings": "setting",
+         "tables": "table", "measures": "measure", "statuses": "status",
+         "failures": "failure", "gate-keys": "key", "result-file": "group",
+         "columns": "column", "exit-statuses": "exit status", "elements": "element",
+         "cell-types": "cell type", "materials": "law"}
+
+
+def asked(*arguments):
+    """What the program prints."""
+    try:
+        run = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True)
+    except (OSError, subprocess.CalledProcessError) as error:
+        detail = getattr(error, "stderr", "") or str(error)
+        raise ExtensionError(f"{PROGRAM} {' '.join(arguments)}: {detail.strip()}") from error
+    return run.stdout
+
+
+def cell(text):
+    """As a cell of a Markdown table: nothing in it is markup but `code`."""
+    for mark in "\\|*_<>$[]":
+        text = text.replace(mark, "\\" + mark)
+    return text
+
+
+def anchor(kind, name):
+    return f"{kind}-{name}".replace("_", "-").replace("/", "").replace(" ", "-").lower()
+
+
+def table_of(kind):
+    """Lines of Markdown."""
+    entries = json.loads(asked("list", kind, "--json"))[kind]
+    first = next(iter(entries.values()))
+    has = lambda field: isinstance(first, dict) and field in first
+    heads = ([("letter")] if has("letter") else []) + [HEADS[kind]]
+    heads += (["unit"] if has("unit") else []) + ["meaning"]
+    lines = [f"| {' | '.join(heads)} |", "|" + " --- |" * len(heads)]
+    for name, entry in entries.items():
+        row = [f"`{entry['letter']}`"] if has("letter") else []
+        row.append(f'<span id="{anchor(kind, name)}"></span>`{name}`')
+        if has("unit"):
+            row.append(cell(entry["unit"]))
+        text = cell(entry["description"] if isinstance(entry, dict) else entry)
+        if isinstance(entry, dict) and entry.get("option") is False:
+            text += " (in scene files alone)"
+        lines.append(f"| {' | '.join([*row, text])} |")
+    return lines
+
+
+class ProgramList(Directive):
+    required_arguments = 1
+
+    def run(self):
+        kind = self.arguments[0]
+        if kind not in HEADS:
+            raise self.error(f"expected one of {', '.join(HEADS)}, got '{kind}'")
+        node = nodes.container(classes=["program-list"])
+        self.state.nested_parse(StringList(table_of(kind), kind), self.content_offset, node)
+        return [node]
+
+
+class ProgramHelp(Directive):
+    optional_arguments = 1
+
+    def run(self):
+        text = asked(*self.arguments, "--help").replace(PROGRAM, "springcheck")
+        return [nodes.literal_block(text, text, language="text")]
+
+
+def setup(app):
+    app.add_directive("program-list", ProgramList)
+    app.add_directive("program-help", ProgramHelp)
+    # What the program says is no file: read the pages again each time.
+    return {"version": "1", "env_version": 1, "parallel_read_safe": True}

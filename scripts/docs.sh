@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Builds the documentation in build/docs: the site (index.html) and the reference of the
+# headers (api/index.html). Warnings, among them links to pages that there are not, end it.
+# Installs what is missing and builds the program, whose lists and help the site prints;
+# with SPRINGCHECK=PROGRAM in the environment it takes that one, and does neither.
+# Usage: bash scripts/docs.sh [--links]    (--links: looks up other sites' addresses too)
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+builders=(html)
+case "${1:-}" in
+  "") ;;
+  --links) builders+=(linkcheck) ;;
+  *) echo "usage: bash scripts/docs.sh [--links]" >&2; exit 2 ;;
+esac
+if [ -z "${SPRINGCHECK:-}" ]; then
+  bash scripts/build.sh
+  bash scripts/install_packages.sh scripts/packages_for_docs.txt
+  export SPRINGCHECK="$PWD/build/release/springcheck"
+fi
+out=build/docs
+rm -rf "$out"
+mkdir -p "$out"
+doxygen docs/Doxyfile &
+headers=$!
+for builder in "${builders[@]}"; do
+  sphinx-build -q -W --keep-going -n -b "$builder" -d build/docs-pages docs "$out"
+done
+wait "$headers"
+echo "$out/index.html"
