@@ -38,10 +38,12 @@ function(springcheck_room)
     endif()
   endforeach()
   add_library(${name} ${room_SOURCES})
-  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:include/springcheck>)
   target_link_libraries(${name}
     PUBLIC ${rooms_seen_by_${name}} ${room_PUBLIC} Eigen3::Eigen
-    PRIVATE ${room_PRIVATE} fmt::fmt warnings)
+    PRIVATE ${room_PRIVATE} fmt::fmt $<BUILD_INTERFACE:warnings>)
 endfunction()
 
 # The libraries of all rooms that a folder of tests may see: by its own line, or the one

@@ -19,8 +19,8 @@ if [ -z "${SPRINGCHECK:-}" ]; then
   export SPRINGCHECK="$PWD/build/release/springcheck"
 fi
 out=build/docs
-rm -rf "$out"
 mkdir -p "$out"
+find "$out" -mindepth 1 -maxdepth 1 ! -name _images -exec rm -rf {} +  # formulas stay
 doxygen docs/Doxyfile &
 headers=$!
 for builder in "${builders[@]}"; do

@@ -2,6 +2,7 @@
 
     ```sh                    commands, run by bash in the page's own folder, in order
     ```{code-block} toml     a file that the reader saves, named by its :caption:
+    ```{literalinclude} ..   the same, a file of examples/
     ```text                  output of the commands before: its lines must be in it
 
 Marks are comments before a fence or a picture:
@@ -62,9 +63,12 @@ def parts(page):
             body = lines[begin:number]
             number += 1
             file = ""
-            if body and (caption := re.fullmatch(r":caption: (.+)", body[0])):
+            if opening[3] and opening[3].startswith("{literalinclude}"):
+                included = page.parent / opening[3].split()[1]
+                file, body = included.name, included.read_text().splitlines()
+            elif body and (caption := re.fullmatch(r":caption: (.+)", body[0])):
                 file, body = caption[1], body[1:]
-            if not opening[3]:
+            if file or not opening[3]:
                 found.append(Fence(opening[2], "\n".join(body) + "\n", begin, file, marks))
             marks = {}
         elif image := re.search(r"!\[.*\]\((.+?)\)", line):

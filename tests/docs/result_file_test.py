@@ -27,6 +27,8 @@ class ResultFile(unittest.TestCase):
             run("sweep", "accuracy", "--out", "all.h5", folder=folder)
             run("run", "shearing", "--method", "mss-cf", "--solver", "verlet", "--duration",
                 ".01", "--history", "5", *small, folder=folder)
+            run("run", "shearing", "--method", "fem-hooke", "--linear-solver", "multigrid",
+                *small, folder=folder)
             run("stability", "compression", "--method", "mss-cf", "--over",
                 "deformation=5%,10%", *small, folder=folder)
             with h5py.File(pathlib.Path(folder) / "all.h5") as file:

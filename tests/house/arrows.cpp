@@ -93,7 +93,7 @@ Sources sources_below(const fs::path& root, const std::vector<Room>& rooms) {
        entry != fs::recursive_directory_iterator(); ++entry) {
     const std::string place = entry->path().lexically_relative(root).generic_string();
     if (place == "build" || place == "results" || place == ".git" ||
-        fs::exists(entry->path() / "CMakeCache.txt"))
+        place == "examples" || fs::exists(entry->path() / "CMakeCache.txt"))
       entry.disable_recursion_pending();
     if (!entry->is_regular_file() || !is_source(entry->path())) continue;
     sources.files.push_back(place);

@@ -31,7 +31,8 @@ struct Sources {
 };
 
 /// All C++ files below the root, those that are configured (.in) too, but for folders
-/// that git ignores: results, and where something is built.
+/// that git ignores (results, and where something is built) and the examples, which are
+/// programs of others: they see what is installed.
 Sources sources_below(const std::filesystem::path& root, const std::vector<Room>& rooms);
 
 /// What is wrong, a sentence each: a file that stands in no room, an include of a folder

@@ -1,0 +1,36 @@
+# What `cmake --install` puts in place, in two components: the program with the Python
+# module that reads its results, and for development the libraries that stand by
+# themselves, found by find_package(springcheck).
+include(GNUInstallDirs)
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # a package needs no test
+
+install(TARGETS springcheck COMPONENT program)
+set(SPRINGCHECK_PYTHON_DIR lib/python3/dist-packages CACHE STRING
+  "Where the Python module that reads results is installed; of Debian's /usr unless set")
+install(FILES reports/springcheck_results.py DESTINATION ${SPRINGCHECK_PYTHON_DIR}
+  COMPONENT program)
+install(FILES README.md NOTICE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  COMPONENT program)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+
+set(libraries meshing dynamics tissue mss fem_reference)
+foreach(room ${rooms_all})
+  string(REGEX REPLACE "_(files|gmsh|generators|blocks|marching|networks|forces|statics|\
+kernels|stability|motion|tissue|laws|cells|explicit)$" "" library ${room})
+  if(library IN_LIST libraries AND TARGET ${room})
+    list(APPEND installed ${room})
+  endif()
+endforeach()
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/springcheck)
+install(TARGETS ${installed} deal.II gmsh cholmod EXPORT springcheck
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/springcheck COMPONENT development)
+install(EXPORT springcheck NAMESPACE springcheck:: FILE springcheckTargets.cmake
+  DESTINATION ${package_folder} COMPONENT development)
+install(DIRECTORY ${libraries} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/springcheck
+  COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+
+include(CMakePackageConfigHelpers)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/springcheckConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES cmake/springcheckConfig.cmake ${CMAKE_BINARY_DIR}/springcheckConfigVersion.cmake
+  DESTINATION ${package_folder} COMPONENT development)
