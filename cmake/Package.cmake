@@ -15,6 +15,9 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "python3, python3-h5py, python3-jinja2, \
 python3-matplotlib, python3-meshio, python3-numpy, python3-pandas, python3-plotly")
+# Python's compiled files come and go with the package.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/postinst
+  ${PROJECT_SOURCE_DIR}/cmake/debian/prerm)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
 "Runs mass-spring models and finite elements on the same meshes, and reports
 how far they are apart: volume error, point deviation, plate force, torque.")

@@ -3,20 +3,28 @@
 # headers (api/index.html). Warnings, among them links to pages that there are not, end it.
 # Installs what is missing and builds the program, whose lists and help the site prints;
 # with SPRINGCHECK=PROGRAM in the environment it takes that one, and does neither.
-# Usage: bash scripts/docs.sh [--links]    (--links: looks up other sites' addresses too)
+# Usage: bash scripts/docs.sh [--links | --test]
+# --links: looks up other sites' addresses too. --test: builds the site as a test, beside
+# those that run what README and documentation tell their readers to type.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 builders=(html)
+what=site
 case "${1:-}" in
   "") ;;
   --links) builders+=(linkcheck) ;;
-  *) echo "usage: bash scripts/docs.sh [--links]" >&2; exit 2 ;;
+  --test) what=tests ;;
+  *) echo "usage: bash scripts/docs.sh [--links | --test]" >&2; exit 2 ;;
 esac
 if [ -z "${SPRINGCHECK:-}" ]; then
   bash scripts/build.sh
   bash scripts/install_packages.sh scripts/packages_for_docs.txt
   export SPRINGCHECK="$PWD/build/release/springcheck"
+fi
+if [ "$what" = tests ]; then
+  bash scripts/install_packages.sh scripts/packages_for_tests.txt
+  exec ctest --preset release --parallel "$(nproc)" --label-regex docs --label-exclude slow
 fi
 out=build/docs
 mkdir -p "$out"

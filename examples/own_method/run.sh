@@ -7,5 +7,6 @@ springcheck mesh uniaxial --out cube.inp
 /usr/bin/python3 mine.py
 springcheck measure uniaxial --deformation -10% --reference fem-hencky \
   --displacements mine.csv --forces forces.csv --label mine --out results.h5
-springcheck run uniaxial --deformation -10% --method mss-cf,fem-hencky --out results.h5
+springcheck run uniaxial --deformation -10% --reference fem-hencky --method mss-cf,fem-hencky \
+  --out results.h5
 springcheck gate mine.toml results.h5

@@ -2,7 +2,6 @@
 
     ```sh                    commands, run by bash in the page's own folder, in order
     ```{code-block} toml     a file that the reader saves, named by its :caption:
-    ```{literalinclude} ..   the same, a file of examples/
     ```text                  output of the commands before: its lines must be in it
 
 Marks are comments before a fence or a picture:
@@ -10,6 +9,7 @@ Marks are comments before a fence or a picture:
     <!-- exit status: 1 -->      how the commands end (0 unless marked)
     <!-- slow -->                minutes: run by the page's slow test alone
     <!-- run by: NAME -->        not run here but by that test
+    <!-- same as: FILE -->       the file that follows is this one of the repository
     <!-- picture of: FILE -->    the picture that follows is this file, made by the commands
 """
 
@@ -18,7 +18,7 @@ import pathlib
 import re
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-MARK = re.compile(r"<!-- (exit status|slow|run by|picture of)(?:: (.+?))? -->")
+MARK = re.compile(r"<!-- (exit status|slow|run by|picture of|same as)(?:: (.+?))? -->")
 
 
 @dataclasses.dataclass
@@ -63,12 +63,9 @@ def parts(page):
             body = lines[begin:number]
             number += 1
             file = ""
-            if opening[3] and opening[3].startswith("{literalinclude}"):
-                included = page.parent / opening[3].split()[1]
-                file, body = included.name, included.read_text().splitlines()
-            elif body and (caption := re.fullmatch(r":caption: (.+)", body[0])):
+            if body and (caption := re.fullmatch(r":caption: (.+)", body[0])):
                 file, body = caption[1], body[1:]
-            if file or not opening[3]:
+            if not opening[3]:
                 found.append(Fence(opening[2], "\n".join(body) + "\n", begin, file, marks))
             marks = {}
         elif image := re.search(r"!\[.*\]\((.+?)\)", line):

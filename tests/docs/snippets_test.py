@@ -48,6 +48,10 @@ class Reader:
         return f"{self.page.relative_to(ROOT)}:{part.line}"
 
     def save(self, fence):
+        if same := fence.marks.get("same as"):
+            if (ROOT / same).read_text() != fence.text:
+                raise AssertionError(f"{self.place(fence)}: expected the text of {same}, got "
+                                     f"another")
         file = self.folder / fence.file
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(fence.text)
