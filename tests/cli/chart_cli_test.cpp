@@ -100,7 +100,8 @@ BOOST_AUTO_TEST_CASE(advice_meets_the_tolerance_at_falling_cost) {
 }
 
 // Steps, precision and constants of its own would not be a chart's.
-BOOST_AUTO_TEST_CASE(a_scenes_own_way_to_be_simulated_is_not_a_charts) {
+BOOST_AUTO_TEST_CASE(a_scenes_own_way_to_be_simulated_is_not_a_charts,
+                     *boost::unit_test::label("slow")) {
   std::ofstream(folder / "own-way.toml")
       << "test = \"compression\"\nyoung = 10e3\nnu = 0.25\ndensity = 1000\n"
          "size = [0.05, 0.05, 0.05]\ncells = [3, 3, 3]\ndeformation = 0.05\n"
@@ -157,7 +158,8 @@ BOOST_AUTO_TEST_CASE(a_scene_of_the_users_own_is_not_lost) {
   BOOST_TEST(text_of(folder / "own.toml") == own);
 }
 
-BOOST_AUTO_TEST_CASE(without_a_truth_there_is_no_advice) {
+BOOST_AUTO_TEST_CASE(without_a_truth_there_is_no_advice,
+                     *boost::unit_test::label("slow")) {
   const Run run =
       run_springcheck("advise compression --tolerance 8% --deformation 95%" + quick);
   BOOST_TEST(run.status == 1, run.out + run.err);

@@ -218,7 +218,8 @@ BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_with_what_sets_it) {
 }
 
 // With the limit at rest kept, these end diverged by step 800 of 886 or before.
-BOOST_AUTO_TEST_CASE(an_open_step_follows_the_limit_near_nu_one_half) {
+BOOST_AUTO_TEST_CASE(an_open_step_follows_the_limit_near_nu_one_half,
+                     *boost::unit_test::label("slow")) {
   for (const char* run :
        {"run compression --method mss-cf --nu .49 --deformation 20% --duration .28 ",
         "run torsion --method fem-explicit-8p --nu .499 --deformation 90deg "

@@ -19,7 +19,8 @@ BOOST_AUTO_TEST_CASE(a_map_and_its_limits_are_printed) {
     BOOST_TEST(run.out.find(part) != std::string::npos, run.out);
 }
 
-BOOST_AUTO_TEST_CASE(settings_named_without_values_go_over_usual_ones) {
+BOOST_AUTO_TEST_CASE(settings_named_without_values_go_over_usual_ones,
+                     *boost::unit_test::label("slow")) {
   const Run run =
       run_springcheck(stability + "--method mss-nfd --over deformation,nu --format csv");
   BOOST_TEST(run.status == 0, run.err);

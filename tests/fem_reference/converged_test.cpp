@@ -63,7 +63,8 @@ BOOST_AUTO_TEST_CASE(volume_errors_in_compression_converge_to_the_stored_values)
 }
 
 // Bands: .05 % of the force.
-BOOST_AUTO_TEST_CASE(forces_and_torques_converge_to_the_stored_values) {
+BOOST_AUTO_TEST_CASE(forces_and_torques_converge_to_the_stored_values,
+                     *boost::unit_test::label("slow")) {
   const Vector3 sideways(0.20, 0, 0), none = Vector3::Zero();
   check(converged(spring_law, sideways, 0, force).value, 1.4336, 0.0007);
   check(converged(Law::hencky, sideways, 0, force).value, 1.2994, 0.0007);

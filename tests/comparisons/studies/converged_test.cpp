@@ -82,7 +82,8 @@ BOOST_AUTO_TEST_CASE(deviations_from_a_finer_grid_are_taken_at_the_shared_nodes)
 // the reference itself, which is known no better for that: less well than at the coarsest
 // grid's nodes, which are farther from the plates' edges. Between the finest grid's nodes
 // the bar of interpolation joins it, and covers what is seen there.
-BOOST_AUTO_TEST_CASE(on_other_cells_the_finest_grid_is_the_reference) {
+BOOST_AUTO_TEST_CASE(on_other_cells_the_finest_grid_is_the_reference,
+                     *boost::unit_test::label("slow")) {
   MeshStore meshes;
   const CaseSettings coarsest =
       requests(run_of("compression", {"method=fem-hencky", "deformation=.1",
