@@ -27,34 +27,34 @@ mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
 cp "$clone"/build/packages/*.deb "$root/tmp/"
 
-inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
+inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/srv LANG=C.UTF-8 \
   DEBIAN_FRONTEND=noninteractive ${http_proxy:+http_proxy="$http_proxy"} \
   ${https_proxy:+https_proxy="$https_proxy"} bash -euo pipefail -c "$1"; }
 files() { (cd "$root" && find usr etc opt var/lib -path var/lib/dpkg -prune -o \
   -path var/lib/apt -prune -o -print | grep -i springcheck || true); }
 
 inside "apt-get update -qq && apt-get install -y -qq --no-install-recommends /tmp/springcheck_*.deb"
-inside "springcheck --version && springcheck run compression --out /root/first.h5"
-inside "springcheck report /root/first.h5 --out /root/page && test -s /root/page/index.html"
-inside "cp -r /usr/share/doc/springcheck/examples /root/examples && cd /root/examples &&
+inside "springcheck --version && springcheck run compression --out /srv/first.h5"
+inside "springcheck report /srv/first.h5 --out /srv/page && test -s /srv/page/index.html"
+inside "cp -r /usr/share/doc/springcheck/examples /srv/examples && cd /srv/examples &&
   bash own_method/run.sh && bash gates/run.sh"
-mkdir -p "$root/root/pipeline/tools"
-cp "$clone"/examples/gates/*.toml "$root/root/pipeline/"
-cp "$root"/tmp/springcheck_*.deb "$root/root/pipeline/tools/springcheck.deb"
+mkdir -p "$root/srv/pipeline/tools"
+cp "$clone"/examples/gates/*.toml "$root/srv/pipeline/"
+cp "$root"/tmp/springcheck_*.deb "$root/srv/pipeline/tools/springcheck.deb"
 /usr/bin/python3 -c '
 import sys, yaml
 steps = yaml.safe_load(open(sys.argv[1]))["jobs"]["accuracy"]["steps"]
 print("\n".join(step["run"] for step in steps if "run" in step))
-' "$clone/examples/gates/pipeline.yml" >"$root/root/pipeline/steps.sh"
-inside "cd /root/pipeline && bash -euo pipefail steps.sh && test -s gates.xml"
-inside "python3 -c 'import springcheck_results as r; print(r.read(\"/root/first.h5\").cases.status)'"
+' "$clone/examples/gates/pipeline.yml" >"$root/srv/pipeline/steps.sh"
+inside "cd /srv/pipeline && bash -euo pipefail steps.sh && test -s gates.xml"
+inside "python3 -c 'import springcheck_results as r; print(r.read(\"/srv/first.h5\").cases.status)'"
 if [ "$what" = reproduce ]; then
-  inside "springcheck reproduce --out /root/results && test -s /root/results/index.html"
+  inside "springcheck reproduce --out /srv/results && test -s /srv/results/index.html"
 fi
 
 inside "apt-get install -y -qq --no-install-recommends cmake g++ make /tmp/libspringcheck-dev_*.deb"
-inside "cd /root/examples && cmake -S own_spring -B /root/own && cmake --build /root/own &&
-  /root/own/own_spring"
+inside "cd /srv/examples && cmake -S own_spring -B /srv/own && cmake --build /srv/own &&
+  /srv/own/own_spring"
 
 inside "apt-get purge -y -qq springcheck libspringcheck-dev"
 left=$(files)
