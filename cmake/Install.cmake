@@ -14,12 +14,8 @@ install(FILES README.md NOTICE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR}
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
 set(libraries meshing dynamics tissue mss fem_reference)
-foreach(room ${rooms_all})
-  string(REGEX REPLACE "_(files|gmsh|generators|blocks|marching|networks|forces|statics|\
-kernels|stability|motion|tissue|laws|cells|explicit)$" "" library ${room})
-  if(library IN_LIST libraries AND TARGET ${room})
-    list(APPEND installed ${room})
-  endif()
+foreach(library ${libraries})
+  list(APPEND installed ${rooms_in_${library}})
 endforeach()
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/springcheck)
 install(TARGETS ${installed} deal.II gmsh cholmod EXPORT springcheck

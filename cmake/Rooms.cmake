@@ -12,6 +12,8 @@ foreach(line ${rooms_lines})
   string(MAKE_C_IDENTIFIER ${folder} room)
   if(NOT folder MATCHES "^tests")
     list(APPEND rooms_all ${room})
+    string(REGEX REPLACE "/.*" "" top ${folder})
+    list(APPEND rooms_in_${top} ${room})  # mss: those of mss and of the folders in it
   endif()
   string(REPLACE "/" "_" sees "${sees}")
   separate_arguments(sees)

@@ -12,9 +12,9 @@ import pathlib
 import subprocess
 
 from docutils import nodes
-from docutils.parsers.rst import Directive
 from docutils.statemachine import StringList
 from sphinx.errors import ExtensionError
+from sphinx.util.docutils import SphinxDirective
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("SPRINGCHECK", str(ROOT / "build/release/springcheck"))
@@ -50,14 +50,14 @@ def table_of(kind):
     """Lines of Markdown."""
     entries = json.loads(asked("list", kind, "--json"))[kind]
     first = next(iter(entries.values()))
-    has = lambda field: isinstance(first, dict) and field in first
-    heads = ([("letter")] if has("letter") else []) + [HEADS[kind]]
-    heads += (["unit"] if has("unit") else []) + ["meaning"]
+    has_letter = isinstance(first, dict) and "letter" in first
+    has_unit = isinstance(first, dict) and "unit" in first
+    heads = ["letter"] * has_letter + [HEADS[kind]] + ["unit"] * has_unit + ["meaning"]
     lines = [f"| {' | '.join(heads)} |", "|" + " --- |" * len(heads)]
     for name, entry in entries.items():
-        row = [f"`{entry['letter']}`"] if has("letter") else []
+        row = [f"`{entry['letter']}`"] if has_letter else []
         row.append(f'<span id="{anchor(kind, name)}"></span>`{name}`')
-        if has("unit"):
+        if has_unit:
             row.append(cell(entry["unit"]))
         text = cell(entry["description"] if isinstance(entry, dict) else entry)
         if isinstance(entry, dict) and entry.get("option") is False:
@@ -66,10 +66,11 @@ def table_of(kind):
     return lines
 
 
-class ProgramList(Directive):
+class ProgramList(SphinxDirective):
     required_arguments = 1
 
     def run(self):
+        self.env.note_reread()  # the program may have changed, though the page did not
         kind = self.arguments[0]
         if kind not in HEADS:
             raise self.error(f"expected one of {', '.join(HEADS)}, got '{kind}'")
@@ -78,10 +79,11 @@ class ProgramList(Directive):
         return [node]
 
 
-class ProgramHelp(Directive):
+class ProgramHelp(SphinxDirective):
     optional_arguments = 1
 
     def run(self):
+        self.env.note_reread()
         text = asked(*self.arguments, "--help").replace(PROGRAM, "springcheck")
         return [nodes.literal_block(text, text, language="text")]
 
@@ -89,5 +91,4 @@ class ProgramHelp(Directive):
 def setup(app):
     app.add_directive("program-list", ProgramList)
     app.add_directive("program-help", ProgramHelp)
-    # What the program says is no file: read the pages again each time.
-    return {"version": "1", "env_version": 1, "parallel_read_safe": True}
+    return {"version": "1", "parallel_read_safe": True}
