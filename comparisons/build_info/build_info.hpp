@@ -3,7 +3,7 @@
 namespace springcheck::build_info {
 
 /// What the program was built of; written by BuildInfo.cmake at every build.
-extern const char* const version;  // "0.1.0"
+extern const char* const version;  // "1.2.3"
 extern const char* const commit;   // abbreviated, "-dirty" with uncommitted changes
 extern const char* const compiler;
 extern const char* const deal_ii_version;

@@ -1,7 +1,6 @@
 #include "comparisons/settings/body_settings.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "comparisons/settings/setting_values.hpp"
 #include "meshing/input_error.hpp"
@@ -29,27 +28,14 @@ BodyShape shape_of(const Given& given) {
   given.refuse("one of block, kidney, disc; a mesh of your own is given by 'mesh'");
 }
 
-/// The file a setting stands in, or that it is an option.
-std::string source_of(const Given& given) {
-  const std::string& place = given.place();
-  return place.starts_with("--") ? "--" : place.substr(0, place.find(':'));
-}
-
-/// The path; a relative one of a file stands beside that file.
-std::string path_of(const Given& given) {
-  const std::string source = source_of(given);
-  if (source == "--") return given.text();
-  return std::filesystem::path(source).parent_path() / given.text();
-}
-
 /// A mesh stands in place of a block that a scene file describes; a block's settings
 /// beside it, or given as options over it, are a contradiction.
 void check_mesh_alone(const Settings& settings, const Given& mesh) {
   for (const char* key : {"size", "cells", "cell-type", "distortion", "body"})
     if (const auto found = settings.find(std::string_view(key));
         found != settings.end()) {
-      const std::string source = source_of(found->second);
-      if (source == source_of(mesh) || source == "--")
+      const std::string source = found->second.source();
+      if (source == mesh.source() || source == "--")
         throw InputError(found->second.place(), "",
                          "nothing of a block beside mesh '" + mesh.text() + "'",
                          "a value");
@@ -101,7 +87,7 @@ Body body_of(const Settings& settings, const std::string& file, Test test) {
   if (const auto mesh = settings.find(std::string_view("mesh")); mesh != settings.end()) {
     check_mesh_alone(settings, mesh->second);
     body.shape = BodyShape::file;
-    body.file = path_of(mesh->second);
+    body.file = mesh->second.path();
     body.unit = value_or(settings, "mesh-unit", mesh_units().front(), unit_of);
     body.fixed = value_or(settings, "fixed", body.fixed, &Given::text);
     body.moved = value_or(settings, "moved", body.moved, &Given::text);

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include "meshing/input_error.hpp"
@@ -123,6 +124,15 @@ std::string Given::text() const {
   const auto* value = std::get_if<std::string>(&single("text"));
   if (value == nullptr) refuse("text");
   return *value;
+}
+
+std::string Given::source() const {
+  return place_.starts_with("--") ? "--" : place_.substr(0, place_.find(':'));
+}
+
+std::string Given::path() const {
+  if (source() == "--") return text();
+  return std::filesystem::path(source()).parent_path() / text();
 }
 
 std::vector<std::string> Given::texts() const {

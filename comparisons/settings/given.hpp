@@ -32,12 +32,16 @@ class Given {
 
   [[nodiscard]] const std::string& place() const { return place_; }
 
+  /// The file that it stands in, or "--" of an option.
+  [[nodiscard]] std::string source() const;
+
   [[nodiscard]] double finite_number() const;
   [[nodiscard]] double positive_number() const;
   [[nodiscard]] std::int64_t integer() const;
   [[nodiscard]] bool truth() const;
   [[nodiscard]] bool is_text() const;
   [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string path() const;  // a relative one of a file stands beside it
   [[nodiscard]] std::vector<std::string> texts() const;  // at least one
   [[nodiscard]] std::string joined() const;              // a list's with commas
   [[nodiscard]] std::string toml() const;                // as a scene file writes it

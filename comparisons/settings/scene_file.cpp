@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "comparisons/settings/toml_values.hpp"
 #include "comparisons/shipped/shipped.hpp"
@@ -21,7 +22,7 @@ bool is_known(std::string_view key) {
          std::ranges::any_of(scene_only_keys(), is_key);
 }
 
-std::vector<GivenSetting> parse(const TomlFile& scene) {
+SceneFile scene_of(const TomlFile& scene) {
   const toml::table table = parse_toml(scene.text, scene.file);
   if (table.empty())
     throw InputError(scene.file + ":1:1", "", "settings", "an empty scene");
@@ -32,14 +33,17 @@ std::vector<GivenSetting> parse(const TomlFile& scene) {
                        fmt::format("unknown key '{}'", key.str()));
     settings.push_back({std::string(key.str()), given(node, scene.file, key.str())});
   }
-  return settings;
+  return {.name = scene.name, .file = scene.file, .settings = std::move(settings)};
 }
 
 }  // namespace
 
 SceneFile read_scene(const std::string& name_or_path) {
-  const TomlFile scene = toml_file(name_or_path, "scene", shipped_scenes());
-  return {.name = scene.name, .file = scene.file, .settings = parse(scene)};
+  return scene_of(toml_file(name_or_path, "scene", shipped_scenes()));
+}
+
+SceneFile read_scene(const Given& name_or_path) {
+  return scene_of(toml_file(name_or_path, "scene", shipped_scenes()));
 }
 
 RunSettings read_run(const std::string& scene, const std::vector<GivenSetting>& options) {

@@ -20,6 +20,10 @@ struct SceneFile {
 /// InputError with file, line and column.
 SceneFile read_scene(const std::string& name_or_path);
 
+/// The same of a scene that a file names: a relative path stands beside that file, and
+/// messages say where it is named.
+SceneFile read_scene(const Given& name_or_path);
+
 /// The run of that scene with options, which replace its settings. Throws InputError.
 RunSettings read_run(const std::string& scene, const std::vector<GivenSetting>& options);
 

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "comparisons/settings/utf8.hpp"
@@ -41,6 +42,23 @@ std::string written(const toml::node& node) {
   return text.str();
 }
 
+std::optional<TomlFile> shipped_file(const std::string& name,
+                                     const std::vector<ShippedFile>& shipped) {
+  for (const ShippedFile& one : shipped)
+    if (std::filesystem::path(one.name).stem() == name)
+      return TomlFile{
+          .name = name, .file = std::string(one.name), .text = std::string(one.text)};
+  return std::nullopt;
+}
+
+std::string names_or_path(const std::vector<ShippedFile>& shipped) {
+  std::string names;
+  for (const ShippedFile& one : shipped)
+    names +=
+        (names.empty() ? "" : ", ") + std::filesystem::path(one.name).stem().string();
+  return "one of " + names + ", or a path to a .toml file";
+}
+
 }  // namespace
 
 bool is_toml_path(const std::string& name_or_path) {
@@ -56,15 +74,20 @@ TomlFile toml_file(const std::string& name_or_path, const std::string& kind,
     return {.name = std::filesystem::path(name_or_path).stem().string(),
             .file = name_or_path,
             .text = text_of_file(name_or_path, kind)};
-  std::string names;
-  for (const ShippedFile& one : shipped) {
-    const std::string name = std::filesystem::path(one.name).stem().string();
-    if (name == name_or_path)
-      return {.name = name, .file = std::string(one.name), .text = std::string(one.text)};
-    names += (names.empty() ? "" : ", ") + name;
+  if (auto file = shipped_file(name_or_path, shipped)) return *std::move(file);
+  throw InputError(kind, "", names_or_path(shipped), "'" + name_or_path + "'");
+}
+
+TomlFile toml_file(const Given& name_or_path, const std::string& kind,
+                   const std::vector<ShippedFile>& shipped) {
+  const std::string name = name_or_path.text();
+  if (is_toml_path(name)) {
+    if (!std::ifstream(name_or_path.path()))
+      name_or_path.refuse("a readable " + kind + " file");
+    return toml_file(name_or_path.path(), kind, shipped);
   }
-  throw InputError(kind, "", "one of " + names + ", or a path to a .toml file",
-                   "'" + name_or_path + "'");
+  if (auto file = shipped_file(name, shipped)) return *std::move(file);
+  name_or_path.refuse(names_or_path(shipped));
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file) {

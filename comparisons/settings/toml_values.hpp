@@ -24,6 +24,11 @@ struct TomlFile {
 TomlFile toml_file(const std::string& name_or_path, const std::string& kind,
                    const std::vector<ShippedFile>& shipped);
 
+/// The same of a file that another names: a relative path stands beside that one, and
+/// messages say where it is named.
+TomlFile toml_file(const Given& name_or_path, const std::string& kind,
+                   const std::vector<ShippedFile>& shipped);
+
 /// Whether toml_file takes the name for a path.
 bool is_toml_path(const std::string& name_or_path);
 

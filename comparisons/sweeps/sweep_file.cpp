@@ -152,7 +152,7 @@ class Scenes {
  public:
   const SceneFile& operator()(const Given& name) {
     const auto [place, is_new] = scenes_.try_emplace(name.text());
-    if (is_new) place->second = read_scene(name.text());
+    if (is_new) place->second = read_scene(name);
     return place->second;
   }
 

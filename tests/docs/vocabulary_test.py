@@ -141,6 +141,13 @@ class Vocabulary(unittest.TestCase):
     def test_readme_is_one_page(self):
         self.assertLessEqual(len((ROOT / "README.md").read_text().splitlines()), 150)
 
+    def test_changelog_and_citation_are_of_this_version(self):
+        version = printed("--version").split()[1]
+        self.assertIn(f"\nversion: {version}\n", (ROOT / "CITATION.cff").read_text())
+        released = re.findall(r"^## \[(\d.*)\] - \d{4}-\d\d-\d\d$",
+                              (ROOT / "CHANGELOG.md").read_text(), re.M)
+        self.assertEqual(released[0], version)
+
     def test_every_page_is_reached(self):
         for index in (ROOT / "docs").rglob("index.md"):
             for page in index.parent.glob("*.md"):

@@ -128,6 +128,10 @@ const std::vector<Bad> bad_sweeps{
     {"scene = 'compression'\ncases = 3\n",
      "sweep.toml:2:9: cases: expected tables, [[cases]], got others"},
     {"fields = 1\nscene = 'compression'\n", "sweep.toml:1:10: fields: expected"},
+    {"scene = ['compression', 'compresion']\n",
+     "sweep.toml:1:25: scene: expected one of affine"},
+    {"scene = 'scenes/none.toml'\n",
+     "sweep.toml:1:9: scene: expected a readable scene file, got 'scenes/none.toml'"},
     {"scene = 'compression'\nreference = 'fem-hookee'\n", "sweep.toml:2:13: reference"}};
 
 }  // namespace
@@ -136,6 +140,21 @@ BOOST_DATA_TEST_CASE(a_bad_sweep_is_refused_with_line_and_column,
                      data::make(bad_sweeps)) {
   BOOST_TEST(message_of(sample.text).starts_with(sample.message),
              message_of(sample.text));
+}
+
+BOOST_AUTO_TEST_CASE(scenes_and_meshes_stand_beside_the_sweep) {
+  const OwnFolder own;
+  const fs::path folder = own.path / "below";
+  fs::create_directories(folder / "scenes");
+  std::ofstream(folder / "scenes" / "mine.toml")
+      << "test = 'compression'\nmethod = 'mss-cf'\nmesh = 'mine.msh'\nyoung = 1e4\n"
+         "nu = 0.25\ndeformation = '5%'\n";
+  std::ofstream(folder / "sweep.toml") << "scene = 'scenes/mine.toml'\n";
+  const Sweep sweep = read_sweep((folder / "sweep.toml").string(), 10);
+  BOOST_TEST(sweep.requests.size() == 1U);
+  const CaseSettings& settings = sweep.requests.front().settings;
+  BOOST_TEST(settings.scene == "mine");
+  BOOST_TEST(settings.body.file == (folder / "scenes" / "mine.msh").string());
 }
 
 BOOST_AUTO_TEST_CASE(large_products_need_to_be_meant) {
