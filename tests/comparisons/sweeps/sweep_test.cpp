@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(scenes_and_meshes_stand_beside_the_sweep) {
   fs::create_directories(folder / "scenes");
   std::ofstream(folder / "scenes" / "mine.toml")
       << "test = 'compression'\nmethod = 'mss-cf'\nmesh = 'mine.msh'\nyoung = 1e4\n"
-         "nu = 0.25\ndeformation = '5%'\n";
+         "nu = 0.25\ndensity = 1000\ndeformation = '5%'\n";
   std::ofstream(folder / "sweep.toml") << "scene = 'scenes/mine.toml'\n";
   const Sweep sweep = read_sweep((folder / "sweep.toml").string(), 10);
   BOOST_TEST(sweep.requests.size() == 1U);
