@@ -29,10 +29,14 @@ fi
 out=build/docs
 mkdir -p "$out"
 find "$out" -mindepth 1 -maxdepth 1 ! -name _images -exec rm -rf {} +  # formulas stay
-doxygen docs/Doxyfile &
+doxygen docs/Doxyfile 2>build/docs-headers.txt &
 headers=$!
 for builder in "${builders[@]}"; do
   sphinx-build -q -W --keep-going -n -b "$builder" -d build/docs-pages docs "$out"
 done
-wait "$headers"
+wait "$headers" || headers=failed
+if [ "$headers" = failed ] || [ -s build/docs-headers.txt ]; then  # errors leave its status 0
+  cat build/docs-headers.txt >&2
+  exit 1
+fi
 echo "$out/index.html"
