@@ -11,6 +11,9 @@ install(FILES reports/springcheck_results.py DESTINATION ${SPRINGCHECK_PYTHON_DI
   COMPONENT program)
 install(FILES README.md NOTICE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR}
   COMPONENT program)
+install(DIRECTORY comparisons/shipped/scenes comparisons/shipped/sweeps
+  comparisons/shipped/gates DESTINATION ${CMAKE_INSTALL_DATADIR}/springcheck
+  COMPONENT program)  # to be read: the program holds them itself
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
 set(libraries meshing dynamics tissue mss fem_reference)

@@ -200,7 +200,10 @@ const Region& Mesh::region(const std::string& name) const {
   if (found == regions_.end()) {
     std::vector<std::string_view> names;
     for (const auto& [known, region] : regions_) names.push_back(known);
-    throw InputError(source_, "region", fmt::format("one of {}", fmt::join(names, ", ")),
+    throw InputError(source_, "region",
+                     names.empty()
+                         ? "a surface that is named (by a physical group of gmsh)"
+                         : fmt::format("one of {}", fmt::join(names, ", ")),
                      fmt::format("'{}'", name));
   }
   return found->second;

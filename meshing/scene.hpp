@@ -75,7 +75,8 @@ struct Scene {
   Vector3 gravity;  // [m/s^2], applied in proportion to the load fraction
 };
 
-/// How a solver ended. The meaning of each is fixed by the command-line interface.
+/// How a solver ended. Whether a state wrinkles no solver judges: `springcheck run` does,
+/// by measures of the solution, and tells `wrinkled` where this is ok.
 enum class SolveStatus {
   ok,              // equilibrium, tangent positive definite
   indefinite,      // equilibrium, tangent not positive definite
@@ -111,7 +112,8 @@ struct Solution {
   // [s] before the first load step: network or discretisation, patterns of matrices, and
   // through time the first look at the stability limit
   double setup_wall_s = 0;
-  // [m^3] deformed, of each cell; empty where the field in a cell is trilinear:
+  // [m^3] deformed, of each cell; empty where the field in a cell is trilinear: then
+  // cell_volumes() of meshing/cell_geometry.hpp at the deformed positions:
   std::vector<double> cell_volumes{};
   // [-] of each cell, l/L - 1 of its most strained spring; empty for methods without
   // springs:

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "meshing/input_error.hpp"
 #include "meshing/traction.hpp"
 
@@ -19,6 +22,16 @@ Vector3 area_centre(const Mesh& mesh, const std::string& region) {
     area += areas[n];
   }
   return sum / area;
+}
+
+/// Of a region's nodes, along z [m].
+double height_of(const Mesh& mesh, const std::string& region) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const NodeIndex node : mesh.region(region).nodes) {
+    low = std::min(low, mesh.nodes()[node].z());
+    high = std::max(high, mesh.nodes()[node].z());
+  }
+  return high - low;
 }
 
 /// Centre and distance of a body's plates.
@@ -43,6 +56,16 @@ PlateGeometry plate_geometry(const CaseSettings& settings, const Mesh& mesh) {
     throw InputError(mesh.source(), fmt::format("region '{}'", body.moved),
                      fmt::format("a plate above '{}', along z", body.fixed),
                      fmt::format("one {:.3g} m below it", -distance));
+  // Plates beside each other, of a body that lies along x or y:
+  constexpr double least_ratio = 0.1;
+  const double height =
+      std::max(height_of(mesh, body.moved), height_of(mesh, body.fixed));
+  if (distance < least_ratio * height)
+    throw InputError(mesh.source(), fmt::format("region '{}'", body.moved),
+                     fmt::format("a plate above '{}', along z", body.fixed),
+                     fmt::format("one {:.3g} m above it that is {:.3g} m high itself: "
+                                 "the body's axis is not z",
+                                 distance, height));
   return {.centre = upper, .distance = distance};
 }
 

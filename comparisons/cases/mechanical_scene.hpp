@@ -25,7 +25,7 @@ namespace springcheck {
 /// bodies those of the regions' area-weighted centres.
 ///
 /// Throws InputError where the mesh lacks a plate's region, or the moved plate is not
-/// above the fixed one.
+/// above the fixed one: a tenth of a plate's own height along z at least.
 Scene mechanical_scene(const CaseSettings& settings, const Mesh& mesh);
 
 }  // namespace springcheck

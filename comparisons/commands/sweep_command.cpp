@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdio>
 #include <map>
 #include <set>
 
@@ -120,9 +121,13 @@ ExitStatus sweep_command(const std::string& name_or_path,
       missing_of(wanted, results.stored(), sweep, options);
   fmt::print("{}: {} cases, {} of them to compute\n", sweep.name, wanted.keys.size(),
              missing.size());
-  const std::map<Status, int> count =
+  std::fflush(stdout);  // into a pipe, too, whatever becomes of what follows
+  const SweepOutcome outcome =
       run_into(results, missing, sweep.with_fields, meshes, options.jobs, {});
-  if (!count.empty()) fmt::print("computed: {}\n", counts(count));
+  if (!outcome.count.empty()) fmt::print("computed: {}\n", counts(outcome.count));
+  for (const auto& [reason, cases] : outcome.reasons)
+    fmt::print("  {} {}, {}: {}\n", cases, name_of(reason.status), reason.method,
+               reason.words);
   if (sweep.with_fields && !missing.empty()) write_xdmf_beside(file);
   return ExitStatus::done;
 }

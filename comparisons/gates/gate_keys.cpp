@@ -14,8 +14,8 @@ const std::vector<Described>& gate_keys() {
        "vector as force.z, of a matrix as mean_stress.xy; or status"},
       {"reason", "one line that says why the band is so wide"},
       {"expect",
-       "status, or a list of them, that the case must have (default \"ok\"); without a "
-       "measure, this is the gate"},
+       "status, or a list of them, that the case must have (default \"ok\"); where it is "
+       "given without a measure, it is the gate"},
       {"equals",
        "stored value, with absolute or relative half width; of both, the larger"},
       {"absolute", "half width of the band, in the unit of the measure"},

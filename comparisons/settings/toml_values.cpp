@@ -83,7 +83,8 @@ TomlFile toml_file(const Given& name_or_path, const std::string& kind,
   const std::string name = name_or_path.text();
   if (is_toml_path(name)) {
     if (!std::ifstream(name_or_path.path()))
-      name_or_path.refuse("a readable " + kind + " file");
+      throw InputError(name_or_path.place(), "", "a readable " + kind + " file",
+                       "'" + name_or_path.path() + "': " + std::strerror(errno));
     return toml_file(name_or_path.path(), kind, shipped);
   }
   if (auto file = shipped_file(name, shipped)) return *std::move(file);

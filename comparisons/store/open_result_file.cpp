@@ -1,6 +1,7 @@
 #include "comparisons/store/open_result_file.hpp"
 
 #include <fmt/format.h>
+#include <hdf5.h>
 
 #include <chrono>
 #include <exception>
@@ -56,8 +57,10 @@ void refuse_as_unreadable(const std::filesystem::path& file) {
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
-    throw InputError(file.string(), "", "a readable springcheck result file",
-                     error.what());
+    const bool is_hdf5 = H5Fis_hdf5(file.c_str()) > 0;
+    throw InputError(
+        file.string(), "", "a readable springcheck result file",
+        is_hdf5 ? error.what() : "what is no HDF5 file, or one that was cut off");
   }
 }
 

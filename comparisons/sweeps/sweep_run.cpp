@@ -5,21 +5,24 @@
 
 namespace springcheck {
 
-std::map<Status, int> run_into(ResultFile& file, const std::vector<Request>& requests,
-                               bool with_fields, MeshStore& meshes, int parallel,
-                               const KnownResult& known) {
-  std::map<Status, int> count;
+SweepOutcome run_into(ResultFile& file, const std::vector<Request>& requests,
+                      bool with_fields, MeshStore& meshes, int parallel,
+                      const KnownResult& known) {
+  SweepOutcome outcome;
   Progress progress("simulations");
   ResultWriter writer(file, with_fields, meshes);
   run_study(
       requests, meshes, parallel,
       [&](std::size_t done, std::size_t of) { progress.show(done, of); }, known,
       [&](std::size_t, CaseResult&& result) {
-        ++count[result.status];
+        ++outcome.count[result.status];
+        if (!result.reason.empty())
+          ++outcome
+                .reasons[{result.status, label(result.request.settings), result.reason}];
         writer.put(std::move(result));
       });
   writer.finish();
-  return count;
+  return outcome;
 }
 
 }  // namespace springcheck

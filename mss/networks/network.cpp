@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <tuple>
 
 #include "meshing/cell_geometry.hpp"
@@ -13,6 +14,12 @@
 
 namespace springcheck::mss {
 namespace {
+
+const LatticeConstants& constants_of(const NetworkSettings& settings) {
+  if (!settings.constants)
+    throw std::invalid_argument("mss: method custom needs NetworkSettings::constants");
+  return *settings.constants;
+}
 
 double volume_modulus(const Material& material, const NetworkSettings& settings) {
   switch (settings.method) {
@@ -26,7 +33,7 @@ double volume_modulus(const Material& material, const NetworkSettings& settings)
                  ? volume_correction_modulus(material)
                  : 0;
     case Method::custom:
-      return settings.constants.value().volume_modulus;
+      return constants_of(settings).volume_modulus;
     case Method::baudet:
     case Method::fd:
       return 0;
@@ -42,7 +49,7 @@ double spring_modulus(const Material& material, StiffnessForm form) {
 
 LatticeStiffness cube_stiffness(const Material& material, double cell_edge,
                                 const NetworkSettings& settings) {
-  if (settings.method == Method::custom) return settings.constants.value().stiffness;
+  if (settings.method == Method::custom) return constants_of(settings).stiffness;
   if (settings.method == Method::baudet)
     return baudet_stiffness(material.young_modulus, material.poisson_ratio, cell_edge);
   const double A = settings.method == Method::nfd ? 0 : settings.diagonal_ratio;

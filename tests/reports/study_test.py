@@ -9,7 +9,7 @@ sys.path[:0] = [str(REPORTS), str(REPORTS / "springcheck_report")]
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 import study as study_module  # noqa: E402
-from sections.failures import failing_sentences  # noqa: E402
+from sections.failures import failing_sentences, failures  # noqa: E402
 from sections.summary import _force  # noqa: E402
 from sections.thesis_tables import relative_size  # noqa: E402
 
@@ -37,6 +37,14 @@ def cases_of(*rows):
 
 def fem(law, element, **further):
     return {"method": f"fem-{law}", "element": element, **further}
+
+
+class Failures(unittest.TestCase):
+    def test_failed_cases_on_users_meshes_alone_have_a_section(self):
+        failed = {"body": "file", "cell-type": None, "status": "refused"}
+        study = Stub(cases_of(failed, {**failed, "nu": 0.3}, {"body": "file", "cell-type": None}))
+        study.atlas = {}
+        self.assertGreater(len(failures(study).blocks), 1)
 
 
 class Counterparts(unittest.TestCase):

@@ -109,6 +109,24 @@ BOOST_AUTO_TEST_CASE(a_plate_that_is_missing_or_upside_down_is_refused) {
       });
 }
 
+BOOST_AUTO_TEST_CASE(plates_beside_each_other_are_refused) {
+  const OwnFolder folder;
+  const Mesh mesh = generate_block({.size = {0.05, 0.02, 0.03}, .cells = {2, 2, 2}});
+  const std::map<std::string, std::vector<FaceNodes>> regions{
+      {"bottom", mesh.region("x_min").faces}, {"top", mesh.region("x_max").faces}};
+  std::vector<Vector3> nodes = mesh.nodes();
+  for (Vector3& x : nodes) x.z() += 1e-6 * x.x();  // the one is a little higher
+  const std::string file = (folder.path / "lying.msh").string();
+  write_mesh(Mesh("lying", nodes, mesh.cells(), regions), file);
+  const CaseSettings settings = case_of("compression", {"mesh=" + file});
+  BOOST_CHECK_EXCEPTION(
+      mechanical_scene(settings, build_mesh(settings.body)), InputError,
+      [](const InputError& error) {
+        return std::string(error.what()).find("the body's axis is not z") !=
+               std::string::npos;
+      });
+}
+
 BOOST_AUTO_TEST_CASE(what_does_not_go_with_a_mesh_is_refused) {
   BOOST_TEST(message_of("compression", {"mesh=a.msh", "cells=2,2,2"})
                  .starts_with("--cells: expected nothing of a block beside mesh"));

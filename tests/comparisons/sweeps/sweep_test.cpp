@@ -9,6 +9,7 @@
 #include "comparisons/running/cost.hpp"
 #include "comparisons/shipped/shipped.hpp"
 #include "comparisons/sweeps/sweep_file.hpp"
+#include "comparisons/sweeps/sweep_run.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/own_folder.hpp"
 #include "tests/comparisons/settings.hpp"
@@ -131,7 +132,7 @@ const std::vector<Bad> bad_sweeps{
     {"scene = ['compression', 'compresion']\n",
      "sweep.toml:1:25: scene: expected one of affine"},
     {"scene = 'scenes/none.toml'\n",
-     "sweep.toml:1:9: scene: expected a readable scene file, got 'scenes/none.toml'"},
+     "sweep.toml:1:9: scene: expected a readable scene file, got '"},
     {"scene = 'compression'\nreference = 'fem-hookee'\n", "sweep.toml:2:13: reference"}};
 
 }  // namespace
@@ -175,6 +176,22 @@ BOOST_AUTO_TEST_CASE(shipped_sweeps_can_be_read) {
   for (const char* name : {"nu", "refinement", "diagonal-ratio", "deformation"})
     BOOST_TEST(names.contains(name), name);
   BOOST_TEST(read_sweep("nu", 1000).requests.size() == 330U);
+}
+
+BOOST_AUTO_TEST_CASE(what_was_refused_is_told_with_its_reason) {
+  const OwnFolder own;
+  MeshStore meshes;
+  ResultFile file(own.path / "refused.h5");
+  const SweepOutcome outcome = run_into(
+      file,
+      sweep_of("scene = 'compression'\nmethod = ['mss-affine', 'mss-nfd']\ncells = "
+               "[1, 1, 2]\n")
+          .requests,
+      false, meshes, 1, {});
+  BOOST_TEST(outcome.count.at(Status::refused) == 1);
+  BOOST_REQUIRE(outcome.reasons.size() == 1U);
+  BOOST_TEST(outcome.reasons.begin()->first.method == "mss-nfd");
+  BOOST_TEST(!outcome.reasons.begin()->first.words.empty());
 }
 
 BOOST_AUTO_TEST_CASE(shards_are_disjoint_and_whole) {

@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(sound_text_is_not_refused) {
 
 BOOST_AUTO_TEST_CASE(what_is_no_file_to_read_is_refused) {
   BOOST_TEST(refusal(directory / "none.msh") ==
-             ": expected a gmsh file that can be read, got none");
+             ": expected a gmsh file that can be read, got no such file");
   BOOST_TEST(refusal(directory / "") ==
              ": expected a gmsh file that can be read, got a directory");
   BOOST_TEST(refusal("/dev/zero") ==

@@ -142,6 +142,19 @@ BOOST_AUTO_TEST_CASE(custom_lattice_has_the_tensor_of_its_own_constants,
   BOOST_TEST(C[0][1][0][1] == 6 / 0.005);
 }
 
+BOOST_AUTO_TEST_CASE(custom_without_constants_is_named) {
+  BOOST_CHECK_EXCEPTION(
+      build_network(cube(1, 0.005), quarter, {.method = Method::custom}),
+      std::invalid_argument, [](const std::invalid_argument& error) {
+        return std::string(error.what()).find("constants") != std::string::npos;
+      });
+}
+
+// As the command line has it.
+BOOST_AUTO_TEST_CASE(a_method_alone_has_a_diagonal_ratio_of_1) {
+  BOOST_TEST(NetworkSettings{.method = Method::cf}.diagonal_ratio == 1);
+}
+
 // Whatever material stands beside. Cells' volumes, hence mss-cf's h, differ by round-off.
 BOOST_AUTO_TEST_CASE(custom_with_the_constants_of_cf_is_cf) {
   const Mesh mesh = notched_block(0.005);
