@@ -14,6 +14,7 @@ namespace springcheck {
 /// be the name of a command-line option.
 class InputError : public std::runtime_error {
  public:
+  explicit InputError(const std::string& message) : std::runtime_error(message) {}
   InputError(std::string_view file, std::string_view entity, std::string_view expected,
              std::string_view got)
       : std::runtime_error(std::string(file) + ": " +

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "comparisons/cases/body.hpp"
 #include "comparisons/cases/methods.hpp"
@@ -54,6 +56,14 @@ struct Dynamics {
   std::optional<Oscillation> oscillation{};  // whose path the load is
 };
 
+/// Of finite elements.
+struct ElementSettings {
+  ElementName element;
+  fem_reference::LinearSolver linear_solver;
+  LatticeName lattice;  // of fem-cauchy-born
+  fem_reference::LatticeDirection lattice_direction;
+};
+
 /// Of methods of tissue.
 struct Tissue {
   tissue::BipowerLaw law;
@@ -61,21 +71,64 @@ struct Tissue {
   int steps;  // of the quasi-static solver, on each straight piece of the load
 };
 
-const std::vector<Test>& all_tests();
-
 /// Whether the body stands on a plate; whether there is one on it that is moved or
 /// loaded.
 bool has_lower_plate(Test test);
 bool has_upper_plate(Test test);
 
-std::string_view name_of(Test test);
-std::string_view name_of(PlateContact contact);
-std::string_view name_of(Solver solver);
-std::string_view name_of(mss::Precision precision);
-std::string_view name_of(mss::StiffnessForm form);
-std::string_view name_of(mss::VolumeCorrection correction);
-std::string_view name_of(fem_reference::LatticeDirection direction);
-std::string_view name_of(fem_reference::LinearSolver solver);
+/// A value of an enumeration by its name on the command line and in files.
+template <class Value>
+struct Named {
+  Value value;
+  std::string_view name;
+};
+
+/// Those of an enumeration, in the order in which messages list them.
+template <class Value>
+inline constexpr std::array<Named<Value>, 0> value_names{};
+template <>
+inline constexpr std::array value_names<Test>{
+    Named{Test::compression, "compression"}, Named{Test::tension, "tension"},
+    Named{Test::shearing, "shearing"},       Named{Test::torsion, "torsion"},
+    Named{Test::bending, "bending"},         Named{Test::uniaxial, "uniaxial"},
+    Named{Test::traction, "traction"},       Named{Test::affine, "affine"}};
+template <>
+inline constexpr std::array value_names<PlateContact>{
+    Named{PlateContact::glued, "glued"}, Named{PlateContact::sliding, "sliding"}};
+template <>
+inline constexpr std::array value_names<Solver>{
+    Named{Solver::static_equilibrium, "static"},
+    Named{Solver::path_limit, "limit"},
+    Named{Solver::explicit_euler, "explicit"},
+    Named{Solver::semi_implicit_euler, "semi-implicit"},
+    Named{Solver::verlet, "verlet"},
+    Named{Solver::implicit_euler, "implicit"}};
+template <>
+inline constexpr std::array value_names<mss::Precision>{
+    Named{mss::Precision::double_precision, "double"},
+    Named{mss::Precision::single_precision, "float"}};
+template <>
+inline constexpr std::array value_names<mss::StiffnessForm>{
+    Named{mss::StiffnessForm::shear_modulus, "mu"},
+    Named{mss::StiffnessForm::young_modulus, "E"}};
+template <>
+inline constexpr std::array value_names<mss::VolumeCorrection>{
+    Named{mss::VolumeCorrection::on, "on"}, Named{mss::VolumeCorrection::off, "off"}};
+template <>
+inline constexpr std::array value_names<fem_reference::LatticeDirection>{
+    Named{fem_reference::LatticeDirection::d100, "100"},
+    Named{fem_reference::LatticeDirection::d110, "110"},
+    Named{fem_reference::LatticeDirection::d111, "111"}};
+template <>
+inline constexpr std::array value_names<fem_reference::LinearSolver>{
+    Named{fem_reference::LinearSolver::automatic, "auto"},
+    Named{fem_reference::LinearSolver::direct, "direct"},
+    Named{fem_reference::LinearSolver::multigrid, "multigrid"}};
+
+template <class Value>
+requires(!value_names<Value>.empty()) std::string_view name_of(Value value) {
+  return std::ranges::find(value_names<Value>, value, &Named<Value>::value)->name;
+}
 
 /// Everything that determines one simulation.
 struct CaseSettings {
@@ -83,29 +136,21 @@ struct CaseSettings {
   Test test;
   Body body;
   Material material;
-  Vector3 gravity;           // [m/s^2]; zero but in bending
-  Vector3 traction;          // [Pa]; zero but in traction
-  PlateContact plates;       // of the lower plate in traction; the test decides in others
-  Eigen::Matrix3d gradient;  // H of u = H X; zero but in affine
+  Vector3 gravity = Vector3::Zero();   // [m/s^2]; zero but in bending
+  Vector3 traction = Vector3::Zero();  // [Pa]; zero but in traction
+  PlateContact plates;  // of the lower plate in traction; the test decides in others
+  Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();  // H of u = H X; zero but in affine
   std::optional<double> deformation;  // strain, [rad] in torsion; none in bending,
                                       // traction and affine
   Method method;
-  // Springs, and the lattice of fem-cauchy-born:
-  mss::StiffnessForm stiffness_form;
-  double diagonal_ratio;
-  // Finite elements:
-  ElementName element;
-  fem_reference::LinearSolver linear_solver;
-  LatticeName lattice;  // of fem-cauchy-born
-  fem_reference::LatticeDirection lattice_direction;
-  // Springs, from `solver` on explicit elements too:
-  std::optional<mss::LatticeConstants> constants;  // of mss-custom, at this cell size
-  mss::VolumeCorrection correction;                // of mss-vangelder and mss-lloyd
-  std::optional<Solver> solver;                    // none: the method's own
-  Dynamics dynamics;                               // of solvers through time, and tissue
-  unsigned seed;                                   // of the static solver
-  double noise;  // [cell edges] of a static solution, which is solved again from there
-  std::optional<Tissue> tissue{};  // where tissue runs
+  // Of springs, without their method; form and ratio of fem-cauchy-born's lattice too:
+  mss::NetworkSettings springs{};
+  ElementSettings elements;
+  std::optional<Solver> solver;  // none: the method's own
+  Dynamics dynamics;             // of solvers through time, and tissue
+  unsigned seed;                 // of the static solver
+  double noise;   // [cell edges] of a static solution, which is solved again from there
+  Tissue tissue;  // of methods of tissue
 };
 
 /// The solver given, or else the static one, and of explicit elements semi-implicit
@@ -116,13 +161,9 @@ Solver solver_of(const CaseSettings& settings);
 bool goes_through_time(const CaseSettings& settings);
 bool has_history(const CaseSettings& settings);
 
-/// The finite elements' part of the settings.
+/// The springs' part of the settings, whose method they must be; the finite elements'.
+mss::NetworkSettings network_settings(const CaseSettings& settings);
 fem_reference::Settings reference_settings(const CaseSettings& settings);
-
-/// The scene's name and the settings its method reads, and no others, as JSON: a setting
-/// that cannot change the result does not change it. What was measured has instead
-/// "source": "measured" and the SHA-256 of its numbers, "displacements" and "forces".
-nlohmann::json settings_json(const CaseSettings& settings);
 
 /// "fem-stvk:q1-sri" for finite elements, "mss-cf" for springs and likewise for others.
 std::string label(const CaseSettings& settings);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "comparisons/settings/scene_file.hpp"
+#include "comparisons/settings/setting.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -58,25 +59,25 @@ CaseSettings case_with(const std::string& scene, const std::vector<GivenSetting>
                        const Changes& changes) {
   SceneFile file = read_scene(scene);
   std::erase_if(file.settings, [](const GivenSetting& setting) {
-    return settings_of_charts().contains(setting.key);
+    return is_chosen_by_charts(setting.key);
   });
   file.settings.insert(file.settings.end(), options.begin(), options.end());
-  for (const auto& [key, value] : changes)
-    file.settings.push_back({key, Given::from_text("chart", value)});
+  for (const auto& [key, value] : changes) file.settings.push_back({key, value});
   return requests(make_run_settings(file.name, file.file, file.settings))
       .front()
       .settings;
 }
 
 Changes cells_of(const std::array<double, 3>& size, int across) {
-  return {{"cells", fmt::format("{}", fmt::join(cells_across(size, across), ","))}};
+  return {{"cells", cells_across(size, across)}};
 }
 
 /// A block's kinds of cells as a kidney has them; none of others.
 std::optional<std::string> kidney_cells(const ChartModel& model) {
   for (const auto& [key, value] : model.changes)
     if (key == "cell-type")
-      return value == "tetrahedron" ? std::optional("free-tetrahedron") : std::nullopt;
+      return value.text() == "tetrahedron" ? std::optional("free-tetrahedron")
+                                           : std::nullopt;
   return "free-hexahedron";
 }
 
@@ -91,6 +92,11 @@ std::vector<ChartModel> models_of_kidney() {
 }
 
 }  // namespace
+
+bool is_chosen_by_charts(std::string_view key) {
+  const Setting* setting = find_setting(key);
+  return setting != nullptr && setting->in_charts == InCharts::chosen;
+}
 
 std::vector<GivenSetting> options_for(ChartKind kind, std::vector<GivenSetting> options) {
   if (kind == ChartKind::equilibrium)
@@ -109,32 +115,6 @@ const ChartModel& model_named(const std::string& name, ChartKind kind, BodyShape
   for (const ChartModel& model : chart_models(shape))
     if (model.name == name && model.kind == kind) return model;
   throw std::logic_error("no model '" + name + "'");
-}
-
-const std::set<std::string>& settings_of_charts() {
-  static const std::set<std::string> all{"method",
-                                         "element",
-                                         "cells",
-                                         "cell-type",
-                                         "distortion",
-                                         "solver",
-                                         "dt",
-                                         "dt-ratio",
-                                         "force-dt",
-                                         "linear-solver",
-                                         "history",
-                                         "precision",
-                                         "noise",
-                                         "reference",
-                                         "stiffness",
-                                         "kappa",
-                                         "lattice",
-                                         "correction",
-                                         "lattice-direction",
-                                         "expect",
-                                         "stiffness-form",
-                                         "diagonal-ratio"};
-  return all;
 }
 
 Body chart_body(const std::string& scene, const std::vector<GivenSetting>& options) {
@@ -193,7 +173,7 @@ ThreeCases truth_grids(const std::string& scene, const std::vector<GivenSetting>
   for (const int cells : cells_across(body.block.size, 16)) finest_nodes *= 2 * cells + 1;
   const bool is_beam = finest_nodes > most_nodes;
   Changes changes = cells_of(body.block.size, across.value_or(is_beam ? 2 : 4)) +
-                    elements + Changes{{"cell-type", "hexahedron"}, {"distortion", "0"}};
+                    elements + Changes{{"cell-type", "hexahedron"}, {"distortion", 0}};
   if (is_beam) changes.emplace_back("linear-solver", "direct");
   return convergence_grids(case_with(scene, own, changes));
 }

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,9 +29,10 @@ const std::vector<ChartModel>& chart_models(BodyShape shape = BodyShape::block);
 /// The model of that name and kind. Throws std::logic_error without one.
 const ChartModel& model_named(const std::string& name, ChartKind kind, BodyShape shape);
 
-/// Settings that a chart chooses for its models. What a scene file says of them is not
-/// for a chart: models get the step, precision and constants that they have by default.
-const std::set<std::string>& settings_of_charts();
+/// Whether a chart chooses the setting for its models. What a scene file says of it is
+/// not for a chart: models get the step, precision and constants that they have by
+/// default.
+bool is_chosen_by_charts(std::string_view key);
 
 /// Laws of which a chart has a truth each, as methods; fem-cauchy-born's is the lattice
 /// of mss-cf.
@@ -50,7 +50,7 @@ Body chart_body(const std::string& scene, const std::vector<GivenSetting>& optio
 Cells cells_across(const std::array<double, 3>& size, int across);
 
 /// The scene's case of a model on so many cells across: the scene without
-/// settings_of_charts, the options, the model's changes. Throws InputError for options
+/// what charts choose, the options, the model's changes. Throws InputError for options
 /// that the model's method does not take, and as chart_body.
 CaseSettings model_case(const std::string& scene,
                         const std::vector<GivenSetting>& options, const ChartModel& model,

@@ -11,6 +11,7 @@
 #include "comparisons/measures/displacement_norms.hpp"
 #include "comparisons/results/provenance.hpp"
 #include "comparisons/running/memory.hpp"
+#include "comparisons/settings/case_json.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/studies/converged.hpp"
 #include "meshing/input_error.hpp"

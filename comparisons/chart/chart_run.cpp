@@ -13,6 +13,7 @@
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
+#include "comparisons/settings/case_json.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

@@ -28,7 +28,7 @@ Wish wish_of(const AdviseOptions& options) {
             .budget = options.budget,
             .threads = 1};
   const Given tolerance = Given::from_text("--tolerance", options.tolerance);
-  wish.tolerance = tolerance.strain();
+  wish.tolerance = tolerance.in(Dimension::fraction);
   if (!(wish.tolerance > 0 && wish.tolerance < 1))
     tolerance.refuse("a number above 0 and below 1, such as 0.08 or '8%'");
   const auto measure = std::ranges::find_if(all_chart_measures(), [&](ChartMeasure one) {
@@ -87,7 +87,7 @@ std::string scene_text(const std::string& scene, const std::vector<GivenSetting>
                        const std::optional<Frame>& frame, const std::string& why) {
   std::map<std::string, std::string> settings;
   for (const GivenSetting& setting : read_scene(scene).settings)
-    if (!settings_of_charts().contains(setting.key))
+    if (!is_chosen_by_charts(setting.key))
       settings[setting.key] = setting.value.toml();
   for (const GivenSetting& setting : options)
     settings[setting.key] = setting.value.toml();
@@ -95,7 +95,7 @@ std::string scene_text(const std::string& scene, const std::vector<GivenSetting>
   const ChartModel& model =
       model_named(chosen.place.model, chosen.place.kind, body.shape);
   for (const auto& [key, value] : model.changes)
-    settings[key] = Given::from_text("advise", value).toml();
+    settings[key] = value.toml();
   const Cells cells = cells_across(body.block.size, chosen.place.across);
   settings["cells"] = fmt::format("[{}, {}, {}]", cells[0], cells[1], cells[2]);
   settings["reference"] = Given::from_text("advise", law).toml();

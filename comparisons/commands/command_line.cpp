@@ -6,16 +6,15 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
-#include <set>
 #include <stdexcept>
 #include <thread>
 
 #include "comparisons/build_info/build_info.hpp"
-#include "comparisons/chart/chart_models.hpp"
 #include "comparisons/commands/advise_command.hpp"
 #include "comparisons/commands/chart_command.hpp"
 #include "comparisons/commands/commands.hpp"
@@ -25,25 +24,26 @@
 #include "comparisons/commands/reproduce.hpp"
 #include "comparisons/commands/stability_command.hpp"
 #include "comparisons/commands/sweep_command.hpp"
+#include "comparisons/settings/setting.hpp"
+#include "comparisons/settings/suggestion.hpp"
 #include "comparisons/system/blas.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {
 
-/// The settings among a subcommand's options, but for some, that were given, as text.
+/// The settings among a subcommand's options that were given, as text.
 class SettingOptions {
  public:
-  explicit SettingOptions(CLI::App* command, const std::set<std::string>& without = {}) {
-    for (const SettingKey& key : option_keys()) {
-      const std::string name(key.name);
-      if (without.contains(name)) continue;
-      if (name == "force-dt")
-        options_[name] =
-            command->add_flag("--" + name)->description(std::string(key.help));
-      else
-        options_[name] =
-            command->add_option("--" + name, texts_[name], std::string(key.help));
+  explicit SettingOptions(CLI::App* command, bool (*is_taken)(const Setting&)) {
+    command->footer(
+        "Numbers are in SI units, or carry a unit: 10kPa, 5cm, 20ms, 5%, 45deg.");
+    for (const Setting& setting : all_settings()) {
+      if (!is_option(setting) || !is_taken(setting)) continue;
+      const std::string name(setting.key), option = "--" + name;
+      options_[name] = setting.shape == Shape::flag
+                           ? command->add_flag(option)->description(help_of(setting))
+                           : command->add_option(option, texts_[name], help_of(setting));
     }
   }
 
@@ -61,6 +61,18 @@ class SettingOptions {
   std::map<std::string, CLI::Option*> options_;
   std::map<std::string, std::string> texts_;
 };
+
+bool is_any(const Setting&) {
+  return true;
+}
+
+bool is_no_method(const Setting& setting) {
+  return setting.key != "method" && setting.key != "element";
+}
+
+bool is_taken_by_charts(const Setting& setting) {
+  return setting.in_charts == InCharts::taken;
+}
 
 TableFormat table_format(const std::string& name) {
   if (name == "md") return TableFormat::markdown;
@@ -92,37 +104,32 @@ std::string check_positive_seconds(const std::string& text) {
   return "expected a number of seconds above 0, got '" + text + "'";
 }
 
-/// Settings that charts and advice choose, or that tests of theirs do not read.
-std::set<std::string> no_options_of_charts() {
-  std::set<std::string> all{"mesh",
-                            "mesh-unit",
-                            "fixed",
-                            "moved",
-                            "traction",
-                            "plates",
-                            "gradient",
-                            "organ",
-                            "law",
-                            "branches",
-                            "time-steps",
-                            "load-times",
-                            "load-fractions",
-                            "angular-frequency",
-                            "cycles"};
-  all.insert(settings_of_charts().begin(), settings_of_charts().end());
-  return all;
+/// The command that the first word names; nullptr where it is an option or nothing.
+/// Throws InputError for another word, where CLI11 would only ask for a command.
+const CLI::App* command_named(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return nullptr;
+  std::vector<std::string_view> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return command;
+    names.push_back(command->get_name());
+  }
+  refuse_name("springcheck", "command", argv[1], names);
 }
 
-/// Refuses a first word that is no command, naming it; CLI11 would only ask for one.
-void check_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::string names;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    if (command->get_name() == argv[1]) return;
-    names += (names.empty() ? "" : ", ") + command->get_name();
+/// Refuses an option that the command does not have: CLI11 would name its value, too.
+void check_options(const CLI::App& command, int argc, char** argv) {
+  std::vector<std::string> options{"--verbose"};
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  const std::vector<std::string_view> names(options.begin(), options.end());
+  for (int i = 2; i < argc; ++i) {
+    const std::string_view word(argv[i]);
+    if (word == "--") return;
+    if (!word.starts_with("--")) continue;
+    const std::string_view name = word.substr(0, word.find('='));
+    if (std::ranges::count(names, name) == 0)
+      refuse_name("springcheck " + command.get_name(), "option", name, names);
   }
-  throw InputError("springcheck", "", "one of " + names,
-                   "'" + std::string(argv[1]) + "'");
 }
 
 /// What was printed must have arrived: a full disk or a closed pipe is a failure.
@@ -157,7 +164,7 @@ int run_arguments(int argc, char** argv) {
 
   CLI::App* run = app.add_subcommand("run", "Run one scene with one or more methods");
   run->add_option("scene", scene, "name of a shipped scene, or a .toml file")->required();
-  const SettingOptions run_options(run);
+  const SettingOptions run_options(run, is_any);
   run->add_option("--out", out, "HDF5 file for measures and fields")
       ->check(check_not_empty);
   run->add_flag("--split", split,
@@ -207,7 +214,7 @@ int run_arguments(int argc, char** argv) {
       "measure", "Measure what another program computed on a scene's mesh");
   measure->add_option("scene", scene, "name of a shipped scene, or a .toml file")
       ->required();
-  const SettingOptions measure_options(measure, {"method", "element"});
+  const SettingOptions measure_options(measure, is_no_method);
   measure
       ->add_option("--displacements", displacements,
                    ".vtu or .csv file of the nodes' displacements [m]")
@@ -254,7 +261,7 @@ int run_arguments(int argc, char** argv) {
       "stability", "Map where methods fail over one or two settings, and their limits");
   stability->add_option("scene", scene, "name of a shipped scene, or a .toml file")
       ->required();
-  const SettingOptions stability_settings(stability);
+  const SettingOptions stability_settings(stability, is_any);
   stability
       ->add_option(
           "--over", stability_options.over,
@@ -278,7 +285,7 @@ int run_arguments(int argc, char** argv) {
       ->add_option("scene", scene,
                    "name of a shipped scene, a .toml file, or all: the thesis's five")
       ->required();
-  const SettingOptions chart_settings(chart, no_options_of_charts());
+  const SettingOptions chart_settings(chart, is_taken_by_charts);
   chart->add_option("--out", chart_options.out, "HDF5 file to add the chart to")
       ->required()
       ->check(check_not_empty);
@@ -316,7 +323,7 @@ int run_arguments(int argc, char** argv) {
       "advise", "Find the cheapest model of a scene that meets a tolerance");
   advise->add_option("scene", scene, "name of a shipped scene, or a .toml file")
       ->required();
-  const SettingOptions advise_settings(advise, no_options_of_charts());
+  const SettingOptions advise_settings(advise, is_taken_by_charts);
   advise
       ->add_option("--tolerance", advise_options.tolerance,
                    "largest error, such as 0.08 or 8%")
@@ -354,7 +361,7 @@ int run_arguments(int argc, char** argv) {
   CLI::App* mesh = app.add_subcommand("mesh", "Write the mesh that both solvers use");
   mesh->add_option("scene", scene, "name of a shipped scene, or a .toml file")
       ->required();
-  const SettingOptions mesh_options(mesh);
+  const SettingOptions mesh_options(mesh, is_any);
   mesh->add_option("--out", out, "a .msh, .vtu or .inp file")->check(check_not_empty);
   mesh->add_flag("--quality", quality,
                  "print volumes, scaled Jacobians and edge ratios of the cells");
@@ -377,7 +384,8 @@ int run_arguments(int argc, char** argv) {
   for (CLI::App* command : app.get_subcommands({}))
     command->set_version_flag("--version", version);
 
-  check_command(app, argc, argv);
+  if (const CLI::App* command = command_named(app, argc, argv))
+    check_options(*command, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -13,7 +13,7 @@
 #include "comparisons/gates/gate_keys.hpp"
 #include "comparisons/measures/measure_list.hpp"
 #include "comparisons/results/layout.hpp"
-#include "comparisons/settings/run_settings.hpp"
+#include "comparisons/settings/setting.hpp"
 #include "comparisons/shipped/shipped.hpp"
 #include "comparisons/stability/failure.hpp"
 #include "comparisons/tables/catalogue.hpp"
@@ -59,10 +59,12 @@ Json materials() {
 
 Json settings() {
   Json entries;
-  for (const SettingKey& key : option_keys())
-    entries[std::string(key.name)] = {{"option", true}, {"description", key.help}};
-  for (const SettingKey& key : scene_only_keys())
-    entries[std::string(key.name)] = {{"option", false}, {"description", key.help}};
+  for (const Setting& setting : all_settings())
+    entries[std::string(setting.key)] = {{"group", setting.group},
+                                         {"option", is_option(setting)},
+                                         {"units", units_of(setting.dimension)},
+                                         {"default", setting.otherwise},
+                                         {"description", help_of(setting)}};
   return entries;
 }
 

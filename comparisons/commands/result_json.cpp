@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/build_info/build_info.hpp"
+#include "comparisons/settings/case_json.hpp"
 #include "comparisons/tables/studies/split_output.hpp"
 
 namespace springcheck {
@@ -50,7 +51,7 @@ Json case_json(const CaseResult& result, const Mesh& mesh) {
   Json flags = Json::array();
   for (const Status flag : result.flags) flags.push_back(name_of(flag));
   Json out{{"method", settings.method.name},
-           {"element", fem ? Json(settings.element.name) : Json()},
+           {"element", fem ? Json(settings.elements.element.name) : Json()},
            {"source", settings_json(settings).value("source", Json())},
            {"solver", settings_json(settings).value("solver", Json())},
            {"nu", settings.material.poisson_ratio},

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/settings/run_settings.hpp"
+#include "comparisons/settings/setting.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::gates {
@@ -16,8 +16,8 @@ using Scalar = Given::Scalar;
 
 /// Columns of settings, whether or not a case of the file has them.
 std::vector<std::string> settings() {
-  std::vector<std::string> names{"scene", "test", "gravity", "mesh", "key", "status"};
-  for (const SettingKey& key : option_keys()) names.emplace_back(key.name);
+  std::vector<std::string> names{"scene", "key", "status"};
+  for (const std::string_view key : setting_keys()) names.emplace_back(key);
   return names;
 }
 
@@ -34,12 +34,15 @@ void check_known(const Columns& cases, const Condition& condition) {
 
 /// A number as a column of numbers holds it.
 double number_of(const Condition& condition, const Scalar& value) {
-  if (const auto number = number_in(value)) return *number;
   const Given given(condition.place, value);
-  const auto* text = std::get_if<std::string>(&value);
-  if (text == nullptr || condition.column != "deformation")
-    given.refuse("a number, as cases have it");
-  return text->ends_with("deg") ? given.angle() : given.strain();
+  const Setting* setting = find_setting(condition.column);
+  if (number_in(value) || setting == nullptr || setting->dimension == Dimension::none)
+    return given.number("a number, as cases have it");
+  if (setting->dimension != Dimension::deformation)
+    return given.in(setting->dimension);
+  const auto* text = std::get_if<std::string>(&value);  // of torsion, or of another test
+  const bool is_angle = text != nullptr && !text->ends_with('%');
+  return given.in(is_angle ? Dimension::angle : Dimension::fraction);
 }
 
 /// A text as a column of texts holds it.

@@ -17,11 +17,10 @@ MethodModes spring_modes(const Method& method, const CaseSettings& settings,
   const auto springs = std::get<mss::Method>(method.model);
   if (mss::reason_to_refuse(mesh, settings.material, springs))
     return {.method = method.name, .modes = std::nullopt, .reason = "refused"};
+  CaseSettings of_method = settings;
+  of_method.method = method;
   const mss::Network network =
-      mss::build_network(mesh, settings.material,
-                         {.method = springs,
-                          .stiffness_form = settings.stiffness_form,
-                          .diagonal_ratio = settings.diagonal_ratio});
+      mss::build_network(mesh, settings.material, network_settings(of_method));
   return stable_or_not(method.name, mss::rest_modes(network, is_free, count));
 }
 

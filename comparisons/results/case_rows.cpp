@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/settings/case_json.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/build_info/build_info.hpp"
+#include "comparisons/settings/case_json.hpp"
 #include "meshing/sha256.hpp"
 
 namespace springcheck {

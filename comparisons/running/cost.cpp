@@ -1,4 +1,5 @@
 #include "comparisons/running/cost.hpp"
+#include "comparisons/settings/case_json.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -45,8 +46,8 @@ double seconds_of_dynamics(const CaseSettings& settings) {
 
 double seconds(const CaseSettings& settings) {
   const bool is_fem = is_finite_element(settings.method);
-  const bool halved =
-      is_fem && settings.element.element == fem_reference::Element::q2;  // q2's own nodes
+  const bool halved = is_fem && settings.elements.element.element ==
+                                    fem_reference::Element::q2;  // q2's own nodes
   double nodes = 1;
   for (const double cells : equivalent_grid(settings.body))
     nodes *= (halved ? 2. : 1.) * cells + 1;

@@ -23,7 +23,7 @@ double estimated_mesh_memory(const Body& body) {
 /// Nodes of the elements along x, y, z: q2 has one more between any two of the mesh.
 std::array<double, 3> element_nodes(const CaseSettings& settings) {
   const bool halved = is_finite_element(settings.method) &&
-                      settings.element.element == fem_reference::Element::q2;
+                      settings.elements.element.element == fem_reference::Element::q2;
   std::array<double, 3> nodes{};
   std::ranges::transform(equivalent_grid(settings.body), nodes.begin(),
                          [&](double cells) { return (halved ? 2. : 1.) * cells + 1; });
@@ -90,7 +90,7 @@ double estimated_memory(const CaseSettings& settings) {
       // Peak of `run compression`, Hooke and Hencky alike: 580 MB at 30^3 cells of
       // q1-sri, 3435 MB at 60^3; 1646 MB at 20^3 cells of q2, which are 40^3 here.
       const double per_cell =
-          settings.element.element == fem_reference::Element::q2 ? 24e3 : 13e3;
+          settings.elements.element.element == fem_reference::Element::q2 ? 24e3 : 13e3;
       return bytes + per_cell * cells;
     }
     case LinearSystems::cholesky: {

@@ -16,6 +16,7 @@
 #include "comparisons/running/checkpoint_file.hpp"
 #include "comparisons/running/progress.hpp"
 #include "comparisons/running/tissue_case.hpp"
+#include "comparisons/settings/case_json.hpp"
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/stopwatch.hpp"
@@ -83,11 +84,7 @@ Solution solve(const CaseSettings& settings, const Mesh& mesh, int threads,
   if (is_tissue(settings.method))
     return solve_tissue(settings, mesh, scene, protocol_of(settings), threads, observers);
   return mss::solve(mesh, scene,
-                    {.network = {.method = std::get<mss::Method>(settings.method.model),
-                                 .stiffness_form = settings.stiffness_form,
-                                 .diagonal_ratio = settings.diagonal_ratio,
-                                 .constants = settings.constants,
-                                 .volume_correction = settings.correction},
+                    {.network = network_settings(settings),
                      .dynamics = spring_dynamics(settings, threads),
                      .to_limit = solver_of(settings) == Solver::path_limit,
                      .seed = settings.seed,

@@ -38,7 +38,7 @@ Solution solve_thesis_tissue(const CaseSettings& settings, const Mesh& mesh,
                              const Scene& scene,
                              const dynamics::QuasiStaticSettings& quasi_static,
                              const dynamics::Observers& observers) {
-  const tissue::BipowerLaw& law = settings.tissue->law;
+  const tissue::BipowerLaw& law = settings.tissue.law;
   if (goes_through_time(settings))
     return refused("Eq. 4.4's dashpots have no constant: there is no motion of it");
   const auto limit = limit_fitted_by_hand(law);
@@ -60,7 +60,7 @@ Solution solve_thesis_tissue(const CaseSettings& settings, const Mesh& mesh,
 Solution solve_tissue(const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
                       const dynamics::Protocol& protocol, int threads,
                       const dynamics::Observers& observers) {
-  const auto& [law, branches, steps] = settings.tissue.value();
+  const auto& [law, branches, steps] = settings.tissue;
   const dynamics::QuasiStaticSettings quasi_static{.load = load_of(settings.dynamics),
                                                    .steps = steps};
   if (solver_of(settings) == Solver::path_limit)

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 
+#include "comparisons/settings/suggestion.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -91,10 +91,14 @@ const Given::Scalar& Given::single(const std::string& expected) const {
   return values_.front();
 }
 
-double Given::finite_number() const {
-  const auto value = number_in(single("a finite number"));
-  if (!value || !std::isfinite(*value)) refuse("a finite number");
+double Given::number(const std::string& expected) const {
+  const auto value = number_in(single(expected));
+  if (!value || !std::isfinite(*value)) refuse(expected);
   return *value;
+}
+
+double Given::finite_number() const {
+  return number("a finite number");
 }
 
 double Given::positive_number() const {
@@ -215,28 +219,27 @@ std::array<std::int64_t, 3> Given::three_integers() const {
   return integers;
 }
 
-double Given::with_unit(const char* unit, double factor,
-                        const std::string& expected) const {
-  const Scalar& value = single(expected);
-  std::optional<double> found = number_in(value);
-  if (const auto* text = std::get_if<std::string>(&value);
-      text != nullptr && text->ends_with(unit)) {
-    const std::string_view digits(*text);
-    found =
-        parsed<double>(digits.substr(0, digits.size() - std::string_view(unit).size()));
-    if (found) *found *= factor;
+Given Given::in_si_units(Dimension dimension) const {
+  if (dimension == Dimension::none) return *this;
+  Given converted = *this;
+  for (Scalar& value : converted.values_) {
+    const auto* text = std::get_if<std::string>(&value);
+    const auto measured = text == nullptr ? std::nullopt : measurement(*text);
+    if (!measured) continue;
+    const std::optional<double> number = value_of(*measured, dimension);
+    if (!number) refuse(numbers_in_units(dimension));
+    value = *number;
   }
-  if (!found || !std::isfinite(*found)) refuse(expected);
-  return *found;
+  return converted;
 }
 
-double Given::strain() const {
-  return with_unit("%", 0.01, "a finite strain, such as 0.05 or '5%'");
+double Given::in(Dimension dimension) const {
+  return in_si_units(dimension).number(numbers_in_units(dimension));
 }
 
-double Given::angle() const {
-  return with_unit("deg", std::numbers::pi / 180,
-                   "a finite angle, such as 0.785 (radians) or '45deg'");
+void Given::refuse_name(std::string_view what, std::string_view name,
+                        const std::vector<std::string_view>& candidates) const {
+  springcheck::refuse_name(place_, what, name, candidates);
 }
 
 }  // namespace springcheck

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "comparisons/settings/units.hpp"
+
 namespace springcheck {
 
 /// One value as the user wrote it, in a scene file or on the command line, with the place
@@ -35,6 +37,7 @@ class Given {
   /// The file that it stands in, or "--" of an option.
   [[nodiscard]] std::string source() const;
 
+  [[nodiscard]] double number(const std::string& expected) const;  // finite
   [[nodiscard]] double finite_number() const;
   [[nodiscard]] double positive_number() const;
   [[nodiscard]] std::int64_t integer() const;
@@ -52,21 +55,25 @@ class Given {
   [[nodiscard]] std::vector<double> numbers() const;  // finite, at least one
   [[nodiscard]] std::array<std::int64_t, 3> three_integers() const;
 
-  /// A strain: a number, or text in percent, "5%".
-  [[nodiscard]] double strain() const;
+  /// Those numbers with a unit, "10kPa", as numbers in the dimension's SI unit. Throws
+  /// InputError for a unit of another dimension.
+  [[nodiscard]] Given in_si_units(Dimension dimension) const;
 
-  /// An angle [rad]: a number, or text in degrees, "45deg".
-  [[nodiscard]] double angle() const;
+  /// One of them, finite.
+  [[nodiscard]] double in(Dimension dimension) const;
 
   /// Throws InputError for this value.
   [[noreturn]] void refuse(const std::string& expected) const;
+
+  /// The same for a name among its values that is none of the candidates, of which the
+  /// one that was meant is named. `what` says of what, "method".
+  [[noreturn]] void refuse_name(std::string_view what, std::string_view name,
+                                const std::vector<std::string_view>& candidates) const;
 
  private:
   [[nodiscard]] const Scalar& single(const std::string& expected) const;
   template <std::size_t N>
   [[nodiscard]] std::array<double, N> finite_numbers(const std::string& expected) const;
-  [[nodiscard]] double with_unit(const char* unit, double factor,
-                                 const std::string& expected) const;
 
   std::string place_;
   std::vector<Scalar> values_;

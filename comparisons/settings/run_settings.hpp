@@ -8,23 +8,9 @@
 #include "comparisons/cases/request.hpp"
 #include "comparisons/cases/status.hpp"
 #include "comparisons/settings/given.hpp"
+#include "comparisons/settings/reference_method.hpp"
 
 namespace springcheck {
-
-/// A method with the element and the grid it runs on, as the user names it:
-///
-///     METHOD[:ELEMENT]              the element is q1-sri when none is named; the
-///                                   case's own mesh
-///     METHOD[:ELEMENT]@NX,NY,NZ     this many cells: whole multiples of the case's
-///     METHOD[:ELEMENT]@N            N along x, the others in proportion
-///     METHOD[:ELEMENT]@converged    extrapolated, see converged.hpp
-struct ReferenceMethod {
-  Method method;
-  ElementName element;
-  std::vector<int> cells{};  // none, N, or three
-  ReferenceGrid grid = ReferenceGrid::one;
-  std::string place{}, text{};  // where and how it was given, for messages
-};
 
 /// What `run` computes: a case for each method, of otherwise equal settings.
 struct RunSettings {
@@ -35,18 +21,8 @@ struct RunSettings {
   std::vector<Status> expect;
 };
 
-/// Reads a reference; whether its cells fit the case's is seen in requests().
-ReferenceMethod reference_named(const Given& given);
-
-/// One setting's name and help text.
-struct SettingKey {
-  std::string_view name;
-  std::string_view help;
-};
-
-/// Every setting of scene files; those that are options of `run` too, and the others.
-const std::vector<SettingKey>& option_keys();
-const std::vector<SettingKey>& scene_only_keys();
+/// Whether a method of the run, or its reference, is one of those.
+bool runs(const RunSettings& run, bool (*is_one)(const CaseSettings&));
 
 /// A setting as given, by its key.
 struct GivenSetting {

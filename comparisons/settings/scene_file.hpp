@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,8 +30,36 @@ SceneFile read_scene(const Given& name_or_path);
 /// The run of that scene with options, which replace its settings. Throws InputError.
 RunSettings read_run(const std::string& scene, const std::vector<GivenSetting>& options);
 
-/// Changes of a scene's settings, {key, value}.
-using Changes = std::vector<std::pair<std::string, std::string>>;
+/// Another value for a setting of a scene: a number, a name, or a text as users write it,
+/// "5%".
+struct Change {
+  std::string key;
+  Given value;
+
+  Change(std::string_view name, double number) : Change(name, Given::Scalar(number)) {}
+  Change(std::string_view name, int number)
+      : Change(name, Given::Scalar(std::int64_t{number})) {}
+  Change(std::string_view name, std::string_view text)
+      : Change(name, Given::Scalar(std::string(text))) {}
+  Change(std::string_view name, const std::string& text)
+      : Change(name, Given::Scalar(text)) {}
+  Change(std::string_view name, const char* text)
+      : Change(name, Given::Scalar(std::string(text))) {}
+  template <std::size_t N>
+  Change(std::string_view name, const std::array<double, N>& numbers)
+      : key(name),
+        value("table", std::vector<Given::Scalar>(numbers.begin(), numbers.end())) {}
+  Change(std::string_view name, const std::array<int, 3>& counts)
+      : key(name),
+        value("table",
+              std::vector<Given::Scalar>{std::int64_t{counts[0]}, std::int64_t{counts[1]},
+                                         std::int64_t{counts[2]}}) {}
+
+ private:
+  Change(std::string_view name, Given::Scalar scalar)
+      : key(name), value("table", std::move(scalar)) {}
+};
+using Changes = std::vector<Change>;
 
 /// Both lists, the second's values over the first's.
 inline Changes operator+(Changes all, const Changes& more) {
@@ -36,8 +67,7 @@ inline Changes operator+(Changes all, const Changes& more) {
   return all;
 }
 
-/// The one simulation of a shipped scene with settings changed, {key, value}, without a
-/// reference.
+/// The one simulation of a shipped scene with settings changed, without a reference.
 CaseSettings case_of_scene(const std::string& scene, const Changes& changes);
 
 }  // namespace springcheck

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <complex>
 #include <limits>
+#include <numbers>
 
 #include "meshing/input_error.hpp"
 #include "tissue/maxwell_fit.hpp"
@@ -13,16 +14,21 @@
 namespace springcheck {
 namespace {
 
-/// The value whose name_of is `text`, which stands in what was given.
-template <class Value>
-Value one_of(const Given& given, const std::string& text,
-             const std::vector<Value>& values) {
-  std::string names;
-  for (const Value value : values) {
-    if (name_of(value) == text) return value;
-    names += (names.empty() ? "" : ", ") + std::string(name_of(value));
+/// The entry of that name, which stands in what was given. `what` is for messages.
+template <class Entries>
+const auto& entry_named(const Given& given, std::string_view what,
+                        const std::string& name, const Entries& entries) {
+  std::vector<std::string_view> names;
+  for (const auto& entry : entries) {
+    names.emplace_back(entry.name);
+    if (names.back() == name) return entry;
   }
-  given.refuse("one of " + names);
+  given.refuse_name(what, name, names);
+}
+
+template <class Value>
+Value value_named(const Given& given, std::string_view what) {
+  return entry_named(given, what, given.text(), value_names<Value>).value;
 }
 
 int count_of(const Given& given, int least, int most) {
@@ -34,26 +40,26 @@ int count_of(const Given& given, int least, int most) {
 
 constexpr int million = 1'000'000;
 
+/// Not zero; `unit` is for messages.
+Vector3 vector_of(const Given& given, const char* unit) {
+  const auto numbers = given.three_numbers();
+  const Vector3 vector(numbers[0], numbers[1], numbers[2]);
+  if (vector.isZero(0)) given.refuse(fmt::format("a vector other than zero [{}]", unit));
+  return vector;
+}
+
 }  // namespace
 
 Test test_of(const Given& given) {
-  return one_of(given, given.text(), all_tests());
+  return value_named<Test>(given, "test");
 }
 
 Method method_named(const Given& given, const std::string& name) {
-  const Method* method = find_method(name);
-  if (method == nullptr)
-    throw InputError(given.place(), "", "one of " + names_of(methods()),
-                     "'" + name + "'");
-  return *method;
+  return entry_named(given, "method", name, methods());
 }
 
 ElementName element_named(const Given& given, const std::string& name) {
-  const ElementName* element = find_element(name);
-  if (element == nullptr)
-    throw InputError(given.place(), "", "one of " + names_of(elements()),
-                     "'" + name + "'");
-  return *element;
+  return entry_named(given, "element", name, elements());
 }
 
 ElementName element_of(const Given& given) {
@@ -98,10 +104,7 @@ double poisson_ratio_of(const Given& given) {
 }
 
 tissue::BipowerLaw organ_of(const Given& given) {
-  const std::string name = given.text();
-  for (const tissue::Organ& organ : tissue::organs())
-    if (organ.name == name) return organ.law;
-  given.refuse("one of " + names_of(tissue::organs()));
+  return entry_named(given, "organ", given.text(), tissue::organs()).law;
 }
 
 tissue::BipowerLaw law_of(const Given& given) {
@@ -120,19 +123,26 @@ int time_steps_of(const Given& given) {
   return count_of(given, 1, million);
 }
 
-dynamics::LoadPath load_path_of(const Given& times, const Given& fractions) {
-  const std::vector<double> at = times.numbers(), of = fractions.numbers();
-  if (at.size() != of.size())
-    fractions.refuse(fmt::format("a fraction for each of {} times", at.size()));
+dynamics::LoadPath load_times_of(const Given& given) {
   dynamics::LoadPath path;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    if (at[i] <= (i == 0 ? 0 : at[i - 1])) times.refuse("times above 0 [s], ascending");
-    if (std::abs(of[i]) > 1) fractions.refuse("fractions from -1 to 1");
-    path.push_back({.time = at[i], .fraction = of[i]});
+  for (const double time : given.numbers()) {
+    if (time <= (path.empty() ? 0 : path.back().time))
+      given.refuse("times above 0 [s], ascending");
+    path.push_back({.time = time, .fraction = 0});
   }
-  if (std::ranges::all_of(of, [](double fraction) { return fraction == 0; }))
-    fractions.refuse("fractions that are not all 0");
   return path;
+}
+
+void set_fractions(dynamics::LoadPath& path, const Given& given) {
+  const std::vector<double> fractions = given.numbers();
+  if (fractions.size() != path.size())
+    given.refuse(fmt::format("a fraction for each of {} times", path.size()));
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (std::abs(fractions[i]) > 1) given.refuse("fractions from -1 to 1");
+    path[i].fraction = fractions[i];
+  }
+  if (std::ranges::all_of(fractions, [](double fraction) { return fraction == 0; }))
+    given.refuse("fractions that are not all 0");
 }
 
 double cycles_of(const Given& given) {
@@ -143,7 +153,10 @@ double cycles_of(const Given& given) {
 
 double deformation_of(const Given& given, Test test) {
   constexpr double largest = 100;  // keeps squares of strains far from overflow
-  const double deformation = test == Test::torsion ? given.angle() : given.strain();
+  const double deformation =
+      test == Test::torsion
+          ? given.number("a finite angle, such as 0.785 (radians) or '45deg'")
+          : given.number("a finite strain, such as 0.05 or '5%'");
   if (deformation > largest) given.refuse("a deformation of at most 100");
   if (test == Test::uniaxial) {
     if (deformation == 0 || deformation <= -1)
@@ -151,6 +164,8 @@ double deformation_of(const Given& given, Test test) {
     return deformation;
   }
   if (!(deformation > 0)) given.refuse("a positive number: the test gives its direction");
+  if (test == Test::torsion && deformation > 2 * std::numbers::pi)
+    given.refuse("an angle of at most a turn; plain numbers are radians, not '45deg'");
   if (test == Test::compression && deformation >= 1)
     given.refuse("a strain below 1: the plates would meet");
   return deformation;
@@ -160,6 +175,21 @@ double not_negative_of(const Given& given) {
   const double value = given.finite_number();
   if (value < 0) given.refuse("a number of at least 0");
   return value;
+}
+
+BodyShape shape_of(const Given& given) {
+  constexpr std::array shapes{Named{BodyShape::block, "block"},
+                              Named{BodyShape::kidney, "kidney"},
+                              Named{BodyShape::disc, "disc"}};
+  return entry_named(given, "body", given.text(), shapes).value;
+}
+
+MeshUnit mesh_unit_of(const Given& given) {
+  return entry_named(given, "unit of length", given.text(), mesh_units());
+}
+
+CellPattern pattern_of(const Given& given) {
+  return entry_named(given, "type of cells", given.text(), cell_patterns()).pattern;
 }
 
 mss::LatticeStiffness stiffness_of(const Given& given) {
@@ -185,26 +215,19 @@ unsigned seed_of(const Given& given) {
 }
 
 mss::StiffnessForm stiffness_form_of(const Given& given) {
-  using enum mss::StiffnessForm;
-  return one_of<mss::StiffnessForm>(given, given.text(), {shear_modulus, young_modulus});
+  return value_named<mss::StiffnessForm>(given, "form");
 }
 
 mss::VolumeCorrection correction_of(const Given& given) {
-  using enum mss::VolumeCorrection;
-  return one_of<mss::VolumeCorrection>(given, given.text(), {on, off});
+  return value_named<mss::VolumeCorrection>(given, "value");
 }
 
 std::optional<Solver> solver_named(const Given& given) {
-  using enum Solver;
-  return one_of<Solver>(given, given.text(),
-                        {static_equilibrium, path_limit, explicit_euler,
-                         semi_implicit_euler, verlet, implicit_euler});
+  return value_named<Solver>(given, "solver");
 }
 
 mss::Precision precision_of(const Given& given) {
-  using enum mss::Precision;
-  return one_of<mss::Precision>(given, given.text(),
-                                {double_precision, single_precision});
+  return value_named<mss::Precision>(given, "precision");
 }
 
 int sample_count_of(const Given& given) {
@@ -212,55 +235,41 @@ int sample_count_of(const Given& given) {
 }
 
 std::vector<Status> expect_of(const Given& given) {
+  std::vector<Named<Status>> names;
+  for (const Status status : all_statuses()) names.push_back({status, name_of(status)});
   std::vector<Status> expected;
-  for (const std::string& name : given.texts()) {
-    const auto found =
-        std::ranges::find(all_statuses(), name, [](Status s) { return name_of(s); });
-    if (found == all_statuses().end()) {
-      std::string names;
-      for (const Status status : all_statuses())
-        names += (names.empty() ? "" : ", ") + std::string(name_of(status));
-      given.refuse("statuses among " + names);
-    }
-    expected.push_back(*found);
-  }
+  for (const std::string& name : given.texts())
+    expected.push_back(entry_named(given, "status", name, names).value);
   return expected;
 }
 
 PlateContact plates_of(const Given& given) {
-  using enum PlateContact;
-  return one_of<PlateContact>(given, given.text(), {glued, sliding});
+  return value_named<PlateContact>(given, "contact");
 }
 
 fem_reference::LinearSolver linear_solver_of(const Given& given) {
-  using enum fem_reference::LinearSolver;
-  return one_of<fem_reference::LinearSolver>(given, given.text(),
-                                             {automatic, direct, multigrid});
+  return value_named<fem_reference::LinearSolver>(given, "linear solver");
 }
 
 fem_reference::LatticeDirection lattice_direction_of(const Given& given) {
-  using enum fem_reference::LatticeDirection;
   // Its names are digits, which read as a number where no quotes say otherwise.
   const std::string text =
       given.is_text() ? given.text() : std::to_string(given.integer());
-  return one_of<fem_reference::LatticeDirection>(given, text, {d100, d110, d111});
+  return entry_named(given, "direction", text,
+                     value_names<fem_reference::LatticeDirection>)
+      .value;
 }
 
 LatticeName lattice_of(const Given& given) {
-  const LatticeName* lattice = find_lattice(given.text());
-  if (lattice == nullptr) given.refuse("one of " + names_of(lattices()));
-  return *lattice;
+  return entry_named(given, "lattice", given.text(), lattices());
 }
 
-Vector3 load_of(const Given& given, const char* unit) {
-  const auto numbers = given.three_numbers();
-  const Vector3 vector(numbers[0], numbers[1], numbers[2]);
-  if (vector.isZero(0)) given.refuse(fmt::format("a vector other than zero [{}]", unit));
-  return vector;
+Vector3 gravity_of(const Given& given) {
+  return vector_of(given, "m/s^2");
 }
 
 Vector3 traction_of(const Given& given, PlateContact plates) {
-  const Vector3 traction = load_of(given, "Pa");
+  const Vector3 traction = vector_of(given, "Pa");
   if (plates == PlateContact::sliding && (traction.x() != 0 || traction.y() != 0))
     given.refuse("a traction along z: the body slides on its plate");
   return traction;

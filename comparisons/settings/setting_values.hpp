@@ -32,6 +32,9 @@ int sample_count_of(const Given& given);
 fem_reference::LinearSolver linear_solver_of(const Given& given);
 fem_reference::LatticeDirection lattice_direction_of(const Given& given);
 
+BodyShape shape_of(const Given& given);  // of those that are no file
+MeshUnit mesh_unit_of(const Given& given);
+CellPattern pattern_of(const Given& given);
 std::array<double, 3> size_of(const Given& given);
 std::array<int, 3> cells_of(const Given& given);
 double poisson_ratio_of(const Given& given);
@@ -46,8 +49,9 @@ tissue::BipowerLaw law_of(const Given& given);
 int branch_count_of(const Given& given);
 int time_steps_of(const Given& given);
 
-/// Times above 0, ascending, with a fraction for each, not all 0.
-dynamics::LoadPath load_path_of(const Given& times, const Given& fractions);
+/// Times above 0, ascending, without their fractions; those, one for each, not all 0.
+dynamics::LoadPath load_times_of(const Given& given);
+void set_fractions(dynamics::LoadPath& path, const Given& given);
 double cycles_of(const Given& given);
 
 /// Whether the body is, somewhere on the way from 0 to the gradient H of u = H X.
@@ -56,10 +60,10 @@ bool turns_inside_out(const Eigen::Matrix3d& gradient);
 /// A strain or, in torsion, an angle: positive but in uniaxial, whose sign is free.
 double deformation_of(const Given& given, Test test);
 
-/// A vector other than zero; `unit` is for messages.
-Vector3 load_of(const Given& given, const char* unit);
+/// An acceleration [m/s^2] other than zero.
+Vector3 gravity_of(const Given& given);
 
-/// A traction [Pa], along z where the body slides on its plate.
+/// A traction [Pa] other than zero, along z where the body slides on its plate.
 Vector3 traction_of(const Given& given, PlateContact plates);
 
 /// A displacement gradient H other than zero that turns nothing inside out on the way:

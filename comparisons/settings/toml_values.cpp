@@ -9,6 +9,7 @@
 #include <optional>
 #include <sstream>
 
+#include "comparisons/settings/suggestion.hpp"
 #include "comparisons/settings/utf8.hpp"
 #include "meshing/input_error.hpp"
 
@@ -51,12 +52,16 @@ std::optional<TomlFile> shipped_file(const std::string& name,
   return std::nullopt;
 }
 
-std::string names_or_path(const std::vector<ShippedFile>& shipped) {
-  std::string names;
+/// Names, of which the likely one is told, or a path.
+[[noreturn]] void refuse_toml(const std::string& place, const std::string& kind,
+                              const std::string& name,
+                              const std::vector<ShippedFile>& shipped) {
+  std::vector<std::string> names;
   for (const ShippedFile& one : shipped)
-    names +=
-        (names.empty() ? "" : ", ") + std::filesystem::path(one.name).stem().string();
-  return "one of " + names + ", or a path to a .toml file";
+    names.push_back(std::filesystem::path(one.name).stem().string());
+  std::vector<std::string_view> known(names.begin(), names.end());
+  known.push_back("a path to a .toml file");
+  refuse_name(place, kind, name, known);
 }
 
 }  // namespace
@@ -75,7 +80,7 @@ TomlFile toml_file(const std::string& name_or_path, const std::string& kind,
             .file = name_or_path,
             .text = text_of_file(name_or_path, kind)};
   if (auto file = shipped_file(name_or_path, shipped)) return *std::move(file);
-  throw InputError(kind, "", names_or_path(shipped), "'" + name_or_path + "'");
+  refuse_toml("springcheck", kind, name_or_path, shipped);
 }
 
 TomlFile toml_file(const Given& name_or_path, const std::string& kind,
@@ -88,7 +93,7 @@ TomlFile toml_file(const Given& name_or_path, const std::string& kind,
     return toml_file(name_or_path.path(), kind, shipped);
   }
   if (auto file = shipped_file(name, shipped)) return *std::move(file);
-  name_or_path.refuse(names_or_path(shipped));
+  refuse_toml(name_or_path.place(), kind, name, shipped);
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file) {

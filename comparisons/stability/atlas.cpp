@@ -90,7 +90,7 @@ std::optional<AtlasLimit> limit_on_path(const Line& line, const CaseResult& resu
 /// The same body by elements that do not lock, where there are any of the same law.
 std::optional<CaseSettings> control_of(const CaseSettings& settings) {
   CaseSettings control = settings;
-  control.element = *find_element("q1-sri");
+  control.elements.element = *find_element("q1-sri");
   if (is_finite_element(settings.method))
     return label(control) == label(settings) ? std::nullopt : std::optional(control);
   const LatticeName* lattice = find_lattice(settings.method.name);
@@ -98,7 +98,7 @@ std::optional<CaseSettings> control_of(const CaseSettings& settings) {
       !is_grid_of_hexahedra(settings.body))
     return std::nullopt;
   control.method = *find_method("fem-cauchy-born");
-  control.lattice = *lattice;
+  control.elements.lattice = *lattice;
   return control;
 }
 

@@ -9,6 +9,8 @@
 #include <optional>
 #include <sstream>
 
+#include "comparisons/settings/setting.hpp"
+#include "comparisons/settings/suggestion.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -30,14 +32,11 @@ struct Number {
 };
 
 std::optional<Number> number(const std::string& text) {
-  Number found{};
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), found.value);
-  if (error != std::errc{} || !std::isfinite(found.value)) return std::nullopt;
-  found.unit = std::string(end, text.data() + text.size());
-  if (!found.unit.empty() && found.unit != "%" && found.unit != "deg")
-    return std::nullopt;
-  return found;
+  const std::optional<Measurement> found = measurement(text);
+  if (!found) return std::nullopt;
+  const std::optional<double> value = value_of({found->number, ""}, Dimension::none);
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return Number{*value, found->unit};
 }
 
 /// 0.15, not 0.15000000000000002.
@@ -57,16 +56,18 @@ bool is_ascending(const std::vector<std::string>& values) {
 }
 
 /// The values of a setting that is named without any.
-std::optional<std::string> usual_values(const std::string& key, Test test) {
-  if (key == "deformation")
-    return test == Test::torsion ? "15deg:180deg:12" : "5%:60%:12";
-  if (key == "nu") return "0,0.05,0.1,0.15,0.2,0.25,0.3,0.35,0.4,0.45,0.49,0.499";
-  if (key == "dt-ratio") return "0.8:1.2:9";
-  if (key == "damping") return "0,0.01,0.02,0.05,0.1,0.2,0.5,1";
-  if (key == "diagonal-ratio") return "0.01,0.03,0.1,0.3,1,3,10,30,100";
-  if (key == "distortion") return "0:0.3:7";
-  if (key == "cell-type") return "hexahedron,tetrahedron,prism,pyramid,mixed";
-  return std::nullopt;
+std::string usual_values(const std::string& key, Test test) {
+  if (key == "deformation" && test == Test::torsion) return "15deg:180deg:12";
+  const Setting* setting = find_setting(key);
+  return setting == nullptr ? "" : std::string(setting->usual_axis);
+}
+
+/// Settings along which a map may go.
+std::vector<std::string_view> axis_keys() {
+  std::vector<std::string_view> keys;
+  for (const Setting& setting : all_settings())
+    if (setting.standing == Standing::everywhere) keys.push_back(setting.key);
+  return keys;
 }
 
 }  // namespace
@@ -76,8 +77,7 @@ std::vector<Axis> axes_named(const std::string& place, const std::string& text,
   if (text.find('=') != std::string::npos) return {axis_named(place, text)};
   std::vector<Axis> axes;
   for (const std::string& key : split(text, ','))
-    axes.push_back(
-        axis_named(place, key + "=" + usual_values(key, test).value_or(std::string())));
+    axes.push_back(axis_named(place, key + "=" + usual_values(key, test)));
   return axes;
 }
 
@@ -86,13 +86,8 @@ Axis axis_named(const std::string& place, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) refuse();
   Axis axis{.key = text.substr(0, equals), .values = {}, .is_range = false};
-  if (std::ranges::count(option_keys(), axis.key, &SettingKey::name) == 0 ||
-      axis.key == "method" || axis.key == "reference")
-    throw InputError(
-        place, "",
-        "one of the options of run but method and reference: nu, deformation, dt-ratio, "
-        "damping, diagonal-ratio, distortion, cell-type, cells, noise, seed and others",
-        "'" + axis.key + "'");
+  if (const auto keys = axis_keys(); std::ranges::count(keys, axis.key) == 0)
+    refuse_name(place, "setting of a run", axis.key, keys);
   const std::string values = text.substr(equals + 1);
   if (values.empty()) refuse();
   const std::vector<std::string> range = split(values, ':');
@@ -120,7 +115,8 @@ Axis axis_named(const std::string& place, const std::string& text) {
 }
 
 Axis axis_of(const std::string& key, const std::vector<std::string>& values) {
-  const bool counts = key == "seed" || key == "history";  // nothing lies between two
+  const Setting* setting = find_setting(key);
+  const bool counts = setting != nullptr && setting->counts;
   return {.key = key,
           .values = values,
           .is_range = !counts && values.size() > 1 && is_ascending(values)};

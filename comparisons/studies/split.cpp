@@ -19,7 +19,7 @@ using Runs = std::span<const CaseResult>;  // one continuum, one discretisation
 /// be halved.
 ThreeCases check_grids(const CaseSettings& settings) {
   CaseSettings q2 = settings;
-  q2.element = *find_element("q2");
+  q2.elements.element = *find_element("q2");
   if (std::ranges::count(settings.body.block.cells, 1) > 0) return convergence_grids(q2);
   ThreeCases grids{q2, q2, q2};
   grids[0].body.block.cells = coarsened(q2.body.block.cells);
@@ -211,13 +211,13 @@ SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
   CaseSettings lattice = springs;
   lattice.body = on_hexahedra(springs.body, springs.body.block.cells);
   lattice.method = *find_method("fem-cauchy-born");
-  lattice.element = *find_element("q1-sri");
-  lattice.lattice = *own_lattice;
-  lattice.lattice_direction = fem_reference::LatticeDirection::d100;
+  lattice.elements.element = *find_element("q1-sri");
+  lattice.elements.lattice = *own_lattice;
+  lattice.elements.lattice_direction = fem_reference::LatticeDirection::d100;
   CaseSettings reference = springs;
   reference.body = lattice.body;
   reference.method = law;
-  reference.element = lattice.element;
+  reference.elements.element = lattice.elements.element;
   return {.springs = springs,
           .cauchy_born = convergence_grids(lattice),
           .cauchy_born_check = check_grids(lattice),

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 #include <ranges>
@@ -11,6 +10,8 @@
 
 #include "comparisons/settings/run_settings.hpp"
 #include "comparisons/settings/scene_file.hpp"
+#include "comparisons/settings/setting.hpp"
+#include "comparisons/settings/suggestion.hpp"
 #include "comparisons/settings/toml_values.hpp"
 #include "comparisons/shipped/shipped.hpp"
 #include "meshing/input_error.hpp"
@@ -26,15 +27,15 @@ struct Choices {
 
 /// Keys whose one value is a list of numbers.
 bool is_list_valued(std::string_view key) {
-  constexpr std::array keys{"cells",    "size",    "traction",
-                            "gradient", "gravity", "stiffness"};
-  return std::ranges::find(keys, key) != keys.end();
+  const Setting* setting = find_setting(key);
+  return setting != nullptr && setting->shape == Shape::list;
 }
 
-bool is_sweepable(std::string_view key) {
-  return key == "scene" || std::ranges::any_of(option_keys(), [&](const SettingKey& k) {
-           return k.name == key;
-         });
+/// Keys of sweeps: scene, fields, cases and the options of `run`.
+std::vector<std::string_view> sweep_keys() {
+  std::vector<std::string_view> keys = option_keys();
+  keys.insert(keys.begin(), {"scene", "fields", "cases"});
+  return keys;
 }
 
 /// {from, to, count}
@@ -78,14 +79,13 @@ std::vector<Given> values_of(const std::string& key, const toml::node& node,
 
 /// The choices of a table's keys, in the order of the file.
 std::vector<Choices> choices_of(const toml::table& table, const std::string& file) {
+  const std::vector<std::string_view> known = sweep_keys();
   std::vector<std::pair<toml::source_position, Choices>> found;
   for (const auto& [key, node] : table) {
     const std::string name(key.str());
     if (name == "fields" || name == "cases") continue;
-    if (!is_sweepable(name))
-      throw InputError(place(file, key.source()), "",
-                       "one of scene, fields, cases, " + names_of(option_keys()),
-                       "unknown key '" + name + "'");
+    if (std::ranges::count(known, name) == 0)
+      refuse_name(place(file, key.source()), "key", name, known);
     found.emplace_back(key.source().begin, Choices{name, values_of(name, node, file)});
   }
   std::ranges::stable_sort(found, [](const auto& a, const auto& b) {

@@ -46,23 +46,41 @@ def anchor(kind, name):
     return f"{kind}-{name}".replace("_", "-").replace("/", "").replace(" ", "-").lower()
 
 
-def table_of(kind):
+def table_of(kind, entries):
     """Lines of Markdown."""
-    entries = json.loads(asked("list", kind, "--json"))[kind]
     first = next(iter(entries.values()))
-    has_letter = isinstance(first, dict) and "letter" in first
-    has_unit = isinstance(first, dict) and "unit" in first
-    heads = ["letter"] * has_letter + [HEADS[kind]] + ["unit"] * has_unit + ["meaning"]
+    columns = [name for name in ("letter", "unit", "units")
+               if isinstance(first, dict) and name in first]
+    heads = [*columns, "meaning"]
+    heads.insert(int("letter" in columns), HEADS[kind])
     lines = [f"| {' | '.join(heads)} |", "|" + " --- |" * len(heads)]
     for name, entry in entries.items():
-        row = [f"`{entry['letter']}`"] if has_letter else []
-        row.append(f'<span id="{anchor(kind, name)}"></span>`{name}`')
-        if has_unit:
-            row.append(cell(entry["unit"]))
         text = cell(entry["description"] if isinstance(entry, dict) else entry)
         if isinstance(entry, dict) and entry.get("option") is False:
             text += " (in scene files alone)"
-        lines.append(f"| {' | '.join([*row, text])} |")
+        row = [shown(column, entry[column]) for column in columns] + [text]
+        row.insert(int("letter" in columns), f'<span id="{anchor(kind, name)}"></span>`{name}`')
+        lines.append(f"| {' | '.join(row)} |")
+    return lines
+
+
+def shown(column, value):
+    if column == "letter":
+        return f"`{value}`"
+    return cell(value if isinstance(value, str) else ", ".join(value))
+
+
+def tables_of(kind):
+    """Lines of Markdown: a table, or one for each group of the entries."""
+    entries = json.loads(asked("list", kind, "--json"))[kind]
+    groups = {}
+    for name, entry in entries.items():
+        group = entry.get("group", "") if isinstance(entry, dict) else ""
+        groups.setdefault(group, {})[name] = entry
+    lines = []
+    for group, members in groups.items():
+        title = [f"**{group[0].upper()}{group[1:]}**", ""] if group else []
+        lines += ["", *title, *table_of(kind, members), ""]
     return lines
 
 
@@ -75,7 +93,7 @@ class ProgramList(SphinxDirective):
         if kind not in HEADS:
             raise self.error(f"expected one of {', '.join(HEADS)}, got '{kind}'")
         node = nodes.container(classes=["program-list"])
-        self.state.nested_parse(StringList(table_of(kind), kind), self.content_offset, node)
+        self.state.nested_parse(StringList(tables_of(kind), kind), self.content_offset, node)
         return [node]
 
 

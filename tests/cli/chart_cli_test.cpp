@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
   expect_bad_input("advise compression --tolerance -8%", "a number above 0");
   // A percentage without its sign.
   expect_bad_input("advise compression --tolerance 8", "below 1, such as 0.08 or '8%'");
-  expect_bad_input("advise compression --tolerance much", "a finite strain");
+  expect_bad_input("advise compression --tolerance much", "as in '5%'");
   expect_bad_input("advise compression --tolerance 8% --measure energy",
                    "force, volume or deviation");
   expect_bad_input("advise compression --tolerance 8% --real-time 0",

@@ -51,7 +51,8 @@ BOOST_AUTO_TEST_CASE(gates_end_with_the_status_that_ci_reads) {
   write("bad.toml", head + "at_mots = 2\n");
   expect_bad_input("gate bad.toml gated.h5", "bad.toml:7:1: expected one of name, where");
   expect_bad_input("gate pass.toml none.h5", "none.h5: expected a result file");
-  expect_bad_input("gate speed gated.h5", "gate: expected one of accuracy, thesis");
+  expect_bad_input("gate speed gated.h5",
+                   "unknown gate 'speed', expected one of accuracy, thesis");
   expect_bad_input("gate accuracy gated.h5 --bless", "part of the program");
   expect_bad_input("gate pass.toml gated.h5 --junit none/junit.xml", "none/junit.xml");
   BOOST_TEST(run_springcheck("gate thesis gated.h5").status == 2);  // none of its cases

@@ -13,7 +13,7 @@ namespace springcheck {
 namespace {
 
 constexpr std::array divisions{2, 4, 8, 16};
-const std::array<std::string, 2> ratios{"0.25", "0.45"};
+const std::array<double, 2> ratios{0.25, 0.45};
 
 /// A method on one type of cells.
 struct Series {
@@ -35,10 +35,10 @@ std::vector<Series> all_series() {
   return all;
 }
 
-CaseSettings settings_of(const std::string& nu, int cells, const Changes& changes) {
-  return case_of_scene("shearing", Changes{{"deformation", "1e-5"},
+CaseSettings settings_of(double nu, int cells, const Changes& changes) {
+  return case_of_scene("shearing", Changes{{"deformation", 1e-5},
                                            {"nu", nu},
-                                           {"cells", fmt::format("{0},{0},{0}", cells)}} +
+                                           {"cells", std::array{cells, cells, cells}}} +
                                        changes);
 }
 
@@ -118,14 +118,14 @@ void add_rows(Sheet& sheet, const PlannedSeries& planned,
 SheetPlan plan_convergence_table() {
   std::vector<Request> requests;
   std::vector<PlannedSeries> all;
-  for (const std::string& nu : ratios) {
+  for (const double nu : ratios) {
     const std::size_t exact = requests.size();
     for (const int cells : {4, 8, 16})
       requests.push_back(
           {.settings = settings_of(nu, cells, exact_method), .reference = std::nullopt});
     const CaseSettings finest = requests.back().settings;
     for (const Series& series : all_series()) {
-      all.push_back({.nu = std::stod(nu), .exact = exact, .first = requests.size()});
+      all.push_back({.nu = nu, .exact = exact, .first = requests.size()});
       for (const int cells : divisions)
         requests.push_back(
             {.settings = settings_of(

@@ -41,14 +41,10 @@ std::string deformation_of(const PrintedFigure& figure) {
 
 /// Static, dynamic in SI units, dynamic in raw ones.
 std::vector<CaseSettings> cases_of(const PrintedFigure& figure) {
-  const std::vector<std::pair<std::string, std::string>> common{
-      {"method", "mss-cf"},
-      {"nu", fmt::format("{}", figure.nu)},
-      {"deformation", fmt::format("{}", figure.deformation)}};
-  auto dynamic = common;
-  dynamic.emplace_back("solver", "semi-implicit");
-  auto raw = common;
-  for (auto* settings : {&dynamic, &raw}) settings->emplace_back("history", "200");
+  const Changes common{
+      {"method", "mss-cf"}, {"nu", figure.nu}, {"deformation", figure.deformation}};
+  const Changes raw = common + Changes{{"history", 200}};
+  const Changes dynamic = raw + Changes{{"solver", "semi-implicit"}};
   const std::string scene(name_of(figure.test));
   return {case_of_scene(scene, common), case_of_scene(scene, dynamic),
           case_of_scene(scene + "-thesis-raw", raw)};

@@ -16,13 +16,14 @@ namespace {
 /// A deformation test, at a deformation so small that all laws are one, and at 5 %.
 struct LoadCase {
   std::string scene;
-  std::string small;
-  std::string finite;
+  Change small;
+  Change finite;
 };
-const std::array<LoadCase, 3> tests{{{"compression", "1e-5", "5%"},
-                                     {"shearing", "1e-5", "5%"},
-                                     {"torsion", "1e-5", "1deg"}}};
-const std::array<std::string, 4> ratios{"0", "0.25", "0.45", "0.499"};
+const Change tiny{"deformation", 1e-5};
+const std::array<LoadCase, 3> tests{{{"compression", tiny, {"deformation", "5%"}},
+                                     {"shearing", tiny, {"deformation", "5%"}},
+                                     {"torsion", tiny, {"deformation", "1deg"}}}};
+const std::array<double, 4> ratios{0, 0.25, 0.45, 0.499};
 
 struct MethodRow {
   std::string label;
@@ -46,7 +47,7 @@ const MethodRow bare_lloyd{"mss-lloyd, correction off", lloyd.changes + uncorrec
 
 MethodRow finite_elements(const std::string& law, const std::string& element) {
   const Changes& changes = laws.at(law);
-  return {fmt::format("{}:{} ({})", changes.front().second, element, law),
+  return {fmt::format("{}:{} ({})", changes.front().value.text(), element, law),
           changes + Changes{{"element", element}}, law};
 }
 
@@ -65,7 +66,7 @@ std::vector<MeshRows> meshes_and_methods() {
            {{"cell-type", "hexahedron"}},
            {mss_cf, mss_affine, hooke, hooke_sri, virtual_springs_sri}},
           {"distorted mixed",
-           {{"cell-type", "mixed"}, {"distortion", "0.2"}},
+           {{"cell-type", "mixed"}, {"distortion", 0.2}},
            {mss_cf, van_gelder, mss_affine, hooke, hooke_sri, virtual_springs}},
           {"gmsh's tetrahedra",
            {{"cell-type", "free-tetrahedron"}},
@@ -85,20 +86,19 @@ struct PlannedElementsRow {
   std::optional<OfTests> same_law{};  // q2 on 5^3 cubes
 };
 
-const Changes five_cells{{"cells", "5,5,5"}};
+const Changes five_cells{{"cells", std::array{5, 5, 5}}};
 
 OfTests add_tests(PlannedRequests& requests, const Changes& changes, bool is_small) {
   OfTests places{};
   for (std::size_t t = 0; t < tests.size(); ++t)
     places[t] = requests.add(
-        tests[t].scene,
-        changes + Changes{{"deformation", is_small ? tests[t].small : tests[t].finite}});
+        tests[t].scene, changes + Changes{is_small ? tests[t].small : tests[t].finite});
   return places;
 }
 
 std::vector<PlannedElementsRow> plan_rows(PlannedRequests& requests) {
   std::vector<PlannedElementsRow> rows;
-  for (const std::string& nu : ratios) {
+  for (const double nu : ratios) {
     const Changes material{{"nu", nu}};
     const Changes q2 = material + Changes{{"element", "q2"}};
     const Changes hooke = q2 + laws.at("Hooke");
@@ -106,8 +106,8 @@ std::vector<PlannedElementsRow> plan_rows(PlannedRequests& requests) {
     std::array<OfTests, 3> truth{};
     for (std::size_t grid = 0; grid < 3; ++grid) {
       const int n = 4 << grid;
-      truth[grid] = add_tests(
-          requests, hooke + Changes{{"cells", fmt::format("{0},{0},{0}", n)}}, true);
+      truth[grid] =
+          add_tests(requests, hooke + Changes{{"cells", std::array{n, n, n}}}, true);
     }
     std::map<std::string, OfTests> same_law;
     for (const auto& [law, changes] : laws)
@@ -117,7 +117,7 @@ std::vector<PlannedElementsRow> plan_rows(PlannedRequests& requests) {
         const Changes changes = material + five_cells + mesh.changes + method.changes;
         rows.push_back({.mesh = mesh.label,
                         .method = method,
-                        .nu = std::stod(nu),
+                        .nu = nu,
                         .small = add_tests(requests, changes, true),
                         .finite = add_tests(requests, changes, false),
                         .reference = reference,

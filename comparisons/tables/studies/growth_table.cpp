@@ -36,7 +36,7 @@ struct Growing {
 };
 
 Changes cells_of(int n) {
-  return {{"cells", fmt::format("{0},{0},{0}", n)}};
+  return {{"cells", std::array{n, n, n}}};
 }
 
 std::optional<Cost> cost_of_step(const char* method, int n) {
@@ -72,10 +72,7 @@ std::optional<Cost> cost_of_springs(int n, mss::LinearSolver linear_solver) {
       case_of_scene("compression", Changes{{"method", "mss-cf"}} + cells_of(n));
   return cost_of(settings, [&](const Mesh& mesh, const Scene& scene) {
     const mss::Network network =
-        mss::build_network(mesh, scene.material,
-                           {.method = mss::Method::cf,
-                            .stiffness_form = settings.stiffness_form,
-                            .diagonal_ratio = settings.diagonal_ratio});
+        mss::build_network(mesh, scene.material, network_settings(settings));
     return mss::find_equilibrium(mesh, scene, network, 1, linear_solver);
   });
 }

@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "comparisons/settings/scene_file.hpp"
 
 namespace springcheck {
 namespace {
 
 const std::vector<std::string> laws{"fem-hooke", "fem-hencky"};
-const std::vector<std::string> ratios{"0.49", "0.499", "0.4999"};
+const std::array<double, 3> ratios{0.49, 0.499, 0.4999};
 const std::vector<std::string> element_names{"q1", "q1-sri", "q2"};
 
 std::optional<double> ratio(const std::optional<double>& a,
@@ -67,12 +69,12 @@ SheetPlan plan_locking_table() {
                    return locking_sheet(results);
                  }};
   for (const std::string& law : laws)
-    for (const std::string& nu : ratios)
+    for (const double nu : ratios)
       for (const std::string& element : element_names)
         plan.requests.push_back(
             {.settings = case_of_scene("compression", {{"method", law},
                                                        {"nu", nu},
-                                                       {"deformation", "0.05"},
+                                                       {"deformation", 0.05},
                                                        {"element", element}}),
              .reference = std::nullopt});
   return plan;

@@ -80,7 +80,7 @@ Json split_json(const Split& split) {
                                  {"resolved", quantity.is_resolved()}};
   return {{"cauchy_born", label(split.plan.cauchy_born[0])},
           {"reference", label(split.plan.reference[0])},
-          {"check_element", split.plan.reference_check[0].element.name},
+          {"check_element", split.plan.reference_check[0].elements.element.name},
           {"quantities", quantities},
           {"reasons", split.reasons}};
 }
@@ -109,8 +109,8 @@ std::string split_text(const Split& split) {
       "Converged from {} on {} cells, +- error bar (order observed); checked with {} on "
       "{}.\nDeviations are mean distances from the converged {}; the springs' from "
       "Cauchy-Born is their discretisation part.\n",
-      plan.reference[0].element.name, cells_of(plan.reference),
-      plan.reference_check[0].element.name, cells_of(plan.reference_check),
+      plan.reference[0].elements.element.name, cells_of(plan.reference),
+      plan.reference_check[0].elements.element.name, cells_of(plan.reference_check),
       plan.reference[0].method.name);
   for (const std::string& reason : split.reasons) text += reason + "\n";
   return text;

@@ -13,15 +13,13 @@ namespace {
 /// The five tests of mss-cf at nu = 1/4, small and large.
 std::vector<CaseSettings> springs_of_the_table() {
   std::vector<CaseSettings> all;
-  const auto add = [&](const std::string& scene, const std::string& key,
-                       const std::string& value) {
-    all.push_back(
-        case_of_scene(scene, {{"method", "mss-cf"}, {"nu", "0.25"}, {key, value}}));
+  const auto add = [&](const std::string& scene, const Change& load) {
+    all.push_back(case_of_scene(scene, {{"method", "mss-cf"}, {"nu", 0.25}, load}));
   };
   for (const char* scene : {"compression", "tension", "shearing"})
-    for (const char* strain : {"5%", "20%"}) add(scene, "deformation", strain);
-  for (const char* angle : {"1deg", "45deg"}) add("torsion", "deformation", angle);
-  add("bending", "young", "10e6");
+    for (const char* strain : {"5%", "20%"}) add(scene, {"deformation", strain});
+  for (const char* angle : {"1deg", "45deg"}) add("torsion", {"deformation", angle});
+  add("bending", {"young", 10e6});
   return all;
 }
 

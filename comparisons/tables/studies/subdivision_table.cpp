@@ -18,7 +18,7 @@ struct Load {
 /// Beams whose tips Euler and Bernoulli drop by 5 and 20 % of the length:
 /// 1.5552 m * 2 MPa/E of 2.4 m.
 std::vector<Load> loads() {
-  const Changes coarse_cube{{"cells", "4,4,4"}};
+  const Changes coarse_cube{{"cells", std::array{4, 4, 4}}};
   std::vector<Load> all;
   for (const char* test : {"compression", "tension", "shearing"})
     for (const char* amount : {"5%", "20%"})
@@ -27,8 +27,8 @@ std::vector<Load> loads() {
                          (test == std::string("tension") ? Changes{} : coarse_cube)});
   for (const char* amount : {"1deg", "45deg"})
     all.push_back({"torsion", amount, Changes{{"deformation", amount}} + coarse_cube});
-  all.push_back({"bending", "5% of the length", {{"young", "25.92e6"}}});
-  all.push_back({"bending", "20% of the length", {{"young", "6.48e6"}}});
+  all.push_back({"bending", "5% of the length", {{"young", 25.92e6}}});
+  all.push_back({"bending", "20% of the length", {{"young", 6.48e6}}});
   return all;
 }
 

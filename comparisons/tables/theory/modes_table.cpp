@@ -105,7 +105,7 @@ std::vector<std::string> body_notes(const MethodModes& method,
   return notes;
 }
 
-void add_rows(Sheet& sheet, const SwingingBody& body, const char* nu, MeshStore& meshes) {
+void add_rows(Sheet& sheet, const SwingingBody& body, double nu, MeshStore& meshes) {
   const CaseSettings settings =
       case_of_scene(body.scene, {{"nu", nu}, {"method", "fem-hooke"}});
   const Mesh& mesh = meshes.mesh(settings.body);
@@ -174,8 +174,7 @@ SheetPlan plan_modes_table() {
             omp_set_num_threads(1);  // CHOLMOD's small loops only wait otherwise
             Sheet sheet = empty_sheet();
             for (const SwingingBody& body : bodies)
-              for (const char* nu : {"0", "0.25", "0.4"})
-                add_rows(sheet, body, nu, meshes);
+              for (const double nu : {0., 0.25, 0.4}) add_rows(sheet, body, nu, meshes);
             return sheet;
           }};
 }

@@ -13,11 +13,10 @@ namespace {
 using fem_reference::LatticeDirection;
 
 /// A cube of the lattice's material under uniaxial stress, the lattice turned.
-CaseSettings continuum_case(const std::string& nu, const std::string& strain,
-                            const std::string& direction) {
+CaseSettings continuum_case(double nu, double strain, const std::string& direction) {
   return case_of_scene("uniaxial", {{"method", "fem-cauchy-born"},
                                     {"lattice", "mss-cf"},
-                                    {"cells", "1,1,1"},
+                                    {"cells", std::array{1, 1, 1}},
                                     {"nu", nu},
                                     {"deformation", strain},
                                     {"lattice-direction", direction}});
@@ -25,11 +24,11 @@ CaseSettings continuum_case(const std::string& nu, const std::string& strain,
 
 /// The springs whose boundary follows the same state, seen from the lattice's frame: with
 /// R from lattice to body, H of the lattice is R^T H R.
-CaseSettings springs_case(const CaseSettings& continuum, const std::string& nu) {
+CaseSettings springs_case(const CaseSettings& continuum, double nu) {
   const auto lattice = fem_reference::cauchy_born(continuum.material,
                                                   reference_settings(continuum).lattice);
   const Eigen::Matrix3d turn =
-      fem_reference::lattice_to_body(continuum.lattice_direction);
+      fem_reference::lattice_to_body(continuum.elements.lattice_direction);
   CaseSettings springs = case_of_scene("affine", {{"method", "mss-cf"}, {"nu", nu}});
   springs.gradient =
       turn.transpose() *
@@ -83,7 +82,7 @@ Sheet orientation_sheet(std::span<const CaseResult> results) {
   for (; results.size() >= 2; results = results.subspan(2)) {
     const CaseResult &continuum = results[0], &springs = results[1];
     const CaseSettings& settings = continuum.request.settings;
-    const LatticeDirection direction = settings.lattice_direction;
+    const LatticeDirection direction = settings.elements.lattice_direction;
     const auto stiffness = stiffness_of(continuum);
     if (direction == LatticeDirection::d100) along_100 = stiffness;
     const Vector3 d = fem_reference::lattice_to_body(direction).row(2);
@@ -110,8 +109,8 @@ SheetPlan plan_orientation_table() {
                  .make = [](std::span<const CaseResult> results, MeshStore&) {
                    return orientation_sheet(results);
                  }};
-  for (const char* nu : {"0.25", "0.499"})
-    for (const char* strain : {"-0.05", "-0.2"})
+  for (const double nu : {0.25, 0.499})
+    for (const double strain : {-0.05, -0.2})
       for (const char* direction : {"100", "110", "111"}) {
         const CaseSettings continuum = continuum_case(nu, strain, direction);
         plan.requests.push_back({.settings = continuum, .reference = std::nullopt});

@@ -34,14 +34,14 @@ std::vector<PrintedFigure> printed_figures(const std::string& table) {
     const auto& [name, test, method, nu, deformation, value, verdict] = fields;
     const Given amount = Given::from_text("printed.csv", deformation);
     if (name == table)
-      figures.push_back(
-          {.test = test_named(test),
-           .method = method,
-           .nu = Given::from_text("printed.csv", nu).finite_number(),
-           .deformation = test == "torsion" ? amount.angle() : amount.strain(),
-           .value = Given::from_text("printed.csv", value).finite_number(),
-           .text = value,
-           .verdict = verdict});
+      figures.push_back({.test = test_named(test),
+                         .method = method,
+                         .nu = Given::from_text("printed.csv", nu).finite_number(),
+                         .deformation = amount.in(
+                             test == "torsion" ? Dimension::angle : Dimension::fraction),
+                         .value = Given::from_text("printed.csv", value).finite_number(),
+                         .text = value,
+                         .verdict = verdict});
   }
   return figures;
 }

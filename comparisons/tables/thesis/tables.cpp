@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "comparisons/cases/grids.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/studies/converged_number.hpp"
 #include "comparisons/tables/thesis/printed_figures.hpp"
@@ -19,7 +20,6 @@ namespace springcheck {
 namespace {
 
 using Reference = std::optional<ReferenceMethod>;
-using Overrides = std::vector<std::pair<std::string, std::string>>;
 
 Quantity volume_error() {
   return {"e", "%", "{:.3f}", [](const Measures& m) -> std::optional<double> {
@@ -39,11 +39,10 @@ Quantity scaled(std::string name, std::string unit, std::string format,
 }
 
 Request request_of(const std::string& scene, const std::string& method,
-                   const Overrides& overrides, const Reference& reference) {
+                   const Changes& overrides, const Reference& reference) {
   SceneFile file = read_scene(scene);
-  file.settings.push_back({"method", Given::from_text("table", method)});
-  for (const auto& [key, value] : overrides)
-    file.settings.push_back({key, Given::from_text("table", value)});
+  for (const auto& [key, value] : Changes{{"method", method}} + overrides)
+    file.settings.push_back({key, value});
   RunSettings run = make_run_settings(file.name, file.file, file.settings);
   if (reference) run.reference = reference;
   return requests(run).front();
@@ -57,10 +56,9 @@ std::string deformation_text(const PrintedFigure& figure) {
 
 /// A row of our method beside a printed figure.
 PlannedRow row_of(const PrintedFigure& figure, const std::string& method,
-                  const Overrides& further, const Reference& reference) {
+                  const Changes& further, const Reference& reference) {
   const std::string scene(name_of(figure.test));
-  Overrides overrides{{"nu", fmt::format("{}", figure.nu)},
-                      {"deformation", fmt::format("{}", figure.deformation)}};
+  Changes overrides{{"nu", figure.nu}, {"deformation", figure.deformation}};
   overrides.insert(overrides.end(), further.begin(), further.end());
   PlannedRow row{
       .labels = {fmt::format("{:g}", figure.nu), deformation_text(figure), method},
@@ -208,15 +206,14 @@ TablePlan bending_table(const Reference& reference) {
                 "The distances are the largest between a node of the centre line and the "
                 "theory's point of the same arc length. The elastica is inextensible and "
                 "has no shear; Timoshenko's shear factor is 5/6."}};
-  const auto add = [&](const std::string& scene, double young, const std::string& cells,
+  const auto add = [&](const std::string& scene, double young, const Cells& cells,
                        const std::string& method, const std::string& element,
                        const std::string& verdict) {
     PlannedRow row{
         .labels = {},
-        .request = request_of(
-            scene, method,
-            {{"young", fmt::format("{}", young)}, {"cells", cells}, {"element", element}},
-            reference),
+        .request = request_of(scene, method,
+                              {{"young", young}, {"cells", cells}, {"element", element}},
+                              reference),
         .printed = std::nullopt,
         .printed_text = {},
         .verdict = verdict,
@@ -228,14 +225,14 @@ TablePlan bending_table(const Reference& reference) {
     plan.rows.push_back(std::move(row));
   };
   for (const double young : {10e6, 2e6})
-    for (const char* cells : {"4,4,24", "8,8,48"}) {
+    for (const Cells& cells : {Cells{4, 4, 24}, Cells{8, 8, 48}}) {
       const bool shown = young == 2e6;  // figure 5.15
       add("bending", young, cells, "mss-baudet", "q1-sri", shown ? "yes" : "");
       add("bending", young, cells, "mss-nfd", "q1-sri", shown ? "yes" : "");
       add("bending", young, cells, "mss-cf", "q1-sri", shown ? "no" : "");
       add("bending", young, cells, "fem-stvk", "q1-sri", "");
     }
-  for (const char* cells : {"4,4,24", "8,8,48"}) {
+  for (const Cells& cells : {Cells{4, 4, 24}, Cells{8, 8, 48}}) {
     add("bending-cm", 2e6, cells, "mss-cf", "q1-sri", "");
     add("bending-cm", 2e6, cells, "fem-hooke", "q1", "");
     add("bending-cm", 2e6, cells, "fem-hooke", "q1-sri", "");

@@ -19,13 +19,13 @@ std::optional<double> modulus(const CaseResult& result) {
   return stress ? std::optional((*stress)(0, 2) / amplitude) : std::nullopt;
 }
 
-CaseSettings sheared(std::string_view organ, double frequency, const char* cycles) {
+CaseSettings swinging(std::string_view organ, double frequency, double cycles) {
   return case_of_scene("tissue-oscillation",
-                       {{"organ", std::string(organ)},
-                        {"angular-frequency", fmt::format("{}", frequency)},
+                       {{"organ", organ},
+                        {"angular-frequency", frequency},
                         {"cycles", cycles},
-                        {"gradient", fmt::format("0,0,{},0,0,0,0,0,0", amplitude)},
-                        {"history", "0"}});
+                        {"gradient", std::array<double, 9>{0, 0, amplitude}},
+                        {"history", 0}});
 }
 
 Cell off(const std::optional<double>& value, double law) {
@@ -83,8 +83,8 @@ SheetPlan plan_tissue_oscillation_table() {
   PlannedRequests planned;
   for (const tissue::Organ& organ : tissue::organs())
     for (const double frequency : frequencies)
-      for (const char* cycles : {"10.25", "10"})
-        planned.add(sheared(organ.name, frequency, cycles));
+      for (const double cycles : {10.25, 10.})
+        planned.add(swinging(organ.name, frequency, cycles));
   return {.requests = planned.take(),
           .make = [](std::span<const CaseResult> results, MeshStore&) {
             return oscillation_sheet(results);

@@ -34,10 +34,10 @@ std::vector<Way> ways() {
 CaseSettings sheared(std::string_view organ, const Way& way) {
   const auto& [times, strains] = way.strain;
   return case_of_scene("tissue-relaxation",
-                       {{"organ", std::string(organ)},
-                        {"load-times", fmt::format("{},{}", times[1], times[2])},
-                        {"load-fractions", fmt::format("{},{}", strains[1], strains[2])},
-                        {"history", "0"}});
+                       {{"organ", organ},
+                        {"load-times", std::array{times[1], times[2]}},
+                        {"load-fractions", std::array{strains[1], strains[2]}},
+                        {"history", 0}});
 }
 
 SheetRow row_of(const tissue::Organ& organ, const Way& way, const CaseResult& result) {

@@ -40,11 +40,11 @@ struct Deviations {
 
 CaseSettings sheared(std::string_view organ, double rate, double strain) {
   return case_of_scene("tissue-shearing",
-                       {{"organ", std::string(organ)},
-                        {"rate", fmt::format("{}", rate)},
-                        {"gradient", fmt::format("0,0,{},0,0,0,0,0,0", strain)},
-                        {"cells", "2,2,2"},
-                        {"time-steps", "100"}});
+                       {{"organ", organ},
+                        {"rate", rate},
+                        {"gradient", std::array<double, 9>{0, 0, strain}},
+                        {"cells", std::array{2, 2, 2}},
+                        {"time-steps", 100}});
 }
 
 std::string errors_note(std::string_view organ, const tissue::FitErrors& errors) {

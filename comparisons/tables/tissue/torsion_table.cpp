@@ -20,11 +20,11 @@ CaseSettings turned(std::string_view organ, double rim_strain,
   const auto [across, layers] = mesh;
   constexpr double angle_per_strain = height / radius;
   return case_of_scene("tissue-torsion",
-                       {{"organ", std::string(organ)},
-                        {"size", fmt::format("{0},{0},{1}", 2 * radius, height)},
-                        {"cells", fmt::format("{0},{0},{1}", across, layers)},
-                        {"deformation", fmt::format("{}", rim_strain * angle_per_strain)},
-                        {"rate", fmt::format("{}", rim_rate * angle_per_strain)}});
+                       {{"organ", organ},
+                        {"size", std::array{2 * radius, 2 * radius, height}},
+                        {"cells", std::array{across, across, layers}},
+                        {"deformation", rim_strain * angle_per_strain},
+                        {"rate", rim_rate * angle_per_strain}});
 }
 
 Sheet torsion_sheet(std::span<const CaseResult> results) {

@@ -5,6 +5,7 @@
 
 #include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/running/case_result.hpp"
+#include "comparisons/settings/case_json.hpp"
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "meshing/input_error.hpp"
@@ -50,7 +51,8 @@ BOOST_AUTO_TEST_CASE(cell_types_distortion_and_seed_reach_the_block) {
   BOOST_TEST(block.distortion == 0.2);
   BOOST_TEST(block.seed == 7U);
   BOOST_TEST(message_of("compression", {"cell-type=cube"})
-                 .starts_with("--cell-type: expected one of hexahedron, tetrahedron"));
+                 .starts_with("--cell-type: unknown type of cells 'cube', expected one "
+                              "of hexahedron, tetrahedron"));
   BOOST_TEST(message_of("compression", {"distortion=-1"}).starts_with("--distortion"));
 }
 
@@ -131,9 +133,9 @@ BOOST_AUTO_TEST_CASE(what_does_not_go_with_a_mesh_is_refused) {
   BOOST_TEST(message_of("compression", {"mesh=a.msh", "cells=2,2,2"})
                  .starts_with("--cells: expected nothing of a block beside mesh"));
   BOOST_TEST(message_of("compression", {"fixed=foot"}) ==
-             "--fixed: expected none of it without a mesh, got 'foot'");
+             "--fixed: expected mesh beside fixed: no fixed without mesh, got 'foot'");
   BOOST_TEST(message_of("compression", {"mesh=a.msh", "mesh-unit=inch"}) ==
-             "--mesh-unit: expected one of m, cm, mm, got 'inch'");
+             "--mesh-unit: unknown unit of length 'inch', expected one of m, cm, mm");
   BOOST_TEST(message_of("uniaxial", {"mesh=a.msh"}).find("expected a block") !=
              std::string::npos);
   BOOST_TEST(

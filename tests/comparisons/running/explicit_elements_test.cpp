@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/running/simulate.hpp"
+#include "comparisons/settings/case_json.hpp"
 #include "tests/comparisons/settings.hpp"
 
 // The methods fem-explicit-1p and fem-explicit-8p, from settings to measures.

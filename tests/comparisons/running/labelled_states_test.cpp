@@ -91,12 +91,7 @@ Limit limit_of(const Path& path) {
   const CaseSettings settings = loaded(path.scene, path.changes, path.far);
   const Mesh mesh = build_mesh(settings.body);
   const mss::Network network =
-      mss::build_network(mesh, settings.material,
-                         {.method = std::get<mss::Method>(settings.method.model),
-                          .stiffness_form = settings.stiffness_form,
-                          .diagonal_ratio = settings.diagonal_ratio,
-                          .constants = settings.constants,
-                          .volume_correction = settings.correction});
+      mss::build_network(mesh, settings.material, network_settings(settings));
   const auto is_upright = [&](std::span<const Vector3> x) {
     return std::ranges::all_of(mesh.cells(), [&](const CellNodes& cell) {
       return smallest_corner_jacobian(corners(cell, x)) > 0;

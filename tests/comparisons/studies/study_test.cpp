@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(the_key_holds_what_deviations_are_measured_against) {
   Request request = requests(run_of("compression", small)).front();
   const Mesh& mesh = meshes.mesh(request.settings.body);
   const std::string key = case_key(request, mesh);
-  request.reference->element = *find_element("q1");
+  request.reference->elements.element = *find_element("q1");
   BOOST_TEST(case_key(request, mesh) != key);
   request.reference.reset();
   BOOST_TEST(case_key(request, mesh) != key);

@@ -10,6 +10,7 @@
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/chart/chart_models.hpp"
 #include "comparisons/running/case_result.hpp"
+#include "comparisons/settings/case_json.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/shipped/shipped.hpp"
 #include "comparisons/sweeps/sweep_file.hpp"

@@ -85,7 +85,8 @@ BOOST_AUTO_TEST_CASE(every_printed_figure_has_its_row) {
     for (const PlannedRow& row : plan_table(name, std::nullopt).rows)
       if (label(row.request.settings) != "fem-hooke:q1-sri" &&
           label(row.request.settings) != "fem-hencky:q1-sri" &&
-          row.request.settings.stiffness_form == mss::StiffnessForm::shear_modulus)
+          row.request.settings.springs.stiffness_form ==
+              mss::StiffnessForm::shear_modulus)
         planned.insert(*row.printed);
     BOOST_TEST((printed == planned), name);
   }
@@ -95,7 +96,8 @@ BOOST_AUTO_TEST_CASE(every_printed_figure_has_its_row) {
 BOOST_AUTO_TEST_CASE(table_5_1_shows_the_young_modulus_form_at_nu_0_only) {
   int rows = 0;
   for (const PlannedRow& row : plan_table("5.1", std::nullopt).rows)
-    if (row.request.settings.stiffness_form == mss::StiffnessForm::young_modulus) {
+    if (row.request.settings.springs.stiffness_form ==
+        mss::StiffnessForm::young_modulus) {
       ++rows;
       BOOST_TEST(row.request.settings.material.poisson_ratio == 0);
       BOOST_TEST(row.labels.back().find("E-form") != std::string::npos);

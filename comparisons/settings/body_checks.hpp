@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "comparisons/cases/case.hpp"
+#include "comparisons/settings/given.hpp"
+
+namespace springcheck {
+
+/// Settings by their keys, as they were given last.
+using Settings = std::map<std::string, Given, std::less<>>;
+
+/// nullptr where it is not given.
+inline const Given* find(const Settings& settings, std::string_view key) {
+  const auto found = settings.find(key);
+  return found == settings.end() ? nullptr : &found->second;
+}
+
+/// A mesh stands in place of the block that a scene describes, whose settings are taken
+/// away. Throws InputError for a block's settings in the same place, or options over it.
+void take_mesh_alone(Settings& settings);
+
+/// Throws InputError for what does not go together: a body that the test does not cover,
+/// cells that it cannot have. `file` is the scene's.
+void check_body(const CaseSettings& common, const Settings& settings,
+                const std::string& file);
+
+}  // namespace springcheck

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "comparisons/cases/grids.hpp"
+#include "comparisons/settings/case_json.hpp"
+#include "comparisons/settings/run_settings.hpp"
+#include "meshing/input_error.hpp"
+
+namespace springcheck {
+namespace {
+
+/// The grid of hexahedra that a reference runs on beside a case.
+Body grid_beside(const ReferenceMethod& reference, const Body& body) {
+  if (body.shape != BodyShape::block)
+    throw InputError(reference.place, "grid of the reference",
+                     fmt::format("a block, which regular grids can cut; the mesh of a {} "
+                                 "is its reference's too",
+                                 name_of(body.shape)),
+                     "'" + reference.text + "'");
+  const Cells& cells = body.block.cells;
+  if (reference.cells.empty()) return on_hexahedra(body, cells);
+  const auto refuse = [&](const std::string& expected) {
+    throw InputError(reference.place, "cells of the reference",
+                     fmt::format("{} the case's {}", expected, fmt::join(cells, ",")),
+                     fmt::format("{}", fmt::join(reference.cells, ",")));
+  };
+  if (reference.cells.size() == 1) {
+    const int along_x = reference.cells.front();
+    if (along_x % cells[0] != 0) refuse("a whole multiple of the first of");
+    return on_hexahedra(body, refined(cells, along_x / cells[0]));
+  }
+  const Cells finer{reference.cells[0], reference.cells[1], reference.cells[2]};
+  if (!is_refinement(finer, cells)) refuse("whole multiples of");
+  return on_hexahedra(body, finer);
+}
+
+}  // namespace
+
+std::vector<Request> requests(const RunSettings& run) {
+  constexpr double small_deformation = 0.02;
+  const bool is_small = std::abs(run.common.deformation.value_or(1)) <= small_deformation;
+  const ReferenceMethod reference = run.reference.value_or(ReferenceMethod{
+      *find_method(is_small ? "fem-hooke" : "fem-stvk"), *find_element("q1-sri")});
+  std::vector<Request> all;
+  for (const Method& method : run.methods) {
+    Request request{.settings = run.common, .reference = run.common};
+    request.settings.method = method;
+    request.reference->method = reference.method;
+    request.reference->elements.element = reference.element;
+    if (reference.grid == ReferenceGrid::converged || !reference.cells.empty())
+      request.reference->body = grid_beside(reference, run.common.body);
+    request.reference_grid = reference.grid;
+    const bool is_limit = solver_of(request.settings) == Solver::path_limit;
+    if (is_limit || (is_tissue(method) && !run.reference)) {
+      // A limit is no state at the load, and no other law is tissue's.
+      request.reference.reset();
+      request.reference_grid = ReferenceGrid::one;
+      all.push_back(request);
+      continue;
+    }
+    if (reference.grid == ReferenceGrid::one &&
+        settings_json(request.settings) == settings_json(*request.reference))
+      request.reference.reset();
+    all.push_back(request);
+  }
+  return all;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "comparisons/settings/run_settings.hpp"
+#include "comparisons/settings/units.hpp"
+
+namespace springcheck {
+
+/// Where a setting may stand: in scene files alone, or also as an option of `run`, in
+/// sweeps, gates and as an axis of `stability`. `plan` are those that say what a run
+/// compares: they are no axis.
+enum class Standing { scene_file, everywhere, plan };
+
+/// What a chart and `advise` do with a setting: take it from scene and options, choose it
+/// for each of their models, or have no use for it.
+enum class InCharts { taken, chosen, unused };
+
+/// One value, a list of numbers, a list of names, or given by being named at all.
+enum class Shape { one, list, names, flag };
+
+/// What becomes of a setting that no method of the run reads, nor its reference: it is
+/// refused; refused as an option, since a scene may be meant for other methods too; or
+/// left unread.
+enum class Unread { refused, refused_as_option, accepted };
+
+/// How a setting's value enters a run, and how a case's key and JSON tell it.
+struct Access {
+  /// Of a run into which all settings further up in the table have been read. Throws
+  /// InputError.
+  void (*read)(RunSettings&, const Given&);
+  /// Nothing, or null, where it is not told.
+  nlohmann::json (*told)(const CaseSettings&) = nullptr;
+};
+
+/// Who reads a setting, beyond what its test has.
+struct Readers {
+  bool (*is_one)(const CaseSettings&) = nullptr;  // nullptr: all
+  Unread unread = Unread::accepted;
+  std::string_view without{};  // for refusals: "without mss-custom as method"
+};
+
+/// What there is to say of some settings.
+struct Particulars {
+  Dimension dimension = Dimension::none;
+  Shape shape = Shape::one;
+  Standing standing = Standing::everywhere;
+  std::string_view usual_axis{};  // values of a stability axis that is named alone
+  bool counts = false;            // whole numbers between whose values nothing lies
+  std::string_view beside{};      // a setting without which it has no meaning
+  int replaces = 0;               // settings of one number replace each other; 0: none
+  bool (*has)(Test) = nullptr;    // tests that have it, others refuse it; nullptr: all
+  std::string_view needed{};      // what is missing where it is needed and not given
+  bool (*is_needed)(const RunSettings&) = nullptr;  // nullptr: always where `needed` is
+  std::string_view default_text{};  // the default in words, where `otherwise` is not all
+};
+
+/// A setting, declared in setting_table.cpp alone: scene and sweep files, command line,
+/// refusals, case keys, result columns, stability axes, charts and documentation read it
+/// there.
+struct Setting : Particulars {
+  constexpr Setting(std::string_view its_key, std::string_view its_group, InCharts charts,
+                    const Readers& its_readers, const Access& its_access,
+                    std::string_view its_default, std::string_view its_help,
+                    const Particulars& particulars = {})
+      : Particulars(particulars),
+        key(its_key),
+        group(its_group),
+        in_charts(charts),
+        readers(its_readers),
+        access(its_access),
+        otherwise(its_default),
+        help(its_help) {}
+
+  std::string_view key;
+  std::string_view group;  // as documentation orders them
+  InCharts in_charts;
+  Readers readers;
+  Access access;
+  std::string_view otherwise;  // the default, as a user would write it; empty: none
+  std::string_view help;       // without its default
+};
+
+/// Every setting, in the order in which they are read.
+std::span<const Setting> all_settings();
+
+/// The setting of that key; nullptr without one.
+const Setting* find_setting(std::string_view key);
+
+/// Whether test, method and solver of the case read it.
+bool reads(const CaseSettings& settings, const Setting& setting);
+
+/// What it is, and its default: "Poisson ratio, in (-1, 0.5)".
+std::string help_of(const Setting& setting);
+
+/// Their keys; those that are options alone.
+std::vector<std::string_view> setting_keys();
+std::vector<std::string_view> option_keys();
+
+/// Whether it is an option of `run`, and so a key of sweeps and gates too.
+inline bool is_option(const Setting& setting) {
+  return setting.standing != Standing::scene_file;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,260 @@
+// Every setting, each declared here and nowhere else, in the order in which they are
+// read.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "comparisons/settings/setting.hpp"
+#include "comparisons/settings/setting_access.hpp"
+#include "comparisons/settings/setting_readers.hpp"
+
+namespace springcheck {
+namespace {
+
+using namespace setting_table;
+using enum InCharts;
+using C = CaseSettings;
+using Network = mss::NetworkSettings;
+
+constexpr std::string_view what_runs = "what is compared", body = "body",
+                           material = "material", load = "load", of_lattices = "springs",
+                           of_elements = "finite elements", solution = "solution",
+                           motion = "through time", living = "tissue";
+constexpr int durations = 1, laws_of_tissue = 2;  // settings that replace each other
+
+// Key, group, what charts do with it, who reads it, how it is read and told, its default,
+// its help; and what else there is to say.
+// clang-format off
+const Setting table[] = {
+    {"test", what_runs, taken, all, value<test_of, &C::test>, {},
+     "compression, tension, shearing, torsion, bending, uniaxial, traction or affine",
+     {.standing = Standing::scene_file, .needed = "the name of a test"}},
+    {"method", what_runs, chosen, all, {read_methods, method_told}, {},
+     "comma-separated list of methods, see 'springcheck list methods'",
+     {.shape = Shape::names, .standing = Standing::plan, .needed = "a list of methods"}},
+    {"reference", what_runs, chosen, all, {read_reference}, {},
+     "METHOD[:ELEMENT][@CELLS|@converged] that deviations are measured against",
+     {.shape = Shape::names, .standing = Standing::plan, .default_text =
+      "on the same mesh: fem-hooke:q1-sri up to a deformation of .02, "
+      "fem-stvk:q1-sri above and in tests without a deformation"}},
+    {"expect", what_runs, chosen, all, {read_expect}, "ok",
+     "statuses that end a run of one method with exit status 0",
+     {.shape = Shape::names, .standing = Standing::scene_file}},
+
+    {"body", body, taken, all, in_body<shape_of, &Body::shape>, "block",
+     "block, kidney or disc", {.standing = Standing::scene_file}},
+    {"mesh", body, unused, all, {read_mesh}, {},
+     "a .msh file (gmsh 2.2 or 4.1) in place of the block"},
+    {"mesh-unit", body, unused, all, untold_in_body<mesh_unit_of, &Body::unit>, "m",
+     "length unit of the .msh file: m, cm or mm", {.beside = "mesh"}},
+    {"fixed", body, unused, of_lower_plates, in_body<&Given::text, &Body::fixed>,
+     "bottom",
+     "name of the .msh file's surface on the lower, fixed plate", {.beside = "mesh"}},
+    {"moved", body, unused, of_upper_plates, in_body<&Given::text, &Body::moved>, "top",
+     "name of the one on the upper plate, which is moved or loaded", {.beside = "mesh"}},
+    {"size", body, taken, of_cells, in_block<size_of, &Block::size>, {},
+     "size of the block along x,y,z [m]",
+     {.dimension = Dimension::length, .shape = Shape::list,
+      .needed = "three lengths [m]", .is_needed = has_body_cells}},
+    {"cells", body, chosen, of_cells, in_block<cells_of, &Block::cells>, {},
+     "number of cells along x,y,z",
+     {.shape = Shape::list, .needed = "three counts", .is_needed = has_body_cells}},
+    {"cell-type", body, chosen, of_cells, in_block<pattern_of, &Block::pattern>,
+     "hexahedron",
+     "how the block is cut: hexahedron, tetrahedron, prism, pyramid, mixed or another "
+     "of 'springcheck list cell-types'",
+     {.usual_axis = "hexahedron,tetrahedron,prism,pyramid,mixed"}},
+    {"distortion", body, chosen, of_blocks, in_block<not_negative_of, &Block::distortion>,
+     "0",
+     "how far nodes inside the block are moved along each axis, as a fraction of the "
+     "cell edge", {.dimension = Dimension::fraction, .usual_axis = "0:0.3:7"}},
+    {"seed", body, taken, of_chance, {read_seed, value<seed_of, &C::seed>.told}, "1",
+     "of distorted and mixed meshes, and of the choice between equal directions out of "
+     "an unstable state", {.counts = true}},
+
+    {"nu", material, taken, all, in_material<poisson_ratio_of, &Material::poisson_ratio>,
+     {},
+     "Poisson ratio, in (-1, 0.5)",
+     {.usual_axis = "0,0.05,0.1,0.15,0.2,0.25,0.3,0.35,0.4,0.45,0.49,0.499",
+      .needed = "a number in (-1, 0.5)"}},
+    {"young", material, taken, of_elastic,
+     in_material<&Given::positive_number, &Material::young_modulus>, {},
+     "Young's modulus [Pa]",
+     {.dimension = Dimension::pressure, .needed = "Young's modulus [Pa]",
+      .is_needed = is_elastic}},
+    {"density", material, taken, all,
+     in_material<&Given::positive_number, &Material::density>, {},
+     "mass density [kg/m^3]",
+     {.dimension = Dimension::density, .needed = "a density [kg/m^3]"}},
+
+    {"deformation", load, taken, all, {read_deformation, deformation_told}, {},
+     "strain, or angle of torsion [rad]; '5%' and '45deg' are understood; in uniaxial "
+     "positive pulls and negative presses",
+     {.dimension = Dimension::deformation, .usual_axis = "5%:60%:12", .has = deforms,
+      .needed = "a strain or angle"}},
+    {"gravity", load, taken, all, value<gravity_of, &C::gravity>, {},
+     "acceleration in bending [m/s^2]",
+     {.dimension = Dimension::acceleration, .shape = Shape::list,
+      .standing = Standing::scene_file, .has = in_tests<Test::bending>,
+      .needed = "an acceleration [m/s^2]"}},
+    {"plates", load, unused, all, value<plates_of, &C::plates>, "glued",
+     "how the lower plate holds in traction: glued or sliding",
+     {.has = in_tests<Test::traction>}},
+    {"traction", load, unused, all, {read_traction, traction_told}, {},
+     "force per undeformed area x,y,z on the upper face in traction [Pa]",
+     {.dimension = Dimension::pressure, .shape = Shape::list,
+      .has = in_tests<Test::traction>, .needed = "a force per area [Pa]"}},
+    {"gradient", load, unused, all, value<gradient_of, &C::gradient>, {},
+     "displacement gradient of the boundary in affine, nine numbers by rows",
+     {.shape = Shape::list, .has = in_tests<Test::affine>,
+      .needed = "nine numbers, row by row"}},
+
+    {"diagonal-ratio", of_lattices, chosen, of_diagonals,
+     in_springs<not_negative_of, &Network::diagonal_ratio>, "1",
+     "A = k_f/k_c of mss-fd, mss-cf and their lattices in fem-cauchy-born",
+     {.usual_axis = "0.01,0.03,0.1,0.3,1,3,10,30,100"}},
+    {"stiffness-form", of_lattices, chosen, of_moduli,
+     in_springs<stiffness_form_of, &Network::stiffness_form>, "mu",
+     "spring constants from mu or, as Eq. 5.12 prints, E; of fem-cauchy-born's lattice "
+     "too"},
+    {"stiffness", of_lattices, chosen, of_custom, {read_stiffness, stiffness_told}, {},
+     "KE,KF,KC of mss-custom: lattice values of its edge, face-diagonal and "
+     "inner-diagonal springs at the scene's cell size [N/m]",
+     {.dimension = Dimension::stiffness, .shape = Shape::list,
+      .needed = "KE,KF,KC of mss-custom [N/m]", .is_needed = runs_custom}},
+    {"kappa", of_lattices, chosen, of_custom, {read_kappa, kappa_told}, "0",
+     "modulus of mss-custom's volume correction [Pa]; 0: none",
+     {.dimension = Dimension::pressure}},
+    {"correction", of_lattices, chosen, of_tetrahedra,
+     in_springs<correction_of, &Network::volume_correction>, "on",
+     "volume correction of mss-vangelder and mss-lloyd: on, off"},
+
+    {"element", of_elements, chosen, of_fem,
+     in_elements<element_of, &ElementSettings::element>, "q1-sri",
+     "finite element: q1, q1-sri, or q2 on hexahedra"},
+    {"linear-solver", of_elements, chosen, of_fem,
+     in_elements<linear_solver_of, &ElementSettings::linear_solver>, "auto",
+     "of finite elements: auto (by size), direct or multigrid"},
+    {"lattice", of_elements, chosen, of_continua,
+     in_elements<lattice_of, &ElementSettings::lattice>,
+     "mss-cf",
+     "springs whose continuum fem-cauchy-born is: mss-baudet, mss-nfd, mss-fd, mss-cf, "
+     "mss-affine"},
+    {"lattice-direction", of_elements, chosen, of_continua,
+     in_elements<lattice_direction_of, &ElementSettings::lattice_direction>, "100",
+     "direction of fem-cauchy-born's lattice along z: 100, 110, 111"},
+
+    {"solver", solution, chosen, of_solvers,
+     {value<solver_named, &C::solver>.read, solver_told}, {},
+     "of spring methods: static, limit (static, to where the path loses its stability "
+     "or a cell is turned inside out), or dynamics by explicit (Euler), semi-implicit "
+     "(Euler), verlet or implicit (Euler); fem-explicit methods are never static or "
+     "implicit, other finite elements always static",
+     {.default_text = "static; of fem-explicit methods semi-implicit"}},
+    {"noise", solution, chosen, of_rest, value<not_negative_of, &C::noise>, "0",
+     "of static spring solutions: noise on the nodes' positions, in cell edges, from "
+     "which they are solved again; 0: none"},
+
+    {"dt", motion, chosen, of_steps,
+     {in_motion<time_step_of, &Dynamics::time_step>.read, time_step_told}, "auto",
+     "time step [s], or auto: 0.9 of the stability limit, followed as the body deforms",
+     {.dimension = Dimension::time}},
+    {"dt-ratio", motion, chosen, of_usual_steps,
+     in_motion<&Given::positive_number, &Dynamics::step_ratio>, "0.9",
+     "of dt = auto: the step over the stability limit; above 1 to see what becomes of "
+     "it", {.usual_axis = "0.8:1.2:9"}},
+    {"force-dt", motion, chosen, of_steps,
+     in_motion<&Given::truth, &Dynamics::force_time_step>, "false",
+     "run even with a time step above the stability limit", {.shape = Shape::flag}},
+    {"duration", motion, taken, of_time,
+     in_motion<&Given::positive_number, &Dynamics::duration>, "10",
+     "time over which the load grows in dynamics [s]",
+     {.dimension = Dimension::time, .replaces = durations}},
+    {"rate", motion, taken, of_time, {read_rate}, {},
+     "of the deformation or the largest component of a gradient, in place of a duration "
+     "[1/s]: it is reached in deformation/rate",
+     {.dimension = Dimension::rate, .replaces = durations}},
+    {"load-times", motion, unused, of_points,
+     {read_load_times, load_points<&dynamics::LoadPoint::time>}, {},
+     "times [s], ascending, of load-fractions; in place of a duration",
+     {.dimension = Dimension::time, .shape = Shape::list, .beside = "load-fractions",
+      .replaces = durations}},
+    {"load-fractions", motion, unused, of_points,
+     {read_fractions, load_points<&dynamics::LoadPoint::fraction>}, {},
+     "of the load at those times, straight between them and from 0 at rest: '0,1' after "
+     "'1,2' holds still for a second", {.shape = Shape::list, .beside = "load-times"}},
+    {"angular-frequency", motion, unused, of_swings, {read_frequency, frequency_told}, {},
+     "of a load that swings, sin(omega t) [rad/s]; in place of a duration",
+     {.dimension = Dimension::angular_frequency, .replaces = durations}},
+    {"cycles", motion, unused, of_swings, {read_cycles, cycles_told}, "5",
+     "of that load, also parts of one", {.beside = "angular-frequency"}},
+    {"damping", motion, taken, of_dashpots,
+     in_motion<not_negative_of, &Dynamics::damping_ratio>, "0.05",
+     "in dynamics, fraction of critical: dashpots of springs, drag of fem-explicit "
+     "methods",
+     {.dimension = Dimension::fraction, .usual_axis = "0,0.01,0.02,0.05,0.1,0.2,0.5,1"}},
+    {"precision", motion, chosen, of_dashpots,
+     in_motion<precision_of, &Dynamics::precision>, "double",
+     "of explicit steps: double or float"},
+    {"history", motion, chosen, of_histories,
+     {in_motion<sample_count_of, &Dynamics::history>.read, history_told}, "0",
+     "samples of deformation, volume, plate force and torque, and energies at equal "
+     "distances in time, on each straight piece of the load; in dynamics and of tissue; "
+     "0: none", {.counts = true}},
+
+    {"organ", living, unused, of_living, {read_law<organ_of>}, {},
+     "liver, kidney or spleen: Golec 2018's law of it, for methods of tissue",
+     {.replaces = laws_of_tissue}},
+    {"law", living, unused, of_living, {read_law<law_of>, law_told}, {},
+     "K,n,GAMMA_LIM,p of tissue's bi-power law, but for mss-thesis-tissue: K [Pa s^n], "
+     "others without unit",
+     {.shape = Shape::list, .replaces = laws_of_tissue,
+      .needed = "K,n,GAMMA_LIM,p of tissue, or an organ", .is_needed = runs_tissue}},
+    {"branches", living, unused, of_memory,
+     value<branch_count_of, &C::tissue, &Tissue::branches>, "5",
+     "Maxwell branches of tissue, 2 to 32"},
+    {"time-steps", living, unused, of_tissue_at_rest,
+     {read_time_steps, value<time_steps_of, &C::tissue, &Tissue::steps>.told}, "auto",
+     "of tissue's static solver, on each straight piece of the load; auto: 50, of a "
+     "load that swings 1 on each 64th of a cycle"}};
+// clang-format on
+
+}  // namespace
+
+std::span<const Setting> all_settings() {
+  return table;
+}
+
+const Setting* find_setting(std::string_view key) {
+  const auto found = std::ranges::find(table, key, &Setting::key);
+  return found == std::end(table) ? nullptr : found;
+}
+
+bool reads(const CaseSettings& settings, const Setting& setting) {
+  return (setting.has == nullptr || setting.has(settings.test)) &&
+         (setting.readers.is_one == nullptr || setting.readers.is_one(settings));
+}
+
+std::string help_of(const Setting& setting) {
+  const std::string_view usual =
+      setting.default_text.empty() ? setting.otherwise : setting.default_text;
+  return usual.empty() || setting.shape == Shape::flag
+             ? std::string(setting.help)
+             : fmt::format("{} (default {})", setting.help, usual);
+}
+
+std::vector<std::string_view> setting_keys() {
+  std::vector<std::string_view> keys;
+  for (const Setting& setting : table) keys.push_back(setting.key);
+  return keys;
+}
+
+std::vector<std::string_view> option_keys() {
+  std::vector<std::string_view> keys;
+  for (const Setting& setting : table)
+    if (is_option(setting)) keys.push_back(setting.key);
+  return keys;
+}
+
+}  // namespace springcheck
