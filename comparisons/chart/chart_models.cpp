@@ -101,7 +101,7 @@ bool is_chosen_by_charts(std::string_view key) {
 std::vector<GivenSetting> options_for(ChartKind kind, std::vector<GivenSetting> options) {
   if (kind == ChartKind::equilibrium)
     std::erase_if(options, [](const GivenSetting& option) {
-      return option.key == "duration" || option.key == "damping";
+      return find_setting(option.key)->readers.unread == Unread::refused_as_option;
     });
   return options;
 }

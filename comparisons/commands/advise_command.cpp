@@ -12,6 +12,7 @@
 #include "comparisons/chart/chart_run.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/settings/scene_file.hpp"
+#include "comparisons/settings/setting.hpp"
 #include "comparisons/sheets/text_table.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
@@ -87,15 +88,17 @@ std::string scene_text(const std::string& scene, const std::vector<GivenSetting>
                        const std::optional<Frame>& frame, const std::string& why) {
   std::map<std::string, std::string> settings;
   for (const GivenSetting& setting : read_scene(scene).settings)
-    if (!is_chosen_by_charts(setting.key))
-      settings[setting.key] = setting.value.toml();
-  for (const GivenSetting& setting : options)
-    settings[setting.key] = setting.value.toml();
+    if (!is_chosen_by_charts(setting.key)) settings[setting.key] = setting.value.toml();
+  for (const GivenSetting& option : options) {
+    const int group = find_setting(option.key)->replaces;
+    for (const Setting& other : all_settings())
+      if (group != 0 && other.replaces == group) settings.erase(std::string(other.key));
+    settings[option.key] = option.value.toml();
+  }
   const Body body = chart_body(scene, options);
   const ChartModel& model =
       model_named(chosen.place.model, chosen.place.kind, body.shape);
-  for (const auto& [key, value] : model.changes)
-    settings[key] = value.toml();
+  for (const auto& [key, value] : model.changes) settings[key] = value.toml();
   const Cells cells = cells_across(body.block.size, chosen.place.across);
   settings["cells"] = fmt::format("[{}, {}, {}]", cells[0], cells[1], cells[2]);
   settings["reference"] = Given::from_text("advise", law).toml();

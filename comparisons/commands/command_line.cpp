@@ -124,7 +124,7 @@ void check_options(const CLI::App& command, int argc, char** argv) {
   const std::vector<std::string_view> names(options.begin(), options.end());
   for (int i = 2; i < argc; ++i) {
     const std::string_view word(argv[i]);
-    if (word == "--") return;
+    if (word == "--" || word == "--help") return;
     if (!word.starts_with("--")) continue;
     const std::string_view name = word.substr(0, word.find('='));
     if (std::ranges::count(names, name) == 0)
@@ -456,7 +456,10 @@ int command_line(int argc, char** argv) {
   try {
     return run_arguments(argc, argv);
   } catch (const InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    std::string line = error.what();  // what users wrote may hold line ends
+    std::ranges::replace_if(
+        line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    fmt::print(stderr, "{}\n", line);
     return ExitStatus::bad_input;
   } catch (const std::exception& error) {
     fmt::print(stderr, "springcheck: {}\n", error.what());

@@ -60,11 +60,12 @@ Json materials() {
 Json settings() {
   Json entries;
   for (const Setting& setting : all_settings())
-    entries[std::string(setting.key)] = {{"group", setting.group},
-                                         {"option", is_option(setting)},
-                                         {"units", units_of(setting.dimension)},
-                                         {"default", setting.otherwise},
-                                         {"description", help_of(setting)}};
+    entries[std::string(setting.key)] = {
+        {"group", setting.group},
+        {"option", is_option(setting)},
+        {"units", units_of(setting.dimension)},
+        {"default", setting.otherwise.empty() ? setting.default_text : setting.otherwise},
+        {"description", help_of(setting)}};
   return entries;
 }
 

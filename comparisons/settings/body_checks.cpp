@@ -1,7 +1,5 @@
 #include "comparisons/settings/body_checks.hpp"
 
-#include <array>
-
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

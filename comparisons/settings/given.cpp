@@ -80,7 +80,7 @@ Given Given::from_text(std::string place, std::string_view text) {
 
 void Given::refuse(const std::string& expected) const {
   std::string got;
-  for (const Scalar& value : values_)
+  for (const Scalar& value : written_.empty() ? values_ : written_)
     got += fmt::format("{}{}", got.empty() ? "" : ", ", described(value));
   if (is_list_) got = fmt::format("[{}]", got);
   throw InputError(place_, "", expected, got);
@@ -222,6 +222,7 @@ std::array<std::int64_t, 3> Given::three_integers() const {
 Given Given::in_si_units(Dimension dimension) const {
   if (dimension == Dimension::none) return *this;
   Given converted = *this;
+  converted.written_ = values_;
   for (Scalar& value : converted.values_) {
     const auto* text = std::get_if<std::string>(&value);
     const auto measured = text == nullptr ? std::nullopt : measurement(*text);

@@ -77,6 +77,7 @@ class Given {
 
   std::string place_;
   std::vector<Scalar> values_;
+  std::vector<Scalar> written_{};  // before a conversion of units, for messages
   bool is_list_ = false;
 };
 

@@ -13,13 +13,13 @@
 namespace springcheck {
 namespace {
 
-bool is_given_as_option(const Given& given) {
-  return given.source() == "--";
-}
-
-/// Of settings that replace each other one stays: an option's rather than the scene's.
-/// Throws InputError where two stand in the same place.
-void keep_one_of_each(Settings& settings) {
+/// Of settings that replace each other one stays: an option's, a sweep's or a table's
+/// rather than the scene's, which is `file`. Throws InputError where two have equal
+/// rights.
+void keep_one_of_each(Settings& settings, const std::string& file) {
+  const auto is_of_scene = [&](const Given& given) {
+    return given.place().starts_with(file + ":");
+  };
   std::map<int, const Setting*> kept;
   for (const Setting& setting : all_settings()) {
     const Given* given = find(settings, setting.key);
@@ -27,15 +27,15 @@ void keep_one_of_each(Settings& settings) {
     const auto [place, is_first] = kept.try_emplace(setting.replaces, &setting);
     if (is_first) continue;
     const Given& other = settings.at(std::string(place->second->key));
-    if (is_given_as_option(other) == is_given_as_option(*given))
+    if (is_of_scene(other) == is_of_scene(*given))
       given->refuse("no value beside that of " + other.place() +
                     ", which it would replace");
     const Setting* replaced = &setting;
-    if (is_given_as_option(*given)) std::swap(replaced, place->second);
+    if (is_of_scene(other)) std::swap(replaced, place->second);
     settings.erase(std::string(replaced->key));
     for (const Setting& further : all_settings())  // of the scene, which go with it
       if (const Given* its = find(settings, further.key);
-          its != nullptr && further.beside == replaced->key && !is_given_as_option(*its))
+          its != nullptr && further.beside == replaced->key && is_of_scene(*its))
         settings.erase(std::string(further.key));
   }
 }
@@ -63,6 +63,11 @@ void check_test(const Settings& settings, Test test) {
   }
 }
 
+/// Not that of `--over`, some of whose points may read it.
+bool is_own_option(const Given& given, const std::string& key) {
+  return given.place() == "--" + key;
+}
+
 /// Settings that the run's test, methods and reference do not read.
 void check_read(const RunSettings& run, const Settings& settings) {
   const auto is_read = [&](const Setting& setting) {
@@ -72,7 +77,7 @@ void check_read(const RunSettings& run, const Settings& settings) {
     const Setting& setting = *find_setting(key);
     const bool matters = setting.readers.unread == Unread::refused ||
                          (setting.readers.unread == Unread::refused_as_option &&
-                          is_given_as_option(given));
+                          is_own_option(given, key));
     if (matters && !is_read(setting))
       given.refuse(fmt::format("no {} {}", key, setting.readers.without));
   }
@@ -139,7 +144,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
   Settings settings;
   for (const auto& [key, value] : given) settings.insert_or_assign(key, value);
   take_mesh_alone(settings);
-  keep_one_of_each(settings);
+  keep_one_of_each(settings, file);
   check_beside(settings);
   RunSettings run{};
   run.common.scene = name;

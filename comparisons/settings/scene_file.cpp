@@ -1,8 +1,5 @@
 #include "comparisons/settings/scene_file.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <utility>
 
 #include "comparisons/settings/setting.hpp"

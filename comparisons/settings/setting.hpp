@@ -12,7 +12,7 @@
 namespace springcheck {
 
 /// Where a setting may stand: in scene files alone, or also as an option of `run`, in
-/// sweeps, gates and as an axis of `stability`. `plan` are those that say what a run
+/// sweeps and as an axis of `stability`. `plan` are those that say what a run
 /// compares: they are no axis.
 enum class Standing { scene_file, everywhere, plan };
 

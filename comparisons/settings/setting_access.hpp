@@ -197,9 +197,13 @@ inline nlohmann::json law_told(const CaseSettings& c) {
 
 /// Where the load swings, each 64th of a cycle is a piece of it.
 inline void read_time_steps(RunSettings& run, const Given& given) {
-  const bool is_usual = given.is_text();  // auto
   const bool swings = run.common.dynamics.oscillation.has_value();
-  run.common.tissue.steps = is_usual ? (swings ? 1 : 50) : time_steps_of(given);
+  if (!given.is_text())
+    run.common.tissue.steps = time_steps_of(given);
+  else if (given.text() == "auto")
+    run.common.tissue.steps = swings ? 1 : 50;
+  else
+    given.refuse("an integer of at least 1, or 'auto'");
 }
 
 inline void read_load_times(RunSettings& run, const Given& given) {

@@ -2,8 +2,6 @@
 
 // Which tests, methods and solvers read a setting: for setting_table.cpp alone.
 
-#include <algorithm>
-
 #include "comparisons/settings/setting.hpp"
 
 namespace springcheck::setting_table {
@@ -137,10 +135,13 @@ constexpr Readers of_steps{through_time, Unread::refused_as_option, without_time
     of_time{along_time, Unread::refused_as_option, without_time},
     of_points{has_load_points, Unread::refused_as_option, without_time},
     of_swings{swings, Unread::refused_as_option, without_time},
-    of_dashpots{with_dashpots, Unread::refused_as_option, without_time},
+    of_dashpots{
+        with_dashpots, Unread::refused_as_option,
+        "without springs or fem-explicit methods that go through time, of no tissue"},
     of_histories{along_time, Unread::refused, without_time};
 constexpr Readers of_living{of_tissue, Unread::refused, without_tissue},
-    of_tissue_at_rest{of_tissue_without_inertia, Unread::refused, without_tissue},
+    of_tissue_at_rest{of_tissue_without_inertia, Unread::refused_as_option,
+                      "without a method of tissue whose solver is static"},
     of_memory{remembers, Unread::refused,
               "without mss-tissue or fem-tissue as method or reference"};
 
@@ -151,7 +152,7 @@ inline bool has_body_cells(const RunSettings& run) {
 }
 
 inline bool is_elastic(const RunSettings& run) {
-  return !std::ranges::all_of(run.methods, is_tissue);
+  return runs(run, elastic);
 }
 
 inline bool runs_custom(const RunSettings& run) {

@@ -35,7 +35,8 @@ std::string_view nearest(std::string_view text,
   // An edit for every three letters, one at least:
   std::size_t least = 2 + 2 * std::max<std::size_t>(1, text.size() / 3);
   for (const std::string_view candidate : candidates)
-    if (const std::size_t edits = edit_distance(text, candidate); edits < least) {
+    if (const std::size_t edits = edit_distance(text, candidate);
+        edits < least && candidate.find(' ') == candidate.npos) {
       least = edits;
       best = candidate;
     }

@@ -51,8 +51,10 @@ constexpr std::array units{
 };
 constexpr std::string_view degrees = "deg";
 
-/// The double nearest to number x 10^exponent.
-std::optional<double> scaled(std::string_view number, int exponent) {
+/// The nearest to number x 10^exponent.
+template <class Number>
+std::optional<Number> scaled(std::string_view number, int exponent) {
+  constexpr int largest = 10'000;  // far beyond any number
   const std::size_t e = number.find_first_of("eE");
   if (e != std::string_view::npos) {
     std::string_view digits = number.substr(e + 1);
@@ -60,11 +62,11 @@ std::optional<double> scaled(std::string_view number, int exponent) {
     int own = 0;
     const auto [end, error] =
         std::from_chars(digits.data(), digits.data() + digits.size(), own);
-    if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+    if (error != std::errc{} || own < -largest || own > largest) return std::nullopt;
     exponent += own;
   }
   const std::string text = fmt::format("{}e{}", number.substr(0, e), exponent);
-  double value = 0;
+  Number value = 0;
   const auto [end, error] =
       std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
@@ -73,7 +75,7 @@ std::optional<double> scaled(std::string_view number, int exponent) {
 
 /// In long double, whose rounding is far below a double's.
 std::optional<double> radians(std::string_view number) {
-  const std::optional<double> value = scaled(number, 0);
+  const std::optional<long double> value = scaled<long double>(number, 0);
   if (!value) return std::nullopt;
   return static_cast<double>(*value * std::numbers::pi_v<long double> / 180);
 }
@@ -107,11 +109,11 @@ std::optional<Measurement> measurement(std::string_view text) {
 }
 
 std::optional<double> value_of(const Measurement& measured, Dimension dimension) {
-  if (measured.unit.empty()) return scaled(measured.number, 0);
+  if (measured.unit.empty()) return scaled<double>(measured.number, 0);
   if (dimension == angle && measured.unit == degrees) return radians(measured.number);
   for (const Unit& unit : units)
     if (unit.dimension == dimension && unit.name == measured.unit)
-      return scaled(measured.number, unit.exponent);
+      return scaled<double>(measured.number, unit.exponent);
   return std::nullopt;
 }
 

@@ -23,7 +23,7 @@ enum class Dimension {
   deformation         // an angle in torsion, a fraction in other tests
 };
 
-/// Names of its units, the SI unit first; a fraction has none but %.
+/// Names of its units, the SI unit first where it has a name.
 std::vector<std::string_view> units_of(Dimension dimension);
 
 /// "a finite number, plain or in Pa, kPa, ..., as in '5kPa'", for messages.

@@ -44,10 +44,14 @@ std::string text_of(const Number& number) {
   return fmt::format("{:.12g}{}", number.value, number.unit);
 }
 
-bool is_ascending(const std::vector<std::string>& values) {
+/// Whether they are numbers of the setting, in one unit, each above the one before.
+bool is_ascending(const Setting& setting, const std::vector<std::string>& values) {
+  if (setting.shape != Shape::one) return false;
+  std::vector<std::string_view> units = units_of(setting.dimension);
+  units.emplace_back("");
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto here = number(values[i]);
-    if (!here) return false;
+    if (!here || std::ranges::count(units, here->unit) == 0) return false;
     if (i == 0) continue;
     const auto before = number(values[i - 1]);
     if (before->unit != here->unit || !(before->value < here->value)) return false;
@@ -116,10 +120,10 @@ Axis axis_named(const std::string& place, const std::string& text) {
 
 Axis axis_of(const std::string& key, const std::vector<std::string>& values) {
   const Setting* setting = find_setting(key);
-  const bool counts = setting != nullptr && setting->counts;
   return {.key = key,
           .values = values,
-          .is_range = !counts && values.size() > 1 && is_ascending(values)};
+          .is_range = setting != nullptr && !setting->counts && values.size() > 1 &&
+                      is_ascending(*setting, values)};
 }
 
 GivenSetting setting(const Axis& axis, const std::string& value) {

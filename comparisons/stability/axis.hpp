@@ -16,7 +16,7 @@ struct Axis {
 };
 
 /// "KEY=FROM:TO:COUNT", equal steps, both ends included, or "KEY=A,B,C"; semicolons
-/// separate values that are lists ("cells=4,4,4;6,6,6"). Numbers may end in % or deg.
+/// separate values that are lists ("cells=4,4,4;6,6,6"). Numbers may end in a unit.
 /// Throws InputError, naming `place`.
 Axis axis_named(const std::string& place, const std::string& text);
 
@@ -34,7 +34,7 @@ GivenSetting setting(const Axis& axis, const std::string& value);
 /// The value in the middle of two of a range, in their unit.
 std::string middle(const std::string& low, const std::string& high);
 
-/// The number that starts the value, and the unit behind it: "", "%" or "deg".
+/// The number that starts the value, and the unit behind it: "" or "%".
 double number_of(const std::string& value);
 std::string unit_of(const std::string& value);
 

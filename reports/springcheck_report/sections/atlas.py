@@ -114,7 +114,8 @@ def _is_logarithmic(numbers):
 def _label(axis, case):
     key, unit = axis["key"], axis["unit"]
     if key != "deformation":
-        return _LABELS.get(key, key) + (f" [{unit}]" if unit else "")
+        label = _LABELS.get(key, key)
+        return f"{label.partition(' [')[0]} [{unit}]" if unit else label
     if case.test == "torsion":
         return "angle of torsion [°]" if unit == "deg" else "angle of torsion [rad]"
     return "deformation [%]" if unit == "%" else "deformation [-]"

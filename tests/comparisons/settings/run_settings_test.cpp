@@ -424,4 +424,25 @@ BOOST_AUTO_TEST_CASE(every_key_reaches_the_finite_elements) {
   BOOST_TEST((settings.linear_solver == LinearSolver::multigrid));
 }
 
+// What a scene says for a static solver is left alone by one through time; a text that is
+// no default is refused; a reference that is elastic needs a modulus.
+BOOST_AUTO_TEST_CASE(settings_of_tissue_are_read_by_their_solver) {
+  const auto refusal = [](std::vector<std::string> changes) -> std::string {
+    try {
+      run_of("tissue-torsion", std::move(changes));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  BOOST_TEST(refusal({"solver=verlet"}) == "accepted");
+  BOOST_TEST(refusal({"time-steps=auto"}) == "accepted");
+  BOOST_TEST(
+      refusal({"time-steps=some"}).starts_with("--time-steps: expected an integer"));
+  BOOST_TEST(refusal({"reference=fem-hooke"})
+                 .ends_with("expected Young's modulus [Pa], got none"));
+  BOOST_TEST(refusal({"reference=fem-hooke", "young=5kPa"}) == "accepted");
+  BOOST_TEST(refusal({"young=-5kPa"}).ends_with("got '-5kPa'"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -36,6 +36,7 @@ BOOST_AUTO_TEST_CASE(numbers_with_a_unit_are_the_nearest_doubles) {
   }
   BOOST_TEST(read("35%", fraction) == 0.35);
   BOOST_TEST(read("57deg", angle) == 0.99483767363676785);
+  BOOST_TEST(read("0.57deg", angle) == 0.009948376736367679);
   BOOST_TEST(read("30deg", angle) == 0.52359877559829893);
   BOOST_TEST(read("10kPa", pressure) == 10e3);
   BOOST_TEST(read("1.1e-3MPa", pressure) == 1.1e3);
@@ -55,7 +56,8 @@ BOOST_AUTO_TEST_CASE(units_of_another_kind_are_refused_with_those_that_fit) {
   BOOST_TEST(refusal("10kg", pressure) ==
              "--x: expected a finite number, plain or in Pa, kPa, MPa, GPa, N/m^2, "
              "N/cm^2, N/mm^2, as in '5N/mm^2', got '10kg'");
-  for (const char* text : {"5deg", "1e400%", "nan", "inf%", "%", "5%%", ""})
+  for (const char* text :
+       {"5deg", "1e400%", "0e2147483647%", "nan", "inf%", "%", "5%%", ""})
     BOOST_TEST(refusal(text, fraction).starts_with("--x: expected a finite number"),
                text);
   BOOST_TEST(refusal("5%", angle).find("as in '45deg'") != std::string::npos);

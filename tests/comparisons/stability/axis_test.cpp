@@ -43,6 +43,9 @@ BOOST_AUTO_TEST_CASE(only_ascending_numbers_have_values_between_them) {
   BOOST_TEST(!axis_named("--over", "nu=0.25,0,0.4").is_range);
   BOOST_TEST(!axis_named("--over", "nu=0.25").is_range);
   BOOST_TEST(!axis_named("--over", "deformation=5%,10deg").is_range);
+  BOOST_TEST(axis_named("--over", "young=5kPa:10kPa:3").is_range);
+  BOOST_TEST(!axis_named("--over", "mesh=1.msh,2.msh").is_range);
+  BOOST_TEST(!axis_named("--over", "traction=1,0,0;2,0,0").is_range);
   BOOST_TEST(!axis_named("--over", "cell-type=hexahedron,tetrahedron").is_range);
   const Axis grids = axis_named("--over", "cells=4,4,4;6,6,6");
   BOOST_TEST((grids.values == Values{"4,4,4", "6,6,6"}));

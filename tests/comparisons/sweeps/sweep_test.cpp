@@ -179,6 +179,18 @@ BOOST_AUTO_TEST_CASE(shipped_sweeps_can_be_read) {
   BOOST_TEST(read_sweep("nu", 1000).requests.size() == 330U);
 }
 
+// The scene has load-times and load-fractions, which a duration replaces.
+BOOST_AUTO_TEST_CASE(a_sweep_replaces_what_the_scene_says_otherwise) {
+  const Sweep sweep =
+      sweep_of("scene = 'tissue-relaxation'\nmethod = 'mss-tissue'\nduration = [3, 4]\n");
+  BOOST_REQUIRE(sweep.requests.size() == 2U);
+  BOOST_TEST(sweep.requests.front().settings.dynamics.duration == 3);
+  BOOST_TEST(sweep.requests.front().settings.dynamics.load.empty());
+  BOOST_TEST(message_of("scene = 'tissue-relaxation'\nmethod = 'mss-tissue'\n"
+                        "duration = 3\nrate = 1\n")
+                 .find("which it would replace") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(what_was_refused_is_told_with_its_reason) {
   const OwnFolder own;
   MeshStore meshes;
