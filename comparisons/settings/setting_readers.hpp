@@ -135,9 +135,9 @@ constexpr Readers of_steps{through_time, Unread::refused_as_option, without_time
     of_time{along_time, Unread::refused_as_option, without_time},
     of_points{has_load_points, Unread::refused_as_option, without_time},
     of_swings{swings, Unread::refused_as_option, without_time},
-    of_dashpots{
-        with_dashpots, Unread::refused_as_option,
-        "without springs or fem-explicit methods that go through time, of no tissue"},
+    of_dashpots{with_dashpots, Unread::refused_as_option,
+                "without a solver that goes through time, of springs or fem-explicit "
+                "methods"},
     of_histories{along_time, Unread::refused, without_time};
 constexpr Readers of_living{of_tissue, Unread::refused, without_tissue},
     of_tissue_at_rest{of_tissue_without_inertia, Unread::refused_as_option,

@@ -165,7 +165,7 @@ double deformation_of(const Given& given, Test test) {
   }
   if (!(deformation > 0)) given.refuse("a positive number: the test gives its direction");
   if (test == Test::torsion && deformation > 2 * std::numbers::pi)
-    given.refuse("an angle of at most a turn; plain numbers are radians, not '45deg'");
+    given.refuse("an angle of at most a turn: degrees are written '45deg'");
   if (test == Test::compression && deformation >= 1)
     given.refuse("a strain below 1: the plates would meet");
   return deformation;

@@ -120,8 +120,8 @@ BOOST_AUTO_TEST_CASE(a_killed_run_goes_on_to_the_bit) {
     const std::string whole = figures(result_of(run));
     int killed = 0;
     for (double seconds = 0.3; seconds < 100; seconds *= 1.5) {
-      const Run cut =
-          run_springcheck(saved, "timeout --foreground -s KILL " + std::to_string(seconds) + " ");
+      const Run cut = run_springcheck(
+          saved, "timeout --foreground -s KILL " + std::to_string(seconds) + " ");
       if (cut.status == 0) break;
       ++killed;
       if (killed > 2 && fs::exists(folder / (precision + ".h5"))) break;
