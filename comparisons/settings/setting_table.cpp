@@ -1,5 +1,4 @@
-// Every setting, each declared here and nowhere else, in the order in which they are
-// read.
+// Every setting, each declared here and nowhere else, in the order of reading.
 
 #include <fmt/format.h>
 
@@ -26,7 +25,7 @@ constexpr int durations = 1, laws_of_tissue = 2;  // settings that replace each 
 // Key, group, what charts do with it, who reads it, how it is read and told, its default,
 // its help; and what else there is to say.
 // clang-format off
-const Setting table[] = {
+constexpr Setting table[] = {
     {"test", what_runs, taken, all, value<test_of, &C::test>, {},
      "compression, tension, shearing, torsion, bending, uniaxial, traction or affine",
      {.standing = Standing::scene_file, .needed = "the name of a test"}},
