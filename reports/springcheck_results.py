@@ -27,8 +27,8 @@ CELLS = ["tetrahedra", "pyramids", "prisms", "hexahedra"]
 HISTORY = ["time", "load_fraction", "deformation", "volume_change"]
 HISTORY += [f"{name}_{axis}" for name in ("force", "torque") for axis in "xyz"]
 HISTORY += ["kinetic_energy", "strain_energy"]
-_COMPONENTS = {3: ["x", "y", "z"], 9: ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"]}
-HISTORY += [f"stress_{component}" for component in _COMPONENTS[9]]
+COMPONENTS = {3: ["x", "y", "z"], 9: ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"]}
+HISTORY += [f"stress_{component}" for component in COMPONENTS[9]]
 
 
 @dataclass
@@ -121,7 +121,7 @@ def _table(group):
         elif values.ndim == 1:
             columns[name] = values
         else:
-            for i, component in enumerate(_COMPONENTS[values.shape[1]]):
+            for i, component in enumerate(COMPONENTS[values.shape[1]]):
                 columns[f"{name}.{component}"] = values[:, i]
     return pd.DataFrame(columns)
 

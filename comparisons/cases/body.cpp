@@ -12,22 +12,8 @@
 
 namespace springcheck {
 
-std::string_view name_of(BodyShape shape) {
-  switch (shape) {
-    case BodyShape::block:
-      return "block";
-    case BodyShape::kidney:
-      return "kidney";
-    case BodyShape::disc:
-      return "disc";
-    case BodyShape::file:
-      return "file";
-  }
-  return {};
-}
-
 std::string_view name_of(CellPattern pattern) {
-  return std::ranges::find(cell_patterns(), pattern, &CellPatternName::pattern)->name;
+  return std::ranges::find(cell_patterns(), pattern, &CellPatternName::value)->name;
 }
 
 const std::vector<MeshUnit>& mesh_units() {

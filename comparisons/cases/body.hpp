@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "comparisons/cases/named.hpp"
 #include "meshing/generators/generate_block.hpp"
 
 namespace springcheck {
@@ -15,7 +16,11 @@ namespace springcheck {
 /// What is deformed: a block, a kidney-like solid, a disc, or the mesh of a file.
 enum class BodyShape { block, kidney, disc, file };
 
-std::string_view name_of(BodyShape shape);
+template <>
+inline constexpr std::array value_names<BodyShape>{
+    Named{BodyShape::block, "block"}, Named{BodyShape::kidney, "kidney"},
+    Named{BodyShape::disc, "disc"}, Named{BodyShape::file, "file"}};
+
 std::string_view name_of(CellPattern pattern);  // on the command line
 
 /// A length unit of mesh files.

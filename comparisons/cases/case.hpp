@@ -1,13 +1,11 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "comparisons/cases/body.hpp"
 #include "comparisons/cases/methods.hpp"
+#include "comparisons/cases/named.hpp"
 #include "mss/solve.hpp"
 #include "tissue/bipower_law.hpp"
 
@@ -76,16 +74,6 @@ struct Tissue {
 bool has_lower_plate(Test test);
 bool has_upper_plate(Test test);
 
-/// A value of an enumeration by its name on the command line and in files.
-template <class Value>
-struct Named {
-  Value value;
-  std::string_view name;
-};
-
-/// Those of an enumeration, in the order in which messages list them.
-template <class Value>
-inline constexpr std::array<Named<Value>, 0> value_names{};
 template <>
 inline constexpr std::array value_names<Test>{
     Named{Test::compression, "compression"}, Named{Test::tension, "tension"},
@@ -124,11 +112,6 @@ inline constexpr std::array value_names<fem_reference::LinearSolver>{
     Named{fem_reference::LinearSolver::automatic, "auto"},
     Named{fem_reference::LinearSolver::direct, "direct"},
     Named{fem_reference::LinearSolver::multigrid, "multigrid"}};
-
-template <class Value>
-requires(!value_names<Value>.empty()) std::string_view name_of(Value value) {
-  return std::ranges::find(value_names<Value>, value, &Named<Value>::value)->name;
-}
 
 /// Everything that determines one simulation.
 struct CaseSettings {

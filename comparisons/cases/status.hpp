@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string_view>
-#include <vector>
+#include "comparisons/cases/named.hpp"
 
 namespace springcheck {
 
@@ -17,8 +16,24 @@ enum class Status {
   refused
 };
 
-std::string_view name_of(Status status);
-std::string_view description_of(Status status);
-const std::vector<Status>& all_statuses();
+template <>
+inline constexpr std::array value_names<Status>{
+    Named{
+        Status::ok, "ok",
+        "equilibrium, and stable: its tangent is positive definite. In dynamics: the end "
+        "was reached"},
+    Named{Status::wrinkled, "wrinkled",
+          "equilibrium whose free faces zigzag from cell to cell"},
+    Named{Status::inverted, "inverted",
+          "equilibrium with a cell turned inside out at a corner"},
+    Named{Status::indefinite, "indefinite", "equilibrium that is not stable"},
+    Named{Status::no_equilibrium, "no_equilibrium",
+          "the energy has no minimum before the full load; the fraction reached is "
+          "reported"},
+    Named{Status::diverged, "diverged", "the dynamics blew up"},
+    Named{Status::not_converged, "not_converged",
+          "the solver gave up before the full load"},
+    Named{Status::refused, "refused",
+          "the method does not cover this mesh, material or time step"}};
 
 }  // namespace springcheck

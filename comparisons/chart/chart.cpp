@@ -74,24 +74,6 @@ Cost cost_of(const Chart& chart, std::size_t place, ChartKind kind, ChartMeasure
 
 }  // namespace
 
-std::string_view name_of(ChartMeasure measure) {
-  switch (measure) {
-    case ChartMeasure::force:
-      return "force";
-    case ChartMeasure::volume:
-      return "volume";
-    case ChartMeasure::deviation:
-      return "deviation";
-  }
-  return {};
-}
-
-const std::vector<ChartMeasure>& all_chart_measures() {
-  static const std::vector<ChartMeasure> all{ChartMeasure::force, ChartMeasure::volume,
-                                             ChartMeasure::deviation};
-  return all;
-}
-
 const std::optional<double>& ChartErrors::of(ChartMeasure measure) const {
   switch (measure) {
     case ChartMeasure::volume:

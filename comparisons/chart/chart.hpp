@@ -23,8 +23,10 @@ namespace springcheck {
 /// has no deviation.
 enum class ChartMeasure { force, volume, deviation };
 
-std::string_view name_of(ChartMeasure measure);
-const std::vector<ChartMeasure>& all_chart_measures();
+template <>
+inline constexpr std::array value_names<ChartMeasure>{
+    Named{ChartMeasure::force, "force"}, Named{ChartMeasure::volume, "volume"},
+    Named{ChartMeasure::deviation, "deviation"}};
 
 /// An error, or what the truth itself may be off, of each measure; none where it is not
 /// known.

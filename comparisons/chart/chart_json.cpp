@@ -18,7 +18,7 @@ Json value_or_null(const std::optional<Value>& value) {
 
 Json errors_json(const ChartErrors& errors) {
   Json json = Json::object();
-  for (const ChartMeasure measure : all_chart_measures())
+  for (const ChartMeasure measure : all_values<ChartMeasure>())
     json[std::string(name_of(measure))] = value_or_null(errors.of(measure));
   return json;
 }
@@ -55,7 +55,7 @@ Json fronts_json(const Chart& chart) {
   Json json = Json::array();
   for (const ChartKind kind : {ChartKind::equilibrium, ChartKind::motion})
     for (std::size_t truth = 0; truth < chart.truths.size(); ++truth)
-      for (const ChartMeasure measure : all_chart_measures()) {
+      for (const ChartMeasure measure : all_values<ChartMeasure>()) {
         const std::vector<std::size_t> front = chart.front(kind, measure, truth);
         Json heights = Json::array();
         for (const std::size_t i : front)

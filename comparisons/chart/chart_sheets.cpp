@@ -52,7 +52,7 @@ void add_point(Sheet& sheet, const Chart& chart, const ChartPoint& point,
                          {.number = place.threads},
                          text_cell(status_of(point))},
                .cases = {place.key}};
-  for (const ChartMeasure measure : all_chart_measures())
+  for (const ChartMeasure measure : all_values<ChartMeasure>())
     row.cells.push_back(truth ? error_cell(point, *truth, measure) : Cell{});
   row.cells.push_back({.number = point.seconds()});
   row.cells.push_back({.number = point.seconds_at(&Timing::minimum)});
@@ -195,7 +195,7 @@ Sheet laws_sheet(const std::vector<Chart>& charts) {
                                text_cell(chart.truths[i].grids.law),
                                text_cell(status_of(point))},
                      .cases = {point.place.key}};
-        for (const ChartMeasure measure : all_chart_measures())
+        for (const ChartMeasure measure : all_values<ChartMeasure>())
           row.cells.push_back(error_cell(point, i, measure));
         if (!point.compared[i].empty()) row.cases.push_back(point.compared[i]);
         sheet.rows.push_back(std::move(row));
@@ -236,7 +236,7 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
   for (const Chart& chart : charts)
     for (const ChartKind kind : {ChartKind::equilibrium, ChartKind::motion})
       for (std::size_t truth = 0; truth < chart.truths.size(); ++truth)
-        for (const ChartMeasure measure : all_chart_measures())
+        for (const ChartMeasure measure : all_values<ChartMeasure>())
           for (const std::size_t i : chart.front(kind, measure, truth)) {
             const ChartPoint& point = chart.points[i];
             SheetRow row{

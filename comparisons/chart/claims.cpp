@@ -113,18 +113,6 @@ std::string times_as(double ratio, const char* more, const char* less) {
 
 }  // namespace
 
-std::string_view name_of(Answer answer) {
-  switch (answer) {
-    case Answer::yes:
-      return "yes";
-    case Answer::no:
-      return "no";
-    case Answer::undecided:
-      break;
-  }
-  return "undecided";
-}
-
 std::vector<Claim> claims(const Chart& chart) {
   const auto truth = chart.truth_of(chart.stored.law);
   if (!truth) return {};
@@ -140,7 +128,7 @@ std::vector<Claim> claims(const Chart& chart) {
   }
   std::vector<Claim> all;
   for (const auto& [kind, springs, elements] : pairs)
-    for (const ChartMeasure measure : all_chart_measures()) {
+    for (const ChartMeasure measure : all_values<ChartMeasure>()) {
       const auto counts = [&](const ChartPoint& point) {
         return point.is_ok() && point.seconds() &&
                point.place.threads == counted_threads && point.errors[*truth].of(measure);

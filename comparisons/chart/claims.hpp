@@ -10,7 +10,10 @@ namespace springcheck {
 /// may be off.
 enum class Answer { yes, no, undecided };
 
-std::string_view name_of(Answer answer);
+template <>
+inline constexpr std::array value_names<Answer>{Named{Answer::yes, "yes"},
+                                                Named{Answer::no, "no"},
+                                                Named{Answer::undecided, "undecided"}};
 
 /// Springs beside the finite elements of the scene's law, of one kind and measure.
 struct Claim {

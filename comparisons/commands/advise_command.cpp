@@ -11,6 +11,7 @@
 #include "comparisons/chart/advise.hpp"
 #include "comparisons/chart/chart_run.hpp"
 #include "comparisons/running/simulate.hpp"
+#include "comparisons/settings/named_values.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/sheets/text_table.hpp"
@@ -32,16 +33,10 @@ Wish wish_of(const AdviseOptions& options) {
   wish.tolerance = tolerance.in(Dimension::fraction);
   if (!(wish.tolerance > 0 && wish.tolerance < 1))
     tolerance.refuse("a number above 0 and below 1, such as 0.08 or '8%'");
-  const auto measure = std::ranges::find_if(all_chart_measures(), [&](ChartMeasure one) {
-    return name_of(one) == options.measure;
-  });
-  if (measure == all_chart_measures().end())
-    throw InputError("--measure", "", "force, volume or deviation",
-                     "'" + options.measure + "'");
-  wish.measure = *measure;
+  wish.measure = named<ChartMeasure>(Given::from_text("--measure", options.measure));
   if (!options.real_time.empty()) {
     const Given frame = Given::from_text("--real-time", options.real_time);
-    wish.frame = frame.positive_number();
+    wish.frame = frame.in_si_units(Dimension::time).positive_number();
   }
   return wish;
 }

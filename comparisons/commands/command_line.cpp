@@ -41,7 +41,7 @@ class SettingOptions {
     for (const Setting& setting : all_settings()) {
       if (!is_option(setting) || !is_taken(setting)) continue;
       const std::string name(setting.key), option = "--" + name;
-      options_[name] = setting.shape == Shape::flag
+      options_[name] = setting.access.type.kind == ValueType::Kind::truth
                            ? command->add_flag(option)->description(help_of(setting))
                            : command->add_option(option, texts_[name], help_of(setting));
     }
@@ -366,6 +366,12 @@ int run_arguments(int argc, char** argv) {
   mesh->add_flag("--quality", quality,
                  "print volumes, scaled Jacobians and edge ratios of the cells");
 
+  CLI::App* schema = app.add_subcommand(
+      "schema",
+      "Print the JSON schema of a kind of file, by which editors complete and check it");
+  schema->add_option("kind", what, "scene, sweep, gate, or result: what --json prints")
+      ->required();
+
   CLI::App* gate = app.add_subcommand("gate", "Judge results by bands, as a CI does");
   gate->add_option("gates", name, "a gate file (.toml), or accuracy or thesis")
       ->required();
@@ -434,6 +440,8 @@ int run_arguments(int argc, char** argv) {
     status = merge_command(out, from);
   else if (*list)
     status = list_command(what, output());
+  else if (*schema)
+    status = schema_command(what);
   else if (*gate)
     status = gate_command(name, results, path_or_none(junit), output(),
                           bless ? Bless::yes : Bless::no);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,9 +37,18 @@ struct TableFiles {
 ExitStatus table_command(const std::string& name, const TableFiles& files,
                          const std::string& reference, TableFormat format, int parallel);
 
-/// `springcheck list`; an empty `what` lists everything. Throws InputError for a list that
-/// there is not.
+/// `springcheck list`; an empty `what` lists everything. Throws InputError for a list
+/// that there is not.
 ExitStatus list_command(const std::string& what, Output output);
+
+/// What list_command prints as JSON: an empty `what` is everything, and nothing is there
+/// of a list that there is not; its schema.
+nlohmann::ordered_json list_json(const std::string& what);
+nlohmann::ordered_json list_schema();
+
+/// `springcheck schema`: prints the JSON schema of scene files, sweep files, gate files
+/// or what commands print with --json. Throws InputError for another.
+ExitStatus schema_command(const std::string& what);
 
 /// "methods, scenes, ...": what list_command takes.
 std::string list_names();

@@ -5,7 +5,6 @@
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <ranges>
 
 #include "comparisons/cases/methods.hpp"
 #include "comparisons/chart/chart_sheets.hpp"
@@ -13,7 +12,8 @@
 #include "comparisons/gates/gate_keys.hpp"
 #include "comparisons/measures/measure_list.hpp"
 #include "comparisons/results/layout.hpp"
-#include "comparisons/settings/setting.hpp"
+#include "comparisons/settings/setting_schema.hpp"
+#include "comparisons/settings/suggestion.hpp"
 #include "comparisons/shipped/shipped.hpp"
 #include "comparisons/stability/failure.hpp"
 #include "comparisons/tables/catalogue.hpp"
@@ -57,6 +57,16 @@ Json materials() {
           {"cauchy-born", "continuum of a spring lattice (fem-cauchy-born)"}};
 }
 
+/// null where there may be any number of them.
+Json most_of(const ValueType& type) {
+  return type.most == ValueType::any_number ? Json() : Json(type.most);
+}
+
+/// The names that there are; null where any text or number may stand.
+Json values_of(const ValueType& type) {
+  return type.names == nullptr ? Json() : Json(type.names());
+}
+
 Json settings() {
   Json entries;
   for (const Setting& setting : all_settings())
@@ -64,24 +74,25 @@ Json settings() {
         {"group", setting.group},
         {"option", is_option(setting)},
         {"units", units_of(setting.dimension)},
+        {"kind", name_of(setting.access.type.kind)},
+        {"least", setting.access.type.least},
+        {"most", most_of(setting.access.type)},
+        {"values", values_of(setting.access.type)},
+        {"si_unit", si_unit_of(setting.dimension)},
+        {"column", setting.access.told != nullptr},
+        {"beside", setting.beside},
+        {"label", setting.label.empty() ? setting.key : setting.label},
+        {"usual_axis", setting.usual_axis},
         {"default", setting.otherwise.empty() ? setting.default_text : setting.otherwise},
         {"description", help_of(setting)}};
   return entries;
 }
 
-Json statuses() {
-  Json entries;
-  for (const Status status : all_statuses())
-    entries[std::string(name_of(status))] = description_of(status);
-  return entries;
-}
-
 Json failures() {
   Json entries;
-  for (const Failure failure : all_failures())
-    entries[std::string(name_of(failure))] = {
-        {"letter", std::string(1, letter_of(failure))},
-        {"description", description_of(failure)}};
+  for (const FailureName& failure : value_names<Failure>)
+    entries[std::string(failure.name)] = {{"letter", std::string(1, failure.letter)},
+                                          {"description", failure.description}};
   return entries;
 }
 
@@ -112,12 +123,18 @@ constexpr std::array lists{
     List{"settings", settings},
     List{"tables", [] { return described(described_tables()); }},
     List{"measures", [] { return with_units(measure_list()); }},
-    List{"statuses", statuses},
+    List{"statuses", [] { return described(value_names<Status>); }},
     List{"failures", failures},
     List{"gate-keys", [] { return described(gates::gate_keys()); }},
     List{"result-file", [] { return described(file_layout()); }},
     List{"columns", [] { return with_units(case_columns()); }},
     List{"exit-statuses", exit_statuses}};
+
+std::vector<std::string_view> all_lists() {
+  std::vector<std::string_view> names;
+  for (const List& list : lists) names.emplace_back(list.name);
+  return names;
+}
 
 /// "W wrinkling", "force [N]".
 std::string heading_of(const std::string& name, const Json& entry) {
@@ -141,15 +158,32 @@ void print_entries(const Json& entries) {
 }  // namespace
 
 std::string list_names() {
-  return fmt::format("{}", fmt::join(std::views::transform(lists, &List::name), ", "));
+  return fmt::format("{}", fmt::join(all_lists(), ", "));
 }
 
-ExitStatus list_command(const std::string& what, Output output) {
+Json list_schema() {
+  const Json text{{"type", "string"}};
+  const Json entry{{"anyOf",
+                    {text,
+                     {{"type", "object"},
+                      {"properties", {{"description", text}}},
+                      {"required", {"description"}}}}}};
+  Json properties;
+  for (const List& list : lists)
+    properties[list.name] = {{"type", "object"}, {"additionalProperties", entry}};
+  return schema_of_object(properties);
+}
+
+Json list_json(const std::string& what) {
   Json all;
   for (const List& list : lists)
     if (what.empty() || what == list.name) all[list.name] = list.make();
-  if (all.empty())
-    throw InputError("list", "", "one of " + list_names(), "'" + what + "'");
+  return all;
+}
+
+ExitStatus list_command(const std::string& what, Output output) {
+  const Json all = list_json(what);
+  if (all.empty()) refuse_name("springcheck list", "list", what, all_lists());
   if (output == Output::json) {
     fmt::print("{}\n", all.dump(2));
     return ExitStatus::done;

@@ -61,6 +61,9 @@ ExitStatus make_report(const std::filesystem::path& file,
   const std::string theory = theory_curves(read_cases(file)).dump() + "\n";
   write_whole_stream(folder / "data" / "theory.json",
                      [&](std::ostream& out) { out << theory; });
+  const std::string vocabulary = list_json("").dump() + "\n";
+  write_whole_stream(folder / "data" / "vocabulary.json",
+                     [&](std::ostream& out) { out << vocabulary; });
   const std::string chart_data = charts_json(charts).dump() + "\n";
   write_whole_stream(folder / "data" / "charts.json",
                      [&](std::ostream& out) { out << chart_data; });

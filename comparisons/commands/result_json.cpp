@@ -5,6 +5,8 @@
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/settings/case_json.hpp"
+#include "comparisons/settings/scene_file.hpp"
+#include "comparisons/settings/setting_schema.hpp"
 #include "comparisons/tables/studies/split_output.hpp"
 
 namespace springcheck {
@@ -12,30 +14,40 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json(const Measures::Value& value) {
-  return value ? Json(*value) : Json();
+// Values of a case as JSON:
+
+template <class Value>
+Json json(const Value& value) {
+  return value;
 }
-Json json(const Measures::Vector& value) {
-  return value ? Json{value->x(), value->y(), value->z()} : Json();
+Json json(Status status) {
+  return name_of(status);
 }
-Json json(const Measures::Matrix& value) {
-  if (!value) return {};
+Json json(const Vector3& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+Json json(const Eigen::Matrix3d& matrix) {
   Json rows = Json::array();
-  for (const auto& row : value->rowwise()) rows.push_back({row[0], row[1], row[2]});
+  for (const auto& row : matrix.rowwise()) rows.push_back({row[0], row[1], row[2]});
   return rows;
 }
-
-Json types_json(const Mesh& mesh) {
+Json json(const std::vector<Status>& statuses) {
+  Json names = Json::array();
+  for (const Status status : statuses) names.push_back(name_of(status));
+  return names;
+}
+Json json(const Mesh& mesh) {
   Json types = Json::object();
   for (const CellType type : all_cell_types)
     if (const std::size_t count = mesh.count(type); count > 0)
       types[std::string(name_of(type))] = count;
-  return types;
+  return {{"cells", mesh.cells().size()},
+          {"nodes", mesh.nodes().size()},
+          {"types", types},
+          {"sha256", mesh.sha256()}};
 }
-
-/// A list of numbers for each column; null without samples.
-Json history_json(const History& history) {
-  if (history.empty()) return {};
+/// A list of numbers for each column.
+Json json(const History& history) {
   Json columns = Json::object();
   for (std::size_t i = 0; i < history_columns.size(); ++i) {
     Json& column = columns[std::string(history_columns[i])] = Json::array();
@@ -44,58 +56,91 @@ Json history_json(const History& history) {
   }
   return columns;
 }
+template <class Value>
+Json json(const std::optional<Value>& value) {
+  return value ? json(*value) : Json();
+}
 
-Json case_json(const CaseResult& result, const Mesh& mesh) {
+// And their schemas:
+
+template <class Value>
+Json schema(const Value&) {
+  return schema_of(type_of<Value>());
+}
+Json schema(const Eigen::Matrix3d&) {
+  return {
+      {"type", "array"}, {"items", schema(Vector3())}, {"minItems", 3}, {"maxItems", 3}};
+}
+Json schema(const std::vector<Status>&) {
+  return {{"type", "array"}, {"items", schema(Status{})}};
+}
+Json schema(const Mesh&) {
+  const Json count = schema(1);
+  Json types;
+  for (const CellType type : all_cell_types) types[std::string(name_of(type))] = count;
+  return schema_of_object({{"cells", count},
+                           {"nodes", count},
+                           {"types", schema_of_object(types)},
+                           {"sha256", schema(std::string())}});
+}
+Json schema(const History&) {
+  Json columns;
+  for (const std::string_view column : history_columns)
+    columns[std::string(column)] = {{"type", "array"},
+                                    {"items", {{"type", {"number", "null"}}}}};
+  return schema_of_object(columns);
+}
+template <class Value>
+Json schema(const std::optional<Value>&) {
+  return {{"anyOf", {schema(Value{}), {{"type", "null"}}}}};
+}
+
+template <class Value>
+std::optional<Value> where(bool is_there, const Value& value) {
+  return is_there ? std::optional(value) : std::nullopt;
+}
+
+/// Calls visit(name, value) with all that JSON tells of a case, in its order.
+template <class Visit>
+void for_each_told(const CaseResult& result, const Mesh& mesh, const Visit& visit) {
   const CaseSettings& settings = result.request.settings;
-  const bool fem = is_finite_element(settings.method);
-  Json flags = Json::array();
-  for (const Status flag : result.flags) flags.push_back(name_of(flag));
-  Json out{{"method", settings.method.name},
-           {"element", fem ? Json(settings.elements.element.name) : Json()},
-           {"source", settings_json(settings).value("source", Json())},
-           {"solver", settings_json(settings).value("solver", Json())},
-           {"nu", settings.material.poisson_ratio},
-           {"young", settings_json(settings).value("young", Json())},
-           {"density", settings.material.density},
-           {"deformation", json(settings.deformation)},
-           {"traction", settings.test == Test::traction
-                            ? json(Measures::Vector(settings.traction))
-                            : Json()},
-           {"gradient", settings.test == Test::affine
-                            ? json(Measures::Matrix(settings.gradient))
-                            : Json()},
-           {"stiffness", settings_json(settings).value("stiffness", Json())},
-           {"kappa", settings_json(settings).value("kappa", Json())},
-           {"law", settings_json(settings).value("law", Json())},
-           {"mesh",
-            {{"cells", mesh.cells().size()},
-             {"nodes", mesh.nodes().size()},
-             {"types", types_json(mesh)},
-             {"sha256", mesh.sha256()}}},
-           {"status", name_of(result.status)},
-           {"flags", flags},
-           {"reason", result.reason.empty() ? Json() : Json(result.reason)}};
-  for_each_measure(result.measures,
-                   [&](const char* name, const auto& value) { out[name] = json(value); });
+  const nlohmann::json told = settings_json(settings);
+  const auto visit_setting = [&]<class Value>(const char* name, const Value&) {
+    visit(name, told.contains(name) ? std::optional(told[name].get<Value>())
+                                    : std::optional<Value>());
+  };
+  constexpr std::array<double, 3> three{};
+  for (const char* name : {"method", "element", "source", "solver"})
+    visit_setting(name, std::string());
+  for (const char* name : {"nu", "young", "density", "deformation"})
+    visit_setting(name, 1.0);
+  visit_setting("traction", three);
+  visit("gradient", where(settings.test == Test::affine, settings.gradient));
+  visit_setting("stiffness", three);
+  visit_setting("kappa", 1.0);
+  visit_setting("law", std::string());
+  visit("mesh", mesh);
+  visit("status", result.status);
+  visit("flags", result.flags);
+  visit("reason", where(!result.reason.empty(), result.reason));
+  for_each_measure(result.measures, visit);
   const Solution& solution = result.solution;
-  out["reference"] =
-      result.request.reference ? Json(reference_label(result.request)) : Json();
+  const auto& reference = result.request.reference;
+  visit("reference",
+        where(reference.has_value(), reference ? reference_label(result.request) : ""));
   const bool is_ours = !is_measured(settings.method);
   const bool ran = is_ours && result.status != Status::refused;
-  out["load_fraction"] = ran ? Json(solution.load_fraction) : Json();
-  out["steps"] = ran ? Json(solution.steps) : Json();
-  out["linear_iterations"] =
-      solution.linear_iterations ? Json(*solution.linear_iterations) : Json();
-  out["factorisations"] =
-      solution.factorisations ? Json(*solution.factorisations) : Json();
-  out["dt"] = json(solution.dt);
-  out["dt_limit"] = json(solution.dt_limit);
-  out["history"] = history_json(result.history);
-  out["force_evaluations"] = ran ? Json(solution.force_evaluations) : Json();
-  out["wall_s"] = is_ours ? Json(result.wall_s) : Json();
-  out["solve_wall_s"] = is_ours ? Json(result.solve_wall_s) : Json();
-  out["key"] = result.key;
-  return out;
+  visit("load_fraction", where(ran, solution.load_fraction));
+  visit("steps", where(ran, solution.steps));
+  visit("linear_iterations", solution.linear_iterations);
+  visit("factorisations", solution.factorisations);
+  visit("dt", solution.dt);
+  visit("dt_limit", solution.dt_limit);
+  visit("history", where(!result.history.empty(), result.history));
+  visit("force_evaluations", where(ran, solution.force_evaluations));
+  visit("wall_s", where(is_ours, result.wall_s));
+  visit("solve_wall_s", where(is_ours, result.solve_wall_s));
+  visit("key", result.key);
 }
 
 }  // namespace
@@ -104,11 +149,38 @@ Json run_json(const std::string& scene, const std::vector<CaseResult>& results,
               const std::vector<std::optional<Split>>& splits, MeshStore& meshes) {
   Json cases = Json::array();
   for (std::size_t i = 0; i < results.size(); ++i) {
-    Json out = case_json(results[i], meshes.mesh(results[i].request.settings.body));
+    Json out;
+    for_each_told(results[i], meshes.mesh(results[i].request.settings.body),
+                  [&](const char* name, const auto& value) { out[name] = json(value); });
     out["split"] = splits[i] ? split_json(*splits[i]) : Json();
     cases.push_back(std::move(out));
   }
   return {{"springcheck", build_info::version}, {"scene", scene}, {"results", cases}};
+}
+
+Json run_schema() {
+  // Of any case: all tell the same keys.
+  const CaseSettings settings =
+      case_of_scene("compression", {{"method", "mss-cf"}, {"cells", Cells{1, 1, 1}}});
+  const CaseResult result{.request = {.settings = settings, .reference = {}},
+                          .key = {},
+                          .status = {},
+                          .flags = {},
+                          .reason = {},
+                          .measures = {},
+                          .solution = {},
+                          .wall_s = 0,
+                          .solve_wall_s = 0};
+  Json properties;
+  for_each_told(
+      result, build_mesh(settings.body),
+      [&](const char* name, const auto& value) { properties[name] = schema(value); });
+  properties["split"] = {{"type", {"object", "null"}}};
+  const Json text{{"type", "string"}};
+  return whole_object(
+      {{"springcheck", text},
+       {"scene", text},
+       {"results", {{"type", "array"}, {"items", whole_object(properties)}}}});
 }
 
 }  // namespace springcheck

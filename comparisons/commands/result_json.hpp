@@ -13,4 +13,7 @@ nlohmann::ordered_json run_json(const std::string& scene,
                                 const std::vector<std::optional<Split>>& splits,
                                 MeshStore& meshes);
 
+/// Its JSON schema.
+nlohmann::ordered_json run_schema();
+
 }  // namespace springcheck

@@ -51,6 +51,16 @@ struct Ratio {
 
 /// The values of several cases, sorted by the column `along`.
 enum class Direction { increasing, decreasing };
+}  // namespace springcheck::gates
+
+namespace springcheck {
+template <>
+inline constexpr std::array value_names<gates::Direction>{
+    Named{gates::Direction::increasing, "increasing"},
+    Named{gates::Direction::decreasing, "decreasing"}};
+}  // namespace springcheck
+
+namespace springcheck::gates {
 struct Monotonic {
   Direction direction;
   std::string along;

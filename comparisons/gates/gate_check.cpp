@@ -59,10 +59,8 @@ class Judge {
   }
 
   Outcome operator()(const Monotonic& monotonic) {
-    outcome_.band_text = fmt::format(
-        "{} along {}",
-        monotonic.direction == Direction::increasing ? "increasing" : "decreasing",
-        monotonic.along);
+    outcome_.band_text =
+        fmt::format("{} along {}", name_of(monotonic.direction), monotonic.along);
     const auto rows = sweep_rows(cases_, gate_, monotonic.along, 2);
     if (!sweep(rows)) return outcome_;
     const auto& q = outcome_.values;

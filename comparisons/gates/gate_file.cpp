@@ -84,17 +84,10 @@ Order order_of(const GateTable& gate) {
     gate.refuse("along", "'cells' for an order of convergence", "'" + gate.along() + "'");
   if (gate.has("order_at_least"))
     return {.range = {.low = gate.value("order_at_least").positive_number(), .high = {}}};
-  const auto [low, high] = gate.value("order_between").two_numbers();
+  const auto [low, high] = gate.value("order_between").numbers<2>();
   if (!(0 < low && low < high))
     gate.value("order_between").refuse("two positive numbers, the smaller one first");
   return {.range = {.low = low, .high = high}};
-}
-
-Direction direction_of(const Given& given) {
-  const std::string text = given.text();
-  if (text == "increasing") return Direction::increasing;
-  if (text == "decreasing") return Direction::decreasing;
-  given.refuse("'increasing' or 'decreasing'");
 }
 
 Comparison comparison_of(const GateTable& gate, const Gate& own) {
@@ -120,7 +113,7 @@ Comparison comparison_of(const GateTable& gate, const Gate& own) {
     return Ratio{.where = other.where, .measure = other.measure, .range = range_of(gate)};
   }
   if (kind == "monotonic")
-    return Monotonic{.direction = direction_of(gate.value("monotonic")),
+    return Monotonic{.direction = named<Direction>(gate.value("monotonic")),
                      .along = gate.along()};
   if (kind == "order_at_least" || kind == "order_between") return order_of(gate);
   return range_of(gate);
@@ -138,7 +131,7 @@ Gate gate_of(const GateTable& table, const Selection& common, bool all_fixed) {
             .blessing = Blessing::allowed};
   if (gate.where.empty()) table.refuse("where", "settings that select a case", "none");
   if (gate.measure == "status") gate.measure.clear();
-  if (table.has("expect")) gate.expect = expect_of(table.value("expect"));
+  if (table.has("expect")) gate.expect = statuses_of(table.value("expect"));
   if (table.has("fixed") ? table.value("fixed").truth() : all_fixed)
     gate.blessing = Blessing::fixed;
   gate.comparison = comparison_of(table, gate);

@@ -29,6 +29,9 @@ std::string report_text(const Report& report);
 /// One document; the README has its fields.
 nlohmann::ordered_json report_json(const Report& report);
 
+/// Its JSON schema.
+nlohmann::ordered_json report_schema();
+
 /// JUnit XML, as continuous integration reads it: a gate that falls short is a failure,
 /// one without a case an error.
 void write_junit(std::ostream& out, const Report& report);

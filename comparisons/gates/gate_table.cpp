@@ -85,7 +85,7 @@ const toml::table* settings_at(const toml::table& table, std::string_view key,
 
 void GateTable::check_keys() const {
   std::vector<std::string_view> known;
-  for (const Described& key : gate_keys()) known.push_back(key.name);
+  for (const GateKey& key : gate_keys()) known.push_back(key.name);
   check_keys_of(table_, file_, known);
 }
 

@@ -34,18 +34,6 @@ bool contains(const Range& band, double got) {
 
 }  // namespace
 
-std::string_view name_of(Judgement verdict) {
-  switch (verdict) {
-    case Judgement::pass:
-      return "pass";
-    case Judgement::falls_short:
-      return "falls short";
-    case Judgement::no_case:
-      return "no case";
-  }
-  return {};
-}
-
 std::string text_of(const Range& band) {
   if (band.low && band.high)
     return fmt::format("{:.6g} .. {:.6g}", *band.low, *band.high);

@@ -5,13 +5,24 @@
 #include <string_view>
 #include <vector>
 
+#include "comparisons/cases/named.hpp"
 #include "comparisons/gates/gate.hpp"
 
 namespace springcheck::gates {
 
 enum class Judgement { pass, falls_short, no_case };
 
-std::string_view name_of(Judgement verdict);
+}  // namespace springcheck::gates
+
+namespace springcheck {
+template <>
+inline constexpr std::array value_names<gates::Judgement>{
+    Named{gates::Judgement::pass, "pass"},
+    Named{gates::Judgement::falls_short, "falls short"},
+    Named{gates::Judgement::no_case, "no case"}};
+}  // namespace springcheck
+
+namespace springcheck::gates {
 
 /// What came of a gate.
 struct Outcome {

@@ -117,11 +117,10 @@ void check_measures(const StoredCase& stored, const Reader& reader) {
 }  // namespace
 
 Status status_named(const std::string& name, const std::string& file) {
-  const auto found =
-      std::ranges::find(all_statuses(), name, [](Status s) { return name_of(s); });
-  if (found == all_statuses().end())
+  const auto* found = find_value<Status>(name);
+  if (found == nullptr)
     throw InputError(file, "status of a case", "a known status", "'" + name + "'");
-  return *found;
+  return found->value;
 }
 
 Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {

@@ -76,8 +76,7 @@ Row row_of(const StoredChart::Comparison& comparison) {
 }
 
 ChartKind kind_named(const std::string& name) {
-  for (const ChartKind kind : {ChartKind::equilibrium, ChartKind::motion})
-    if (name == name_of(kind)) return kind;
+  if (const auto* found = find_value<ChartKind>(name)) return found->value;
   throw std::runtime_error("a chart has a point of kind '" + name + "'");
 }
 
@@ -139,10 +138,6 @@ StoredChart read_chart(hid_t group) {
 }
 
 }  // namespace
-
-std::string_view name_of(ChartKind kind) {
-  return kind == ChartKind::equilibrium ? "equilibrium" : "motion";
-}
 
 std::string identity_of(const StoredChart& chart) {
   std::string text = chart.scene + '\n' + chart.settings + '\n' + chart.machine;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "comparisons/cases/named.hpp"
 #include "comparisons/running/timing.hpp"
 
 namespace springcheck {
@@ -17,7 +18,9 @@ namespace springcheck {
 /// second of motion by explicit steps of .9 of the method's own stability limit.
 enum class ChartKind { equilibrium, motion };
 
-std::string_view name_of(ChartKind kind);
+template <>
+inline constexpr std::array value_names<ChartKind>{
+    Named{ChartKind::equilibrium, "equilibrium"}, Named{ChartKind::motion, "motion"}};
 
 /// What `springcheck chart` measured of a scene, as a result file keeps it: times, and
 /// the keys of the cases by which errors are told.

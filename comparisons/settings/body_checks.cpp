@@ -37,20 +37,6 @@ void check_disc(const Settings& settings, const Block& block) {
 
 }  // namespace
 
-void take_mesh_alone(Settings& settings) {
-  const Given* mesh = find(settings, "mesh");
-  if (mesh == nullptr) return;
-  for (const char* key : {"size", "cells", "cell-type", "distortion", "body"}) {
-    const Given* given = find(settings, key);
-    if (given == nullptr) continue;
-    if (given->source() == mesh->source() || given->source() == "--")
-      throw InputError(given->place(), "",
-                       "nothing of a block beside mesh '" + mesh->text() + "'",
-                       "a value");
-    settings.erase(key);
-  }
-}
-
 void check_body(const CaseSettings& common, const Settings& settings,
                 const std::string& file) {
   const Body& body = common.body;

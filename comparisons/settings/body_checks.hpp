@@ -18,10 +18,6 @@ inline const Given* find(const Settings& settings, std::string_view key) {
   return found == settings.end() ? nullptr : &found->second;
 }
 
-/// A mesh stands in place of the block that a scene describes, whose settings are taken
-/// away. Throws InputError for a block's settings in the same place, or options over it.
-void take_mesh_alone(Settings& settings);
-
 /// Throws InputError for what does not go together: a body that the test does not cover,
 /// cells that it cannot have. `file` is the scene's.
 void check_body(const CaseSettings& common, const Settings& settings,

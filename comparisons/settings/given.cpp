@@ -169,43 +169,15 @@ std::string Given::joined() const {
   return all;
 }
 
-template <std::size_t N>
-std::array<double, N> Given::finite_numbers(const std::string& expected) const {
-  std::array<double, N> numbers{};
-  if (values_.size() != N) refuse(expected);
-  for (std::size_t i = 0; i < N; ++i) {
-    const auto value = number_in(values_[i]);
-    if (!value || !std::isfinite(*value)) refuse(expected);
-    numbers[i] = *value;
-  }
-  return numbers;
-}
-
-std::array<double, 2> Given::two_numbers() const {
-  return finite_numbers<2>("two finite numbers");
-}
-
-std::array<double, 3> Given::three_numbers() const {
-  return finite_numbers<3>("three finite numbers");
-}
-
-std::array<double, 4> Given::four_numbers() const {
-  return finite_numbers<4>("four finite numbers");
-}
-
-std::vector<double> Given::numbers() const {
+std::vector<double> Given::any_numbers(const std::string& expected) const {
   std::vector<double> all;
   for (const Scalar& value : values_) {
     const auto number = number_in(value);
-    if (!number || !std::isfinite(*number)) refuse("finite numbers");
+    if (!number || !std::isfinite(*number)) refuse(expected);
     all.push_back(*number);
   }
-  if (all.empty()) refuse("at least one finite number");
+  if (all.empty()) refuse("at least one of " + expected);
   return all;
-}
-
-std::array<double, 9> Given::nine_numbers() const {
-  return finite_numbers<9>("nine finite numbers, row by row");
 }
 
 std::array<std::int64_t, 3> Given::three_integers() const {
@@ -238,9 +210,9 @@ double Given::in(Dimension dimension) const {
   return in_si_units(dimension).number(numbers_in_units(dimension));
 }
 
-void Given::refuse_name(std::string_view what, std::string_view name,
+void Given::refuse_name(std::string_view name,
                         const std::vector<std::string_view>& candidates) const {
-  springcheck::refuse_name(place_, what, name, candidates);
+  springcheck::refuse_name(place_, "value", name, candidates);
 }
 
 }  // namespace springcheck

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -48,12 +49,20 @@ class Given {
   [[nodiscard]] std::vector<std::string> texts() const;  // at least one
   [[nodiscard]] std::string joined() const;              // a list's with commas
   [[nodiscard]] std::string toml() const;                // as a scene file writes it
-  [[nodiscard]] std::array<double, 2> two_numbers() const;
-  [[nodiscard]] std::array<double, 3> three_numbers() const;
-  [[nodiscard]] std::array<double, 4> four_numbers() const;
-  [[nodiscard]] std::array<double, 9> nine_numbers() const;
-  [[nodiscard]] std::vector<double> numbers() const;  // finite, at least one
+  /// At least one, finite.
+  [[nodiscard]] std::vector<double> any_numbers(
+      const std::string& expected = "finite numbers") const;
   [[nodiscard]] std::array<std::int64_t, 3> three_integers() const;
+
+  /// So many finite ones.
+  template <std::size_t N>
+  [[nodiscard]] std::array<double, N> numbers() const {
+    std::array<double, N> all{};
+    const std::string expected = std::to_string(N) + " finite numbers";
+    if (values_.size() != N) refuse(expected);
+    std::ranges::copy(any_numbers(expected), all.begin());
+    return all;
+  }
 
   /// Those numbers with a unit, "10kPa", as numbers in the dimension's SI unit. Throws
   /// InputError for a unit of another dimension.
@@ -66,14 +75,12 @@ class Given {
   [[noreturn]] void refuse(const std::string& expected) const;
 
   /// The same for a name among its values that is none of the candidates, of which the
-  /// one that was meant is named. `what` says of what, "method".
-  [[noreturn]] void refuse_name(std::string_view what, std::string_view name,
+  /// one that was meant is named.
+  [[noreturn]] void refuse_name(std::string_view name,
                                 const std::vector<std::string_view>& candidates) const;
 
  private:
   [[nodiscard]] const Scalar& single(const std::string& expected) const;
-  template <std::size_t N>
-  [[nodiscard]] std::array<double, N> finite_numbers(const std::string& expected) const;
 
   std::string place_;
   std::vector<Scalar> values_;

@@ -34,14 +34,14 @@ ReferenceMethod reference_named(const Given& given) {
   const std::size_t at = text.find('@');
   const std::string what = text.substr(0, at);
   const std::size_t colon = what.find(':');
-  ReferenceMethod reference{.method = method_named(given, what.substr(0, colon)),
+  ReferenceMethod reference{.method = value_named<Method>(given, what.substr(0, colon)),
                             .element = *find_element("q1-sri"),
                             .place = given.place(),
                             .text = text};
   if (colon != std::string::npos) {
     if (!is_finite_element(reference.method))
       given.refuse("an element for fem- methods only, and none for fem-explicit-");
-    reference.element = element_named(given, what.substr(colon + 1));
+    reference.element = value_named<ElementName>(given, what.substr(colon + 1));
   }
   if (at == std::string::npos) return reference;
   if (is_custom(reference.method))

@@ -40,14 +40,25 @@ void keep_one_of_each(Settings& settings, const std::string& file) {
   }
 }
 
+/// Takes a scene's settings away in whose place others stand: those of its block where
+/// there is a mesh. Throws InputError for both in one file, or the first as an option.
+void take_what_stands_instead(Settings& settings) {
+  for (const Setting& setting : all_settings()) {
+    const Given *given = find(settings, setting.key),
+                *other = find(settings, setting.instead);
+    if (given == nullptr || other == nullptr) continue;
+    if (given->source() == other->source() || given->source() == "--")
+      given->refuse(fmt::format("no {} beside {} {}, which stands in its place",
+                                setting.key, setting.instead, other->joined()));
+    settings.erase(std::string(setting.key));
+  }
+}
+
 void check_beside(const Settings& settings) {
   for (const auto& [key, given] : settings)
     if (const std::string_view other = find_setting(key)->beside;
         !other.empty() && find(settings, other) == nullptr)
       given.refuse(fmt::format("{0} beside {1}: no {1} without {0}", other, key));
-  if (const Given* ratio = find(settings, "dt-ratio");
-      ratio != nullptr && find(settings, "dt") != nullptr)
-    ratio->refuse("no dt-ratio beside a dt, which it would replace");
 }
 
 /// Settings that the test does not have.
@@ -143,7 +154,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
                               const std::vector<GivenSetting>& given) {
   Settings settings;
   for (const auto& [key, value] : given) settings.insert_or_assign(key, value);
-  take_mesh_alone(settings);
+  take_what_stands_instead(settings);
   keep_one_of_each(settings, file);
   check_beside(settings);
   RunSettings run{};

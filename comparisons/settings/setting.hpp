@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "comparisons/settings/run_settings.hpp"
-#include "comparisons/settings/units.hpp"
+#include "comparisons/settings/value_type.hpp"
 
 namespace springcheck {
 
@@ -19,9 +19,6 @@ enum class Standing { scene_file, everywhere, plan };
 /// What a chart and `advise` do with a setting: take it from scene and options, choose it
 /// for each of their models, or have no use for it.
 enum class InCharts { taken, chosen, unused };
-
-/// One value, a list of numbers, a list of names, or given by being named at all.
-enum class Shape { one, list, names, flag };
 
 /// What becomes of a setting that no method of the run reads, nor its reference: it is
 /// refused; refused as an option, since a scene may be meant for other methods too; or
@@ -35,6 +32,7 @@ struct Access {
   void (*read)(RunSettings&, const Given&);
   /// Nothing, or null, where it is not told.
   nlohmann::json (*told)(const CaseSettings&) = nullptr;
+  ValueType type;
 };
 
 /// Who reads a setting, beyond what its test has.
@@ -47,11 +45,12 @@ struct Readers {
 /// What there is to say of some settings.
 struct Particulars {
   Dimension dimension = Dimension::none;
-  Shape shape = Shape::one;
   Standing standing = Standing::everywhere;
+  std::string_view label{};       // of figures' axes; the key where it is empty
   std::string_view usual_axis{};  // values of a stability axis that is named alone
   bool counts = false;            // whole numbers between whose values nothing lies
   std::string_view beside{};      // a setting without which it has no meaning
+  std::string_view instead{};     // one that stands in its place
   int replaces = 0;               // settings of one number replace each other; 0: none
   bool (*has)(Test) = nullptr;    // tests that have it, others refuse it; nullptr: all
   std::string_view needed{};      // what is missing where it is needed and not given

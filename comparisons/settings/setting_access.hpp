@@ -7,6 +7,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/settings/reference_method.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/settings/setting_values.hpp"
 
@@ -56,18 +57,53 @@ auto& part_of(auto& whole) {
     return part_of<members...>(whole.*member);
 }
 
+/// What was given to a reader that may need what has been read of the case so far.
+template <auto reader>
+auto read_with(const Given& given, const CaseSettings& so_far) {
+  if constexpr (std::is_invocable_v<decltype(reader), const Given&>)
+    return std::invoke(reader, given);
+  else
+    return std::invoke(reader, given, so_far);
+}
+
+template <auto reader>
+constexpr ValueType type_read = type_of<decltype(read_with<reader>(
+    std::declval<const Given&>(), std::declval<const CaseSettings&>()))>();
+
 template <auto reader, auto... members>
 constexpr Access value{.read =
                            [](RunSettings& run, const Given& given) {
-                             part_of<members...>(run.common) = std::invoke(reader, given);
+                             part_of<members...>(run.common) =
+                                 read_with<reader>(given, run.common);
                            },
                        .told = [](const CaseSettings& c) -> nlohmann::json {
                          return json_of(part_of<members...>(c));
-                       }};
+                       },
+                       .type = type_read<reader>};
 
 /// The same of a value that keys and JSON do not tell.
 template <auto reader, auto... members>
-constexpr Access untold{.read = value<reader, members...>.read};
+constexpr Access untold{.read = value<reader, members...>.read,
+                        .type = type_read<reader>};
+
+/// A value of the run, which its cases do not tell.
+template <auto reader, auto member>
+constexpr Access in_run{
+    .read = [](RunSettings& run, const Given& given) { run.*member = reader(given); },
+    .type = type_read<reader>};
+
+/// The same value, told otherwise.
+template <class Told>
+constexpr Access telling(Access access, Told told) {
+  access.told = told;
+  return access;
+}
+
+constexpr ValueType text = type_of<std::string>(),
+                    texts = type_of<std::vector<std::string>>(),
+                    number = type_of<double>(), numbers = type_of<std::vector<double>>();
+template <std::size_t n>
+constexpr ValueType so_many_numbers = type_of<std::array<double, n>>();
 
 template <auto reader, auto member>
 constexpr Access in_body = value<reader, &CaseSettings::body, member>;
@@ -86,10 +122,6 @@ constexpr Access in_motion = value<reader, &CaseSettings::dynamics, member>;
 
 // Settings that are more than one value in a case:
 
-inline void read_methods(RunSettings& run, const Given& given) {
-  run.methods = methods_of(given);
-}
-
 inline nlohmann::json method_told(const CaseSettings& c) {
   return c.method.name;
 }
@@ -98,24 +130,8 @@ inline void read_reference(RunSettings& run, const Given& given) {
   run.reference = reference_named(given);
 }
 
-inline void read_expect(RunSettings& run, const Given& given) {
-  run.expect = expect_of(given);
-}
-
-inline void read_deformation(RunSettings& run, const Given& given) {
-  run.common.deformation = deformation_of(given, run.common.test);
-}
-
-inline nlohmann::json deformation_told(const CaseSettings& c) {
-  return json_of(c.deformation);
-}
-
-inline void read_traction(RunSettings& run, const Given& given) {
-  run.common.traction = traction_of(given, run.common.plates);
-}
-
-inline nlohmann::json traction_told(const CaseSettings& c) {
-  return json_of(c.traction);
+inline nlohmann::json seed_told(const CaseSettings& c) {
+  return c.seed;
 }
 
 inline nlohmann::json stiffness_told(const CaseSettings& c) {
@@ -141,8 +157,9 @@ inline nlohmann::json history_told(const CaseSettings& c) {
 }
 
 inline void read_stiffness(RunSettings& run, const Given& given) {
-  run.common.springs.constants =
-      mss::LatticeConstants{.stiffness = stiffness_of(given), .volume_modulus = 0};
+  const auto [edge, face_diagonal, inner_diagonal] = stiffness_of(given);
+  run.common.springs.constants = mss::LatticeConstants{
+      .stiffness = {edge, face_diagonal, inner_diagonal}, .volume_modulus = 0};
 }
 
 inline void read_kappa(RunSettings& run, const Given& given) {
@@ -184,9 +201,14 @@ inline void read_cycles(RunSettings& run, const Given& given) {
                                            dynamics.oscillation->cycles));
 }
 
-template <auto law>
-void read_law(RunSettings& run, const Given& given) {
-  run.common.tissue.law = law(given);
+inline void read_organ(RunSettings& run, const Given& given) {
+  run.common.tissue.law = named<tissue::Organ>(given).law;
+}
+
+inline void read_law(RunSettings& run, const Given& given) {
+  const auto [K, n, limit, p] = law_of(given);
+  run.common.tissue.law = {
+      .consistency = K, .linear_index = n, .linear_limit = limit, .hardening_index = p};
 }
 
 inline nlohmann::json law_told(const CaseSettings& c) {
@@ -198,12 +220,11 @@ inline nlohmann::json law_told(const CaseSettings& c) {
 /// Where the load swings, each 64th of a cycle is a piece of it.
 inline void read_time_steps(RunSettings& run, const Given& given) {
   const bool swings = run.common.dynamics.oscillation.has_value();
-  if (!given.is_text())
-    run.common.tissue.steps = time_steps_of(given);
-  else if (given.text() == "auto")
-    run.common.tissue.steps = swings ? 1 : 50;
-  else
-    given.refuse("an integer of at least 1, or 'auto'");
+  run.common.tissue.steps = time_steps_of(given).value_or(swings ? 1 : 50);
+}
+
+inline nlohmann::json time_steps_told(const CaseSettings& c) {
+  return c.tissue.steps;
 }
 
 inline void read_load_times(RunSettings& run, const Given& given) {

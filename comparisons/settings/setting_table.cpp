@@ -7,6 +7,7 @@
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/settings/setting_access.hpp"
 #include "comparisons/settings/setting_readers.hpp"
+#include "tissue/maxwell_fit.hpp"
 
 namespace springcheck {
 namespace {
@@ -26,26 +27,27 @@ constexpr int durations = 1, laws_of_tissue = 2;  // settings that replace each 
 // its help; and what else there is to say.
 // clang-format off
 constexpr Setting table[] = {
-    {"test", what_runs, taken, all, value<test_of, &C::test>, {},
+    {"test", what_runs, taken, all, value<named<Test>, &C::test>, {},
      "compression, tension, shearing, torsion, bending, uniaxial, traction or affine",
      {.standing = Standing::scene_file, .needed = "the name of a test"}},
-    {"method", what_runs, chosen, all, {read_methods, method_told}, {},
+    {"method", what_runs, chosen, all,
+     telling(in_run<methods_of, &RunSettings::methods>, method_told), {},
      "comma-separated list of methods, see 'springcheck list methods'",
-     {.shape = Shape::names, .standing = Standing::plan, .needed = "a list of methods"}},
-    {"reference", what_runs, chosen, all, {read_reference}, {},
+     {.standing = Standing::plan, .needed = "a list of methods"}},
+    {"reference", what_runs, chosen, all, {read_reference, {}, texts}, {},
      "METHOD[:ELEMENT][@CELLS|@converged] that deviations are measured against",
-     {.shape = Shape::names, .standing = Standing::plan, .default_text =
+     {.standing = Standing::plan, .default_text =
       "on the same mesh: fem-hooke:q1-sri up to a deformation of .02, "
       "fem-stvk:q1-sri above and in tests without a deformation"}},
-    {"expect", what_runs, chosen, all, {read_expect}, "ok",
+    {"expect", what_runs, chosen, all, in_run<statuses_of, &RunSettings::expect>, "ok",
      "statuses that end a run of one method with exit status 0",
-     {.shape = Shape::names, .standing = Standing::scene_file}},
+     {.standing = Standing::scene_file}},
 
-    {"body", body, taken, all, in_body<shape_of, &Body::shape>, "block",
-     "block, kidney or disc", {.standing = Standing::scene_file}},
-    {"mesh", body, unused, all, {read_mesh}, {},
+    {"body", body, taken, all, in_body<named<BodyShape>, &Body::shape>, "block",
+     "block, kidney or disc", {.standing = Standing::scene_file, .instead = "mesh"}},
+    {"mesh", body, unused, all, {read_mesh, {}, text}, {},
      "a .msh file (gmsh 2.2 or 4.1) in place of the block"},
-    {"mesh-unit", body, unused, all, untold_in_body<mesh_unit_of, &Body::unit>, "m",
+    {"mesh-unit", body, unused, all, untold_in_body<named<MeshUnit>, &Body::unit>, "m",
      "length unit of the .msh file: m, cm or mm", {.beside = "mesh"}},
     {"fixed", body, unused, of_lower_plates, in_body<&Given::text, &Body::fixed>,
      "bottom",
@@ -54,89 +56,96 @@ constexpr Setting table[] = {
      "name of the one on the upper plate, which is moved or loaded", {.beside = "mesh"}},
     {"size", body, taken, of_cells, in_block<size_of, &Block::size>, {},
      "size of the block along x,y,z [m]",
-     {.dimension = Dimension::length, .shape = Shape::list,
-      .needed = "three lengths [m]", .is_needed = has_body_cells}},
+     {.dimension = Dimension::length, .instead = "mesh", .needed = "three lengths [m]",
+      .is_needed = has_body_cells}},
     {"cells", body, chosen, of_cells, in_block<cells_of, &Block::cells>, {},
      "number of cells along x,y,z",
-     {.shape = Shape::list, .needed = "three counts", .is_needed = has_body_cells}},
-    {"cell-type", body, chosen, of_cells, in_block<pattern_of, &Block::pattern>,
+     {.label = "cells along x, y, z", .instead = "mesh", .needed = "three counts",
+      .is_needed = has_body_cells}},
+    {"cell-type", body, chosen, of_cells, in_block<named<CellPattern>, &Block::pattern>,
      "hexahedron",
      "how the block is cut: hexahedron, tetrahedron, prism, pyramid, mixed or another "
      "of 'springcheck list cell-types'",
-     {.usual_axis = "hexahedron,tetrahedron,prism,pyramid,mixed"}},
+     {.usual_axis = "hexahedron,tetrahedron,prism,pyramid,mixed", .instead = "mesh"}},
     {"distortion", body, chosen, of_blocks, in_block<not_negative_of, &Block::distortion>,
      "0",
      "how far nodes inside the block are moved along each axis, as a fraction of the "
-     "cell edge", {.dimension = Dimension::fraction, .usual_axis = "0:0.3:7"}},
-    {"seed", body, taken, of_chance, {read_seed, value<seed_of, &C::seed>.told}, "1",
+     "cell edge",
+     {.dimension = Dimension::fraction, .label = "distortion over the cell edge",
+      .usual_axis = "0:0.3:7", .instead = "mesh"}},
+    {"seed", body, taken, of_chance, {read_seed, seed_told, type_of<int>()}, "1",
      "of distorted and mixed meshes, and of the choice between equal directions out of "
      "an unstable state", {.counts = true}},
 
     {"nu", material, taken, all, in_material<poisson_ratio_of, &Material::poisson_ratio>,
      {},
      "Poisson ratio, in (-1, 0.5)",
-     {.usual_axis = "0,0.05,0.1,0.15,0.2,0.25,0.3,0.35,0.4,0.45,0.49,0.499",
+     {.label = "Poisson's ratio",
+      .usual_axis = "0,0.05,0.1,0.15,0.2,0.25,0.3,0.35,0.4,0.45,0.49,0.499",
       .needed = "a number in (-1, 0.5)"}},
     {"young", material, taken, of_elastic,
      in_material<&Given::positive_number, &Material::young_modulus>, {},
      "Young's modulus [Pa]",
-     {.dimension = Dimension::pressure, .needed = "Young's modulus [Pa]",
-      .is_needed = is_elastic}},
+     {.dimension = Dimension::pressure, .label = "Young's modulus",
+      .needed = "Young's modulus [Pa]", .is_needed = is_elastic}},
     {"density", material, taken, all,
      in_material<&Given::positive_number, &Material::density>, {},
      "mass density [kg/m^3]",
      {.dimension = Dimension::density, .needed = "a density [kg/m^3]"}},
 
-    {"deformation", load, taken, all, {read_deformation, deformation_told}, {},
+    {"deformation", load, taken, all, value<deformation_of, &C::deformation>, {},
      "strain, or angle of torsion [rad]; '5%' and '45deg' are understood; in uniaxial "
      "positive pulls and negative presses",
      {.dimension = Dimension::deformation, .usual_axis = "5%:60%:12", .has = deforms,
       .needed = "a strain or angle"}},
     {"gravity", load, taken, all, value<gravity_of, &C::gravity>, {},
      "acceleration in bending [m/s^2]",
-     {.dimension = Dimension::acceleration, .shape = Shape::list,
+     {.dimension = Dimension::acceleration,
       .standing = Standing::scene_file, .has = in_tests<Test::bending>,
       .needed = "an acceleration [m/s^2]"}},
-    {"plates", load, unused, all, value<plates_of, &C::plates>, "glued",
+    {"plates", load, unused, all, value<named<PlateContact>, &C::plates>, "glued",
      "how the lower plate holds in traction: glued or sliding",
      {.has = in_tests<Test::traction>}},
-    {"traction", load, unused, all, {read_traction, traction_told}, {},
+    {"traction", load, unused, all, value<traction_of, &C::traction>, {},
      "force per undeformed area x,y,z on the upper face in traction [Pa]",
-     {.dimension = Dimension::pressure, .shape = Shape::list,
+     {.dimension = Dimension::pressure,
       .has = in_tests<Test::traction>, .needed = "a force per area [Pa]"}},
     {"gradient", load, unused, all, value<gradient_of, &C::gradient>, {},
      "displacement gradient of the boundary in affine, nine numbers by rows",
-     {.shape = Shape::list, .has = in_tests<Test::affine>,
+     {.has = in_tests<Test::affine>,
       .needed = "nine numbers, row by row"}},
 
     {"diagonal-ratio", of_lattices, chosen, of_diagonals,
      in_springs<not_negative_of, &Network::diagonal_ratio>, "1",
      "A = k_f/k_c of mss-fd, mss-cf and their lattices in fem-cauchy-born",
-     {.usual_axis = "0.01,0.03,0.1,0.3,1,3,10,30,100"}},
+     {.label = "A = k_f/k_c, face over inner diagonals",
+      .usual_axis = "0.01,0.03,0.1,0.3,1,3,10,30,100"}},
     {"stiffness-form", of_lattices, chosen, of_moduli,
-     in_springs<stiffness_form_of, &Network::stiffness_form>, "mu",
+     in_springs<named<mss::StiffnessForm>, &Network::stiffness_form>, "mu",
      "spring constants from mu or, as Eq. 5.12 prints, E; of fem-cauchy-born's lattice "
      "too"},
-    {"stiffness", of_lattices, chosen, of_custom, {read_stiffness, stiffness_told}, {},
+    {"stiffness", of_lattices, chosen, of_custom,
+     {read_stiffness, stiffness_told, so_many_numbers<3>}, {},
      "KE,KF,KC of mss-custom: lattice values of its edge, face-diagonal and "
      "inner-diagonal springs at the scene's cell size [N/m]",
-     {.dimension = Dimension::stiffness, .shape = Shape::list,
+     {.dimension = Dimension::stiffness,
       .needed = "KE,KF,KC of mss-custom [N/m]", .is_needed = runs_custom}},
-    {"kappa", of_lattices, chosen, of_custom, {read_kappa, kappa_told}, "0",
+    {"kappa", of_lattices, chosen, of_custom, {read_kappa, kappa_told, number}, "0",
      "modulus of mss-custom's volume correction [Pa]; 0: none",
      {.dimension = Dimension::pressure}},
     {"correction", of_lattices, chosen, of_tetrahedra,
-     in_springs<correction_of, &Network::volume_correction>, "on",
+     in_springs<named<mss::VolumeCorrection>, &Network::volume_correction>, "on",
      "volume correction of mss-vangelder and mss-lloyd: on, off"},
 
     {"element", of_elements, chosen, of_fem,
-     in_elements<element_of, &ElementSettings::element>, "q1-sri",
+     in_elements<named<ElementName>, &ElementSettings::element>, "q1-sri",
      "finite element: q1, q1-sri, or q2 on hexahedra"},
     {"linear-solver", of_elements, chosen, of_fem,
-     in_elements<linear_solver_of, &ElementSettings::linear_solver>, "auto",
+     in_elements<named<fem_reference::LinearSolver>, &ElementSettings::linear_solver>,
+     "auto",
      "of finite elements: auto (by size), direct or multigrid"},
     {"lattice", of_elements, chosen, of_continua,
-     in_elements<lattice_of, &ElementSettings::lattice>,
+     in_elements<named<LatticeName>, &ElementSettings::lattice>,
      "mss-cf",
      "springs whose continuum fem-cauchy-born is: mss-baudet, mss-nfd, mss-fd, mss-cf, "
      "mss-affine"},
@@ -145,7 +154,7 @@ constexpr Setting table[] = {
      "direction of fem-cauchy-born's lattice along z: 100, 110, 111"},
 
     {"solver", solution, chosen, of_solvers,
-     {value<solver_named, &C::solver>.read, solver_told}, {},
+     telling(value<named<Solver>, &C::solver>, solver_told), {},
      "of spring methods: static, limit (static, to where the path loses its stability "
      "or a cell is turned inside out), or dynamics by explicit (Euler), semi-implicit "
      "(Euler), verlet or implicit (Euler); fem-explicit methods are never static or "
@@ -153,68 +162,74 @@ constexpr Setting table[] = {
      {.default_text = "static; of fem-explicit methods semi-implicit"}},
     {"noise", solution, chosen, of_rest, value<not_negative_of, &C::noise>, "0",
      "of static spring solutions: noise on the nodes' positions, in cell edges, from "
-     "which they are solved again; 0: none"},
+     "which they are solved again; 0: none", {.label = "noise over the cell edge"}},
 
     {"dt", motion, chosen, of_steps,
-     {in_motion<time_step_of, &Dynamics::time_step>.read, time_step_told}, "auto",
+     telling(in_motion<time_step_of, &Dynamics::time_step>, time_step_told), "auto",
      "time step [s], or auto: 0.9 of the stability limit, followed as the body deforms",
-     {.dimension = Dimension::time}},
+     {.dimension = Dimension::time, .label = "time step"}},
     {"dt-ratio", motion, chosen, of_usual_steps,
      in_motion<&Given::positive_number, &Dynamics::step_ratio>, "0.9",
      "of dt = auto: the step over the stability limit; above 1 to see what becomes of "
-     "it", {.usual_axis = "0.8:1.2:9"}},
+     "it",
+     {.label = "step over its stability limit", .usual_axis = "0.8:1.2:9",
+      .instead = "dt"}},
     {"force-dt", motion, chosen, of_steps,
      in_motion<&Given::truth, &Dynamics::force_time_step>, "false",
-     "run even with a time step above the stability limit", {.shape = Shape::flag}},
+     "run even with a time step above the stability limit"},
     {"duration", motion, taken, of_time,
      in_motion<&Given::positive_number, &Dynamics::duration>, "10",
      "time over which the load grows in dynamics [s]",
-     {.dimension = Dimension::time, .replaces = durations}},
-    {"rate", motion, taken, of_time, {read_rate}, {},
+     {.dimension = Dimension::time, .label = "duration of the load",
+      .replaces = durations}},
+    {"rate", motion, taken, of_time, {read_rate, {}, number}, {},
      "of the deformation or the largest component of a gradient, in place of a duration "
      "[1/s]: it is reached in deformation/rate",
      {.dimension = Dimension::rate, .replaces = durations}},
     {"load-times", motion, unused, of_points,
-     {read_load_times, load_points<&dynamics::LoadPoint::time>}, {},
+     {read_load_times, load_points<&dynamics::LoadPoint::time>, numbers}, {},
      "times [s], ascending, of load-fractions; in place of a duration",
-     {.dimension = Dimension::time, .shape = Shape::list, .beside = "load-fractions",
+     {.dimension = Dimension::time, .beside = "load-fractions",
       .replaces = durations}},
     {"load-fractions", motion, unused, of_points,
-     {read_fractions, load_points<&dynamics::LoadPoint::fraction>}, {},
+     {read_fractions, load_points<&dynamics::LoadPoint::fraction>, numbers}, {},
      "of the load at those times, straight between them and from 0 at rest: '0,1' after "
-     "'1,2' holds still for a second", {.shape = Shape::list, .beside = "load-times"}},
-    {"angular-frequency", motion, unused, of_swings, {read_frequency, frequency_told}, {},
+     "'1,2' holds still for a second", {.beside = "load-times"}},
+    {"angular-frequency", motion, unused, of_swings,
+     {read_frequency, frequency_told, number}, {},
      "of a load that swings, sin(omega t) [rad/s]; in place of a duration",
      {.dimension = Dimension::angular_frequency, .replaces = durations}},
-    {"cycles", motion, unused, of_swings, {read_cycles, cycles_told}, "5",
+    {"cycles", motion, unused, of_swings, {read_cycles, cycles_told, number}, "5",
      "of that load, also parts of one", {.beside = "angular-frequency"}},
     {"damping", motion, taken, of_dashpots,
      in_motion<not_negative_of, &Dynamics::damping_ratio>, "0.05",
      "in dynamics, fraction of critical: dashpots of springs, drag of fem-explicit "
      "methods",
-     {.dimension = Dimension::fraction, .usual_axis = "0,0.01,0.02,0.05,0.1,0.2,0.5,1"}},
+     {.dimension = Dimension::fraction, .label = "damping ratio ζ of each spring",
+      .usual_axis = "0,0.01,0.02,0.05,0.1,0.2,0.5,1"}},
     {"precision", motion, chosen, of_dashpots,
-     in_motion<precision_of, &Dynamics::precision>, "double",
+     in_motion<named<mss::Precision>, &Dynamics::precision>, "double",
      "of explicit steps: double or float"},
     {"history", motion, chosen, of_histories,
-     {in_motion<sample_count_of, &Dynamics::history>.read, history_told}, "0",
+     telling(in_motion<count_of<0, 1'000'000>, &Dynamics::history>, history_told), "0",
      "samples of deformation, volume, plate force and torque, and energies at equal "
      "distances in time, on each straight piece of the load; in dynamics and of tissue; "
      "0: none", {.counts = true}},
 
-    {"organ", living, unused, of_living, {read_law<organ_of>}, {},
+    {"organ", living, unused, of_living, {read_organ, {}, type_of<tissue::Organ>()}, {},
      "liver, kidney or spleen: Golec 2018's law of it, for methods of tissue",
      {.replaces = laws_of_tissue}},
-    {"law", living, unused, of_living, {read_law<law_of>, law_told}, {},
+    {"law", living, unused, of_living, {read_law, law_told, so_many_numbers<4>}, {},
      "K,n,GAMMA_LIM,p of tissue's bi-power law, but for mss-thesis-tissue: K [Pa s^n], "
      "others without unit",
-     {.shape = Shape::list, .replaces = laws_of_tissue,
+     {.replaces = laws_of_tissue,
       .needed = "K,n,GAMMA_LIM,p of tissue, or an organ", .is_needed = runs_tissue}},
     {"branches", living, unused, of_memory,
-     value<branch_count_of, &C::tissue, &Tissue::branches>, "5",
+     value<count_of<2, tissue::most_branches>, &C::tissue, &Tissue::branches>, "5",
      "Maxwell branches of tissue, 2 to 32"},
     {"time-steps", living, unused, of_tissue_at_rest,
-     {read_time_steps, value<time_steps_of, &C::tissue, &Tissue::steps>.told}, "auto",
+     {read_time_steps, time_steps_told,
+      type_of<std::optional<int>>()}, "auto",
      "of tissue's static solver, on each straight piece of the load; auto: 50, of a "
      "load that swings 1 on each 64th of a cycle"}};
 // clang-format on
@@ -238,7 +253,7 @@ bool reads(const CaseSettings& settings, const Setting& setting) {
 std::string help_of(const Setting& setting) {
   const std::string_view usual =
       setting.default_text.empty() ? setting.otherwise : setting.default_text;
-  return usual.empty() || setting.shape == Shape::flag
+  return usual.empty() || setting.access.type.kind == ValueType::Kind::truth
              ? std::string(setting.help)
              : fmt::format("{} (default {})", setting.help, usual);
 }

@@ -14,35 +14,9 @@
 namespace springcheck {
 namespace {
 
-/// The entry of that name, which stands in what was given. `what` is for messages.
-template <class Entries>
-const auto& entry_named(const Given& given, std::string_view what,
-                        const std::string& name, const Entries& entries) {
-  std::vector<std::string_view> names;
-  for (const auto& entry : entries) {
-    names.emplace_back(entry.name);
-    if (names.back() == name) return entry;
-  }
-  given.refuse_name(what, name, names);
-}
-
-template <class Value>
-Value value_named(const Given& given, std::string_view what) {
-  return entry_named(given, what, given.text(), value_names<Value>).value;
-}
-
-int count_of(const Given& given, int least, int most) {
-  const std::int64_t count = given.integer();
-  if (count < least || count > most)
-    given.refuse(fmt::format("an integer in [{}, {}]", least, most));
-  return static_cast<int>(count);
-}
-
-constexpr int million = 1'000'000;
-
 /// Not zero; `unit` is for messages.
 Vector3 vector_of(const Given& given, const char* unit) {
-  const auto numbers = given.three_numbers();
+  const auto numbers = given.numbers<3>();
   const Vector3 vector(numbers[0], numbers[1], numbers[2]);
   if (vector.isZero(0)) given.refuse(fmt::format("a vector other than zero [{}]", unit));
   return vector;
@@ -50,26 +24,10 @@ Vector3 vector_of(const Given& given, const char* unit) {
 
 }  // namespace
 
-Test test_of(const Given& given) {
-  return value_named<Test>(given, "test");
-}
-
-Method method_named(const Given& given, const std::string& name) {
-  return entry_named(given, "method", name, methods());
-}
-
-ElementName element_named(const Given& given, const std::string& name) {
-  return entry_named(given, "element", name, elements());
-}
-
-ElementName element_of(const Given& given) {
-  return element_named(given, given.text());
-}
-
 std::vector<Method> methods_of(const Given& given) {
   std::vector<Method> all;
   for (const std::string& name : given.texts()) {
-    all.push_back(method_named(given, name));
+    all.push_back(value_named<Method>(given, name));
     if (std::ranges::count(all, name, &Method::name) > 1)
       throw InputError(given.place(), "", "each name once", "'" + name + "' twice");
   }
@@ -79,7 +37,7 @@ std::vector<Method> methods_of(const Given& given) {
 std::array<double, 3> size_of(const Given& given) {
   // Far beyond any body, and their cubes stay far from overflow.
   constexpr double shortest = 1e-9, longest = 1e9;
-  const auto size = given.three_numbers();
+  const auto size = given.numbers<3>();
   if (std::ranges::any_of(
           size, [](double length) { return !(length >= shortest && length <= longest); }))
     given.refuse("three lengths between 1e-9 and 1e9 m");
@@ -103,29 +61,23 @@ double poisson_ratio_of(const Given& given) {
   return nu;
 }
 
-tissue::BipowerLaw organ_of(const Given& given) {
-  return entry_named(given, "organ", given.text(), tissue::organs()).law;
-}
-
-tissue::BipowerLaw law_of(const Given& given) {
-  const auto [K, n, limit, p] = given.four_numbers();
+std::array<double, 4> law_of(const Given& given) {
+  const auto law = given.numbers<4>();
+  const auto [K, n, limit, p] = law;
   if (!(K > 0 && n > 0 && n < 1 && limit > 0 && p > 0))
     given.refuse("K > 0, n between 0 and 1, GAMMA_LIM > 0 and p > 0");
-  return {
-      .consistency = K, .linear_index = n, .linear_limit = limit, .hardening_index = p};
+  return law;
 }
 
-int branch_count_of(const Given& given) {
-  return count_of(given, 2, tissue::most_branches);
-}
-
-int time_steps_of(const Given& given) {
-  return count_of(given, 1, million);
+std::optional<int> time_steps_of(const Given& given) {
+  if (!given.is_text()) return count_of<1, 1'000'000>(given);
+  if (given.text() != "auto") given.refuse("an integer of at least 1, or 'auto'");
+  return std::nullopt;
 }
 
 dynamics::LoadPath load_times_of(const Given& given) {
   dynamics::LoadPath path;
-  for (const double time : given.numbers()) {
+  for (const double time : given.any_numbers()) {
     if (time <= (path.empty() ? 0 : path.back().time))
       given.refuse("times above 0 [s], ascending");
     path.push_back({.time = time, .fraction = 0});
@@ -134,7 +86,7 @@ dynamics::LoadPath load_times_of(const Given& given) {
 }
 
 void set_fractions(dynamics::LoadPath& path, const Given& given) {
-  const std::vector<double> fractions = given.numbers();
+  const std::vector<double> fractions = given.any_numbers();
   if (fractions.size() != path.size())
     given.refuse(fmt::format("a fraction for each of {} times", path.size()));
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -151,7 +103,8 @@ double cycles_of(const Given& given) {
   return cycles;
 }
 
-double deformation_of(const Given& given, Test test) {
+double deformation_of(const Given& given, const CaseSettings& settings) {
+  const Test test = settings.test;
   constexpr double largest = 100;  // keeps squares of strains far from overflow
   const double deformation =
       test == Test::torsion
@@ -177,28 +130,12 @@ double not_negative_of(const Given& given) {
   return value;
 }
 
-BodyShape shape_of(const Given& given) {
-  constexpr std::array shapes{Named{BodyShape::block, "block"},
-                              Named{BodyShape::kidney, "kidney"},
-                              Named{BodyShape::disc, "disc"}};
-  return entry_named(given, "body", given.text(), shapes).value;
-}
-
-MeshUnit mesh_unit_of(const Given& given) {
-  return entry_named(given, "unit of length", given.text(), mesh_units());
-}
-
-CellPattern pattern_of(const Given& given) {
-  return entry_named(given, "type of cells", given.text(), cell_patterns()).pattern;
-}
-
-mss::LatticeStiffness stiffness_of(const Given& given) {
-  const auto [edge, face_diagonal, inner_diagonal] = given.three_numbers();
-  const double softest = std::min({edge, face_diagonal, inner_diagonal}),
-               stiffest = std::max({edge, face_diagonal, inner_diagonal});
+std::array<double, 3> stiffness_of(const Given& given) {
+  const auto stiffness = given.numbers<3>();
+  const auto [softest, stiffest] = std::ranges::minmax(stiffness);
   if (softest < 0 || stiffest == 0)
     given.refuse("KE,KF,KC of at least 0 N/m, one of them above 0");
-  return {.edge = edge, .face_diagonal = face_diagonal, .inner_diagonal = inner_diagonal};
+  return stiffness;
 }
 
 std::optional<double> time_step_of(const Given& given) {
@@ -214,63 +151,28 @@ unsigned seed_of(const Given& given) {
   return static_cast<unsigned>(seed);
 }
 
-mss::StiffnessForm stiffness_form_of(const Given& given) {
-  return value_named<mss::StiffnessForm>(given, "form");
-}
-
-mss::VolumeCorrection correction_of(const Given& given) {
-  return value_named<mss::VolumeCorrection>(given, "value");
-}
-
-std::optional<Solver> solver_named(const Given& given) {
-  return value_named<Solver>(given, "solver");
-}
-
-mss::Precision precision_of(const Given& given) {
-  return value_named<mss::Precision>(given, "precision");
-}
-
-int sample_count_of(const Given& given) {
-  return count_of(given, 0, million);
-}
-
-std::vector<Status> expect_of(const Given& given) {
-  std::vector<Named<Status>> names;
-  for (const Status status : all_statuses()) names.push_back({status, name_of(status)});
-  std::vector<Status> expected;
+std::vector<Status> statuses_of(const Given& given) {
+  std::vector<Status> statuses;
   for (const std::string& name : given.texts())
-    expected.push_back(entry_named(given, "status", name, names).value);
-  return expected;
-}
-
-PlateContact plates_of(const Given& given) {
-  return value_named<PlateContact>(given, "contact");
-}
-
-fem_reference::LinearSolver linear_solver_of(const Given& given) {
-  return value_named<fem_reference::LinearSolver>(given, "linear solver");
+    statuses.push_back(value_named<Status>(given, name));
+  return statuses;
 }
 
 fem_reference::LatticeDirection lattice_direction_of(const Given& given) {
   // Its names are digits, which read as a number where no quotes say otherwise.
   const std::string text =
       given.is_text() ? given.text() : std::to_string(given.integer());
-  return entry_named(given, "direction", text,
-                     value_names<fem_reference::LatticeDirection>)
-      .value;
-}
-
-LatticeName lattice_of(const Given& given) {
-  return entry_named(given, "lattice", given.text(), lattices());
+  return value_named<fem_reference::LatticeDirection>(given, text);
 }
 
 Vector3 gravity_of(const Given& given) {
   return vector_of(given, "m/s^2");
 }
 
-Vector3 traction_of(const Given& given, PlateContact plates) {
+Vector3 traction_of(const Given& given, const CaseSettings& settings) {
   const Vector3 traction = vector_of(given, "Pa");
-  if (plates == PlateContact::sliding && (traction.x() != 0 || traction.y() != 0))
+  if (settings.plates == PlateContact::sliding &&
+      (traction.x() != 0 || traction.y() != 0))
     given.refuse("a traction along z: the body slides on its plate");
   return traction;
 }
@@ -283,7 +185,7 @@ bool turns_inside_out(const Eigen::Matrix3d& gradient) {
 }
 
 Eigen::Matrix3d gradient_of(const Given& given) {
-  const auto numbers = given.nine_numbers();
+  const auto numbers = given.numbers<9>();
   const Eigen::Matrix3d H =
       Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers.data());
   if (H.isZero(0)) given.refuse("a gradient other than zero");

@@ -91,6 +91,12 @@ std::vector<std::string_view> units_of(Dimension dimension) {
   return names;
 }
 
+std::string_view si_unit_of(Dimension dimension) {
+  for (const Unit& unit : units)
+    if (unit.dimension == dimension && unit.exponent == 0) return unit.name;
+  return "-";
+}
+
 std::string numbers_in_units(Dimension dimension) {
   const std::vector<std::string_view> names = units_of(dimension);
   return fmt::format("a finite number, plain or in {}, as in '{}{}'",

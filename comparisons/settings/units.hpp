@@ -26,6 +26,9 @@ enum class Dimension {
 /// Names of its units, the SI unit first where it has a name.
 std::vector<std::string_view> units_of(Dimension dimension);
 
+/// The unit that plain numbers are in; "-" for numbers without one.
+std::string_view si_unit_of(Dimension dimension);
+
 /// "a finite number, plain or in Pa, kPa, ..., as in '5kPa'", for messages.
 std::string numbers_in_units(Dimension dimension);
 

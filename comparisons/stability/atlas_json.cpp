@@ -75,9 +75,9 @@ Json map_json(const StoredMap& map, const Stored& stored) {
 
 Json atlas_json(const std::filesystem::path& file) {
   Json failures = Json::array();
-  for (const Failure failure : all_failures())
-    failures.push_back({{"name", std::string(name_of(failure))},
-                        {"letter", std::string(1, letter_of(failure))}});
+  for (const FailureName& failure : value_names<Failure>)
+    failures.push_back(
+        {{"name", failure.name}, {"letter", std::string(1, failure.letter)}});
   std::vector<StoredMap> maps = read_maps(file);
   std::ranges::sort(maps, {}, [](const StoredMap& map) {
     return std::tuple(map.scene, map.axes, identity_of(map));

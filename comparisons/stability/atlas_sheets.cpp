@@ -125,7 +125,7 @@ std::string maps_text(const Atlas& atlas, const AtlasPlan& plan) {
   for (const AtlasPoint& point : atlas.points) {
     if (!maps.contains(point.method)) methods.push_back(point.method);
     const std::string other = point.values.size() > 1 ? point.values[1] : "";
-    maps[point.method][{point.values[0], other}] = letter_of(point.failure);
+    maps[point.method][{point.values[0], other}] = entry_of(point.failure).letter;
     ++seen[point.failure];
   }
   std::string text;
@@ -134,7 +134,8 @@ std::string maps_text(const Atlas& atlas, const AtlasPlan& plan) {
                         plan.axes.size() == 2 ? " against " + plan.axes[1].key : "",
                         map_text(maps.at(method), plan));
   for (const auto& [failure, count] : seen)
-    text += fmt::format("{}  {} ({})\n", letter_of(failure), name_of(failure), count);
+    text +=
+        fmt::format("{}  {} ({})\n", entry_of(failure).letter, name_of(failure), count);
   return text;
 }
 

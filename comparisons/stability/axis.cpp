@@ -11,6 +11,7 @@
 
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/settings/suggestion.hpp"
+#include "comparisons/settings/value_range.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -26,34 +27,16 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-struct Number {
-  double value;
-  std::string unit;  // what follows it
-};
-
-std::optional<Number> number(const std::string& text) {
-  const std::optional<Measurement> found = measurement(text);
-  if (!found) return std::nullopt;
-  const std::optional<double> value = value_of({found->number, ""}, Dimension::none);
-  if (!value || !std::isfinite(*value)) return std::nullopt;
-  return Number{*value, found->unit};
-}
-
-/// 0.15, not 0.15000000000000002.
-std::string text_of(const Number& number) {
-  return fmt::format("{:.12g}{}", number.value, number.unit);
-}
-
 /// Whether they are numbers of the setting, in one unit, each above the one before.
 bool is_ascending(const Setting& setting, const std::vector<std::string>& values) {
-  if (setting.shape != Shape::one) return false;
+  if (!is_number(setting.access.type)) return false;
   std::vector<std::string_view> units = units_of(setting.dimension);
   units.emplace_back("");
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto here = number(values[i]);
+    const auto here = written_number(values[i]);
     if (!here || std::ranges::count(units, here->unit) == 0) return false;
     if (i == 0) continue;
-    const auto before = number(values[i - 1]);
+    const auto before = written_number(values[i - 1]);
     if (before->unit != here->unit || !(before->value < here->value)) return false;
   }
   return true;
@@ -97,20 +80,17 @@ Axis axis_named(const std::string& place, const std::string& text) {
   const std::vector<std::string> range = split(values, ':');
   if (range.size() != 1 && range.size() != 3) refuse();
   if (range.size() == 3) {
-    const auto from = number(range[0]), to = number(range[1]);
     int count = 0;
     const std::string& digits = range[2];
     const auto [end, error] =
         std::from_chars(digits.data(), digits.data() + digits.size(), count);
-    if (!from || !to || from->unit != to->unit || !(from->value < to->value) ||
-        error != std::errc{} || end != digits.data() + digits.size() || count < 2 ||
+    if (error != std::errc{} || end != digits.data() + digits.size() || count < 2 ||
         count > 1000)
       refuse();
-    for (int i = 0; i < count; ++i) {
-      const double part = static_cast<double>(i) / (count - 1);
-      axis.values.push_back(
-          text_of({(1 - part) * from->value + part * to->value, from->unit}));
-    }
+    axis.values = values_between(range[0], range[1], count);
+    if (axis.values.empty() ||
+        !(written_number(range[0])->value < written_number(range[1])->value))
+      refuse();
   } else {
     axis.values = split(values, values.find(';') == std::string::npos ? ',' : ';');
   }
@@ -131,16 +111,16 @@ GivenSetting setting(const Axis& axis, const std::string& value) {
 }
 
 std::string middle(const std::string& low, const std::string& high) {
-  const Number a = number(low).value(), b = number(high).value();
+  const WrittenNumber a = written_number(low).value(), b = written_number(high).value();
   return text_of({(a.value + b.value) / 2, a.unit});
 }
 
 double number_of(const std::string& value) {
-  return number(value).value().value;
+  return written_number(value).value().value;
 }
 
 std::string unit_of(const std::string& value) {
-  return number(value).value().unit;
+  return written_number(value).value().unit;
 }
 
 double units_per_one(const std::string& unit) {

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "comparisons/cases/named.hpp"
 #include "comparisons/running/case_result.hpp"
 
 namespace springcheck {
@@ -22,11 +23,40 @@ enum class Failure {
   locking                // plate force far above a control's that does not lock
 };
 
-std::string_view name_of(Failure failure);
-std::string_view description_of(Failure failure);
-/// One character for maps; '.' for none.
-char letter_of(Failure failure);
-const std::vector<Failure>& all_failures();
+struct FailureName {
+  Failure value;
+  std::string_view name;
+  char letter;  // in maps
+  std::string_view description;
+};
+
+template <>
+inline constexpr std::array value_names<Failure>{
+    FailureName{Failure::none, "none", '.',
+                "equilibrium, tangent positive definite, nothing of what follows"},
+    FailureName{Failure::not_covered, "not covered", '-', "the method refuses the scene"},
+    FailureName{Failure::solver, "solver failure", '?',
+                "the solver gave up on a path that was stable as far as it came: says "
+                "nothing of the body"},
+    FailureName{Failure::blow_up, "blow-up", 'B', "a motion left all bounds"},
+    FailureName{Failure::inversion, "inversion", 'I',
+                "a cell is turned inside out at a corner"},
+    FailureName{Failure::limit_point, "limit point", 'P',
+                "no equilibrium beyond some part of the load"},
+    FailureName{Failure::wrinkling, "wrinkling", 'W',
+                "a free face zigzags from cell to cell; of a path's limit, the mode that "
+                "becomes unstable is shorter than four cells"},
+    FailureName{Failure::hourglassing, "hourglassing", 'H',
+                "the inside of hexahedra alternates from cell to cell in modes that the "
+                "cells' mean strain does not see: more than half of their hourglass "
+                "displacement, higher than .05 of edge times strain"},
+    FailureName{Failure::loss_of_definiteness, "loss of definiteness", 'D',
+                "equilibrium, but no minimum of the energy; finite elements also where "
+                "the path there lost it"},
+    FailureName{
+        Failure::locking, "locking", 'L',
+        "with --locking: plate force or torque more than 10 % above that of the same law "
+        "on q1-sri (fem-cauchy-born, for lattices); on hexahedra alone"}};
 
 // Definitions, each of a case alone but for locking.
 

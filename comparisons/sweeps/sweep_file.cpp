@@ -13,6 +13,7 @@
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/settings/suggestion.hpp"
 #include "comparisons/settings/toml_values.hpp"
+#include "comparisons/settings/value_range.hpp"
 #include "comparisons/shipped/shipped.hpp"
 #include "meshing/input_error.hpp"
 
@@ -28,7 +29,7 @@ struct Choices {
 /// Keys whose one value is a list of numbers.
 bool is_list_valued(std::string_view key) {
   const Setting* setting = find_setting(key);
-  return setting != nullptr && setting->shape == Shape::list;
+  return setting != nullptr && is_list_of_numbers(setting->access.type);
 }
 
 /// Keys of sweeps: scene, fields, cases and the options of `run`.
@@ -39,32 +40,33 @@ std::vector<std::string_view> sweep_keys() {
 }
 
 /// {from, to, count}
-std::vector<Given> range(const toml::table& table, const std::string& where) {
-  const std::string expected = "{from = A, to = B, count = N}, numbers, N at least 2";
+std::vector<Given> range(const toml::table& table, const std::string& file,
+                         const std::string& where) {
+  const std::string expected =
+      "{from = A, to = B, count = N}, numbers in one unit, N at least 2";
   const auto refuse = [&](const std::string& got) {
     throw InputError(where, "", expected, got);
   };
   for (const auto& [key, node] : table)
     if (key.str() != "from" && key.str() != "to" && key.str() != "count")
       refuse(fmt::format("unknown key '{}'", key.str()));
-  const auto from = table["from"].value<double>(), to = table["to"].value<double>();
+  const toml::node *from = table.get("from"), *to = table.get("to");
   const auto count = table["count"].value_exact<std::int64_t>();
-  if (!from || !to || !count || *count < 2 || *count > 1'000'000) refuse("others");
+  if (from == nullptr || to == nullptr || !count || *count < 2 || *count > 1'000'000)
+    refuse("others");
   std::vector<Given> values;
-  const auto last = static_cast<double>(*count - 1);
-  for (std::int64_t i = 0; i < *count; ++i) {
-    const double part = static_cast<double>(i) / last;
-    // 0.15, not 0.15000000000000002: the number that a list would hold.
-    const double value = (1 - part) * *from + part * *to;
-    values.emplace_back(where, Given::Scalar(std::stod(fmt::format("{:.12g}", value))));
-  }
+  for (const std::string& value :
+       values_between(given(*from, file, "from").joined(),
+                      given(*to, file, "to").joined(), static_cast<int>(*count)))
+    values.push_back(Given::from_text(where, value));
+  if (values.empty()) refuse("others");
   return values;
 }
 
 std::vector<Given> values_of(const std::string& key, const toml::node& node,
                              const std::string& file) {
   const std::string where = fmt::format("{}: {}", place(file, node.source()), key);
-  if (const toml::table* table = node.as_table()) return range(*table, where);
+  if (const toml::table* table = node.as_table()) return range(*table, file, where);
   const toml::array* list = node.as_array();
   if (list == nullptr) return {given(node, file, key)};
   if (list->empty()) throw InputError(where, "", "at least one value", "an empty list");

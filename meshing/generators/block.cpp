@@ -25,7 +25,7 @@ constexpr std::array<CellPatternName, 11> patterns{
       "hexahedra below, gmsh's tetrahedra above, pyramids between"}}};
 
 std::string_view name_of(CellPattern pattern) {
-  return std::ranges::find(patterns, pattern, &CellPatternName::pattern)->name;
+  return std::ranges::find(patterns, pattern, &CellPatternName::value)->name;
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ enum class CellPattern {
 
 struct CellPatternName {
   std::string_view name;  // on the command line
-  CellPattern pattern;
+  CellPattern value;
   std::string_view description;
 };
 std::span<const CellPatternName> cell_patterns();

@@ -19,7 +19,7 @@ namespace {
 std::string describe(const Kidney& kidney) {
   const auto patterns = cell_patterns();
   const auto pattern =
-      std::ranges::find(patterns, kidney.pattern, &CellPatternName::pattern);
+      std::ranges::find(patterns, kidney.pattern, &CellPatternName::value);
   return fmt::format("kidney {} m in {} cells, {}", fmt::join(kidney.size, " x "),
                      fmt::join(kidney.cells, " x "), pattern->name);
 }

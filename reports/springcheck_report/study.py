@@ -8,21 +8,12 @@ import numpy as np
 import pandas as pd
 import springcheck_results
 
-# Settings that make the mechanical problem, whatever method solves it. `mesh` is the mesh's
-# SHA-256, which stands for the body's own settings.
-_PROBLEM = ["test", "mesh", "nu", "young", "density", "deformation", "plates", "fixed", "moved"]
-_PROBLEM += [f"{name}.{axis}" for name in ("gravity", "traction") for axis in "xyz"]
-_PROBLEM += [f"gradient.{row}{column}" for row in "xyz" for column in "xyz"]
-
-# Columns that a report reads; a file lacks those that none of its cases has.
-_TEXTS = ["scene", "test", "method", "element", "status", "reason", "body", "cell-type", "mesh"]
-_TEXTS += ["solver", "stiffness-form", "source", "reference", "precision"]
-_NUMBERS = ["nu", "young", "density", "deformation", "diagonal-ratio", "distortion"]
-_NUMBERS += [f"{name}.{axis}" for name in ("cells", "size") for axis in "xyz"]
-_NUMBERS += ["volume_error", "volume_change", "plate_force", "plate_force_norm", "plate_torque"]
+# Columns other than settings that a report reads; a file lacks those that none of its cases
+# has.
+_TEXTS = ["scene", "mesh", "status", "reason", "source", "reference"]
+_NUMBERS = ["volume_error", "volume_change", "plate_force", "plate_force_norm", "plate_torque"]
 _NUMBERS += ["tip_deflection", "cell_volume_ratio_min", "load_fraction", "solve_wall_s"]
-_NUMBERS += ["deviation_l2_relative"]
-_NUMBERS += ["damping", "duration", "steps", "transit_count", "kinetic_energy", "strain_energy"]
+_NUMBERS += ["deviation_l2_relative", "steps", "transit_count", "kinetic_energy", "strain_energy"]
 _NUMBERS += ["definite_up_to_deformation", "critical_wavelength", "provenance"]
 
 # What a body answers to each test with: column, name, unit.
@@ -65,6 +56,7 @@ class Study:
     tables: JSON documents of tables/ by name. theory: data/theory.json. atlas:
         data/atlas.json, the maps of `springcheck stability`, with how their cases fail.
     charts: data/charts.json, see comparisons/chart/chart_json.hpp.
+    settings: of data/vocabulary.json, what `springcheck list settings` tells of each.
     """
 
     results: springcheck_results.Results
@@ -74,6 +66,7 @@ class Study:
     theory: dict
     atlas: dict
     charts: list
+    settings: dict
 
     def __post_init__(self):
         self.field_names = self.results.field_names()
@@ -138,12 +131,15 @@ def read(file, folder):
     if "cases" in tables:  # the file may have grown since the tables were made
         known = {row["case"] for row in tables["cases"]["rows"]}
         results.cases = results.cases[results.cases.index.isin(known)]
-    theory, atlas = (_document(folder / "data" / name) for name in ("theory.json", "atlas.json"))
+    names = ("theory.json", "atlas.json", "vocabulary.json")
+    theory, atlas, vocabulary = (_document(folder / "data" / name) for name in names)
     charts = _document(folder / "data" / "charts.json") or []
+    settings = vocabulary["settings"]
     cases = results.cases
     is_limit = _mask(cases["solver"] == "limit") if "solver" in cases else np.zeros(len(cases), bool)
-    limits = _prepared(cases[is_limit]) if is_limit.any() else pd.DataFrame()
-    return Study(results, _prepared(cases[~is_limit]), limits, tables, theory, atlas, charts)
+    limits = prepared(cases[is_limit], settings) if is_limit.any() else pd.DataFrame()
+    judged = prepared(cases[~is_limit], settings)
+    return Study(results, judged, limits, tables, theory, atlas, charts, settings)
 
 
 def _document(path):
@@ -155,14 +151,28 @@ def _mask(truths):
     return np.fromiter(truths, dtype=bool)
 
 
-def _prepared(cases):
-    cases = cases.copy()
-    for column in (name for name in _TEXTS if name not in cases):
-        cases[column] = None
-    for column in (name for name in _NUMBERS if name not in cases):
-        cases[column] = np.nan
-    columns = [column for column in _PROBLEM if column in cases]
-    records = cases[columns].astype(object).where(cases[columns].notna(), None)
+def _columns(key, setting):
+    """Names of a setting's columns in a result file, and what they hold in cases without it:
+    numbers of a list that is no vector or matrix are a text there."""
+    components = springcheck_results.COMPONENTS.get(setting["most"], [])
+    if setting["kind"] in ("number", "integer") and (components or setting["most"] == 1):
+        return [f"{key}.{component}" for component in components] or [key], np.nan
+    return [key], None
+
+
+def prepared(cases, settings):
+    """Cases with all columns that a report reads and those that it adds, see Study."""
+    own = {key: setting for key, setting in settings.items() if setting["column"]}
+    lacking = dict.fromkeys(_TEXTS) | dict.fromkeys(_NUMBERS, np.nan)
+    problem = ["test", "mesh"]
+    for key, setting in own.items():
+        names, nothing = _columns(key, setting)
+        lacking |= dict.fromkeys(names, nothing)
+        if setting["group"] in ("material", "load") or setting["beside"] == "mesh":
+            problem += names
+    further = {name: nothing for name, nothing in lacking.items() if name not in cases}
+    cases = cases.assign(**further)
+    records = cases[problem].astype(object).where(cases[problem].notna(), None)
     cases["problem"] = [json.dumps(list(record)) for record in records.itertuples(index=False)]
     cases["kind"] = [_kind(row) for _, row in cases.iterrows()]
     cases["name"] = [method_name(row) for _, row in cases.iterrows()]

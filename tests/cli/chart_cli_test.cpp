@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
   expect_bad_input("advise compression --tolerance 8", "below 1, such as 0.08 or '8%'");
   expect_bad_input("advise compression --tolerance much", "as in '5%'");
   expect_bad_input("advise compression --tolerance 8% --measure energy",
-                   "force, volume or deviation");
+                   "force, volume, deviation");
   expect_bad_input("advise compression --tolerance 8% --real-time 0",
                    "a positive finite number");
   expect_bad_input("advise compression --tolerance 8% --budget 0", "above 0");

@@ -16,6 +16,7 @@
 
 #include "comparisons/commands/command_line.hpp"
 #include "comparisons/system/blas.hpp"
+#include "tests/json_schema.hpp"
 
 namespace {
 
@@ -84,6 +85,12 @@ std::vector<std::string> split(const std::string& arguments) {
   _exit(status);  // without the end of the tests
 }
 
+/// JSON that a command prints must be what its schema says.
+void check_json(const std::string& arguments, const std::string& out) {
+  static const Json schema = Json::parse(run_springcheck("schema result").out);
+  BOOST_TEST(violations(schema, Json::parse(out)) == "", arguments);
+}
+
 }  // namespace
 
 Run run_springcheck(const std::string& arguments, const std::string& before) {
@@ -103,8 +110,11 @@ Run run_springcheck(const std::string& arguments, const std::string& before) {
                                 " >out 2>err </dev/null " + arguments + " )";
     status = std::system(command.c_str());
   }
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+  Run run{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
           text_of(folder / "out"), text_of(folder / "err")};
+  if (arguments.find(" --json") != std::string::npos && run.out.starts_with('{'))
+    check_json(arguments, run.out);
+  return run;
 }
 
 Json json_of(const std::string& arguments) {

@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(blocks_of_all_patterns_pass) {
     for (const double distortion : {0., 0.02})
       BOOST_CHECK_NO_THROW(check_conformity(generate_block({.size = {0.3, 0.2, 0.7},
                                                             .cells = {3, 4, 5},
-                                                            .pattern = pattern.pattern,
+                                                            .pattern = pattern.value,
                                                             .distortion = distortion})));
 }
 

@@ -1,5 +1,6 @@
 """What cases are compared with, and what the page says of them; on made-up cases."""
 
+import json
 import sys
 import unittest
 from pathlib import Path
@@ -9,9 +10,12 @@ sys.path[:0] = [str(REPORTS), str(REPORTS / "springcheck_report")]
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 import study as study_module  # noqa: E402
+from program import springcheck  # noqa: E402
 from sections.failures import failing_sentences, failures  # noqa: E402
 from sections.summary import _force  # noqa: E402
 from sections.thesis_tables import relative_size  # noqa: E402
+
+SETTINGS = json.loads(springcheck("list", "settings", "--json").stdout)["settings"]
 
 
 class Stub:
@@ -32,7 +36,7 @@ def cases_of(*rows):
     for name in table.columns[table.dtypes == object]:  # as the reader has it
         table[name] = table[name].where(table[name].notna(), None)
     table.index = [f"key{i}" for i in range(len(rows))]
-    return study_module._prepared(table)
+    return study_module.prepared(table, SETTINGS)
 
 
 def fem(law, element, **further):

@@ -12,19 +12,6 @@ _MOST_MAPS = 24
 _MOST_ROWS = 120
 # From here on the values of an axis that are spaced more evenly by their logarithms are drawn so.
 _LEAST_SPAN_OF_LOGARITHMS = 20
-_LABELS = {
-    "nu": "Poisson's ratio [-]",
-    "dt-ratio": "step over its stability limit [-]",
-    "damping": "damping ratio ζ of each spring [-]",
-    "diagonal-ratio": "A = k_f/k_c, face over inner diagonals [-]",
-    "distortion": "distortion [cell edges]",
-    "noise": "noise [cell edges]",
-    "duration": "duration of the load [s]",
-    "dt": "step [s]",
-    "young": "Young's modulus [Pa]",
-    "density": "density [kg/m³]",
-    "cells": "cells along x, y, z",
-}
 
 
 def atlas(study):
@@ -65,7 +52,7 @@ def _blocks(study, one, letters, names):
     first, second = one["axes"]
     name = _new_name("_".join(["atlas", file_name(one["scene"]), first["key"], second["key"]]), names)
     case = next(c for c in (study.case(p["case"]) for p in one["points"] if p["failure"]) if c is not None)
-    vertical, horizontal = (_axis(axis, case) for axis in one["axes"])
+    vertical, horizontal = (_axis(axis, case, study.settings) for axis in one["axes"])
     panels = [
         failure_maps.Panel(
             method,
@@ -92,9 +79,9 @@ def _methods(one):
     return list(dict.fromkeys(point["method"] for point in one["points"]))
 
 
-def _axis(axis, case):
+def _axis(axis, case, settings):
     """Numbers that ascend stand where they are, other values one beside the other."""
-    label = _label(axis, case)
+    label = _label(axis, case, settings)
     if axis["numbers"] is None:
         return failure_maps.Axis(label, np.arange(len(axis["values"]), dtype=float), texts=axis["values"])
     return failure_maps.Axis(label, np.array(axis["numbers"], dtype=float), _is_logarithmic(axis["numbers"]))
@@ -111,11 +98,12 @@ def _is_logarithmic(numbers):
     return bool(unevenness(np.log(at)) < unevenness(at))
 
 
-def _label(axis, case):
+def _label(axis, case, settings):
     key, unit = axis["key"], axis["unit"]
     if key != "deformation":
-        label = _LABELS.get(key, key)
-        return f"{label.partition(' [')[0]} [{unit}]" if unit else label
+        label = settings[key]["label"]
+        unit = (unit or settings[key]["si_unit"]).replace("^3", "³").replace("^2", "²")
+        return label if axis["numbers"] is None else f"{label} [{unit}]"
     if case.test == "torsion":
         return "angle of torsion [°]" if unit == "deg" else "angle of torsion [rad]"
     return "deformation [%]" if unit == "%" else "deformation [-]"

@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(cell_types_distortion_and_seed_reach_the_block) {
   BOOST_TEST(block.distortion == 0.2);
   BOOST_TEST(block.seed == 7U);
   BOOST_TEST(message_of("compression", {"cell-type=cube"})
-                 .starts_with("--cell-type: unknown type of cells 'cube', expected one "
+                 .starts_with("--cell-type: unknown value 'cube', expected one "
                               "of hexahedron, tetrahedron"));
   BOOST_TEST(message_of("compression", {"distortion=-1"}).starts_with("--distortion"));
 }
@@ -131,11 +131,13 @@ BOOST_AUTO_TEST_CASE(plates_beside_each_other_are_refused) {
 
 BOOST_AUTO_TEST_CASE(what_does_not_go_with_a_mesh_is_refused) {
   BOOST_TEST(message_of("compression", {"mesh=a.msh", "cells=2,2,2"})
-                 .starts_with("--cells: expected nothing of a block beside mesh"));
+                 .starts_with(
+                     "--cells: expected no cells beside mesh a.msh, which stands in its "
+                     "place, got [2, 2, 2]"));
   BOOST_TEST(message_of("compression", {"fixed=foot"}) ==
              "--fixed: expected mesh beside fixed: no fixed without mesh, got 'foot'");
   BOOST_TEST(message_of("compression", {"mesh=a.msh", "mesh-unit=inch"}) ==
-             "--mesh-unit: unknown unit of length 'inch', expected one of m, cm, mm");
+             "--mesh-unit: unknown value 'inch', expected one of m, cm, mm");
   BOOST_TEST(message_of("uniaxial", {"mesh=a.msh"}).find("expected a block") !=
              std::string::npos);
   BOOST_TEST(

@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(a_chart_is_measured_once_and_kept) {
       BOOST_TEST((point.place.timing->rounds == most_rounds ||
                   point.place.timing->median > plan.repeat_for));
       for (std::size_t i = 0; i < chart.truths.size(); ++i)
-        for (const ChartMeasure measure : all_chart_measures())
+        for (const ChartMeasure measure : all_values<ChartMeasure>())
           BOOST_TEST(point.errors[i].of(measure).has_value());
     }
   }

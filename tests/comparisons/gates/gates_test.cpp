@@ -198,7 +198,8 @@ const std::vector<BadInput> bad_inputs{
      "gates.toml:6:12: ratio_to: expected at_least or at_most with it, got neither"},
     {head + force + "against = 'fem'\nrelative = 1", "expected a table of settings"},
     {head + force + "monotonic = 'up'\nalong = 'nu'",
-     "gates.toml:6:13: monotonic: expected 'increasing' or 'decreasing', got 'up'"},
+     "gates.toml:6:13: monotonic: unknown value 'up', expected one of increasing, "
+     "decreasing"},
     {head + force + "monotonic = 'increasing'",
      "gates.toml:1:1: along: expected a text, got none"},
     {head + force + "order_at_least = 1\nalong = 'nu'",

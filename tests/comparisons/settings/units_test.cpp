@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(units_of_another_kind_are_refused_with_those_that_fit) {
 BOOST_AUTO_TEST_CASE(lists_are_converted_one_by_one) {
   const Given size = Given::from_text("--size", "5cm,50mm,0.05");
   const std::array<double, 3> expected{0.05, 0.05, 0.05};
-  BOOST_TEST(size.in_si_units(Dimension::length).three_numbers() == expected,
+  BOOST_TEST(size.in_si_units(Dimension::length).numbers<3>() == expected,
              boost::test_tools::per_element());
 }
 

@@ -21,12 +21,12 @@ CaseResult with(Status status, const std::vector<Status>& flags = {}) {
 BOOST_AUTO_TEST_CASE(every_failure_has_a_name_and_a_letter_of_its_own) {
   std::set<std::string_view> names;
   std::set<char> letters;
-  for (const Failure failure : all_failures()) {
-    names.insert(name_of(failure));
-    letters.insert(letter_of(failure));
+  for (const FailureName& failure : value_names<Failure>) {
+    names.insert(failure.name);
+    letters.insert(failure.letter);
   }
-  BOOST_TEST(names.size() == all_failures().size());
-  BOOST_TEST(letters.size() == all_failures().size());
+  BOOST_TEST(names.size() == value_names<Failure>.size());
+  BOOST_TEST(letters.size() == value_names<Failure>.size());
 }
 
 BOOST_AUTO_TEST_CASE(a_case_fails_in_the_first_of_its_ways) {

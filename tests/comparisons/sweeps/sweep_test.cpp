@@ -122,10 +122,11 @@ const std::vector<Bad> bad_sweeps{
     {"scene = 'compression'\nnu = [0.1, 0.5]\n",
      "sweep.toml:2:12: nu: expected a number in (-1, 0.5), got 0.5"},
     {"scene = 'compression'\nnu = {from = 0, to = 1}\n",
-     "sweep.toml:2:6: nu: expected {from = A, to = B, count = N}, numbers, N at least 2"},
+     "sweep.toml:2:6: nu: expected {from = A, to = B, count = N}, numbers in one "
+     "unit, N at least 2"},
     {"scene = 'compression'\nnu = {from = 0, to = 1, count = 2, by = 3}\n",
-     "sweep.toml:2:6: nu: expected {from = A, to = B, count = N}, numbers, N at least 2, "
-     "got "
+     "sweep.toml:2:6: nu: expected {from = A, to = B, count = N}, numbers in one "
+     "unit, N at least 2, got "
      "unknown key 'by'"},
     {"scene = 'compression'\ncases = 3\n",
      "sweep.toml:2:9: cases: expected tables, [[cases]], got others"},
@@ -142,6 +143,24 @@ BOOST_DATA_TEST_CASE(a_bad_sweep_is_refused_with_line_and_column,
                      data::make(bad_sweeps)) {
   BOOST_TEST(message_of(sample.text).starts_with(sample.message),
              message_of(sample.text));
+}
+
+BOOST_AUTO_TEST_CASE(ranges_may_have_a_unit_and_hold_the_numbers_of_a_list) {
+  const auto keys = [](const std::string& deformations) {
+    std::vector<double> all;
+    for (const Request& request :
+         sweep_of("scene = 'compression'\nmethod = 'mss-cf'\ndeformation = " +
+                  deformations + "\n")
+             .requests)
+      all.push_back(*request.settings.deformation);
+    return all;
+  };
+  const std::vector<double> expected{0.05, 0.1, 0.15};
+  BOOST_TEST(keys("{from = '5%', to = '15%', count = 3}") == expected,
+             boost::test_tools::per_element());
+  BOOST_TEST(keys("{from = 0.05, to = 0.15, count = 3}") == expected,
+             boost::test_tools::per_element());
+  BOOST_CHECK_THROW(keys("{from = '5%', to = 0.15, count = 3}"), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(scenes_and_meshes_stand_beside_the_sweep) {

@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(file_of_ours_reads_back_bit_by_bit_in_all_patterns) {
     for (const double distortion : {0., 0.02}) {
       const Mesh mesh = generate_block({.size = {0.3, 0.2, 0.7},
                                         .cells = {3, 2, 7},
-                                        .pattern = pattern.pattern,
+                                        .pattern = pattern.value,
                                         .distortion = distortion});
       write_mesh(mesh, directory / "mesh.msh");
       const Mesh back = read_msh(directory / "mesh.msh", 1);

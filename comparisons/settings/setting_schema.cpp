@@ -1,0 +1,42 @@
+#include "comparisons/settings/setting_schema.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace springcheck {
+
+using Json = nlohmann::ordered_json;
+
+Json schema_of(const Setting& setting) {
+  Json schema{{"description", help_of(setting)}};
+  schema.update(schema_of(setting.access.type, setting.dimension));
+  return schema;
+}
+
+Json schema_of_object(const Json& properties) {
+  return {
+      {"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+}
+
+Json whole_object(const Json& properties) {
+  Json schema = schema_of_object(properties);
+  for (const auto& [name, property] : properties.items())
+    schema["required"].push_back(name);
+  return schema;
+}
+
+Json schema_document(const std::string& title, const Json& schema) {
+  Json document{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
+  document.update(schema);
+  return document;
+}
+
+Json scene_schema() {
+  Json properties;
+  for (const Setting& setting : all_settings())
+    properties[std::string(setting.key)] = schema_of(setting);
+  Json schema = schema_of_object(properties);
+  schema["minProperties"] = 1;
+  return schema_document("A scene of springcheck", schema);
+}
+
+}  // namespace springcheck

@@ -1,0 +1,36 @@
+#include "comparisons/settings/value_range.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "comparisons/settings/units.hpp"
+
+namespace springcheck {
+
+std::optional<WrittenNumber> written_number(const std::string& text) {
+  const std::optional<Measurement> found = measurement(text);
+  if (!found) return std::nullopt;
+  const std::optional<double> value = value_of({found->number, ""}, Dimension::none);
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return WrittenNumber{*value, found->unit};
+}
+
+std::string text_of(const WrittenNumber& number) {
+  return fmt::format("{:.12g}{}", number.value, number.unit);
+}
+
+std::vector<std::string> values_between(const std::string& from, const std::string& to,
+                                        int count) {
+  const auto first = written_number(from), last = written_number(to);
+  if (!first || !last || first->unit != last->unit) return {};
+  std::vector<std::string> values;
+  for (int i = 0; i < count; ++i) {
+    const double part = static_cast<double>(i) / (count - 1);
+    values.push_back(
+        text_of({(1 - part) * first->value + part * last->value, first->unit}));
+  }
+  return values;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,43 @@
+#include "comparisons/settings/value_type.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+namespace springcheck {
+namespace {
+
+using Json = nlohmann::json;
+
+/// "5kPa": a number with one of the units behind it.
+Json measurement_schema(Dimension dimension) {
+  return {{"type", "string"},
+          {"pattern", fmt::format(R"(^-?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)? *({})?$)",
+                                  fmt::join(units_of(dimension), "|"))}};
+}
+
+Json one_of(Json alternatives) {
+  return alternatives.size() == 1 ? alternatives.front() : Json{{"anyOf", alternatives}};
+}
+
+Json schema_of_one(const ValueType& type, Dimension dimension) {
+  if (type.kind == ValueType::Kind::text && type.names != nullptr)
+    return {{"enum", type.names()}};
+  Json alternatives = Json::array({Json{{"type", name_of(type.kind)}}});
+  if (type.names != nullptr) alternatives.push_back({{"enum", type.names()}});
+  if (dimension != Dimension::none) alternatives.push_back(measurement_schema(dimension));
+  return one_of(alternatives);
+}
+
+}  // namespace
+
+Json schema_of(const ValueType& type, Dimension dimension) {
+  const Json one = schema_of_one(type, dimension);
+  if (type.most == 1) return one;
+  Json list{{"type", "array"}, {"items", one}, {"minItems", type.least}};
+  if (type.most != ValueType::any_number) list["maxItems"] = type.most;
+  return type.least == 1 ? one_of({one, list}) : list;
+}
+
+}  // namespace springcheck

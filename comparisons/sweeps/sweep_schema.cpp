@@ -1,0 +1,52 @@
+#include "comparisons/sweeps/sweep_schema.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "comparisons/settings/setting_schema.hpp"
+
+namespace springcheck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A value, or a list of them; of a number also {from, to, count}.
+Json choices_schema(const std::string& description, const Json& value, bool is_number) {
+  Json alternatives =
+      Json::array({value, Json{{"type", "array"}, {"items", value}, {"minItems", 1}}});
+  if (is_number) {
+    alternatives.push_back(
+        whole_object({{"from", value},
+                      {"to", value},
+                      {"count", {{"type", "integer"}, {"minimum", 2}}}}));
+  }
+  return {{"description", description}, {"anyOf", alternatives}};
+}
+
+}  // namespace
+
+Json sweep_schema() {
+  Json definitions{{"scene", choices_schema("name of a shipped scene, or a .toml file",
+                                            {{"type", "string"}}, false)}};
+  for (const Setting& setting : all_settings()) {
+    if (!is_option(setting)) continue;
+    const ValueType& type = setting.access.type;
+    definitions[std::string(setting.key)] = choices_schema(
+        help_of(setting), schema_of(type, setting.dimension), is_number(type));
+  }
+  Json properties;  // of the file and of each of its cases
+  for (const auto& [name, definition] : definitions.items())
+    properties[name] = {{"$ref", "#/definitions/" + name}};
+  const Json one_case = schema_of_object(properties);
+  properties["fields"] = {{"type", "boolean"},
+                          {"description", "whether the result file keeps fields"}};
+  properties["cases"] = {
+      {"type", "array"},
+      {"items", one_case},
+      {"minItems", 1},
+      {"description", "tables of options, each with the others of the file"}};
+  Json schema = schema_of_object(properties);
+  schema["definitions"] = definitions;
+  return schema_document("A sweep of springcheck", schema);
+}
+
+}  // namespace springcheck
