@@ -12,10 +12,6 @@
 
 namespace springcheck {
 
-std::string_view name_of(CellPattern pattern) {
-  return std::ranges::find(cell_patterns(), pattern, &CellPatternName::value)->name;
-}
-
 const std::vector<MeshUnit>& mesh_units() {
   static const std::vector<MeshUnit> all{{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}};
   return all;

@@ -37,7 +37,8 @@ class SettingOptions {
  public:
   explicit SettingOptions(CLI::App* command, bool (*is_taken)(const Setting&)) {
     command->footer(
-        "Numbers are in SI units, or carry a unit: 10kPa, 5cm, 20ms, 5%, 45deg.");
+        "Values of a list have commas between them. Numbers are in SI units, or carry a "
+        "unit: 10kPa, 5cm, 20ms, 5%, 45deg.");
     for (const Setting& setting : all_settings()) {
       if (!is_option(setting) || !is_taken(setting)) continue;
       const std::string name(setting.key), option = "--" + name;

@@ -171,7 +171,9 @@ Json list_schema() {
   Json properties;
   for (const List& list : lists)
     properties[list.name] = {{"type", "object"}, {"additionalProperties", entry}};
-  return schema_of_object(properties);
+  Json schema = schema_of_object(properties);
+  schema["minProperties"] = 1;
+  return schema;
 }
 
 Json list_json(const std::string& what) {

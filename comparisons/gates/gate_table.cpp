@@ -5,22 +5,19 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 
 #include "comparisons/gates/gate_keys.hpp"
+#include "comparisons/settings/suggestion.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::gates {
 namespace {
 
-constexpr std::array<std::string_view, 3> file_keys{"where", "fixed", "gate"};
 void check_keys_of(const toml::table& table, const std::string& file,
-                   std::span<const std::string_view> known) {
+                   const std::vector<std::string_view>& known) {
   for (const auto& [key, node] : table)
     if (std::ranges::count(known, key.str()) == 0)
-      throw InputError(place(file, key.source()), "",
-                       fmt::format("one of {}", fmt::join(known, ", ")),
-                       fmt::format("unknown key '{}'", key.str()));
+      refuse_name(place(file, key.source()), "key", key.str(), known);
 }
 
 Condition condition_of(std::string_view column, const toml::node& node,
@@ -139,7 +136,7 @@ void GateTable::refuse(std::string_view key, const std::string& expected,
 }
 
 GateFileTable::GateFileTable(const toml::table& table, const std::string& file) {
-  check_keys_of(table, file, file_keys);
+  check_keys_of(table, file, {"where", "fixed", "gate"});
   const GateTable outer(table, file);
   common_ = outer.selection("where");
   for (Condition& condition : common_) condition.absent = Absent::passes;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "comparisons/settings/setting.hpp"
+#include "comparisons/settings/suggestion.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::gates {
@@ -16,8 +17,9 @@ using Scalar = Given::Scalar;
 
 /// Columns of settings, whether or not a case of the file has them.
 std::vector<std::string> settings() {
-  std::vector<std::string> names{"scene", "key", "status"};
-  for (const std::string_view key : setting_keys()) names.emplace_back(key);
+  std::vector<std::string> names{"scene", "key", "status", "mesh", "reference"};
+  for (const Setting& setting : all_settings())
+    if (setting.access.told != nullptr) names.emplace_back(setting.key);
   return names;
 }
 
@@ -27,9 +29,7 @@ void check_known(const Columns& cases, const Condition& condition) {
       cases.numbers.contains(condition.column) ||
       std::ranges::count(known, condition.column) > 0)
     return;
-  throw InputError(condition.place, "",
-                   fmt::format("a setting: one of {}", fmt::join(known, ", ")),
-                   "an unknown one");
+  refuse_name(condition.place, "column", condition.column, {known.begin(), known.end()});
 }
 
 /// A number as a column of numbers holds it.
@@ -38,8 +38,7 @@ double number_of(const Condition& condition, const Scalar& value) {
   const Setting* setting = find_setting(condition.column);
   if (number_in(value) || setting == nullptr || setting->dimension == Dimension::none)
     return given.number("a number, as cases have it");
-  if (setting->dimension != Dimension::deformation)
-    return given.in(setting->dimension);
+  if (setting->dimension != Dimension::deformation) return given.in(setting->dimension);
   const auto* text = std::get_if<std::string>(&value);  // of torsion, or of another test
   const bool is_angle = text != nullptr && !text->ends_with('%');
   return given.in(is_angle ? Dimension::angle : Dimension::fraction);

@@ -1,5 +1,10 @@
 #include "comparisons/settings/body_checks.hpp"
 
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "comparisons/settings/setting.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -36,6 +41,13 @@ void check_disc(const Settings& settings, const Block& block) {
 }
 
 }  // namespace
+
+const Given* find(const Settings& settings, std::string_view key) {
+  if (!key.empty() && find_setting(key) == nullptr)
+    throw std::logic_error(fmt::format("setting '{}' is read and not declared", key));
+  const auto found = settings.find(key);
+  return found == settings.end() ? nullptr : &found->second;
+}
 
 void check_body(const CaseSettings& common, const Settings& settings,
                 const std::string& file) {

@@ -12,11 +12,9 @@ namespace springcheck {
 /// Settings by their keys, as they were given last.
 using Settings = std::map<std::string, Given, std::less<>>;
 
-/// nullptr where it is not given.
-inline const Given* find(const Settings& settings, std::string_view key) {
-  const auto found = settings.find(key);
-  return found == settings.end() ? nullptr : &found->second;
-}
+/// nullptr where it is not given, or the key is empty. Throws std::logic_error for a
+/// setting that is not declared.
+const Given* find(const Settings& settings, std::string_view key);
 
 /// Throws InputError for what does not go together: a body that the test does not cover,
 /// cells that it cannot have. `file` is the scene's.

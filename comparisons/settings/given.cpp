@@ -60,7 +60,9 @@ std::string described(const Given::Scalar& value) {
       const bool looks_integral = text.find_first_of(".ein") == std::string::npos;
       return looks_integral ? text + ".0" : text;
     }
-    std::string operator()(const std::string& s) const { return fmt::format("'{}'", s); }
+    std::string operator()(const std::string& s) const {
+      return fmt::format("'{}'", clipped(s));
+    }
     std::string operator()(const Given::Unreadable& u) const { return u.text; }
   } describe;
   return std::visit(describe, value);
@@ -176,7 +178,7 @@ std::vector<double> Given::any_numbers(const std::string& expected) const {
     if (!number || !std::isfinite(*number)) refuse(expected);
     all.push_back(*number);
   }
-  if (all.empty()) refuse("at least one of " + expected);
+  if (all.empty()) refuse("at least one finite number");
   return all;
 }
 

@@ -13,13 +13,14 @@
 namespace springcheck {
 namespace {
 
+bool is_of_scene(const Given& given, const std::string& file) {
+  return given.place().starts_with(file + ":");
+}
+
 /// Of settings that replace each other one stays: an option's, a sweep's or a table's
 /// rather than the scene's, which is `file`. Throws InputError where two have equal
 /// rights.
 void keep_one_of_each(Settings& settings, const std::string& file) {
-  const auto is_of_scene = [&](const Given& given) {
-    return given.place().starts_with(file + ":");
-  };
   std::map<int, const Setting*> kept;
   for (const Setting& setting : all_settings()) {
     const Given* given = find(settings, setting.key);
@@ -27,29 +28,30 @@ void keep_one_of_each(Settings& settings, const std::string& file) {
     const auto [place, is_first] = kept.try_emplace(setting.replaces, &setting);
     if (is_first) continue;
     const Given& other = settings.at(std::string(place->second->key));
-    if (is_of_scene(other) == is_of_scene(*given))
+    if (is_of_scene(other, file) == is_of_scene(*given, file))
       given->refuse("no value beside that of " + other.place() +
                     ", which it would replace");
     const Setting* replaced = &setting;
-    if (is_of_scene(other)) std::swap(replaced, place->second);
+    if (is_of_scene(other, file)) std::swap(replaced, place->second);
     settings.erase(std::string(replaced->key));
     for (const Setting& further : all_settings())  // of the scene, which go with it
       if (const Given* its = find(settings, further.key);
-          its != nullptr && further.beside == replaced->key && is_of_scene(*its))
+          its != nullptr && further.beside == replaced->key && is_of_scene(*its, file))
         settings.erase(std::string(further.key));
   }
 }
 
-/// Takes a scene's settings away in whose place others stand: those of its block where
-/// there is a mesh. Throws InputError for both in one file, or the first as an option.
-void take_what_stands_instead(Settings& settings) {
+/// Takes settings of the scene, which is `file`, away in whose place others stand: those
+/// of its block, where there is a mesh. Throws InputError for both in one place, and for
+/// the first where it is to change the scene.
+void take_what_stands_instead(Settings& settings, const std::string& file) {
   for (const Setting& setting : all_settings()) {
     const Given *given = find(settings, setting.key),
                 *other = find(settings, setting.instead);
     if (given == nullptr || other == nullptr) continue;
-    if (given->source() == other->source() || given->source() == "--")
-      given->refuse(fmt::format("no {} beside {} {}, which stands in its place",
-                                setting.key, setting.instead, other->joined()));
+    if (!is_of_scene(*given, file) || is_of_scene(*other, file))
+      given->refuse(fmt::format("no {} beside {} '{}', which stands in its place",
+                                setting.key, setting.instead, other->text()));
     settings.erase(std::string(setting.key));
   }
 }
@@ -59,6 +61,9 @@ void check_beside(const Settings& settings) {
     if (const std::string_view other = find_setting(key)->beside;
         !other.empty() && find(settings, other) == nullptr)
       given.refuse(fmt::format("{0} beside {1}: no {1} without {0}", other, key));
+  const Given *ratio = find(settings, "dt-ratio"), *dt = find(settings, "dt");
+  if (ratio != nullptr && dt != nullptr && !(dt->is_text() && dt->text() == "auto"))
+    ratio->refuse("no dt-ratio beside a dt, which it would replace");
 }
 
 /// Settings that the test does not have.
@@ -154,7 +159,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
                               const std::vector<GivenSetting>& given) {
   Settings settings;
   for (const auto& [key, value] : given) settings.insert_or_assign(key, value);
-  take_what_stands_instead(settings);
+  take_what_stands_instead(settings, file);
   keep_one_of_each(settings, file);
   check_beside(settings);
   RunSettings run{};

@@ -99,6 +99,12 @@ constexpr Access telling(Access access, Told told) {
   return access;
 }
 
+/// The same value, of which more is understood than its reader's type says.
+constexpr Access of_type(Access access, const ValueType& type) {
+  access.type = type;
+  return access;
+}
+
 constexpr ValueType text = type_of<std::string>(),
                     texts = type_of<std::vector<std::string>>(),
                     number = type_of<double>(), numbers = type_of<std::vector<double>>();
@@ -175,6 +181,7 @@ inline void read_seed(RunSettings& run, const Given& given) {
 
 inline void read_mesh(RunSettings& run, const Given& given) {
   run.common.body.shape = BodyShape::file;
+  if (given.text().empty()) given.refuse("a path");
   run.common.body.file = given.path();
 }
 

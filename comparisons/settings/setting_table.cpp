@@ -32,7 +32,7 @@ constexpr Setting table[] = {
      {.standing = Standing::scene_file, .needed = "the name of a test"}},
     {"method", what_runs, chosen, all,
      telling(in_run<methods_of, &RunSettings::methods>, method_told), {},
-     "comma-separated list of methods, see 'springcheck list methods'",
+     "methods, see 'springcheck list methods'",
      {.standing = Standing::plan, .needed = "a list of methods"}},
     {"reference", what_runs, chosen, all, {read_reference, {}, texts}, {},
      "METHOD[:ELEMENT][@CELLS|@converged] that deviations are measured against",
@@ -150,8 +150,10 @@ constexpr Setting table[] = {
      "springs whose continuum fem-cauchy-born is: mss-baudet, mss-nfd, mss-fd, mss-cf, "
      "mss-affine"},
     {"lattice-direction", of_elements, chosen, of_continua,
-     in_elements<lattice_direction_of, &ElementSettings::lattice_direction>, "100",
-     "direction of fem-cauchy-born's lattice along z: 100, 110, 111"},
+     of_type(in_elements<lattice_direction_of, &ElementSettings::lattice_direction>,
+             {.kind = ValueType::Kind::integer,
+              .names = all_names<fem_reference::LatticeDirection>}), "100",
+     "direction of fem-cauchy-born's lattice along z: 100, 110, 111", {.counts = true}},
 
     {"solver", solution, chosen, of_solvers,
      telling(value<named<Solver>, &C::solver>, solver_told), {},
@@ -172,8 +174,7 @@ constexpr Setting table[] = {
      in_motion<&Given::positive_number, &Dynamics::step_ratio>, "0.9",
      "of dt = auto: the step over the stability limit; above 1 to see what becomes of "
      "it",
-     {.label = "step over its stability limit", .usual_axis = "0.8:1.2:9",
-      .instead = "dt"}},
+     {.label = "step over its stability limit", .usual_axis = "0.8:1.2:9"}},
     {"force-dt", motion, chosen, of_steps,
      in_motion<&Given::truth, &Dynamics::force_time_step>, "false",
      "run even with a time step above the stability limit"},

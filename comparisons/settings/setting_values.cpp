@@ -139,9 +139,11 @@ std::array<double, 3> stiffness_of(const Given& given) {
 }
 
 std::optional<double> time_step_of(const Given& given) {
-  if (!given.is_text()) return given.positive_number();
-  if (given.text() != "auto") given.refuse("a positive time [s] or 'auto'");
-  return std::nullopt;
+  const std::string expected = "a positive time [s] or 'auto'";
+  if (given.is_text() && given.text() == "auto") return std::nullopt;
+  const double step = given.number(expected);
+  if (!(step > 0)) given.refuse(expected);
+  return step;
 }
 
 unsigned seed_of(const Given& given) {

@@ -27,6 +27,17 @@ std::size_t edit_distance(std::string_view one, std::string_view other) {
   return distance[one.size()][other.size()];
 }
 
+namespace {
+
+std::string in_small_letters(std::string_view text) {
+  std::string small(text);
+  for (char& c : small)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return small;
+}
+
+}  // namespace
+
 std::string_view nearest(std::string_view text,
                          const std::vector<std::string_view>& candidates) {
   constexpr std::size_t longest = 64;  // a name; what is longer is none
@@ -35,7 +46,8 @@ std::string_view nearest(std::string_view text,
   // An edit for every three letters, one at least:
   std::size_t least = 2 + 2 * std::max<std::size_t>(1, text.size() / 3);
   for (const std::string_view candidate : candidates)
-    if (const std::size_t edits = edit_distance(text, candidate);
+    if (const std::size_t edits =
+            edit_distance(in_small_letters(text), in_small_letters(candidate));
         edits < least && candidate.find(' ') == candidate.npos) {
       least = edits;
       best = candidate;
@@ -46,11 +58,19 @@ std::string_view nearest(std::string_view text,
   return std::ranges::count_if(candidates, begins) == 1 ? *found : std::string_view{};
 }
 
+std::string clipped(std::string_view text) {
+  constexpr std::size_t longest = 200;
+  if (text.size() <= longest) return std::string(text);
+  std::size_t end = longest;  // of a whole letter of UTF-8
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return fmt::format("{}... ({} characters)", text.substr(0, end), text.size());
+}
+
 void refuse_name(std::string_view place, std::string_view what, std::string_view text,
                  const std::vector<std::string_view>& candidates) {
   const std::string_view meant = nearest(text, candidates);
   throw InputError(
-      fmt::format("{}: unknown {} '{}'{} expected one of {}", place, what, text,
+      fmt::format("{}: unknown {} '{}'{} expected one of {}", place, what, clipped(text),
                   meant.empty() ? "," : fmt::format(", did you mean '{}'?", meant),
                   fmt::join(candidates, ", ")));
 }

@@ -13,8 +13,9 @@ using Json = nlohmann::json;
 /// "5kPa": a number with one of the units behind it.
 Json measurement_schema(Dimension dimension) {
   return {{"type", "string"},
-          {"pattern", fmt::format(R"(^-?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)? *({})?$)",
-                                  fmt::join(units_of(dimension), "|"))}};
+          {"pattern",
+           fmt::format(R"(^-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)? *({})?$)",
+                       fmt::join(units_of(dimension), "|"))}};
 }
 
 Json one_of(Json alternatives) {

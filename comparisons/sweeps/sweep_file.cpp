@@ -39,34 +39,48 @@ std::vector<std::string_view> sweep_keys() {
   return keys;
 }
 
-/// {from, to, count}
-std::vector<Given> range(const toml::table& table, const std::string& file,
-                         const std::string& where) {
-  const std::string expected =
-      "{from = A, to = B, count = N}, numbers in one unit, N at least 2";
-  const auto refuse = [&](const std::string& got) {
-    throw InputError(where, "", expected, got);
-  };
-  for (const auto& [key, node] : table)
-    if (key.str() != "from" && key.str() != "to" && key.str() != "count")
-      refuse(fmt::format("unknown key '{}'", key.str()));
-  const toml::node *from = table.get("from"), *to = table.get("to");
+/// A number of a range as users write it, "5%".
+std::string end_of_range(const toml::table& table, const char* end,
+                         const std::string& file, const std::string& where) {
+  const toml::node* node = table.get(end);
+  if (node == nullptr) throw InputError(where, end, "a number", "none");
+  const Given written = given(*node, file, end);
+  const bool is_plain = node->is_integer() || node->is_floating_point();
+  const auto number = written_number(written.joined());
+  if (!number || !(is_plain || (node->is_string() && !number->unit.empty())))
+    written.refuse("a finite number, plain or with a unit");
+  return written.joined();
+}
+
+/// {from, to, count} of a setting that is one number.
+std::vector<Given> range(const toml::table& table, const std::string& key,
+                         const std::string& file, const std::string& where) {
+  const Setting* setting = find_setting(key);
+  if (setting == nullptr || !is_number(setting->access.type))
+    throw InputError(where, "", "a value, or a list of values", "a table");
+  for (const auto& [name, node] : table)
+    if (name.str() != "from" && name.str() != "to" && name.str() != "count")
+      refuse_name(place(file, name.source()), "key of a range", name.str(),
+                  {"from", "to", "count"});
+  const std::string from = end_of_range(table, "from", file, where),
+                    to = end_of_range(table, "to", file, where);
   const auto count = table["count"].value_exact<std::int64_t>();
-  if (from == nullptr || to == nullptr || !count || *count < 2 || *count > 1'000'000)
-    refuse("others");
+  if (!count || *count < 2 || *count > 1'000'000)
+    throw InputError(where, "count", "an integer in [2, 1000000]",
+                     count ? std::to_string(*count) : "none");
   std::vector<Given> values;
-  for (const std::string& value :
-       values_between(given(*from, file, "from").joined(),
-                      given(*to, file, "to").joined(), static_cast<int>(*count)))
+  for (const std::string& value : values_between(from, to, static_cast<int>(*count)))
     values.push_back(Given::from_text(where, value));
-  if (values.empty()) refuse("others");
+  if (values.empty())
+    throw InputError(where, "", "from and to in one unit",
+                     fmt::format("'{}' and '{}'", from, to));
   return values;
 }
 
 std::vector<Given> values_of(const std::string& key, const toml::node& node,
                              const std::string& file) {
   const std::string where = fmt::format("{}: {}", place(file, node.source()), key);
-  if (const toml::table* table = node.as_table()) return range(*table, file, where);
+  if (const toml::table* table = node.as_table()) return range(*table, key, file, where);
   const toml::array* list = node.as_array();
   if (list == nullptr) return {given(node, file, key)};
   if (list->empty()) throw InputError(where, "", "at least one value", "an empty list");

@@ -9,29 +9,31 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A value, or a list of them; of a number also {from, to, count}.
-Json choices_schema(const std::string& description, const Json& value, bool is_number) {
+/// A value, or a list of them.
+Json choices_schema(const std::string& description, const Json& value) {
   Json alternatives =
       Json::array({value, Json{{"type", "array"}, {"items", value}, {"minItems", 1}}});
-  if (is_number) {
-    alternatives.push_back(
-        whole_object({{"from", value},
-                      {"to", value},
-                      {"count", {{"type", "integer"}, {"minimum", 2}}}}));
-  }
   return {{"description", description}, {"anyOf", alternatives}};
+}
+
+/// {from, to, count}
+Json range_schema(const Setting& setting) {
+  const Json end = schema_of({.kind = setting.access.type.kind}, setting.dimension);
+  const Json count{{"type", "integer"}, {"minimum", 2}, {"maximum", 1'000'000}};
+  return whole_object({{"from", end}, {"to", end}, {"count", count}});
 }
 
 }  // namespace
 
 Json sweep_schema() {
   Json definitions{{"scene", choices_schema("name of a shipped scene, or a .toml file",
-                                            {{"type", "string"}}, false)}};
+                                            {{"type", "string"}})}};
   for (const Setting& setting : all_settings()) {
     if (!is_option(setting)) continue;
     const ValueType& type = setting.access.type;
-    definitions[std::string(setting.key)] = choices_schema(
-        help_of(setting), schema_of(type, setting.dimension), is_number(type));
+    Json& choices = definitions[std::string(setting.key)] =
+        choices_schema(help_of(setting), schema_of(type, setting.dimension));
+    if (is_number(type)) choices["anyOf"].push_back(range_schema(setting));
   }
   Json properties;  // of the file and of each of its cases
   for (const auto& [name, definition] : definitions.items())

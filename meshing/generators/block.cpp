@@ -24,11 +24,11 @@ constexpr std::array<CellPatternName, 11> patterns{
      {"transition", CellPattern::transition,
       "hexahedra below, gmsh's tetrahedra above, pyramids between"}}};
 
+}  // namespace
+
 std::string_view name_of(CellPattern pattern) {
   return std::ranges::find(patterns, pattern, &CellPatternName::value)->name;
 }
-
-}  // namespace
 
 std::span<const CellPatternName> cell_patterns() {
   return patterns;

@@ -49,6 +49,7 @@ struct CellPatternName {
   std::string_view description;
 };
 std::span<const CellPatternName> cell_patterns();
+std::string_view name_of(CellPattern pattern);
 
 /// A box with one corner at the origin, cut into a regular grid of cells, or into free
 /// ones of about their size.

@@ -17,11 +17,8 @@ namespace springcheck {
 namespace {
 
 std::string describe(const Kidney& kidney) {
-  const auto patterns = cell_patterns();
-  const auto pattern =
-      std::ranges::find(patterns, kidney.pattern, &CellPatternName::value);
   return fmt::format("kidney {} m in {} cells, {}", fmt::join(kidney.size, " x "),
-                     fmt::join(kidney.cells, " x "), pattern->name);
+                     fmt::join(kidney.cells, " x "), name_of(kidney.pattern));
 }
 
 void check(const Kidney& kidney) {

@@ -160,16 +160,23 @@ def _columns(key, setting):
     return [key], None
 
 
+def problem_columns(settings):
+    """Columns of what makes the mechanical problem, whatever method solves it. `mesh` is the
+    mesh's SHA-256, which stands for the body's own settings."""
+    columns = ["test", "mesh"]
+    for key, setting in settings.items():
+        if setting["group"] in ("material", "load") or (setting["beside"] == "mesh" and setting["column"]):
+            columns += _columns(key, setting)[0]
+    return columns
+
+
 def prepared(cases, settings):
     """Cases with all columns that a report reads and those that it adds, see Study."""
-    own = {key: setting for key, setting in settings.items() if setting["column"]}
     lacking = dict.fromkeys(_TEXTS) | dict.fromkeys(_NUMBERS, np.nan)
-    problem = ["test", "mesh"]
-    for key, setting in own.items():
+    for key, setting in settings.items():
         names, nothing = _columns(key, setting)
         lacking |= dict.fromkeys(names, nothing)
-        if setting["group"] in ("material", "load") or setting["beside"] == "mesh":
-            problem += names
+    problem = problem_columns(settings)
     further = {name: nothing for name, nothing in lacking.items() if name not in cases}
     cases = cases.assign(**further)
     records = cases[problem].astype(object).where(cases[problem].notna(), None)

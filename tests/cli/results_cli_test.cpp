@@ -49,7 +49,8 @@ BOOST_AUTO_TEST_CASE(gates_end_with_the_status_that_ci_reads) {
   BOOST_TEST(json["verdicts"][1]["verdict"] == "no case");
 
   write("bad.toml", head + "at_mots = 2\n");
-  expect_bad_input("gate bad.toml gated.h5", "bad.toml:7:1: expected one of name, where");
+  expect_bad_input("gate bad.toml gated.h5",
+                   "bad.toml:7:1: unknown key 'at_mots', did you mean 'at_most'?");
   expect_bad_input("gate pass.toml none.h5", "none.h5: expected a result file");
   expect_bad_input("gate speed gated.h5",
                    "unknown gate 'speed', expected one of accuracy, thesis");

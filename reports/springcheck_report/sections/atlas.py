@@ -103,7 +103,7 @@ def _label(axis, case, settings):
     if key != "deformation":
         label = settings[key]["label"]
         unit = (unit or settings[key]["si_unit"]).replace("^3", "³").replace("^2", "²")
-        return label if axis["numbers"] is None else f"{label} [{unit}]"
+        return label if settings[key]["kind"] == "string" or settings[key]["most"] != 1 else f"{label} [{unit}]"
     if case.test == "torsion":
         return "angle of torsion [°]" if unit == "deg" else "angle of torsion [rad]"
     return "deformation [%]" if unit == "%" else "deformation [-]"

@@ -171,13 +171,10 @@ def _size_of_load(case):
 
 def _columns(study, chosen):
     """Names of up to four spring methods and one of finite elements."""
+    cases = [study.cases.loc[key] for group in chosen for key in group.cases]
     names = {}
-    for group in chosen:
-        for key in group.cases:
-            case = study.cases.loc[key]
-            if is_variant(case["name"]):
-                continue
-            names.setdefault(case["name"], [case["kind"], 0])[1] += 1
+    for case in [case for case in cases if not is_variant(case["name"])] or cases:
+        names.setdefault(case["name"], [case["kind"], 0])[1] += 1
     springs = [name for name, (kind, _) in names.items() if kind != "finite elements"]
     order = ["mss-baudet", "mss-nfd", "mss-cf", "mss-affine"]
     springs.sort(key=lambda name: (order.index(name) if name in order else len(order), name))

@@ -3,7 +3,7 @@
 import numpy as np
 from content import Figure
 from figures import curves
-from study import ANSWERS, is_variant
+from study import ANSWERS, is_variant, problem_columns
 
 _MOST_FIGURES = 2  # of one kind in a test; the rest is in the table of all cases
 
@@ -12,8 +12,7 @@ def _slices(study, test, along, least):
     """Groups of cases that differ in method and `along` alone, of at least so many values,
     longest first: [(number of values, cases), ...]."""
     cases = study.cases[(study.cases.test == test) & ~study.cases["name"].map(is_variant)]
-    fixed = [c for c in ("mesh", "young", "density", "nu", "deformation") if c != along and c in cases]
-    fixed += [c for c in cases if c.startswith("gravity.")]
+    fixed = [column for column in problem_columns(study.settings) if column != along]
     found = []
     for _, group in cases.groupby(fixed, dropna=False, sort=False):
         count = group[along].nunique()

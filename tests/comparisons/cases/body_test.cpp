@@ -130,10 +130,11 @@ BOOST_AUTO_TEST_CASE(plates_beside_each_other_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(what_does_not_go_with_a_mesh_is_refused) {
-  BOOST_TEST(message_of("compression", {"mesh=a.msh", "cells=2,2,2"})
-                 .starts_with(
-                     "--cells: expected no cells beside mesh a.msh, which stands in its "
-                     "place, got [2, 2, 2]"));
+  BOOST_TEST(
+      message_of("compression", {"mesh=a.msh", "cells=2,2,2"})
+          .starts_with(
+              "--cells: expected no cells beside mesh 'a.msh', which stands in its "
+              "place, got [2, 2, 2]"));
   BOOST_TEST(message_of("compression", {"fixed=foot"}) ==
              "--fixed: expected mesh beside fixed: no fixed without mesh, got 'foot'");
   BOOST_TEST(message_of("compression", {"mesh=a.msh", "mesh-unit=inch"}) ==

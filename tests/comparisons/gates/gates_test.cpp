@@ -166,9 +166,10 @@ const std::vector<BadInput> bad_inputs{
     {"gate = 3", "gates.toml:1:1: expected at least one [[gate]], got none"},
     {"[[gate]]\nname = ", "gates.toml:2:"},
     {"[[gates]]\n",
-     "gates.toml:1:3: expected one of where, fixed, gate, got unknown key "
-     "'gates'"},
-    {head + force + "at_mots = 1", "gates.toml:6:1: expected one of name, where, "},
+     "gates.toml:1:3: unknown key 'gates', did you mean 'gate'? expected one of where, "},
+    {head + force + "at_mots = 1",
+     "gates.toml:6:1: unknown key 'at_mots', did you mean 'at_most'? expected one of "
+     "name, "},
     {"[[gate]]\nname = 'g'\n" + force + "at_most = 1",
      "gates.toml:1:1: reason: expected a text, got none"},
     {"[[gate]]\nreason = 'r'\n" + force + "at_most = 1",
@@ -211,7 +212,8 @@ const std::vector<BadInput> bad_inputs{
      "gates.toml:8:8: name: expected a name of its own, got 'g' again"},
     // Known when the results are
     {head + "where = { method = 'mss-cf', mu = 1 }\nexpect = 'ok'",
-     "gates.toml:4:35: mu: expected a setting: one of scene, "},
+     "gates.toml:4:35: mu: unknown column 'mu', did you mean 'nu'? expected one of "
+     "scene, "},
     {head + "where = { nu = 'soft' }\nexpect = 'ok'",
      "gates.toml:4:16: nu: expected a number, as cases have it, got 'soft'"},
     {head + "where = { nu = { low = 0 } }\nexpect = 'ok'",

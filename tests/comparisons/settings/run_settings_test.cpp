@@ -145,7 +145,8 @@ const std::vector<Bad> bad_scenes{
      "scene.toml:9:10: solver: unknown value 'magic', expected one of static, limit, "
      "explicit, semi-implicit, "
      "verlet, implicit"},
-    {good + "dt = 0\n", "scene.toml:9:6: dt: expected a positive finite number, got 0"},
+    {good + "dt = 0\n",
+     "scene.toml:9:6: dt: expected a positive time [s] or 'auto', got 0"},
     {good + "dt = \"soon\"\n",
      "scene.toml:9:6: dt: expected a positive time [s] or 'auto', got 'soon'"},
     {good + "damping = -1\n",
@@ -214,7 +215,7 @@ const std::vector<Bad> bad_scenes{
     {of_test("uniaxial", "traction = [0, 0, 1]"),
      "scene.toml:7:12: traction: expected no traction but in traction"},
     {good + "dt = 1979-05-27\n",
-     "scene.toml:9:6: dt: expected a positive finite number, got 1979-05-27"},
+     "scene.toml:9:6: dt: expected a positive time [s] or 'auto', got 1979-05-27"},
     {of_test("affine", "gradient = [[0.1, 0, 0], [0, 0.1, 0], [0, 0]]"),
      "scene.toml:7:12: gradient: expected 9 finite numbers, got [[0.1, 0, "
      "0], [0, 0.1, 0], [0, 0]]"},
@@ -275,6 +276,28 @@ BOOST_AUTO_TEST_CASE(options_are_checked_like_keys) {
       message_of_option("compression", "cells=3,3").starts_with("--cells: expected"));
   BOOST_TEST(message_of_option("bending", "deformation=.1").starts_with("--deformation"));
   BOOST_TEST(message_of_option("bending", "gravity=0,0,0").starts_with("--gravity"));
+}
+
+BOOST_AUTO_TEST_CASE(a_ratio_of_steps_stands_beside_no_step_but_auto) {
+  const auto ratio = [](const std::vector<std::string>& further) {
+    std::vector<std::string> changes{"method=mss-cf", "solver=verlet"};
+    changes.insert(changes.end(), further.begin(), further.end());
+    return case_of("compression", changes).dynamics.step_ratio;
+  };
+  BOOST_TEST(ratio({}) == 0.9);
+  BOOST_TEST(ratio({"dt-ratio=0.5"}) == 0.5);
+  BOOST_TEST(ratio({"dt-ratio=0.5", "dt=auto"}) == 0.5);
+  BOOST_CHECK_THROW(ratio({"dt-ratio=0.5", "dt=0.001"}), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(long_texts_are_clipped_in_messages) {
+  const std::string text(10'000, 'x');
+  for (const char* key : {"young", "method", "mesh-unit", "seed"}) {
+    const std::string message =
+        message_of_option("compression", std::string(key) + "=" + text);
+    BOOST_TEST(message.size() < 700U, message);
+    BOOST_TEST(message.find("(10000 characters)") != std::string::npos, message);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(deformations_are_understood_with_units,

@@ -3,6 +3,8 @@
 #include "comparisons/settings/setting_schema.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <optional>
+#include <set>
 
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/settings/toml_values.hpp"
@@ -18,6 +20,12 @@ namespace {
 /// Values of all types, as TOML: names of all enumerations among them.
 std::vector<std::string> values_of_all_types() {
   std::vector<std::string> all{"true",
+                               "false",
+                               "7",
+                               "0.3",
+                               "[5, 5, 5]",
+                               "[2, 0.4, 1, 2]",
+                               "100",
                                "3",
                                "-2",
                                "0.25",
@@ -40,6 +48,7 @@ std::vector<std::string> values_of_all_types() {
                                "[\"1kPa\", 0, 3]",
                                "[1, 0.5, 2, 3]",
                                "[0.1, 0, 0, 0, 0, 0, 0, 0, 0]",
+                               "[0, 0.2, 0, 0, 0, 0, 0, 0, 0]",
                                "[true]",
                                "[]",
                                "[[1]]",
@@ -54,8 +63,8 @@ std::vector<std::string> values_of_all_types() {
   return all;
 }
 
-/// Whether a scene whose other settings are all read takes the value.
-bool is_read(const Setting& setting, const std::string& value) {
+/// A run whose other settings are all read, and the value; none where it is refused.
+std::optional<RunSettings> read_value(const Setting& setting, const std::string& value) {
   static const RunSettings usual = [] {
     RunSettings run = read_run("compression", {});
     run.common.springs.constants = mss::LatticeConstants{};
@@ -72,9 +81,9 @@ bool is_read(const Setting& setting, const std::string& value) {
   try {
     setting.access.read(run, given.in_si_units(dimension));
   } catch (const InputError&) {
-    return false;
+    return std::nullopt;
   }
-  return true;
+  return run;
 }
 
 }  // namespace
@@ -88,12 +97,27 @@ BOOST_AUTO_TEST_CASE(what_the_program_reads_the_schema_takes) {
     const std::string key(setting.key);
     int read = 0;
     for (const std::string& value : values) {
-      if (!is_read(setting, value)) continue;
+      if (!read_value(setting, value)) continue;
       ++read;
-      BOOST_TEST(violations(schema, json_of_toml(key + " = " + value)) == "",
-                 key << " = " << value);
+      std::string scene = key + " = " + value;
+      if (key != "test") scene += "\ntest = 'compression'";
+      BOOST_TEST(violations(schema, json_of_toml(scene)) == "", scene);
     }
     BOOST_TEST(read > 0, key);
+  }
+}
+
+// What is told must have been read: no setting is told as it always was.
+BOOST_AUTO_TEST_CASE(every_setting_reaches_what_is_told_of_the_case) {
+  const std::vector<std::string> values = values_of_all_types();
+  for (const Setting& setting : all_settings()) {
+    if (setting.access.told == nullptr || setting.key == "method")
+      continue;  // of a request
+    std::set<std::string> told;
+    for (const std::string& value : values)
+      if (const auto run = read_value(setting, value))
+        told.insert(setting.access.told(run->common).dump());
+    BOOST_TEST(told.size() > 1U, setting.key);
   }
 }
 

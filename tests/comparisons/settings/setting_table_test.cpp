@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "comparisons/settings/body_checks.hpp"
 #include "comparisons/settings/case_json.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/settings/setting.hpp"
@@ -80,6 +81,11 @@ BOOST_AUTO_TEST_CASE(cases_tell_the_declared_settings_and_no_others) {
     if (setting.access.told != nullptr) declared.emplace(setting.key);
   declared.insert("scene");
   BOOST_TEST(told == declared, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_setting_that_is_not_declared_cannot_be_read) {
+  BOOST_CHECK_THROW(find(Settings{}, "yuong"), std::logic_error);
+  BOOST_TEST(find(Settings{}, "young") == nullptr);
 }
 
 BOOST_AUTO_TEST_CASE(a_setting_that_replaces_another_is_not_alone) {

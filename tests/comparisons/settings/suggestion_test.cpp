@@ -55,6 +55,7 @@ BOOST_AUTO_TEST_CASE(misspelt_names_lead_back) {
 
 BOOST_AUTO_TEST_CASE(fingers_swap_letters_more_than_they_exchange_them) {
   BOOST_TEST(nearest("mss-fc", {"mss-fd", "mss-cf"}) == "mss-cf");
+  BOOST_TEST(nearest("FEM-StVK", {"fem-hooke", "fem-stvk"}) == "fem-stvk");
   BOOST_TEST(edit_distance("abc", "acb") == 2U);
   BOOST_TEST(edit_distance("abc", "abd") == 3U);
   BOOST_TEST(edit_distance("", "ab") == 4U);

@@ -52,6 +52,11 @@ BOOST_AUTO_TEST_CASE(only_ascending_numbers_have_values_between_them) {
   BOOST_TEST(!grids.is_range);
 }
 
+BOOST_AUTO_TEST_CASE(units_that_begin_with_a_digit_stay_apart) {
+  BOOST_TEST((axis_named("--over", "rate=1 1/s:3 1/s:3").values ==
+              Values{"1 1/s", "2 1/s", "3 1/s"}));
+}
+
 BOOST_AUTO_TEST_CASE(what_is_no_axis_is_refused) {
   for (const char* text : {"nu", "nu=", "nu=0:1", "nu=1:0:3", "nu=0:1:1", "nu=0:1:1001",
                            "nu=0:1:2.5", "nu=0:x:3", "nu=0%:1:3", "nu=0:inf:3", "nu=0,,1",
