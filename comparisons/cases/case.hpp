@@ -54,6 +54,12 @@ struct Dynamics {
   std::optional<Oscillation> oscillation{};  // whose path the load is
 };
 
+/// Of the static solver of springs.
+struct StaticSprings {
+  unsigned seed;  // of the way out of a saddle, and of the noise
+  double noise;   // [cell edges] of a solution, which is solved again from there
+};
+
 /// Of finite elements.
 struct ElementSettings {
   ElementName element;
@@ -131,8 +137,7 @@ struct CaseSettings {
   ElementSettings elements;
   std::optional<Solver> solver;  // none: the method's own
   Dynamics dynamics;             // of solvers through time, and tissue
-  unsigned seed;                 // of the static solver
-  double noise;   // [cell edges] of a static solution, which is solved again from there
+  StaticSprings statics;
   Tissue tissue;  // of methods of tissue
 };
 

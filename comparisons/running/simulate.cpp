@@ -87,8 +87,8 @@ Solution solve(const CaseSettings& settings, const Mesh& mesh, int threads,
                     {.network = network_settings(settings),
                      .dynamics = spring_dynamics(settings, threads),
                      .to_limit = solver_of(settings) == Solver::path_limit,
-                     .seed = settings.seed,
-                     .noise = settings.noise},
+                     .seed = settings.statics.seed,
+                     .noise = settings.statics.noise},
                     observers);
 }
 

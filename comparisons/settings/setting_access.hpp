@@ -137,7 +137,7 @@ inline void read_reference(RunSettings& run, const Given& given) {
 }
 
 inline nlohmann::json seed_told(const CaseSettings& c) {
-  return c.seed;
+  return c.statics.seed;
 }
 
 inline nlohmann::json stiffness_told(const CaseSettings& c) {
@@ -174,9 +174,9 @@ inline void read_kappa(RunSettings& run, const Given& given) {
 }
 
 inline void read_seed(RunSettings& run, const Given& given) {
-  run.common.seed = seed_of(given);
+  run.common.statics.seed = seed_of(given);
   if (run.common.body.shape != BodyShape::file && reads_seed(run.common.body.block))
-    run.common.body.block.seed = run.common.seed;
+    run.common.body.block.seed = run.common.statics.seed;
 }
 
 inline void read_mesh(RunSettings& run, const Given& given) {

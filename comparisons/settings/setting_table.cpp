@@ -162,7 +162,8 @@ constexpr Setting table[] = {
      "(Euler), verlet or implicit (Euler); fem-explicit methods are never static or "
      "implicit, other finite elements always static",
      {.default_text = "static; of fem-explicit methods semi-implicit"}},
-    {"noise", solution, chosen, of_rest, value<not_negative_of, &C::noise>, "0",
+    {"noise", solution, chosen, of_rest,
+     value<not_negative_of, &C::statics, &StaticSprings::noise>, "0",
      "of static spring solutions: noise on the nodes' positions, in cell edges, from "
      "which they are solved again; 0: none", {.label = "noise over the cell edge"}},
 
