@@ -15,7 +15,7 @@
 inline std::string violations(const nlohmann::json& schema, const nlohmann::json& value) {
   using valijson::adapters::NlohmannJsonAdapter;
   valijson::Schema parsed;
-  valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+  valijson::SchemaParser(valijson::SchemaParser::kDraft4)
       .populateSchema(NlohmannJsonAdapter(schema), parsed);
   valijson::ValidationResults results;
   valijson::Validator(valijson::Validator::kStrongTypes)

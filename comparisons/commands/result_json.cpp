@@ -105,20 +105,22 @@ template <class Visit>
 void for_each_told(const CaseResult& result, const Mesh& mesh, const Visit& visit) {
   const CaseSettings& settings = result.request.settings;
   const nlohmann::json told = settings_json(settings);
-  const auto visit_setting = [&]<class Value>(const char* name, const Value&) {
+  const auto visit_setting = [&]<class Value>(const char* name, std::optional<Value>) {
     visit(name, told.contains(name) ? std::optional(told[name].get<Value>())
                                     : std::optional<Value>());
   };
-  constexpr std::array<double, 3> three{};
+  constexpr std::optional<std::string> text;
+  constexpr std::optional<double> number;
+  constexpr std::optional<std::array<double, 3>> three_numbers;
   for (const char* name : {"method", "element", "source", "solver"})
-    visit_setting(name, std::string());
+    visit_setting(name, text);
   for (const char* name : {"nu", "young", "density", "deformation"})
-    visit_setting(name, 1.0);
-  visit_setting("traction", three);
+    visit_setting(name, number);
+  visit_setting("traction", three_numbers);
   visit("gradient", where(settings.test == Test::affine, settings.gradient));
-  visit_setting("stiffness", three);
-  visit_setting("kappa", 1.0);
-  visit_setting("law", std::string());
+  visit_setting("stiffness", three_numbers);
+  visit_setting("kappa", number);
+  visit_setting("law", text);
   visit("mesh", mesh);
   visit("status", result.status);
   visit("flags", result.flags);

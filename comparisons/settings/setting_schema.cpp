@@ -25,7 +25,7 @@ Json whole_object(const Json& properties) {
 }
 
 Json schema_document(const std::string& title, const Json& schema) {
-  Json document{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
+  Json document{{"$schema", "http://json-schema.org/draft-04/schema#"}, {"title", title}};
   document.update(schema);
   return document;
 }

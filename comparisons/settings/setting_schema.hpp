@@ -7,7 +7,8 @@
 
 namespace springcheck {
 
-/// JSON schema (draft 7) of a setting's value in a file, and what it is.
+/// JSON schema (draft 4, which editors of TOML know) of a setting's value in a file, and
+/// what it is.
 nlohmann::ordered_json schema_of(const Setting& setting);
 
 /// An object of these properties and no others.

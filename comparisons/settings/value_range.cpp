@@ -7,15 +7,6 @@
 #include "comparisons/settings/units.hpp"
 
 namespace springcheck {
-
-std::optional<WrittenNumber> written_number(const std::string& text) {
-  const std::optional<Measurement> found = measurement(text);
-  if (!found) return std::nullopt;
-  const std::optional<double> value = value_of({found->number, ""}, Dimension::none);
-  if (!value || !std::isfinite(*value)) return std::nullopt;
-  return WrittenNumber{*value, found->unit};
-}
-
 namespace {
 
 /// A unit may begin with a digit: "3 1/s".
@@ -25,6 +16,14 @@ std::string joined(const std::string& number, const std::string& unit) {
 }
 
 }  // namespace
+
+std::optional<WrittenNumber> written_number(const std::string& text) {
+  const std::optional<Measurement> found = measurement(text);
+  if (!found) return std::nullopt;
+  const std::optional<double> value = value_of({found->number, ""}, Dimension::none);
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return WrittenNumber{*value, found->unit};
+}
 
 std::string text_of(const WrittenNumber& number) {
   return joined(fmt::format("{:.12g}", number.value), number.unit);

@@ -49,6 +49,7 @@ BOOST_AUTO_TEST_CASE(schemas_refuse_what_the_program_refuses) {
       {"scene", "test = 'compression'\ncells = [4, 4]"},
       {"scene", "test = 'compression'\ncells = [4, 4, 4, 4]"},
       {"scene", "test = 'compression'\ncells = [4, 4.5, 4]"},
+      {"scene", "test = 'compression'\ncells = [4.0, 4, 4]"},
       {"scene", "test = 'bending'\ngravity = [1, 2]"},
       {"scene", "test = 'compression'\nseed = 1.5"},
       {"scene", "test = 'compression'\nlaw = [1, 2, 3]"},
