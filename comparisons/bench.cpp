@@ -4,16 +4,17 @@
 //     springcheck_bench [--benchmark_filter=REGEX] [other options of Google Benchmark]
 //
 // Names are method/cells/precision/instruction set/threads, the method with -damped for
-// dashpots of zeta = .05 and -distorted for cells of all shapes. Baselines: "naive" and
-// mss-affine-plain. The time per_cell_step is what counts; bytes_per_cell is the memory
-// of what moves, without mesh and network. Sizes up to 10^6 cells: the largest take
-// minutes to prepare.
+// dashpots of zeta = .05 and -distorted for cells of all shapes. Baselines: "naive", of
+// mss-cf's springs, and mss-affine-plain. The time per_cell_step is what counts;
+// bytes_per_cell is the memory of what moves, without mesh and network. Sizes up to 10^6
+// cells: the largest take minutes to prepare.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <cmath>
 #include <map>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/running/stepping.hpp"
 
 namespace {
@@ -36,9 +37,14 @@ Stepping& prepared(const std::string& name, const SteppedBody& body) {
   return now;
 }
 
+std::string stepper_of(const SteppedBody& body) {
+  if (body.loops == Loops::naive) return "naive";
+  return body.method + (body.loops == Loops::plain ? "-plain" : "");
+}
+
 void add(const SteppedBody& body) {
   const std::string name = fmt::format(
-      "{}{}{}/{:.0f}/{}/{}/{}", body.method, body.damping_ratio > 0 ? "-damped" : "",
+      "{}{}{}/{:.0f}/{}/{}/{}", stepper_of(body), body.damping_ratio > 0 ? "-damped" : "",
       body.distortion > 0 ? "-distorted" : "", cell_count(body), name_of(body.precision),
       name_of(body.instruction_set), body.threads);
   benchmark::RegisterBenchmark(name.c_str(), [name, body](benchmark::State& state) {
@@ -62,7 +68,7 @@ void add_all(SteppedBody body) {
       for (const int threads : {1, 2, 4}) {
         if (!dynamics::is_available(set) || (set != best && threads > 1)) continue;
         if (precision == mss::Precision::single_precision &&
-            body.method == std::string_view("mss-tissue"))
+            !reads(*find_method(body.method), "precision"))
           continue;
         body.precision = precision;
         body.instruction_set = set;
@@ -84,17 +90,20 @@ int main(int count, char** arguments) {
   using mss::Precision;
   const dynamics::InstructionSet best = dynamics::best_instruction_set();
   for (const int cells : {10, 20, 30, 50, 100}) {
-    SteppedBody body{.method = "naive",
+    SteppedBody body{.method = "mss-cf",
                      .cells = {cells, cells, cells},
                      .load = SteppedLoad::plates,
                      .poisson_ratio = 0.4,
                      .damping_ratio = 0,
                      .precision = Precision::double_precision,
                      .instruction_set = best,
-                     .threads = 1};
+                     .threads = 1,
+                     .loops = Loops::naive};
     add(body);
-    body.method = "mss-affine-plain";
+    body.method = "mss-affine";
+    body.loops = Loops::plain;
     add(body);
+    body.loops = Loops::kernel;
     for (const auto& [method, damping_ratio, distortion] :
          {Variant{"mss-cf"}, Variant{"mss-cf", zeta}, Variant{"mss-nfd"},
           Variant{"mss-fd"}, Variant{"mss-baudet"}, Variant{"mss-affine"},

@@ -21,7 +21,6 @@ inline constexpr std::array value_names<BodyShape>{
     Named{BodyShape::block, "block"}, Named{BodyShape::kidney, "kidney"},
     Named{BodyShape::disc, "disc"}, Named{BodyShape::file, "file"}};
 
-
 /// A length unit of mesh files.
 struct MeshUnit {
   std::string_view name;

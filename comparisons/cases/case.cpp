@@ -13,10 +13,9 @@ bool has_upper_plate(Test test) {
 }
 
 Solver solver_of(const CaseSettings& settings) {
-  if (is_finite_element(settings.method)) return Solver::static_equilibrium;
-  return settings.solver.value_or(is_explicit_element(settings.method)
-                                      ? Solver::semi_implicit_euler
-                                      : Solver::static_equilibrium);
+  const Method& method = settings.method;
+  if (!method.follows_solver) return Solver::static_equilibrium;
+  return settings.solver.value_or(method.solvers.front());
 }
 
 bool goes_through_time(const CaseSettings& settings) {
@@ -25,34 +24,20 @@ bool goes_through_time(const CaseSettings& settings) {
 }
 
 bool has_history(const CaseSettings& settings) {
-  return goes_through_time(settings) || is_tissue(settings.method);
+  return goes_through_time(settings) || settings.method.has_history;
 }
 
-mss::NetworkSettings network_settings(const CaseSettings& settings) {
-  mss::NetworkSettings springs = settings.springs;
-  springs.method = std::get<mss::Method>(settings.method.model);
-  return springs;
-}
-
-fem_reference::Settings reference_settings(const CaseSettings& settings) {
-  using fem_reference::SpringConstants;
-  const bool from_shear_modulus =
-      settings.springs.stiffness_form == mss::StiffnessForm::shear_modulus;
-  return {
-      .law = std::get<fem_reference::Law>(settings.method.model),
-      .element = settings.elements.element.element,
-      .lattice = {.springs = settings.elements.lattice.springs,
-                  .diagonal_ratio = settings.springs.diagonal_ratio,
-                  .constants = from_shear_modulus ? SpringConstants::from_shear_modulus
-                                                  : SpringConstants::from_young_modulus,
-                  .direction = settings.elements.lattice_direction},
-      .linear_solver = settings.elements.linear_solver};
+std::array<double, 3> element_nodes(const CaseSettings& settings) {
+  const int divisions =
+      reads(settings.method, "element") ? settings.elements.element.divisions : 1;
+  std::array<double, 3> nodes = equivalent_grid(settings.body);
+  for (double& count : nodes) count = divisions * count + 1;
+  return nodes;
 }
 
 std::string label(const CaseSettings& settings) {
-  if (is_finite_element(settings.method))
-    return fmt::format("{}:{}", settings.method.name, settings.elements.element.name);
-  return std::string(settings.method.name);
+  if (!reads(settings.method, "element")) return settings.method.name;
+  return fmt::format("{}:{}", settings.method.name, settings.elements.element.name);
 }
 
 }  // namespace springcheck

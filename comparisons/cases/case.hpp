@@ -4,9 +4,9 @@
 #include <string>
 
 #include "comparisons/cases/body.hpp"
-#include "comparisons/cases/methods.hpp"
+#include "comparisons/cases/method.hpp"
 #include "comparisons/cases/named.hpp"
-#include "mss/solve.hpp"
+#include "mss/motion/dynamics.hpp"
 #include "tissue/bipower_law.hpp"
 
 namespace springcheck {
@@ -25,16 +25,6 @@ enum class Test {
 
 /// How a body touches its plates: all components held, or the one along the normal.
 enum class PlateContact { glued, sliding };
-
-/// How the deformed state is found: at once, or through time.
-enum class Solver {
-  static_equilibrium,
-  path_limit,  // static too: to where the path loses its stability
-  explicit_euler,
-  semi_implicit_euler,
-  verlet,
-  implicit_euler
-};
 
 /// A load that swings, sin(omega t), for so many cycles.
 struct Oscillation {
@@ -90,14 +80,6 @@ template <>
 inline constexpr std::array value_names<PlateContact>{
     Named{PlateContact::glued, "glued"}, Named{PlateContact::sliding, "sliding"}};
 template <>
-inline constexpr std::array value_names<Solver>{
-    Named{Solver::static_equilibrium, "static"},
-    Named{Solver::path_limit, "limit"},
-    Named{Solver::explicit_euler, "explicit"},
-    Named{Solver::semi_implicit_euler, "semi-implicit"},
-    Named{Solver::verlet, "verlet"},
-    Named{Solver::implicit_euler, "implicit"}};
-template <>
 inline constexpr std::array value_names<mss::Precision>{
     Named{mss::Precision::double_precision, "double"},
     Named{mss::Precision::single_precision, "float"}};
@@ -141,19 +123,18 @@ struct CaseSettings {
   Tissue tissue;  // of methods of tissue
 };
 
-/// The solver given, or else the static one, and of explicit elements semi-implicit
-/// Euler; the other finite elements are static anyway.
+/// The solver given, or else the method's own; static where the method follows none.
 Solver solver_of(const CaseSettings& settings);
 
-/// With inertia. Tissue has a history without, by the static solver.
+/// With inertia. Some methods have a history without, by the static solver.
 bool goes_through_time(const CaseSettings& settings);
 bool has_history(const CaseSettings& settings);
 
-/// The springs' part of the settings, whose method they must be; the finite elements'.
-mss::NetworkSettings network_settings(const CaseSettings& settings);
-fem_reference::Settings reference_settings(const CaseSettings& settings);
+/// Nodes along x, y, z, for estimates (equivalent_grid): those of the finite element,
+/// where the method reads one.
+std::array<double, 3> element_nodes(const CaseSettings& settings);
 
-/// "fem-stvk:q1-sri" for finite elements, "mss-cf" for springs and likewise for others.
+/// "fem-stvk:q1-sri" of a method that reads an element, "mss-cf" of others.
 std::string label(const CaseSettings& settings);
 
 }  // namespace springcheck

@@ -45,7 +45,7 @@ RunSettings scene_of(const ChartPlan& plan) {
 std::string law_of(const ChartPlan& plan) {
   const Request first = requests(scene_of(plan)).front();
   const Method& method = (first.reference ? *first.reference : first.settings).method;
-  return is_finite_element(method) ? method.name : "fem-stvk";
+  return reads(method, "element") ? method.name : "fem-stvk";
 }
 
 /// What determines all models of the chart, whichever they are.

@@ -10,6 +10,7 @@
 #include "comparisons/commands/quality_text.hpp"
 #include "comparisons/commands/result_json.hpp"
 #include "comparisons/commands/result_text.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
@@ -26,18 +27,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The splits of the spring methods' errors against the law of the named reference, or
-/// against Hencky's; finite elements have none. Throws InputError where nothing can be
-/// split as asked.
+/// The splits of errors, of methods whose continuum is known, against the law of the
+/// named reference, or against Hencky's; others have none. Throws InputError where
+/// nothing can be split as asked.
 std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
                                                   const std::vector<Request>& requests) {
-  if (std::ranges::none_of(run.methods, is_springs))
-    throw InputError("--split", "method", "at least one of springs",
-                     "finite elements only");
-  if (solver_of(run.common) != Solver::static_equilibrium)
-    throw InputError("--split", "solver",
-                     "static: the end of dynamics and a limit have errors of their own",
-                     std::string(name_of(solver_of(run.common))));
+  const auto has_continuum = [](const Method& method) {
+    return method.lattice.has_value();
+  };
+  if (std::ranges::none_of(run.methods, has_continuum))
+    throw InputError("--split", "method",
+                     "at least one of springs whose continuum fem-cauchy-born is: " +
+                         names_of(lattices()),
+                     names_of(run.methods));
   const Method law = run.reference ? run.reference->method : *find_method("fem-hencky");
   if (run.reference &&
       (run.reference->grid == ReferenceGrid::converged || !run.reference->cells.empty() ||
@@ -46,10 +48,16 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
                      "a method alone with --split, which has its own elements and grids",
                      "'" + run.reference->text + "'");
   std::vector<std::optional<SplitPlan>> plans;
-  for (const Request& request : requests)
-    plans.push_back(is_springs(request.settings.method)
-                        ? std::optional(plan_split(request.settings, law))
-                        : std::nullopt);
+  for (const Request& request : requests) {
+    const bool is_split = has_continuum(request.settings.method);
+    const Solver solver = solver_of(request.settings);
+    if (is_split && solver != Solver::static_equilibrium)
+      throw InputError("--split", "solver",
+                       "static: the end of dynamics and a limit have errors of their own",
+                       std::string(name_of(solver)));
+    plans.push_back(is_split ? std::optional(plan_split(request.settings, law))
+                             : std::nullopt);
+  }
   return plans;
 }
 
@@ -146,9 +154,9 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
   std::optional<ReferenceMethod> chosen;
   if (!reference.empty())
     chosen = reference_named(Given::from_text("--reference", reference));
-  if (chosen && is_custom(chosen->method))
+  if (chosen && chosen->method.belongs_to_cells)
     throw InputError(chosen->place, "", "a method without constants of its own",
-                     "'mss-custom'");
+                     "'" + chosen->method.name + "'");
   MeshStore meshes;
   const ComputedTables computed =
       compute_tables({name}, chosen, meshes, parallel, known_from(stored, meshes));

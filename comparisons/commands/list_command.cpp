@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "comparisons/cases/methods.hpp"
 #include "comparisons/chart/chart_sheets.hpp"
 #include "comparisons/commands/commands.hpp"
 #include "comparisons/gates/gate_keys.hpp"
 #include "comparisons/measures/measure_list.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/results/layout.hpp"
 #include "comparisons/settings/setting_schema.hpp"
 #include "comparisons/settings/suggestion.hpp"

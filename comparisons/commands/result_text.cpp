@@ -33,11 +33,11 @@ std::string dynamics_text(const CaseResult& result) {
   if (!m.kinetic_energy || !solution.dt) return {};
   const CaseSettings& settings = result.request.settings;
   const std::string inertia =
-      is_tissue(settings.method)  // has no modulus for a pressure wave, nor that damping
-          ? ""
-          : fmt::format(
+      settings.method.is_elastic
+          ? fmt::format(
                 "{:.3g} runs of a pressure wave through the height, damping {:g}, ",
-                m.transit_count.value_or(0), settings.dynamics.damping_ratio);
+                m.transit_count.value_or(0), settings.dynamics.damping_ratio)
+          : "";  // no modulus for a pressure wave, nor that damping
   return fmt::format(
       "{}: {} {} of {:.4g} s to {:g} s{}, {}kinetic energy {:.2g} of the strain "
       "energy{}.\n",
@@ -68,9 +68,8 @@ std::string results_text(const std::vector<CaseResult>& results) {
          stress(0, 0), stress(1, 1), stress(2, 2), stress(1, 2), stress(0, 2),
          stress(0, 1), shown(m.affine_deviation_relative, "{:.3g}", 100),
          shown(m.deviation_l2_relative, "{:.3f}", 100),
-         is_measured(result.request.settings.method)
-             ? "-"
-             : fmt::format("{:.2f}", result.solve_wall_s)});
+         result.request.settings.method.solve ? fmt::format("{:.2f}", result.solve_wall_s)
+                                              : "-"});
   }
   std::string text = in_columns(without_empty_columns(std::move(rows), "-"));
   for (const CaseResult& result : results)

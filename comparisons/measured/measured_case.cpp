@@ -7,6 +7,7 @@
 
 #include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/measured/node_finder.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/settings/utf8.hpp"
 #include "meshing/input_error.hpp"
@@ -95,11 +96,16 @@ std::optional<std::string> forces_without_support(
 
 Method measured_method(const std::string& label, const MeasuredFields& fields) {
   check_label(label);
-  return {
-      .name = label,
-      .model = Measured{.displacements = sha256_of(fields.displacements),
-                        .forces = fields.forces.empty() ? "" : sha256_of(fields.forces)},
-      .description = "what another program computed"};
+  Method method{.name = label,
+                .description = "what another program computed",
+                .source = "the user's files",
+                .family = Family::measured,
+                .follows_solver = false,
+                .told = {{"source", "measured"},
+                         {"displacements", sha256_of(fields.displacements)}}};
+  if (!fields.forces.empty())
+    method.told.emplace_back("forces", sha256_of(fields.forces));
+  return method;
 }
 
 std::vector<std::string> contradictions(const Mesh& mesh, const Scene& scene,
@@ -136,7 +142,7 @@ CaseResult measured_case(const RunSettings& run, const std::string& label,
   // Known to the study, which runs the reference only.
   const auto known = [&](const Request& request,
                          const std::string&) -> std::optional<CaseResult> {
-    if (request.reference || !is_measured(request.settings.method)) return std::nullopt;
+    if (request.reference || request.settings.method.solve) return std::nullopt;
     return own;
   };
   CaseResult result = run_study(all, meshes, 1, finished, known).front();

@@ -133,7 +133,7 @@ Measures measure(const CaseSettings& settings, const Mesh& mesh,
   measure_affine(measures, scene, mesh, solution);
   measure_beam(measures, settings, mesh, solution.displacements);
   measures.definite_up_to_deformation = definite_up_to_deformation(settings, solution);
-  if (!is_measured(settings.method)) measures.strain_energy = solution.strain_energy;
+  if (settings.method.solve) measures.strain_energy = solution.strain_energy;
   return measures;
 }
 

@@ -1,6 +1,7 @@
 #include "comparisons/modes/body_modes.hpp"
 
 #include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "fem_reference/statics/modes.hpp"
 #include "mss/statics/modes.hpp"
 
@@ -14,14 +15,10 @@ MethodModes stable_or_not(const std::string& method, std::optional<NaturalModes>
 
 MethodModes spring_modes(const Method& method, const CaseSettings& settings,
                          const Mesh& mesh, const std::vector<bool>& is_free, int count) {
-  const auto springs = std::get<mss::Method>(method.model);
-  if (mss::reason_to_refuse(mesh, settings.material, springs))
+  const auto network = method.network(settings, mesh);
+  if (!network)
     return {.method = method.name, .modes = std::nullopt, .reason = "refused"};
-  CaseSettings of_method = settings;
-  of_method.method = method;
-  const mss::Network network =
-      mss::build_network(mesh, settings.material, network_settings(of_method));
-  return stable_or_not(method.name, mss::rest_modes(network, is_free, count));
+  return stable_or_not(method.name, mss::rest_modes(*network, is_free, count));
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
   const auto number = [&](const char* name, double value) {
     row[name] = std::vector{value};
   };
-  if (!is_measured(result.request.settings.method)) {
+  if (result.request.settings.method.solve) {
     number("load_fraction", solution.load_fraction);
     number("steps", solution.steps);
     number("force_evaluations", solution.force_evaluations);

@@ -15,88 +15,19 @@
 #include "comparisons/measures/wrinkles.hpp"
 #include "comparisons/running/checkpoint_file.hpp"
 #include "comparisons/running/progress.hpp"
-#include "comparisons/running/tissue_case.hpp"
 #include "comparisons/settings/case_json.hpp"
-#include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/stopwatch.hpp"
 
 namespace springcheck {
 namespace {
 
-dynamics::Integrator integrator_of(Solver solver) {
-  using dynamics::Integrator;
-  switch (solver) {
-    case Solver::explicit_euler:
-      return Integrator::explicit_euler;
-    case Solver::verlet:
-      return Integrator::verlet;
-    case Solver::implicit_euler:
-      return Integrator::implicit_euler;
-    case Solver::semi_implicit_euler:
-    case Solver::static_equilibrium:
-    case Solver::path_limit:
-      break;
-  }
-  return Integrator::semi_implicit_euler;
-}
-
-dynamics::Protocol protocol_of(const CaseSettings& settings) {
-  return {.integrator = integrator_of(solver_of(settings)),
-          .duration = settings.dynamics.duration,
-          .time_step = settings.dynamics.time_step,
-          .step_ratio = settings.dynamics.step_ratio,
-          .force_time_step = settings.dynamics.force_time_step,
-          .load = settings.dynamics.load};
-}
-
-std::optional<mss::DynamicsSettings> spring_dynamics(const CaseSettings& settings,
-                                                     int threads) {
-  if (!goes_through_time(settings)) return std::nullopt;
-  return mss::DynamicsSettings{.protocol = protocol_of(settings),
-                               .damping_ratio = settings.dynamics.damping_ratio,
-                               .precision = settings.dynamics.precision,
-                               .threads = threads};
-}
-
-Solution solve_explicitly(const CaseSettings& settings, const Mesh& mesh,
-                          const Scene& scene, int threads,
-                          const dynamics::Observers& observers) {
-  if (!goes_through_time(settings))
-    return refused("fem-explicit steps explicitly; fem-stvk has the static solver");
-  return fem_reference::run_dynamics(
-      mesh, scene,
-      {.element = std::get<fem_reference::ExplicitElement>(settings.method.model),
-       .protocol = protocol_of(settings),
-       .damping_ratio = settings.dynamics.damping_ratio,
-       .precision = settings.dynamics.precision,
-       .threads = threads},
-      observers);
-}
-
-Solution solve(const CaseSettings& settings, const Mesh& mesh, int threads,
-               const dynamics::Observers& observers) {
-  const Scene scene = mechanical_scene(settings, mesh);
-  if (is_finite_element(settings.method))
-    return fem_reference::solve(mesh, scene, reference_settings(settings));
-  if (is_explicit_element(settings.method))
-    return solve_explicitly(settings, mesh, scene, threads, observers);
-  if (is_tissue(settings.method))
-    return solve_tissue(settings, mesh, scene, protocol_of(settings), threads, observers);
-  return mss::solve(mesh, scene,
-                    {.network = network_settings(settings),
-                     .dynamics = spring_dynamics(settings, threads),
-                     .to_limit = solver_of(settings) == Solver::path_limit,
-                     .seed = settings.statics.seed,
-                     .noise = settings.statics.noise},
-                    observers);
-}
-
 /// A breakdown is a result: one case must not end a study of thousands.
 Solution solve_or_break_down(const CaseSettings& settings, const Mesh& mesh, int threads,
                              const dynamics::Observers& observers) {
   try {
-    return solve(settings, mesh, threads, observers);
+    return settings.method.solve(settings, mesh, mechanical_scene(settings, mesh),
+                                 threads, observers);
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
@@ -186,7 +117,7 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
     Measures& measures = result.measures;
     measures = measure(settings, mesh, solution);
     measures.kinetic_energy = solution.kinetic_energy;
-    if (solution.kinetic_energy && !is_tissue(settings.method))
+    if (solution.kinetic_energy && settings.method.is_elastic)
       measures.transit_count = transit_count(settings, mesh);
     if (const auto seen = measure_wrinkling(mesh, mechanical_scene(settings, mesh),
                                             solution.displacements)) {

@@ -8,14 +8,10 @@
 #include <limits>
 #include <memory>
 #include <random>
-#include <string_view>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/running/naive_springs.hpp"
-#include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "mss/motion/dynamics.hpp"
-#include "mss/tissue/tissue_motion.hpp"
-#include "tissue/maxwell_fit.hpp"
 
 namespace springcheck {
 namespace {
@@ -51,68 +47,26 @@ std::vector<Vector3> disturbance(std::size_t nodes) {
 struct Stepped {
   Mesh mesh;
   Scene scene;
-  mss::Network network{};    // of springs
-  mss::TissueBody tissue{};  // of mss-tissue
+  MakeMotion make{};
   std::unique_ptr<dynamics::Motion> motion{};
 };
 
-/// Spleen, with five branches.
-mss::TissueBody tissue_of(const Mesh& mesh, const Material& material) {
-  const tissue::MaxwellFit fit =
-      tissue::fit_maxwell_model(tissue::law_of_organ("spleen"));
-  return mss::build_tissue_body(
-      mesh,
-      {.shear = fit.model, .bulk_ratio = tissue::bulk_ratio_of(material.poisson_ratio)},
-      material.density);
-}
-
-mss::Network network_of(const Mesh& mesh, const Material& material, mss::Method method) {
-  return mss::build_network(mesh, material,
-                            {.method = method,
-                             .stiffness_form = mss::StiffnessForm::shear_modulus,
-                             .diagonal_ratio = 1});
-}
-
-constexpr std::string_view plain_affine = "mss-affine-plain";
-
-const Method& method_of(const SteppedBody& body) {
-  return *find_method(body.method == plain_affine ? "mss-affine" : body.method);
-}
-
-std::unique_ptr<dynamics::Motion> motion_of(const Stepped& stepped,
-                                            const SteppedBody& body) {
-  const dynamics::Protocol protocol{
-      .integrator = dynamics::Integrator::semi_implicit_euler,
-      .duration = 1,
-      .time_step = time_step,
-      .force_time_step = true};
-  if (const auto* element =
-          std::get_if<fem_reference::ExplicitElement>(&method_of(body).model))
-    return fem_reference::motion_of(stepped.mesh, stepped.scene,
-                                    {.element = *element,
-                                     .protocol = protocol,
-                                     .damping_ratio = body.damping_ratio,
-                                     .precision = body.precision,
-                                     .threads = body.threads},
-                                    body.instruction_set);
-  if (is_tissue(method_of(body))) {
-    std::vector<Vector3> load = stepped.tissue.rest_positions;
-    for (std::size_t n = 0; n < load.size(); ++n)
-      load[n] = stepped.tissue.masses[n] * stepped.scene.gravity;
-    return std::make_unique<mss::TissueMotion>(
-        stepped.mesh, stepped.scene, stepped.tissue, load,
-        mss::TissueMotionSettings{.integrator = protocol.integrator,
-                                  .threads = body.threads},
-        body.instruction_set);
-  }
-  return mss::motion_of(
-      stepped.mesh, stepped.scene, stepped.network,
-      {.protocol = protocol,
-       .damping_ratio = body.damping_ratio,
-       .precision = body.precision,
-       .threads = body.threads,
-       .kernel = body.method == plain_affine ? mss::Kernel::plain : mss::Kernel::fast},
-      body.instruction_set);
+/// Tissue is spleen, with five branches.
+CaseSettings settings_of(const SteppedBody& body, const Method& method,
+                         const Material& material) {
+  CaseSettings settings{};
+  settings.material = material;
+  settings.method = method;
+  settings.solver = Solver::semi_implicit_euler;
+  settings.dynamics = {.duration = 1,
+                       .time_step = time_step,
+                       .step_ratio = 1,
+                       .force_time_step = true,
+                       .damping_ratio = body.damping_ratio,
+                       .precision = body.precision,
+                       .history = 0};
+  settings.tissue = {.law = tissue::law_of_organ("spleen"), .branches = 5, .steps = 1};
+  return settings;
 }
 
 /// What this process has from the heap.
@@ -133,16 +87,18 @@ Stepping stepping(const SteppedBody& body) {
                   {.size = size, .cells = body.cells, .distortion = body.distortion}),
               .scene = scene_of(material, body.load)});
   const std::vector<Vector3> moves = disturbance(stepped->mesh.nodes().size());
-  if (body.method == "naive") {
+  const Method& method = *find_method(body.method);
+  const CaseSettings settings = settings_of(body, method, material);
+  if (body.loops == Loops::naive) {
     const auto naive = std::make_shared<NaiveSprings>(
-        network_of(stepped->mesh, material, mss::Method::cf), moves);
+        method.network(settings, stepped->mesh).value(), moves);
     return {.advance = [naive] { naive->advance(time_step); }, .bytes = 0};
   }
-  if (const auto* method = std::get_if<mss::Method>(&method_of(body).model))
-    stepped->network = network_of(stepped->mesh, material, *method);
-  if (is_tissue(method_of(body))) stepped->tissue = tissue_of(stepped->mesh, material);
+  stepped->make = method.stepping(settings, stepped->mesh, stepped->scene);
   const double before = heap_bytes();
-  stepped->motion = motion_of(*stepped, body);
+  stepped->motion = stepped->make({.instruction_set = body.instruction_set,
+                                   .threads = body.threads,
+                                   .by_plain_loops = body.loops == Loops::plain});
   const double bytes = heap_bytes() - before;
   stepped->motion->restore(
       {.displacements = moves,

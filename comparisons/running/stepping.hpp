@@ -11,12 +11,15 @@ namespace springcheck {
 /// clamped end.
 enum class SteppedLoad { plates, weight };
 
+/// What computes the forces of steps: the method's kernel; its plain loops, where a
+/// kernel takes their place; or, of springs, NaiveSprings, which know neither plates nor
+/// weight.
+enum class Loops { kernel, plain, naive };
+
 /// A block of cells of 5 mm, its nodes inside off their places, that is stepped through
 /// time to see how fast.
 struct SteppedBody {
-  // By its name, mss-tissue of spleen, in double precision; "naive" is NaiveSprings of
-  // mss-cf's network, and "mss-affine-plain" the plain loops of mss-affine:
-  std::string method;
+  std::string method;  // by its name; tissue is of spleen
   std::array<int, 3> cells;
   SteppedLoad load;
   double poisson_ratio;
@@ -25,6 +28,7 @@ struct SteppedBody {
   dynamics::InstructionSet instruction_set;
   int threads;
   double distortion = 0;  // of the nodes inside, in cell edges
+  Loops loops = Loops::kernel;
 };
 
 /// What steps a body.
@@ -34,8 +38,8 @@ struct Stepping {
 };
 
 /// advance makes one step per call: semi-implicit Euler, 0.05 ms, which is less than half
-/// the stable step of mss-cf up to nu = .499. The naive ones know neither plates nor
-/// weight, and double precision alone.
+/// the stable step of mss-cf up to nu = .499. Plain and naive loops have double precision
+/// alone.
 Stepping stepping(const SteppedBody& body);
 
 struct StepTime {

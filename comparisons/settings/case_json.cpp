@@ -13,11 +13,7 @@ nlohmann::json settings_json(const CaseSettings& settings) {
     if (nlohmann::json value = setting.access.told(settings); !value.is_null())
       json[std::string(setting.key)] = std::move(value);
   }
-  if (const auto* measured = std::get_if<Measured>(&settings.method.model)) {
-    json["source"] = "measured";
-    json["displacements"] = measured->displacements;
-    if (!measured->forces.empty()) json["forces"] = measured->forces;
-  }
+  for (const auto& [key, value] : settings.method.told) json[key] = value;
   return json;
 }
 

@@ -7,6 +7,7 @@
 
 #include "comparisons/cases/request.hpp"
 #include "comparisons/cases/status.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/given.hpp"
 
 namespace springcheck {

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/setting_values.hpp"
 
 namespace springcheck {
@@ -39,14 +40,14 @@ ReferenceMethod reference_named(const Given& given) {
                             .place = given.place(),
                             .text = text};
   if (colon != std::string::npos) {
-    if (!is_finite_element(reference.method))
+    if (!reads(reference.method, "element"))
       given.refuse("an element for fem- methods only, and none for fem-explicit-");
     reference.element = value_named<ElementName>(given, what.substr(colon + 1));
   }
   if (at == std::string::npos) return reference;
-  if (is_custom(reference.method))
-    given.refuse(
-        "mss-custom on the case's own mesh: its constants belong to those cells");
+  if (reference.method.belongs_to_cells)
+    given.refuse(reference.method.name +
+                 " on the case's own mesh: its constants belong to those cells");
   const std::string grid = text.substr(at + 1);
   if (grid == "converged")
     reference.grid = ReferenceGrid::converged;

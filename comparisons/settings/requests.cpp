@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/cases/grids.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/case_json.hpp"
 #include "comparisons/settings/run_settings.hpp"
 #include "meshing/input_error.hpp"
@@ -54,8 +55,8 @@ std::vector<Request> requests(const RunSettings& run) {
       request.reference->body = grid_beside(reference, run.common.body);
     request.reference_grid = reference.grid;
     const bool is_limit = solver_of(request.settings) == Solver::path_limit;
-    if (is_limit || (is_tissue(method) && !run.reference)) {
-      // A limit is no state at the load, and no other law is tissue's.
+    if (is_limit || (!method.is_elastic && !run.reference)) {
+      // A limit is no state at the load, and the usual reference is elastic.
       request.reference.reset();
       request.reference_grid = ReferenceGrid::one;
       all.push_back(request);

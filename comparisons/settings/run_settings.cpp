@@ -84,18 +84,19 @@ bool is_own_option(const Given& given, const std::string& key) {
   return given.place() == "--" + key;
 }
 
+bool is_read(const RunSettings& run, const Setting& setting) {
+  return runs(run, [&](const CaseSettings& c) { return is_reader(c, setting); });
+}
+
 /// Settings that the run's test, methods and reference do not read.
 void check_read(const RunSettings& run, const Settings& settings) {
-  const auto is_read = [&](const Setting& setting) {
-    return setting.readers.is_one == nullptr || runs(run, setting.readers.is_one);
-  };
   for (const auto& [key, given] : settings) {
     const Setting& setting = *find_setting(key);
     const bool matters = setting.readers.unread == Unread::refused ||
                          (setting.readers.unread == Unread::refused_as_option &&
                           is_own_option(given, key));
-    if (matters && !is_read(setting))
-      given.refuse(fmt::format("no {} {}", key, setting.readers.without));
+    if (matters && !is_read(run, setting))
+      given.refuse(fmt::format("no {} {}", key, without_readers(setting)));
   }
 }
 
@@ -130,6 +131,11 @@ bool is_replaced(const Setting& setting, const Settings& settings) {
          });
 }
 
+bool is_needed(const RunSettings& run, const Setting& setting) {
+  if (setting.is_needed != nullptr) return setting.is_needed(run);
+  return !setting.readers.of_methods || is_read(run, setting);
+}
+
 void read(const Setting& setting, RunSettings& run, const Settings& settings,
           const std::string& file) {
   if (const Given* given = find(settings, setting.key))
@@ -138,14 +144,15 @@ void read(const Setting& setting, RunSettings& run, const Settings& settings,
     setting.access.read(run, Given::from_text("default", setting.otherwise));
   else if (!setting.needed.empty() && !is_replaced(setting, settings) &&
            (setting.has == nullptr || setting.has(run.common.test)) &&
-           (setting.is_needed == nullptr || setting.is_needed(run)))
+           is_needed(run, setting))
     throw InputError(file + ":1:1", fmt::format("key '{}'", setting.key), setting.needed,
                      "none");
 }
 
 }  // namespace
 
-bool runs(const RunSettings& run, bool (*is_one)(const CaseSettings&)) {
+bool runs(const RunSettings& run,
+          const std::function<bool(const CaseSettings&)>& is_one) {
   CaseSettings with = run.common;
   const auto with_method = [&](const Method& method) {
     with.method = method;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,7 +23,7 @@ struct RunSettings {
 };
 
 /// Whether a method of the run, or its reference, is one of those.
-bool runs(const RunSettings& run, bool (*is_one)(const CaseSettings&));
+bool runs(const RunSettings& run, const std::function<bool(const CaseSettings&)>& is_one);
 
 /// A setting as given, by its key.
 struct GivenSetting {

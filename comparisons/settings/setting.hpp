@@ -39,7 +39,8 @@ struct Access {
 struct Readers {
   bool (*is_one)(const CaseSettings&) = nullptr;  // nullptr: all
   Unread unread = Unread::accepted;
-  std::string_view without{};  // for refusals: "without mss-custom as method"
+  std::string_view without{};  // for refusals; empty: the methods that list it
+  bool of_methods = false;     // those alone that list it as their own (Method::reads)
 };
 
 /// What there is to say of some settings.
@@ -54,7 +55,7 @@ struct Particulars {
   int replaces = 0;               // settings of one number replace each other; 0: none
   bool (*has)(Test) = nullptr;    // tests that have it, others refuse it; nullptr: all
   std::string_view needed{};      // what is missing where it is needed and not given
-  bool (*is_needed)(const RunSettings&) = nullptr;  // nullptr: always where `needed` is
+  bool (*is_needed)(const RunSettings&) = nullptr;  // nullptr: where it has readers
   std::string_view default_text{};  // the default in words, where `otherwise` is not all
 };
 
@@ -90,8 +91,13 @@ std::span<const Setting> all_settings();
 /// The setting of that key; nullptr without one.
 const Setting* find_setting(std::string_view key);
 
-/// Whether test, method and solver of the case read it.
+/// Whether test, method and solver of the case read it; or method and solver, whatever
+/// the test.
 bool reads(const CaseSettings& settings, const Setting& setting);
+bool is_reader(const CaseSettings& settings, const Setting& setting);
+
+/// "without mss-custom as method or reference": why nothing reads it.
+std::string without_readers(const Setting& setting);
 
 /// What it is, and its default: "Poisson ratio, in (-1, 0.5)".
 std::string help_of(const Setting& setting);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/settings/setting_access.hpp"
 #include "comparisons/settings/setting_readers.hpp"
@@ -87,7 +88,7 @@ constexpr Setting table[] = {
      in_material<&Given::positive_number, &Material::young_modulus>, {},
      "Young's modulus [Pa]",
      {.dimension = Dimension::pressure, .label = "Young's modulus",
-      .needed = "Young's modulus [Pa]", .is_needed = is_elastic}},
+      .needed = "Young's modulus [Pa]", .is_needed = has_elastic_methods}},
     {"density", material, taken, all,
      in_material<&Given::positive_number, &Material::density>, {},
      "mass density [kg/m^3]",
@@ -115,41 +116,41 @@ constexpr Setting table[] = {
      {.has = in_tests<Test::affine>,
       .needed = "nine numbers, row by row"}},
 
-    {"diagonal-ratio", of_lattices, chosen, of_diagonals,
+    {"diagonal-ratio", of_lattices, chosen, of_methods,
      in_springs<not_negative_of, &Network::diagonal_ratio>, "1",
      "A = k_f/k_c of mss-fd, mss-cf and their lattices in fem-cauchy-born",
      {.label = "A = k_f/k_c, face over inner diagonals",
       .usual_axis = "0.01,0.03,0.1,0.3,1,3,10,30,100"}},
-    {"stiffness-form", of_lattices, chosen, of_moduli,
+    {"stiffness-form", of_lattices, chosen, of_methods,
      in_springs<named<mss::StiffnessForm>, &Network::stiffness_form>, "mu",
      "spring constants from mu or, as Eq. 5.12 prints, E; of fem-cauchy-born's lattice "
      "too"},
-    {"stiffness", of_lattices, chosen, of_custom,
+    {"stiffness", of_lattices, chosen, of_methods_alone,
      {read_stiffness, stiffness_told, so_many_numbers<3>}, {},
      "KE,KF,KC of mss-custom: lattice values of its edge, face-diagonal and "
      "inner-diagonal springs at the scene's cell size [N/m]",
      {.dimension = Dimension::stiffness,
-      .needed = "KE,KF,KC of mss-custom [N/m]", .is_needed = runs_custom}},
-    {"kappa", of_lattices, chosen, of_custom, {read_kappa, kappa_told, number}, "0",
+      .needed = "KE,KF,KC of mss-custom [N/m]"}},
+    {"kappa", of_lattices, chosen, of_methods_alone, {read_kappa, kappa_told, number}, "0",
      "modulus of mss-custom's volume correction [Pa]; 0: none",
      {.dimension = Dimension::pressure}},
-    {"correction", of_lattices, chosen, of_tetrahedra,
+    {"correction", of_lattices, chosen, of_methods_alone,
      in_springs<named<mss::VolumeCorrection>, &Network::volume_correction>, "on",
      "volume correction of mss-vangelder and mss-lloyd: on, off"},
 
-    {"element", of_elements, chosen, of_fem,
+    {"element", of_elements, chosen, of_methods,
      in_elements<named<ElementName>, &ElementSettings::element>, "q1-sri",
      "finite element: q1, q1-sri, or q2 on hexahedra"},
-    {"linear-solver", of_elements, chosen, of_fem,
+    {"linear-solver", of_elements, chosen, of_methods,
      in_elements<named<fem_reference::LinearSolver>, &ElementSettings::linear_solver>,
      "auto",
      "of finite elements: auto (by size), direct or multigrid"},
-    {"lattice", of_elements, chosen, of_continua,
+    {"lattice", of_elements, chosen, of_methods_alone,
      in_elements<named<LatticeName>, &ElementSettings::lattice>,
      "mss-cf",
      "springs whose continuum fem-cauchy-born is: mss-baudet, mss-nfd, mss-fd, mss-cf, "
      "mss-affine"},
-    {"lattice-direction", of_elements, chosen, of_continua,
+    {"lattice-direction", of_elements, chosen, of_methods_alone,
      of_type(in_elements<lattice_direction_of, &ElementSettings::lattice_direction>,
              {.kind = ValueType::Kind::integer,
               .names = all_names<fem_reference::LatticeDirection>}), "100",
@@ -162,7 +163,7 @@ constexpr Setting table[] = {
      "(Euler), verlet or implicit (Euler); fem-explicit methods are never static or "
      "implicit, other finite elements always static",
      {.default_text = "static; of fem-explicit methods semi-implicit"}},
-    {"noise", solution, chosen, of_rest,
+    {"noise", solution, chosen, of_methods_at_rest,
      value<not_negative_of, &C::statics, &StaticSprings::noise>, "0",
      "of static spring solutions: noise on the nodes' positions, in cell edges, from "
      "which they are solved again; 0: none", {.label = "noise over the cell edge"}},
@@ -218,15 +219,15 @@ constexpr Setting table[] = {
      "distances in time, on each straight piece of the load; in dynamics and of tissue; "
      "0: none", {.counts = true}},
 
-    {"organ", living, unused, of_living, {read_organ, {}, type_of<tissue::Organ>()}, {},
+    {"organ", living, unused, of_methods_alone, {read_organ, {}, type_of<tissue::Organ>()}, {},
      "liver, kidney or spleen: Golec 2018's law of it, for methods of tissue",
      {.replaces = laws_of_tissue}},
-    {"law", living, unused, of_living, {read_law, law_told, so_many_numbers<4>}, {},
+    {"law", living, unused, of_methods_alone, {read_law, law_told, so_many_numbers<4>}, {},
      "K,n,GAMMA_LIM,p of tissue's bi-power law, but for mss-thesis-tissue: K [Pa s^n], "
      "others without unit",
      {.replaces = laws_of_tissue,
-      .needed = "K,n,GAMMA_LIM,p of tissue, or an organ", .is_needed = runs_tissue}},
-    {"branches", living, unused, of_memory,
+      .needed = "K,n,GAMMA_LIM,p of tissue, or an organ"}},
+    {"branches", living, unused, of_methods_alone,
      value<count_of<2, tissue::most_branches>, &C::tissue, &Tissue::branches>, "5",
      "Maxwell branches of tissue, 2 to 32"},
     {"time-steps", living, unused, of_tissue_at_rest,
@@ -247,9 +248,24 @@ const Setting* find_setting(std::string_view key) {
   return found == std::end(table) ? nullptr : found;
 }
 
+bool is_reader(const CaseSettings& settings, const Setting& setting) {
+  const Readers& readers = setting.readers;
+  return (!readers.of_methods || reads(settings, setting.key)) &&
+         (readers.is_one == nullptr || readers.is_one(settings));
+}
+
 bool reads(const CaseSettings& settings, const Setting& setting) {
   return (setting.has == nullptr || setting.has(settings.test)) &&
-         (setting.readers.is_one == nullptr || setting.readers.is_one(settings));
+         is_reader(settings, setting);
+}
+
+std::string without_readers(const Setting& setting) {
+  if (!setting.readers.without.empty()) return std::string(setting.readers.without);
+  std::string names;
+  for (const Method& method : methods())
+    if (reads(method, setting.key))
+      names += (names.empty() ? "" : " or ") + method.name;
+  return fmt::format("without {} as method or reference", names);
 }
 
 std::string help_of(const Setting& setting) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "meshing/input_error.hpp"
@@ -81,9 +82,8 @@ std::optional<AtlasLimit> limit_on_path(const Line& line, const CaseResult& resu
   }
   if (!result.measures.definite_up_to_deformation) return std::nullopt;
   limit.low = unit * std::abs(*result.measures.definite_up_to_deformation);
-  // Springs' paths are followed to .2 % of the limit, elements' to 1/1024 of the load.
-  limit.high = is_springs(result.request.settings.method) ? *limit.low / (1 - 0.002)
-                                                          : *limit.low + whole / 1024;
+  const PathPrecision& path = result.request.settings.method.path;
+  limit.high = *limit.low / (1 - path.of_state) + whole * path.of_load;
   return limit;
 }
 
@@ -91,14 +91,13 @@ std::optional<AtlasLimit> limit_on_path(const Line& line, const CaseResult& resu
 std::optional<CaseSettings> control_of(const CaseSettings& settings) {
   CaseSettings control = settings;
   control.elements.element = *find_element("q1-sri");
-  if (is_finite_element(settings.method))
+  if (reads(settings.method, "element"))
     return label(control) == label(settings) ? std::nullopt : std::optional(control);
-  const LatticeName* lattice = find_lattice(settings.method.name);
-  if (lattice == nullptr || goes_through_time(settings) ||
+  if (!settings.method.lattice || goes_through_time(settings) ||
       !is_grid_of_hexahedra(settings.body))
     return std::nullopt;
   control.method = *find_method("fem-cauchy-born");
-  control.elements.lattice = *lattice;
+  control.elements.lattice = *settings.method.lattice;
   return control;
 }
 
@@ -191,14 +190,16 @@ std::vector<Line> lines_of(const Atlas& atlas) {
   return lines;
 }
 
-/// Cases of solver limit at the end of each line that is of springs in statics.
+/// Cases of solver limit at the end of each line in statics whose method has it.
 std::map<std::size_t, CaseResult> path_limits(CaseRunner& runner,
                                               const std::vector<Line>& lines) {
   std::vector<std::size_t> places;
   std::vector<CaseSettings> cases;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const CaseSettings& settings = lines[i].points.back()->result.request.settings;
-    if (!is_springs(settings.method) || solver_of(settings) != Solver::static_equilibrium)
+    const auto& solvers = settings.method.solvers;
+    if (std::ranges::find(solvers, Solver::path_limit) == solvers.end() ||
+        solver_of(settings) != Solver::static_equilibrium)
       continue;
     places.push_back(i);
     cases.push_back(settings);

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/studies/converged_number.hpp"
 #include "meshing/input_error.hpp"
 
@@ -196,11 +197,10 @@ SplitQuantity split_field(const CaseResult& springs, const ContinuumRuns& cauchy
 }  // namespace
 
 SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
-  if (!is_finite_element(law))
+  if (!reads(law, "element"))
     throw InputError("--split", "reference", "a law of finite elements",
                      "'" + std::string(law.name) + "'");
-  const LatticeName* own_lattice = find_lattice(springs.method.name);
-  if (own_lattice == nullptr)
+  if (!springs.method.lattice)
     throw InputError(
         "--split", "method",
         "springs whose continuum fem-cauchy-born is, of " + names_of(lattices()),
@@ -212,7 +212,7 @@ SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
   lattice.body = on_hexahedra(springs.body, springs.body.block.cells);
   lattice.method = *find_method("fem-cauchy-born");
   lattice.elements.element = *find_element("q1-sri");
-  lattice.elements.lattice = *own_lattice;
+  lattice.elements.lattice = *springs.method.lattice;
   lattice.elements.lattice_direction = fem_reference::LatticeDirection::d100;
   CaseSettings reference = springs;
   reference.body = lattice.body;

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "comparisons/cases/case.hpp"
-#include "comparisons/cases/methods.hpp"
 #include "comparisons/measures/beam_measures.hpp"
+#include "comparisons/methods/methods.hpp"
 
 namespace springcheck {
 namespace {

@@ -39,7 +39,7 @@ Changes cells_of(int n) {
   return {{"cells", std::array{n, n, n}}};
 }
 
-std::optional<Cost> cost_of_step(const char* method, int n) {
+std::optional<Cost> cost_of_step(const char* method, Loops loops, int n) {
   const Stepping steps = stepping({.method = method,
                                    .cells = {n, n, n},
                                    .load = SteppedLoad::plates,
@@ -47,7 +47,8 @@ std::optional<Cost> cost_of_step(const char* method, int n) {
                                    .damping_ratio = 0,
                                    .precision = mss::Precision::double_precision,
                                    .instruction_set = dynamics::best_instruction_set(),
-                                   .threads = 1});
+                                   .threads = 1,
+                                   .loops = loops});
   return Cost{.seconds = time_of_steps(steps.advance).real, .bytes = steps.bytes};
 }
 
@@ -71,8 +72,7 @@ std::optional<Cost> cost_of_springs(int n, mss::LinearSolver linear_solver) {
   const CaseSettings settings =
       case_of_scene("compression", Changes{{"method", "mss-cf"}} + cells_of(n));
   return cost_of(settings, [&](const Mesh& mesh, const Scene& scene) {
-    const mss::Network network =
-        mss::build_network(mesh, scene.material, network_settings(settings));
+    const mss::Network network = settings.method.network(settings, mesh).value();
     return mss::find_equilibrium(mesh, scene, network, 1, linear_solver);
   });
 }
@@ -87,21 +87,25 @@ CaseSettings elements_of(int n, const std::string& linear_solver) {
 std::optional<Cost> cost_of_elements(int n, const std::string& linear_solver) {
   const CaseSettings settings = elements_of(n, linear_solver);
   return cost_of(settings, [&](const Mesh& mesh, const Scene& scene) {
-    return fem_reference::solve(mesh, scene, reference_settings(settings));
+    return settings.method.solve(settings, mesh, scene, 1, {});
   });
 }
 
 std::vector<Growing> all_growing(const std::vector<int>& wide,
                                  const std::vector<int>& narrow) {
   std::vector<Growing> all;
-  for (const char* method :
-       {"naive", "mss-nfd", "mss-cf", "mss-affine", "fem-explicit-1p", "fem-explicit-8p"})
+  const auto add_steps = [&](const char* model, const char* method, Loops loops) {
     all.push_back(
-        {.model = method == std::string("naive") ? "plain loops" : method,
+        {.model = model,
          .what = "explicit step",
          .across = wide,
-         .cost = [method](int n) { return cost_of_step(method, n); },
+         .cost = [=](int n) { return cost_of_step(method, loops, n); },
          .expected_bytes = [](int n) { return 4e3 * std::pow(n, 3); }});  // measured 3e3
+  };
+  add_steps("plain loops", "mss-cf", Loops::naive);
+  for (const char* method :
+       {"mss-nfd", "mss-cf", "mss-affine", "fem-explicit-1p", "fem-explicit-8p"})
+    add_steps(method, method, Loops::kernel);
   const auto memory_of = [](const char* method) {
     return [method](int n) {
       return estimated_memory(

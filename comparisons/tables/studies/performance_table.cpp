@@ -56,22 +56,32 @@ std::vector<int> thread_counts() {
   return counts;
 }
 
-/// The methods whose steps are timed, plain loops first.
+/// A method whose steps are timed, and what its time is shown over.
 struct Timed {
   const char* method;
-  mss::Precision precision;
+  mss::Precision precision = mss::Precision::double_precision;
+  Loops loops = Loops::kernel;
+  bool over_naive = false;
+  bool over_kernel = false;  // of the thesis's method, on as many threads
+  bool is_thesis = false;    // whose times are printed
 };
-constexpr std::array<Timed, 10> timed_methods{
-    {{"naive", mss::Precision::double_precision},
-     {"mss-nfd", mss::Precision::double_precision},
-     {"mss-fd", mss::Precision::double_precision},
-     {"mss-cf", mss::Precision::double_precision},
-     {"mss-cf", mss::Precision::single_precision},
-     {"mss-affine", mss::Precision::double_precision},
-     {"mss-tissue", mss::Precision::double_precision},
-     {"fem-explicit-1p", mss::Precision::double_precision},
-     {"fem-explicit-1p", mss::Precision::single_precision},
-     {"fem-explicit-8p", mss::Precision::double_precision}}};
+
+/// Plain loops first, the thesis's method before what is shown over it.
+const std::vector<Timed>& timed_methods() {
+  constexpr auto single = mss::Precision::single_precision;
+  static const std::vector<Timed> all{
+      {.method = "mss-cf", .loops = Loops::naive, .over_naive = true},
+      {.method = "mss-nfd"},
+      {.method = "mss-fd"},
+      {.method = "mss-cf", .over_naive = true, .is_thesis = true},
+      {.method = "mss-cf", .precision = single, .over_naive = true},
+      {.method = "mss-affine", .over_kernel = true},
+      {.method = "mss-tissue", .over_kernel = true},
+      {.method = "fem-explicit-1p"},
+      {.method = "fem-explicit-1p", .precision = single},
+      {.method = "fem-explicit-8p"}};
+  return all;
+}
 
 Sheet measured_sheet() {
   Sheet sheet{
@@ -112,30 +122,25 @@ Sheet measured_sheet() {
     for (const auto& cells : study.bodies) {
       const double count = double{1} * cells[0] * cells[1] * cells[2];
       std::optional<double> naive;
-      std::map<int, double> linear;  // mss-cf in double precision, by threads
-      for (const auto& [method, precision] : timed_methods)
+      std::map<int, double> thesis;  // its method's, by threads
+      for (const Timed& timed : timed_methods())
         for (const int threads : thread_counts()) {
-          const bool is_naive = method == std::string_view("naive");
+          const bool is_naive = timed.loops == Loops::naive;
           if (is_naive && threads > 1) continue;
           const StepTime time =
-              time_of_steps(stepping({.method = method,
+              time_of_steps(stepping({.method = timed.method,
                                       .cells = cells,
                                       .load = study.load,
                                       .poisson_ratio = study.poisson_ratio,
                                       .damping_ratio = 0,
-                                      .precision = precision,
+                                      .precision = timed.precision,
                                       .instruction_set = dynamics::best_instruction_set(),
-                                      .threads = threads})
+                                      .threads = threads,
+                                      .loops = timed.loops})
                                 .advance);
           if (is_naive) naive = time.real;
-          const bool is_double = precision == mss::Precision::double_precision;
-          if (method == std::string_view("mss-cf") && is_double)
-            linear[threads] = time.real;
-          const bool is_beside = is_double && (method == std::string_view("mss-affine") ||
-                                               method == std::string_view("mss-tissue"));
-          const bool is_of_naive = is_naive || method == std::string_view("mss-cf");
-          const bool is_printed = method == std::string_view("mss-cf") && is_double &&
-                                  cells == study.bodies.front();
+          if (timed.is_thesis) thesis[threads] = time.real;
+          const bool is_printed = timed.is_thesis && cells == study.bodies.front();
           const auto if_printed = [&](double value) {
             return Cell{.number = is_printed ? std::optional(value) : std::nullopt};
           };
@@ -144,14 +149,15 @@ Sheet measured_sheet() {
                    {.text = study.name},
                    {.text = study.figures},
                    {.number = count},
-                   {.text = is_naive ? "plain loops" : method},
-                   {.text = std::string(name_of(precision))},
+                   {.text = is_naive ? "plain loops" : timed.method},
+                   {.text = std::string(name_of(timed.precision))},
                    {.number = threads},
                    {.number = 1e9 * time.real / count},
-                   {.number = is_of_naive ? std::optional(naive.value() / time.real)
-                                          : std::nullopt},
-                   {.number = is_beside ? std::optional(time.real / linear.at(threads))
-                                        : std::nullopt},
+                   {.number = timed.over_naive ? std::optional(naive.value() / time.real)
+                                               : std::nullopt},
+                   {.number = timed.over_kernel
+                                  ? std::optional(time.real / thesis.at(threads))
+                                  : std::nullopt},
                    {.number = time.user_over_real},
                    {.number = study.steps_shown},
                    {.number = study.steps_shown * time.real},

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/tables/studies/split_output.hpp"
 

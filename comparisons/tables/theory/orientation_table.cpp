@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "comparisons/methods/finite_elements.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "fem_reference/laws/uniaxial_stress.hpp"
 
@@ -25,8 +26,8 @@ CaseSettings continuum_case(double nu, double strain, const std::string& directi
 /// The springs whose boundary follows the same state, seen from the lattice's frame: with
 /// R from lattice to body, H of the lattice is R^T H R.
 CaseSettings springs_case(const CaseSettings& continuum, double nu) {
-  const auto lattice = fem_reference::cauchy_born(continuum.material,
-                                                  reference_settings(continuum).lattice);
+  const auto lattice =
+      fem_reference::cauchy_born(continuum.material, lattice_of(continuum));
   const Eigen::Matrix3d turn =
       fem_reference::lattice_to_body(continuum.elements.lattice_direction);
   CaseSettings springs = case_of_scene("affine", {{"method", "mss-cf"}, {"nu", nu}});

@@ -90,8 +90,7 @@ struct Limit {
 Limit limit_of(const Path& path) {
   const CaseSettings settings = loaded(path.scene, path.changes, path.far);
   const Mesh mesh = build_mesh(settings.body);
-  const mss::Network network =
-      mss::build_network(mesh, settings.material, network_settings(settings));
+  const mss::Network network = settings.method.network(settings, mesh).value();
   const auto is_upright = [&](std::span<const Vector3> x) {
     return std::ranges::all_of(mesh.cells(), [&](const CellNodes& cell) {
       return smallest_corner_jacobian(corners(cell, x)) > 0;

@@ -50,8 +50,10 @@ BOOST_AUTO_TEST_CASE(keys_are_declared_once_and_their_companions_exist) {
     BOOST_TEST(!setting.help.empty(), setting.key);
     BOOST_TEST(!setting.group.empty(), setting.key);
     BOOST_TEST((setting.access.read != nullptr), setting.key);
-    const bool may_be_refused = setting.readers.unread != Unread::accepted;
-    BOOST_TEST(setting.readers.without.empty() != may_be_refused, setting.key);
+    const Readers& readers = setting.readers;
+    const bool may_be_refused = readers.unread != Unread::accepted;
+    BOOST_TEST((!may_be_refused || readers.of_methods || !readers.without.empty()),
+               setting.key);
   }
 }
 
@@ -62,7 +64,11 @@ BOOST_AUTO_TEST_CASE(defaults_are_what_users_could_write) {
     RunSettings run = usual;
     BOOST_CHECK_NO_THROW(
         setting.access.read(run, Given::from_text("default", setting.otherwise)));
-    const auto reader = [&](const Method&) { return reads(run.common, setting); };
+    const auto reader = [&](const Method& method) {
+      CaseSettings settings = run.common;
+      settings.method = method;
+      return reads(settings, setting);
+    };
     if (setting.access.told != nullptr && std::ranges::any_of(run.methods, reader))
       BOOST_TEST(setting.access.told(run.common) == setting.access.told(usual.common),
                  setting.key);

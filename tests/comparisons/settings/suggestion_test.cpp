@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/cases/methods.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "meshing/input_error.hpp"
 

@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/case_json.hpp"
 #include "comparisons/studies/split.hpp"
 #include "comparisons/tables/studies/split_output.hpp"

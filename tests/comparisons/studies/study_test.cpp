@@ -1,6 +1,7 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/running/memory.hpp"
 #include "meshing/input_error.hpp"

@@ -1,10 +1,10 @@
-#include "comparisons/running/tissue_case.hpp"
+#include "comparisons/methods/tissue.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 using namespace springcheck;
 
-BOOST_AUTO_TEST_SUITE(tissue_case_test)
+BOOST_AUTO_TEST_SUITE(tissue_test)
 
 namespace {
 

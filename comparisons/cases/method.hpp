@@ -1,0 +1,116 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "comparisons/cases/element.hpp"
+#include "comparisons/cases/named.hpp"
+#include "comparisons/cases/solver.hpp"
+#include "dynamics/blocks/instruction_set.hpp"
+#include "dynamics/marching/march.hpp"
+#include "dynamics/motion.hpp"
+#include "meshing/mesh.hpp"
+#include "meshing/scene.hpp"
+#include "mss/networks/network.hpp"
+
+namespace springcheck {
+
+struct CaseSettings;
+
+/// What methods are gathered under where people read of them.
+enum class Family { springs, finite_elements, measured };
+
+template <>
+inline constexpr std::array value_names<Family>{
+    Named{Family::springs, "springs"}, Named{Family::finite_elements, "finite elements"},
+    Named{Family::measured, "measured"}};
+
+/// How figures draw it: colour as HTML, mark as matplotlib names its markers.
+struct Look {
+  std::string_view colour, mark;
+};
+
+/// How far beyond the last definite state of a path its loss may lie: a fraction of that
+/// state's load, and one of the whole load.
+struct PathPrecision {
+  double of_state = 0;
+  double of_load = 0;
+};
+
+/// Of one core: for an equilibrium of 10^3 cells at 5 to 20 %, means over nu from 0 to
+/// .499 of the five tests; and for a simulated second of as many cells, of a regular grid
+/// or of others, at nu = .25 with steps of .9 of the limit.
+struct Seconds {
+  double at_rest = 0, in_motion = 0, in_motion_off_grids = 0;
+};
+
+/// The linear systems that a solution keeps in memory at most, one with `coupling` times
+/// the entries of a body whose nodes meet their neighbours alone.
+struct LinearSystems {
+  enum class Kind { none, cholesky, multigrid } kind = Kind::none;
+  double coupling = 1;
+};
+
+/// How steps are computed whose time is taken.
+struct SteppingOptions {
+  dynamics::InstructionSet instruction_set;
+  int threads;
+  bool by_plain_loops;  // where there is a kernel
+};
+
+/// Makes what steps a body through time.
+using MakeMotion =
+    std::function<std::unique_ptr<dynamics::Motion>(const SteppingOptions&)>;
+
+/// A method of simulation by its name on the command line, or by the user's name for what
+/// another program computed: all that tells it from others. Methods that the program has
+/// are declared in comparisons/methods; nobody else asks of what kind one is.
+struct Method {
+  std::string name;
+  std::string_view description;
+  std::string_view source{};
+  Family family{};
+  Look look{};
+
+  /// Settings of its own, by their keys in the table of settings. A lattice of finite
+  /// elements adds its own (LatticeName).
+  std::vector<std::string_view> reads{};
+  std::vector<CellType> cells{};  // it refuses others
+  std::vector<Solver> solvers{};  // the first is its own; it refuses others
+  bool follows_solver = true;     // no: static whatever solver a case names
+  bool is_elastic = true;         // its material has a Young's modulus
+  bool has_history = false;       // the way to a load matters without inertia too
+  bool belongs_to_cells = false;  // its constants are those of the case's own cells
+  std::optional<LatticeName> lattice{};  // whose continuum fem-cauchy-born is
+  PathPrecision path{};
+
+  /// Solution of a case. It refuses, in words, what the method does not cover. None: what
+  /// another program computed. threads: of steps through time.
+  std::function<Solution(const CaseSettings&, const Mesh&, const Scene&, int threads,
+                         const dynamics::Observers&)>
+      solve{};
+  /// Its network of springs; none where it refuses the case.
+  std::function<std::optional<mss::Network>(const CaseSettings&, const Mesh&)> network{};
+  /// What steps it, of the case's precision and damping, ready to be made. Mesh and scene
+  /// outlive it.
+  std::function<MakeMotion(const CaseSettings&, const Mesh&, const Scene&)> stepping{};
+
+  Seconds seconds{};
+  std::function<LinearSystems(const CaseSettings&)> linear_systems{};
+
+  /// What keys and JSON tell of it besides its name.
+  std::vector<std::pair<std::string, std::string>> told{};
+};
+
+/// Whether settings of that key are the method's own.
+bool reads(const Method& method, std::string_view key);
+
+/// The same of a case, whose finite elements may have a lattice with settings.
+bool reads(const CaseSettings& settings, std::string_view key);
+
+}  // namespace springcheck

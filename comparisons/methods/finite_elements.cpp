@@ -1,0 +1,109 @@
+#include "comparisons/methods/finite_elements.hpp"
+
+#include "comparisons/cases/case.hpp"
+#include "fem_reference/solve.hpp"
+#include "fem_reference/statics/takes_multigrid.hpp"
+
+namespace springcheck {
+namespace {
+
+using fem_reference::Law;
+
+fem_reference::Settings reference_settings(const CaseSettings& settings, Law law) {
+  return {.law = law,
+          .element = settings.elements.element.element,
+          .lattice = lattice_of(settings),
+          .linear_solver = settings.elements.linear_solver};
+}
+
+/// A law with what all have.
+Method of_elements(Law law, Method own) {
+  own.family = Family::finite_elements;
+  own.reads.insert(own.reads.end(), {"element", "linear-solver"});
+  own.cells = {all_cell_types.begin(), all_cell_types.end()};
+  own.solvers = {Solver::static_equilibrium};
+  own.follows_solver = false;
+  own.path.of_load = 1. / 1024;
+  own.solve = [law](const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
+                    int /*threads*/, const dynamics::Observers& /*observers*/) {
+    return fem_reference::solve(mesh, scene, reference_settings(settings, law));
+  };
+  own.linear_systems = [law](const CaseSettings& settings) -> LinearSystems {
+    using enum LinearSystems::Kind;
+    const auto [nx, ny, nz] = element_nodes(settings);
+    const bool by_multigrid = fem_reference::takes_multigrid(
+        reference_settings(settings, law), settings.material.poisson_ratio,
+        static_cast<std::size_t>(3 * nx * ny * nz));
+    return {.kind = by_multigrid ? multigrid : cholesky};
+  };
+  return own;
+}
+
+constexpr Seconds of_linear{.at_rest = 0.1}, of_others{.at_rest = 0.6};  // .3 to .7
+
+}  // namespace
+
+std::vector<ElementName> finite_elements() {
+  using fem_reference::Element;
+  // Of multigrid's memory: peak of `run compression`, Hooke and Hencky alike: 580 MB at
+  // 30^3 cells of q1-sri, 3435 MB at 60^3; 1646 MB at 20^3 cells of q2, which are 40^3
+  // divisions.
+  return {{.name = "q1",
+           .element = Element::q1,
+           .description = "linear or trilinear, full integration: locks near nu = 0.5",
+           .divisions = 1,
+           .multigrid_bytes = 13e3},
+          {.name = "q1-sri",
+           .element = Element::q1_sri,
+           .description = "the same, volumetric part from the cell's mean (selective "
+                          "reduced integration; on tetrahedra it is q1)",
+           .divisions = 1,
+           .multigrid_bytes = 13e3},
+          {.name = "q2",
+           .element = Element::q2,
+           .description = "triquadratic (27 nodes), 3x3x3 points; hexahedra only",
+           .divisions = 2,
+           .multigrid_bytes = 24e3}};
+}
+
+std::vector<Method> finite_element_methods() {
+  return {of_elements(Law::hooke, {.name = "fem-hooke",
+                                   .description = "finite elements, small-strain Hooke",
+                                   .source = "linear elasticity",
+                                   .look = {"#7F7F7F", "X"},
+                                   .seconds = of_linear}),
+          of_elements(Law::st_venant_kirchhoff,
+                      {.name = "fem-stvk",
+                       .description = "finite elements, St-Venant-Kirchhoff",
+                       .source = "Hooke's law between Green's strain and the second "
+                                 "Piola-Kirchhoff stress",
+                       .look = {"#D55E00", "P"},
+                       .seconds = of_others}),
+          of_elements(Law::hencky,
+                      {.name = "fem-hencky",
+                       .description = "finite elements, Hencky (logarithmic strain)",
+                       .source = "Hencky 1928",
+                       .look = {"#000000", "s"},
+                       .seconds = of_others}),
+          of_elements(Law::cauchy_born,
+                      {.name = "fem-cauchy-born",
+                       .description = "finite elements, the continuum of a spring "
+                                      "lattice (option --lattice)",
+                       .source = "the lattice's energy under the Cauchy-Born rule",
+                       .look = {"#8C6BB1", "h"},
+                       .reads = {"lattice", "lattice-direction"},
+                       .seconds = of_others})};
+}
+
+fem_reference::Lattice lattice_of(const CaseSettings& settings) {
+  using fem_reference::SpringConstants;
+  const bool from_shear_modulus =
+      settings.springs.stiffness_form == mss::StiffnessForm::shear_modulus;
+  return {.springs = settings.elements.lattice.springs,
+          .diagonal_ratio = settings.springs.diagonal_ratio,
+          .constants = from_shear_modulus ? SpringConstants::from_shear_modulus
+                                          : SpringConstants::from_young_modulus,
+          .direction = settings.elements.lattice_direction};
+}
+
+}  // namespace springcheck

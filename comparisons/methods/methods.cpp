@@ -1,0 +1,58 @@
+#include "comparisons/methods/methods.hpp"
+
+#include <algorithm>
+
+#include "comparisons/methods/explicit_elements.hpp"
+#include "comparisons/methods/finite_elements.hpp"
+#include "comparisons/methods/springs.hpp"
+#include "comparisons/methods/tissue.hpp"
+
+namespace springcheck {
+namespace {
+
+template <class Entries>
+auto find(const Entries& entries, std::string_view name) {
+  const auto found = std::ranges::find_if(
+      entries, [&](const auto& entry) { return entry.name == name; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const std::vector<Method>& methods() {
+  static const std::vector<Method> all = [] {
+    std::vector<Method> each;
+    for (auto family : {spring_methods(), tissue_methods(), finite_element_methods(),
+                        explicit_element_methods()})
+      std::ranges::move(family, std::back_inserter(each));
+    return each;
+  }();
+  return all;
+}
+
+const std::vector<ElementName>& elements() {
+  static const std::vector<ElementName> all = finite_elements();
+  return all;
+}
+
+const std::vector<LatticeName>& lattices() {
+  static const std::vector<LatticeName> all = [] {
+    std::vector<LatticeName> each;
+    for (const Method& method : methods())
+      if (method.lattice) each.push_back(*method.lattice);
+    return each;
+  }();
+  return all;
+}
+
+const Method* find_method(std::string_view name) {
+  return find(methods(), name);
+}
+const ElementName* find_element(std::string_view name) {
+  return find(elements(), name);
+}
+const LatticeName* find_lattice(std::string_view name) {
+  return find(lattices(), name);
+}
+
+}  // namespace springcheck

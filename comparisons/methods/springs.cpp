@@ -1,0 +1,176 @@
+#include "comparisons/methods/springs.hpp"
+
+#include <memory>
+
+#include "comparisons/cases/case.hpp"
+#include "comparisons/methods/protocol.hpp"
+#include "mss/solve.hpp"
+
+namespace springcheck {
+namespace {
+
+using fem_reference::Springs;
+
+const std::vector<CellType> any_cells{all_cell_types.begin(), all_cell_types.end()},
+    hexahedra{CellType::hexahedron}, tetrahedra{CellType::tetrahedron};
+
+mss::NetworkSettings network_settings(const CaseSettings& settings, mss::Method method) {
+  mss::NetworkSettings springs = settings.springs;
+  springs.method = method;
+  return springs;
+}
+
+std::optional<mss::DynamicsSettings> motion_settings(const CaseSettings& settings,
+                                                     int threads) {
+  if (!goes_through_time(settings)) return std::nullopt;
+  return mss::DynamicsSettings{.protocol = protocol_of(settings),
+                               .damping_ratio = settings.dynamics.damping_ratio,
+                               .precision = settings.dynamics.precision,
+                               .threads = threads};
+}
+
+/// A method with what all of springs have. Of a solution's systems the coupling is that
+/// above nu = 1/4.
+Method of_springs(mss::Method springs, Method own, double coupling = 1) {
+  own.family = Family::springs;
+  own.reads.insert(own.reads.end(), {"damping", "precision", "noise", "seed"});
+  own.solvers = {Solver::static_equilibrium,  Solver::path_limit, Solver::explicit_euler,
+                 Solver::semi_implicit_euler, Solver::verlet,     Solver::implicit_euler};
+  own.path.of_state = 0.002;
+  own.seconds.at_rest = 0.5;  // .25 to 1.6, most where they wrinkle
+  own.solve = [springs](const CaseSettings& settings, const Mesh& mesh,
+                        const Scene& scene, int threads,
+                        const dynamics::Observers& observers) {
+    return mss::solve(mesh, scene,
+                      {.network = network_settings(settings, springs),
+                       .dynamics = motion_settings(settings, threads),
+                       .to_limit = solver_of(settings) == Solver::path_limit,
+                       .seed = settings.statics.seed,
+                       .noise = settings.statics.noise},
+                      observers);
+  };
+  own.network = [springs](const CaseSettings& settings,
+                          const Mesh& mesh) -> std::optional<mss::Network> {
+    if (mss::reason_to_refuse(mesh, settings.material, springs)) return std::nullopt;
+    return mss::build_network(mesh, settings.material,
+                              network_settings(settings, springs));
+  };
+  own.stepping = [springs](const CaseSettings& settings, const Mesh& mesh,
+                           const Scene& scene) -> MakeMotion {
+    const auto network = std::make_shared<mss::Network>(
+        mss::build_network(mesh, settings.material, network_settings(settings, springs)));
+    return [=, &mesh, &scene, protocol = protocol_of(settings),
+            dynamics = settings.dynamics](const SteppingOptions& options) {
+      return mss::motion_of(
+          mesh, scene, *network,
+          {.protocol = protocol,
+           .damping_ratio = dynamics.damping_ratio,
+           .precision = dynamics.precision,
+           .threads = options.threads,
+           .kernel = options.by_plain_loops ? mss::Kernel::plain : mss::Kernel::fast},
+          options.instruction_set);
+    };
+  };
+  own.linear_systems = [coupling](const CaseSettings& settings) -> LinearSystems {
+    if (goes_through_time(settings)) return {};
+    return {.kind = LinearSystems::Kind::cholesky,
+            .coupling = settings.material.poisson_ratio > 0.25 ? coupling : 1};
+  };
+  return own;
+}
+
+// Of a simulated second: kernels .037 and .042, that of mss-affine .1, plain loops .66;
+// measured with what is done once, about half of the first.
+constexpr double by_kernels = 0.03, by_affine_kernel = 0.1, by_plain_loops = 0.6;
+constexpr Seconds of_lattices{.in_motion = by_kernels, .in_motion_off_grids = by_kernels},
+    of_virtual_springs{.in_motion = by_affine_kernel,
+                       .in_motion_off_grids = by_plain_loops},
+    of_tetrahedra{.in_motion = by_plain_loops, .in_motion_off_grids = by_plain_loops};
+
+}  // namespace
+
+std::vector<Method> spring_methods() {
+  using enum mss::Method;
+  return {
+      of_springs(baudet, {.name = "mss-baudet",
+                          .description = "edge and inner-diagonal springs after Baudet",
+                          .source = "Golec 2018, chapter 3, after Baudet",
+                          .look = {"#CC79A7", "v"},
+                          .cells = hexahedra,
+                          .lattice = LatticeName{"mss-baudet", Springs::baudet, {}},
+                          .seconds = of_lattices}),
+      of_springs(nfd,
+                 {.name = "mss-nfd",
+                  .description = "edge and inner-diagonal springs with volume correction",
+                  .source = "Golec 2018, Eq. 5.12 with A = 0, and 5.36",
+                  .look = {"#E69F00", "^"},
+                  .reads = {"stiffness-form"},
+                  .cells = hexahedra,
+                  .lattice = LatticeName{"mss-nfd", Springs::nfd, {"stiffness-form"}},
+                  .seconds = of_lattices}),
+      of_springs(
+          fd,
+          {.name = "mss-fd",
+           .description = "all springs without correction: right at nu = 0.25 only",
+           .source = "Golec 2018, Eq. 5.11 and 5.12; of boxes: own",
+           .look = {"#56B4E9", "<"},
+           .reads = {"diagonal-ratio", "stiffness-form"},
+           .cells = hexahedra,
+           .lattice =
+               LatticeName{"mss-fd", Springs::fd, {"diagonal-ratio", "stiffness-form"}},
+           .seconds = of_lattices}),
+      of_springs(cf, {.name = "mss-cf",
+                      .description = "all springs with volume correction (Golec 2018)",
+                      .source = "Golec 2018, Eq. 5.11, 5.12 and 5.36; of boxes: own",
+                      .look = {"#0072B2", "o"},
+                      .reads = {"diagonal-ratio", "stiffness-form"},
+                      .cells = hexahedra,
+                      .lattice = LatticeName{"mss-cf",
+                                             Springs::cf,
+                                             {"diagonal-ratio", "stiffness-form"}},
+                      .seconds = of_lattices}),
+      // It couples a node with its neighbours' neighbours where its volume correction
+      // acts on node stars. Peaks at 10^3 and 20^3 cubes: 221 and 714 MB, mss-cf's 188
+      // and 432.
+      of_springs(
+          affine,
+          {.name = "mss-affine",
+           .description = "virtual springs, on any cells of any shape",
+           .source = "own",
+           .look = {"#009E73", "D"},
+           .cells = any_cells,
+           .lattice = LatticeName{"mss-affine", Springs::affine, {"stiffness-form"}},
+           .seconds = of_virtual_springs},
+          2.8),
+      of_springs(
+          vangelder,
+          {.name = "mss-vangelder",
+           .description = "edges of tetrahedra after Van Gelder (option --correction)",
+           .source = "Van Gelder 1998, Approximate simulation of elastic membranes by "
+                     "triangulated spring meshes",
+           .look = {"#B8A600", ">"},
+           .reads = {"correction"},
+           .cells = tetrahedra,
+           .seconds = of_tetrahedra}),
+      of_springs(lloyd,
+                 {.name = "mss-lloyd",
+                  .description = "edges of tetrahedra after Lloyd (option --correction)",
+                  .source = "Lloyd, Szekely and Harders 2007, Identification of spring "
+                            "parameters for deformable object simulation",
+                  .look = {"#8B5A2B", "p"},
+                  .reads = {"correction"},
+                  .cells = tetrahedra,
+                  .seconds = of_tetrahedra}),
+      of_springs(custom,
+                 {.name = "mss-custom",
+                  .description = "springs and volume correction of your own (options "
+                                 "--stiffness, --kappa)",
+                  .source = "the user's constants",
+                  .look = {"#5E81AC", "d"},
+                  .reads = {"stiffness", "kappa"},
+                  .cells = hexahedra,
+                  .belongs_to_cells = true,
+                  .seconds = of_lattices})};
+}
+
+}  // namespace springcheck

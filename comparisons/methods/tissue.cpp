@@ -1,0 +1,228 @@
+#include "comparisons/methods/tissue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "comparisons/methods/protocol.hpp"
+#include "fem_reference/tissue/solve_tissue.hpp"
+#include "meshing/stopwatch.hpp"
+#include "mss/tissue/solve_tissue.hpp"
+#include "mss/tissue/thesis_springs.hpp"
+#include "mss/tissue/tissue_motion.hpp"
+
+namespace springcheck {
+namespace {
+
+dynamics::LoadPath load_of(const Dynamics& dynamics) {
+  return dynamics.load.empty() ? dynamics::ramp(dynamics.duration) : dynamics.load;
+}
+
+dynamics::QuasiStaticSettings quasi_static_of(const CaseSettings& settings) {
+  return {.load = load_of(settings.dynamics), .steps = settings.tissue.steps};
+}
+
+constexpr const char* no_limit = "tissue has no limit: it gives way with time";
+
+bool asks_for_limit(const CaseSettings& settings) {
+  return solver_of(settings) == Solver::path_limit;
+}
+
+mss::TissueSettings settings_with(const tissue::MaxwellFit& fit,
+                                  const CaseSettings& settings) {
+  return {.solid = {.shear = fit.model,
+                    .bulk_ratio = tissue::bulk_ratio_of(settings.material.poisson_ratio)},
+          .quasi_static = quasi_static_of(settings),
+          .protocol = goes_through_time(settings) ? std::optional(protocol_of(settings))
+                                                  : std::nullopt};
+}
+
+tissue::MaxwellFit fit_of(const CaseSettings& settings) {
+  return tissue::fit_maxwell_model(settings.tissue.law, {}, settings.tissue.branches);
+}
+
+/// By a fit to the law: solve(tissue) is a solver's part.
+template <class Solve>
+Solution solve_with_memory(const CaseSettings& settings, const Solve& solve) {
+  if (asks_for_limit(settings)) return refused(no_limit);
+  const Stopwatch stopwatch;
+  const tissue::MaxwellFit fit = fit_of(settings);
+  const double fit_wall_s = stopwatch.seconds();
+  Solution solution = solve(settings_with(fit, settings));
+  solution.setup_wall_s += fit_wall_s;
+  if (!solution.largest_shear_strain) return solution;
+  const std::string beyond =
+      extrapolation(fit.range, settings.dynamics, *solution.largest_shear_strain);
+  if (!beyond.empty()) solution.reason += (solution.reason.empty() ? "" : "; ") + beyond;
+  return solution;
+}
+
+Solution solve_by_springs(const CaseSettings& settings, const Mesh& mesh,
+                          const Scene& scene, int threads,
+                          const dynamics::Observers& observers) {
+  return solve_with_memory(settings, [&](mss::TissueSettings tissue) {
+    tissue.threads = threads;
+    return mss::solve_tissue(mesh, scene, tissue, observers);
+  });
+}
+
+Solution solve_by_elements(const CaseSettings& settings, const Mesh& mesh,
+                           const Scene& scene, int /*threads*/,
+                           const dynamics::Observers& observers) {
+  return solve_with_memory(settings, [&](const mss::TissueSettings& tissue) {
+    if (tissue.protocol)
+      return refused("fem-tissue goes through equilibria; mss-tissue moves");
+    return fem_reference::solve_tissue(mesh, scene, tissue.solid, tissue.quasi_static,
+                                       observers);
+  });
+}
+
+/// Table 4.2 has no limit but of the organs of Table 4.1.
+std::optional<double> limit_fitted_by_hand(const tissue::BipowerLaw& law) {
+  for (const tissue::Organ& organ : tissue::organs())
+    if (organ.law == law) return tissue::hand_fitted_limit(organ.name);
+  return std::nullopt;
+}
+
+Solution solve_thesis_springs(tissue::Elongation elongation, const CaseSettings& settings,
+                              const Mesh& mesh, const Scene& scene,
+                              const dynamics::Observers& observers) {
+  if (asks_for_limit(settings)) return refused(no_limit);
+  if (goes_through_time(settings))
+    return refused("Eq. 4.4's dashpots have no constant: there is no motion of it");
+  const tissue::BipowerLaw& law = settings.tissue.law;
+  const auto limit = limit_fitted_by_hand(law);
+  if (!limit)
+    return refused("Golec 2018 fitted limits by hand, to liver, kidney and spleen alone");
+  return mss::move_thesis_springs(
+      mesh, scene, {.law = law, .strain_limit = *limit, .elongation = elongation},
+      quasi_static_of(settings), observers);
+}
+
+/// Steps by kernels, whatever is asked for: plain loops are for other cells.
+MakeMotion stepping_of_springs(const CaseSettings& settings, const Mesh& mesh,
+                               const Scene& scene) {
+  const mss::TissueSettings tissue = settings_with(fit_of(settings), settings);
+  const auto body = std::make_shared<mss::TissueBody>(
+      mss::build_tissue_body(mesh, tissue.solid, scene.material.density));
+  return [&mesh, &scene, body, integrator = protocol_of(settings).integrator](
+             const SteppingOptions& options) -> std::unique_ptr<dynamics::Motion> {
+    std::vector<Vector3> load(body->masses.size());
+    for (std::size_t n = 0; n < load.size(); ++n)
+      load[n] = body->masses[n] * scene.gravity;
+    return std::make_unique<mss::TissueMotion>(
+        mesh, scene, *body, load,
+        mss::TissueMotionSettings{.integrator = integrator, .threads = options.threads},
+        options.instruction_set);
+  };
+}
+
+/// A method with what all of tissue have.
+Method of_tissue(Method own) {
+  own.reads.insert(own.reads.end(), {"organ", "law", "time-steps"});
+  own.is_elastic = false;
+  own.has_history = true;
+  own.seconds.at_rest = 0.5;
+  own.linear_systems = [](const CaseSettings& settings) -> LinearSystems {
+    if (goes_through_time(settings)) return {};
+    return {.kind = LinearSystems::Kind::cholesky};
+  };
+  return own;
+}
+
+Method of_thesis(tissue::Elongation elongation, Method own) {
+  own.family = Family::springs;
+  own.source = "Golec 2018, Eq. 4.4 and Table 4.2";
+  own.cells = {CellType::hexahedron};
+  own.solvers = {Solver::static_equilibrium};
+  own.solve = [elongation](const CaseSettings& settings, const Mesh& mesh,
+                           const Scene& scene, int /*threads*/,
+                           const dynamics::Observers& observers) {
+    return solve_thesis_springs(elongation, settings, mesh, scene, observers);
+  };
+  return of_tissue(std::move(own));
+}
+
+}  // namespace
+
+std::vector<Method> tissue_methods() {
+  const std::vector<CellType> any_cells(all_cell_types.begin(), all_cell_types.end());
+  constexpr std::string_view law =
+      "Golec 2018, Eq. 4.1, on branches after Green and Tobolsky 1946 and Simo 1987";
+  return {
+      of_tissue({.name = "mss-tissue",
+                 .description =
+                     "springs that remember, of a bi-power law (options --organ, --law)",
+                 .source = law,
+                 .family = Family::springs,
+                 .look = {"#7A0177", "*"},
+                 .reads = {"branches"},
+                 .cells = any_cells,
+                 .solvers = {Solver::static_equilibrium, Solver::explicit_euler,
+                             Solver::semi_implicit_euler, Solver::verlet},
+                 .solve = solve_by_springs,
+                 .stepping = stepping_of_springs,
+                 .seconds = {.in_motion = 0.03, .in_motion_off_grids = 0.03}}),
+      of_tissue({.name = "fem-tissue",
+                 .description = "finite elements of the same law, with a memory at 2x2x2 "
+                                "points; without inertia",
+                 .source = law,
+                 .family = Family::finite_elements,
+                 .look = {"#4D4D4D", "1"},
+                 .reads = {"branches"},
+                 .cells = any_cells,
+                 .solvers = {Solver::static_equilibrium},
+                 .solve = solve_by_elements}),
+      of_thesis(
+          tissue::Elongation::in_metres,
+          {.name = "mss-thesis-tissue",
+           .description =
+               "springs of Golec 2018, Eq. 4.4, as printed, with hand-fitted limits",
+           .look = {"#C2A5CF", "2"}}),
+      of_thesis(tissue::Elongation::relative,
+                {.name = "mss-thesis-tissue-relative",
+                 .description = "the same, elongations over the rest length: a force of "
+                                "any unit of length",
+                 .look = {"#A6761D", "3"}})};
+}
+
+std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamics,
+                          double largest_strain) {
+  std::string text;
+  const auto say = [&](const std::string& what) {
+    text += (text.empty() ? "extrapolated beyond the fitted range: " : ", ") + what;
+  };
+  if (largest_strain > range.strains.to * (1 + 1e-9))  // round-off
+    say(fmt::format("shear strains of {:.3g} (fitted to {:g})", largest_strain,
+                    range.strains.to));
+  if (largest_strain < range.strains.from) {
+    if (dynamics.oscillation &&
+        !range.angular_frequencies.contains(dynamics.oscillation->angular_frequency))
+      say(fmt::format("{:g} rad/s (fitted from {:g} to {:g})",
+                      dynamics.oscillation->angular_frequency,
+                      range.angular_frequencies.from, range.angular_frequencies.to));
+    return text;
+  }
+  double largest_fraction = 0, slowest = INFINITY, fastest = 0;
+  dynamics::LoadPoint from{.time = 0, .fraction = 0};
+  for (const dynamics::LoadPoint& to : dynamics::turning_points(load_of(dynamics))) {
+    largest_fraction = std::max(largest_fraction, std::abs(to.fraction));
+    const double rate = std::abs(to.fraction - from.fraction) / (to.time - from.time);
+    if (rate > 0) slowest = std::min(slowest, rate);
+    fastest = std::max(fastest, rate);
+    from = to;
+  }
+  constexpr double leeway = 1.1;
+  const double of_load = largest_strain / largest_fraction;
+  for (const double rate : {slowest * of_load, fastest * of_load}) {
+    if (rate * leeway >= range.rates.from && rate <= leeway * range.rates.to) continue;
+    say(fmt::format("rates of {:.3g} 1/s (fitted from {:g} to {:g})", rate,
+                    range.rates.from, range.rates.to));
+    break;
+  }
+  return text;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mss/networks/cell_springs.hpp"
+#include "mss/networks/method.hpp"
+
+namespace springcheck::mss {
+
+/// The cells that a method has springs for; boxes are those that box_lattice covers.
+enum class CellShapes { any, tetrahedra, cubes, boxes };
+
+/// What tells one method from another.
+struct MethodEntry {
+  Method method;
+  CellShapes cells;
+  /// Springs of one cell of its shapes, of so much volume [m^3].
+  std::vector<CellSpring> (*springs)(const CornerPositions& corners, double volume,
+                                     const Material&, const NetworkSettings&);
+  /// kappa of the volume correction [Pa]; 0 without.
+  double (*volume_modulus)(const Material&, const NetworkSettings&);
+  /// Virtual springs in every cell (VirtualSprings), beside which its own resist
+  /// hourglasses alone.
+  bool has_virtual_springs = false;
+  /// Why it cannot treat a material; nullptr: it takes all.
+  std::optional<std::string> (*refuses)(const Material&) = nullptr;
+};
+
+const MethodEntry& entry_of(Method method);
+
+}  // namespace springcheck::mss

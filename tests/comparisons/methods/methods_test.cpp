@@ -1,0 +1,156 @@
+// What every entry of a method must be, and whether it does what it says.
+
+#include "comparisons/methods/methods.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <set>
+
+#include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/running/memory.hpp"
+#include "comparisons/settings/case_json.hpp"
+#include "comparisons/settings/setting.hpp"
+#include "tests/comparisons/settings.hpp"
+
+using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(methods_test)
+
+namespace {
+
+/// A small body of such cells that is hardly compressed, in a short time where it moves.
+CaseSettings small_case(const Method& method, CellType cells, Solver solver) {
+  std::vector<std::string> changes{"method=" + method.name, "cells=2,2,2",
+                                   "deformation=1%",
+                                   "cell-type=" + std::string(name_of(cells)),
+                                   "solver=" + std::string(name_of(solver))};
+  if (reads(method, "stiffness")) changes.emplace_back("stiffness=400,100,150");
+  if (reads(method, "organ")) changes.emplace_back("organ=liver");
+  CaseSettings settings = case_of("compression", changes);
+  settings.dynamics.duration = 0.01;
+  if (solver == Solver::implicit_euler) settings.dynamics.time_step = 1e-3;  // no limit
+  return settings;
+}
+
+Solution solution_of(const CaseSettings& settings) {
+  const Mesh mesh = build_mesh(settings.body);
+  return settings.method.solve(settings, mesh, mechanical_scene(settings, mesh), 1, {});
+}
+
+bool is_refused(const CaseSettings& settings) {
+  return solution_of(settings).status == SolveStatus::refused;
+}
+
+template <class Values, class Value>
+bool has(const Values& values, const Value& value) {
+  return std::ranges::find(values, value) != values.end();
+}
+
+template <class Entries>
+void expect_names_once(const Entries& entries) {
+  std::set<std::string_view> names;
+  for (const auto& entry : entries)
+    BOOST_TEST(names.insert(entry.name).second, entry.name);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(names_and_looks_belong_to_one_entry_each) {
+  expect_names_once(methods());
+  expect_names_once(elements());
+  expect_names_once(lattices());
+  std::set<std::string_view> colours, marks;
+  for (const Method& method : methods()) {
+    BOOST_TEST(colours.insert(method.look.colour).second, method.name);
+    BOOST_TEST(marks.insert(method.look.mark).second, method.name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(entries_are_complete) {
+  for (const Method& method : methods()) BOOST_TEST_CONTEXT(method.name) {
+      BOOST_TEST(!method.description.empty());
+      BOOST_TEST(!method.source.empty());
+      BOOST_TEST(!method.cells.empty());
+      BOOST_TEST_REQUIRE(!method.solvers.empty());
+      BOOST_TEST((method.solve != nullptr));
+      BOOST_TEST((method.linear_systems != nullptr));
+      BOOST_TEST((!method.lattice || method.lattice->name == method.name));
+      const CaseSettings own =
+          small_case(method, method.cells.front(), method.solvers.front());
+      BOOST_TEST((goes_through_time(own) || method.seconds.at_rest > 0));
+      const bool moves = has(method.solvers, Solver::verlet);
+      BOOST_TEST((method.seconds.in_motion > 0) == moves);
+      BOOST_TEST((method.seconds.in_motion_off_grids > 0) == moves);
+      BOOST_TEST((method.stepping != nullptr) == moves);
+      BOOST_TEST(estimated_memory(own) > 0);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(own_settings_are_settings_that_some_case_reads) {
+  std::set<std::string_view> listed;
+  for (const Method& method : methods())
+    for (const std::string_view key : method.reads) {
+      listed.insert(key);
+      const Setting* setting = find_setting(key);
+      BOOST_TEST_REQUIRE((setting != nullptr), method.name << ": " << key);
+      const bool is_read = std::ranges::any_of(method.solvers, [&](Solver solver) {
+        return reads(small_case(method, method.cells.front(), solver), *setting);
+      });
+      BOOST_TEST(is_read, method.name << ": " << key);
+    }
+  for (const Setting& setting : all_settings())
+    BOOST_TEST((!setting.readers.of_methods || listed.contains(setting.key)),
+               setting.key);
+}
+
+BOOST_AUTO_TEST_CASE(a_lattice_brings_its_settings_to_finite_elements) {
+  for (const LatticeName& lattice : lattices())
+    for (const char* key : {"diagonal-ratio", "stiffness-form"}) {
+      const auto continuum =
+          case_of("compression",
+                  {"method=fem-cauchy-born", "lattice=" + std::string(lattice.name)});
+      BOOST_TEST(reads(continuum, *find_setting(key)) == has(lattice.reads, key),
+                 lattice.name << ": " << key);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(cells_are_refused_that_an_entry_does_not_list) {
+  for (const Method& method : methods())
+    for (const CellType cells : all_cell_types)
+      BOOST_TEST(is_refused(small_case(method, cells, method.solvers.front())) !=
+                     has(method.cells, cells),
+                 method.name << " on " << name_of(cells));
+}
+
+BOOST_AUTO_TEST_CASE(solvers_are_refused_that_an_entry_does_not_list) {
+  for (const Method& method : methods())
+    for (const Solver solver : all_values<Solver>()) {
+      const CaseSettings settings = small_case(method, method.cells.front(), solver);
+      BOOST_TEST(is_refused(settings) != has(method.solvers, solver_of(settings)),
+                 method.name << " by " << name_of(solver));
+    }
+}
+
+// Words, not a status alone.
+BOOST_AUTO_TEST_CASE(a_refusal_says_why) {
+  for (const Method& method : methods())
+    for (const CellType cells : all_cell_types)
+      if (!has(method.cells, cells)) {
+        const Solution refused =
+            solution_of(small_case(method, cells, method.solvers.front()));
+        BOOST_TEST(!refused.reason.empty(), method.name << " on " << name_of(cells));
+      }
+}
+
+BOOST_AUTO_TEST_CASE(a_network_is_there_where_a_case_is_not_refused) {
+  for (const Method& method : methods()) {
+    if (!method.network) continue;
+    for (const CellType cells : all_cell_types) {
+      const CaseSettings settings = small_case(method, cells, method.solvers.front());
+      BOOST_TEST(method.network(settings, build_mesh(settings.body)).has_value() ==
+                     has(method.cells, cells),
+                 method.name << " on " << name_of(cells));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
