@@ -49,7 +49,7 @@ constexpr std::array<CornerStar, 8> hexahedron_stars{{{0, 1, 3, 4},
                                                       {7, 6, 4, 3}}};
 
 struct Topology {
-  std::string_view name;
+  std::string_view name, plural;
   std::size_t nodes;
   std::span<const LocalEdge> edges;
   std::span<const LocalFace> faces;
@@ -57,10 +57,12 @@ struct Topology {
 };
 
 constexpr std::array<Topology, 4> topologies{
-    {{"tetrahedron", 4, tetrahedron_edges, tetrahedron_faces, tetrahedron_stars},
-     {"pyramid", 5, pyramid_edges, pyramid_faces, pyramid_stars},
-     {"prism", 6, prism_edges, prism_faces, prism_stars},
-     {"hexahedron", 8, hexahedron_edges, hexahedron_faces, hexahedron_stars}}};
+    {{"tetrahedron", "tetrahedra", 4, tetrahedron_edges, tetrahedron_faces,
+      tetrahedron_stars},
+     {"pyramid", "pyramids", 5, pyramid_edges, pyramid_faces, pyramid_stars},
+     {"prism", "prisms", 6, prism_edges, prism_faces, prism_stars},
+     {"hexahedron", "hexahedra", 8, hexahedron_edges, hexahedron_faces,
+      hexahedron_stars}}};
 
 const Topology& of(CellType type) {
   return topologies[static_cast<std::size_t>(type)];
@@ -70,6 +72,10 @@ const Topology& of(CellType type) {
 
 std::string_view name_of(CellType type) {
   return of(type).name;
+}
+
+std::string_view plural_of(CellType type) {
+  return of(type).plural;
 }
 
 std::size_t node_count(CellType type) {

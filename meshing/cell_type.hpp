@@ -37,6 +37,7 @@ using LocalFace = ShortList<std::uint8_t, 4>;
 inline constexpr std::array<std::uint8_t, 8> grid_corners{0, 1, 3, 2, 4, 5, 7, 6};
 
 std::string_view name_of(CellType type);
+std::string_view plural_of(CellType type);  // "tetrahedra"
 std::size_t node_count(CellType type);
 
 /// The type with so many nodes, which must be 4, 5, 6 or 8.

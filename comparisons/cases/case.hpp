@@ -80,10 +80,6 @@ template <>
 inline constexpr std::array value_names<PlateContact>{
     Named{PlateContact::glued, "glued"}, Named{PlateContact::sliding, "sliding"}};
 template <>
-inline constexpr std::array value_names<mss::Precision>{
-    Named{mss::Precision::double_precision, "double"},
-    Named{mss::Precision::single_precision, "float"}};
-template <>
 inline constexpr std::array value_names<mss::StiffnessForm>{
     Named{mss::StiffnessForm::shear_modulus, "mu"},
     Named{mss::StiffnessForm::young_modulus, "E"}};

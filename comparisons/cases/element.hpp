@@ -4,16 +4,29 @@
 #include <vector>
 
 #include "fem_reference/laws/settings.hpp"
+#include "meshing/scene.hpp"
 
 namespace springcheck {
+
+/// What a simpler method or element leaves out, in words, and the one that has it. A
+/// method may leave out by intent: then nothing has it, and it is good where the path to
+/// the full load stays stable.
+struct Omission {
+  std::string_view what;
+  std::string_view by{};  // name; empty: nothing
+  /// Words in its place where nothing is lost; nullptr or empty: something is.
+  std::string_view (*no_loss)(const Material&) = nullptr;
+};
 
 /// A finite element by its name on the command line.
 struct ElementName {
   std::string_view name;
   fem_reference::Element element;
   std::string_view description;
-  int divisions;           // of a cell's edge by the element's nodes
-  double multigrid_bytes;  // of memory for each of the parts so made, measured
+  int divisions;                  // of a cell's edge by the element's nodes
+  double multigrid_bytes;         // of memory for each of the parts so made, measured
+  std::vector<Omission> omits{};  // elements that do not
+  bool locks = false;             // too stiff near nu = 1/2
 };
 
 /// Springs whose continuum fem-cauchy-born is, by the name of their method.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "comparisons/cases/element.hpp"
+#include "comparisons/cases/model.hpp"
 #include "comparisons/cases/named.hpp"
 #include "comparisons/cases/solver.hpp"
 #include "dynamics/blocks/instruction_set.hpp"
@@ -72,9 +73,10 @@ using MakeMotion =
 /// are declared in comparisons/methods; nobody else asks of what kind one is.
 struct Method {
   std::string name;
-  std::string_view description;
+  std::string description{};
   std::string_view source{};
   Family family{};
+  std::string_view law{};  // of the material, where the method is known by it
   Look look{};
 
   /// Settings of its own, by their keys in the table of settings. A lattice of finite
@@ -85,6 +87,7 @@ struct Method {
   bool follows_solver = true;     // no: static whatever solver a case names
   bool is_elastic = true;         // its material has a Young's modulus
   bool has_history = false;       // the way to a load matters without inertia too
+  bool locks = false;             // too stiff near nu = 1/2
   bool belongs_to_cells = false;  // its constants are those of the case's own cells
   std::optional<LatticeName> lattice{};  // whose continuum fem-cauchy-born is
   PathPrecision path{};
@@ -102,6 +105,10 @@ struct Method {
 
   Seconds seconds{};
   std::function<LinearSystems(const CaseSettings&)> linear_systems{};
+
+  /// Its models in charts, their method aside.
+  std::vector<Model> charted{};
+  std::vector<Omission> omits{};
 
   /// What keys and JSON tell of it besides its name.
   std::vector<std::pair<std::string, std::string>> told{};

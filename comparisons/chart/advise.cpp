@@ -100,8 +100,8 @@ class Search {
                                                     int across) const {
     for (std::size_t i = 0; i < advice_.chart.points.size(); ++i) {
       const StoredChart::Point& place = point(i).place;
-      if (place.model == model.name && place.kind == model.kind &&
-          place.across == across && place.threads == wish_.threads && point(i).found)
+      if (place.model == model.model && place.across == across &&
+          place.threads == wish_.threads && point(i).found)
         return i;
     }
     return std::nullopt;
@@ -141,8 +141,7 @@ class Search {
 
   [[nodiscard]] StaticPath path_of(std::size_t i) {
     const StoredChart::Point& place = point(i).place;
-    return measurements_.static_path(model_named(place.model, place.kind, shape_),
-                                     place.across);
+    return measurements_.static_path(chart_model(place.model, shape_), place.across);
   }
 
   [[nodiscard]] const OnFinerCells& on_finer_cells(std::size_t i) {
@@ -155,23 +154,24 @@ class Search {
   [[nodiscard]] OnFinerCells look_at_finer_cells(std::size_t i) {
     const StoredChart::Point place = point(i).place;
     const auto finer = std::ranges::upper_bound(sizes, place.across);
-    const ChartModel& model = model_named(place.model, place.kind, shape_);
+    const ChartModel& model = chart_model(place.model, shape_);
     if (finer == sizes.end() || !run_if_within(model, *finer, wish_.budget)) return {};
     take_in();
     const auto next = point_of(model, *finer);
     if (!next) return {};
     const auto& error = point(*next).errors[advice_.truth].of(wish_.measure);
     if (!point(*next).is_ok() || !error)
-      return {.were_seen = true,
-              .against = fmt::format("On {} across {} is {}.", *finer, place.model,
-                                     name_of(point(*next).found->status))};
+      return {
+          .were_seen = true,
+          .against = fmt::format("On {} across {} is {}.", *finer, name_of(place.model),
+                                 name_of(point(*next).found->status))};
     if (*error <= wish_.tolerance) return {.were_seen = true};
     return {
         .were_seen = true,
         .against = fmt::format(
             "On {} across {} is {:.3g} % off: on {} errors cancel that another load or "
             "shape may add.",
-            *finer, place.model, 100 * *error, place.across)};
+            *finer, name_of(place.model), 100 * *error, place.across)};
   }
 
   void choose() {
@@ -182,7 +182,7 @@ class Search {
       if (const std::string against = path_of(i).against; !against.empty())
         advice_.cautions.push_back(fmt::format(
             "{} on {} across would do, but not by a stable path to the full load: {}.",
-            point(i).place.model, point(i).place.across, against));
+            name_of(point(i).place.model), point(i).place.across, against));
       else if (on_finer_cells(i).against.empty())
         sound.push_back(i);
       else if (!accidental)
@@ -213,7 +213,7 @@ class Search {
     const auto& models = chart_models(shape_);
     const auto size = [&](std::size_t i) {
       const auto rank =
-          std::ranges::find(models, point(i).place.model, &ChartModel::name);
+          std::ranges::find(models, point(i).place.model, &ChartModel::model);
       return std::pair(estimated_memory(settings_of(plan_, point(i).place)),
                        rank - models.begin());
     };

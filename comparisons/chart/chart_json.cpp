@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/chart/claims.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/results/result_file.hpp"
 
 namespace springcheck {
@@ -31,7 +32,16 @@ Json number_json(const ConvergedNumber& number) {
 
 Json point_json(const Chart& chart, const ChartPoint& point) {
   const StoredChart::Point& place = point.place;
-  Json json{{"model", place.model},
+  const Model& model = place.model;
+  const Method* method = find_method(model.method);
+  const std::string_view precision = model.precision ? name_of(*model.precision) : "";
+  Json json{{"model", name_of(model)},
+            {"method", model.method},
+            {"family", method == nullptr ? Json() : Json(name_of(method->family))},
+            {"element", model.element},
+            {"cell_type", name_of(model.cells)},
+            {"linear_solver", model.linear_solver},
+            {"precision", precision},
             {"kind", std::string(name_of(place.kind))},
             {"across", place.across},
             {"cells", place.cells},
@@ -71,10 +81,15 @@ Json fronts_json(const Chart& chart) {
 }
 
 Json chart_json(const Chart& chart) {
-  Json json{{"scene", chart.stored.scene},   {"law", chart.stored.law},
-            {"answer", chart.stored.answer}, {"machine", chart.stored.machine},
-            {"truths", Json::array()},       {"points", Json::array()},
-            {"fronts", fronts_json(chart)},  {"claims", Json::array()}};
+  Json json{{"identity", identity_of(chart.stored)},
+            {"scene", chart.stored.scene},
+            {"law", chart.stored.law},
+            {"answer", chart.stored.answer},
+            {"machine", chart.stored.machine},
+            {"truths", Json::array()},
+            {"points", Json::array()},
+            {"fronts", fronts_json(chart)},
+            {"claims", Json::array()}};
   for (const ChartTruth& truth : chart.truths)
     json["truths"].push_back({{"law", truth.grids.law},
                               {"finest_cell_size", truth.grids.cell_sizes.back()},
@@ -84,14 +99,15 @@ Json chart_json(const Chart& chart) {
   for (const ChartPoint& point : chart.points)
     json["points"].push_back(point_json(chart, point));
   for (const Claim& claim : claims(chart))
-    json["claims"].push_back({{"kind", std::string(name_of(claim.kind))},
-                              {"measure", std::string(name_of(claim.measure))},
-                              {"springs", chart.points[claim.springs].place.model},
-                              {"faster", std::string(name_of(claim.is_faster))},
-                              {"as_accurate", std::string(name_of(claim.is_as_accurate))},
-                              {"faster_at_equal_accuracy",
-                               std::string(name_of(claim.is_faster_at_equal_accuracy))},
-                              {"words", claim_text(chart, claim)}});
+    json["claims"].push_back(
+        {{"kind", std::string(name_of(claim.kind))},
+         {"measure", std::string(name_of(claim.measure))},
+         {"springs", name_of(chart.points[claim.springs].place.model)},
+         {"faster", std::string(name_of(claim.is_faster))},
+         {"as_accurate", std::string(name_of(claim.is_as_accurate))},
+         {"faster_at_equal_accuracy",
+          std::string(name_of(claim.is_faster_at_equal_accuracy))},
+         {"words", claim_text(chart, claim)}});
   return json;
 }
 

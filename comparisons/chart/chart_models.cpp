@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "meshing/input_error.hpp"
@@ -14,44 +16,41 @@
 namespace springcheck {
 namespace {
 
+ChartKind kind_of(const Model& model) {
+  return model.precision ? ChartKind::motion : ChartKind::equilibrium;
+}
+
+/// What the model sets, as a scene would.
+Changes changes_of(const Model& model, const Method& method) {
+  Changes changes{{"method", model.method}};
+  if (!model.element.empty()) changes.emplace_back("element", model.element);
+  if (model.cells != CellType::hexahedron)
+    changes.emplace_back("cell-type", std::string(name_of(model.cells)));
+  if (!model.linear_solver.empty())
+    changes.emplace_back("linear-solver", model.linear_solver);
+  if (method.follows_solver)
+    changes.emplace_back("solver", model.precision ? "semi-implicit" : "static");
+  if (model.precision)
+    changes.emplace_back("precision", std::string(name_of(*model.precision)));
+  return changes;
+}
+
+/// Equilibria by springs, then by finite elements, then motions; hexahedra first.
 std::vector<ChartModel> all_models() {
-  using enum ChartKind;
-  const Changes tetrahedra{{"cell-type", "tetrahedron"}}, prisms{{"cell-type", "prism"}};
-  const Changes at_rest{{"solver", "static"}};
   std::vector<ChartModel> all;
-  for (const char* springs : {"mss-baudet", "mss-nfd", "mss-fd", "mss-cf", "mss-affine"})
-    all.push_back({springs, Changes{{"method", springs}} + at_rest, equilibrium});
-  for (const char* springs : {"mss-affine", "mss-vangelder", "mss-lloyd"})
-    all.push_back({fmt::format("{} on tetrahedra", springs),
-                   Changes{{"method", springs}} + tetrahedra + at_rest, equilibrium});
-  all.push_back({"mss-affine on prisms",
-                 Changes{{"method", "mss-affine"}} + prisms + at_rest, equilibrium});
-  for (const char* law : {"fem-hooke", "fem-stvk", "fem-hencky"})
-    for (const char* element : {"q1", "q1-sri", "q2"})
-      all.push_back({fmt::format("{}:{}", law, element),
-                     {{"method", law}, {"element", element}},
-                     equilibrium});
-  const Changes mean_dilatation{{"method", "fem-stvk"}, {"element", "q1-sri"}};
-  for (const char* solver : {"direct", "multigrid"})
-    all.push_back({fmt::format("fem-stvk:q1-sri, {}", solver),
-                   mean_dilatation + Changes{{"linear-solver", solver}}, equilibrium});
-  all.push_back({"fem-cauchy-born:q1-sri",
-                 {{"method", "fem-cauchy-born"}, {"element", "q1-sri"}},
-                 equilibrium});
-  all.push_back({"fem-stvk:q1 on tetrahedra",
-                 Changes{{"method", "fem-stvk"}, {"element", "q1"}} + tetrahedra,
-                 equilibrium});
-  for (const char* method : {"mss-nfd", "mss-fd", "mss-cf", "mss-affine",
-                             "fem-explicit-1p", "fem-explicit-8p"})
-    for (const char* precision : {"double", "float"})
-      all.push_back(
-          {fmt::format("{}, {}", method, precision),
-           {{"method", method}, {"solver", "semi-implicit"}, {"precision", precision}},
-           motion});
-  all.push_back(
-      {"mss-affine on tetrahedra, double",
-       Changes{{"method", "mss-affine"}, {"solver", "semi-implicit"}} + tetrahedra,
-       motion});
+  for (const Method& method : methods())
+    for (Model model : method.charted) {
+      model.method = method.name;
+      all.push_back({model, changes_of(model, method), kind_of(model)});
+    }
+  constexpr std::array cells{CellType::hexahedron, CellType::tetrahedron,
+                             CellType::pyramid, CellType::prism};
+  std::ranges::stable_sort(all, {}, [&](const ChartModel& one) {
+    const bool is_at_rest = one.kind == ChartKind::equilibrium;
+    const Family family = find_method(one.model.method)->family;
+    return std::tuple(one.kind, is_at_rest ? family : Family::springs,
+                      std::ranges::find(cells, one.model.cells) - cells.begin());
+  });
   return all;
 }
 
@@ -73,21 +72,19 @@ Changes cells_of(const std::array<double, 3>& size, int across) {
 }
 
 /// A block's kinds of cells as a kidney has them; none of others.
-std::optional<std::string> kidney_cells(const ChartModel& model) {
-  for (const auto& [key, value] : model.changes)
-    if (key == "cell-type")
-      return value.text() == "tetrahedron" ? std::optional("free-tetrahedron")
-                                           : std::nullopt;
-  return "free-hexahedron";
+std::optional<std::string> kidney_cells(CellType cells) {
+  if (cells == CellType::tetrahedron) return "free-tetrahedron";
+  if (cells == CellType::hexahedron) return "free-hexahedron";
+  return std::nullopt;
 }
 
 std::vector<ChartModel> models_of_kidney() {
-  std::vector<ChartModel> all;
-  for (const ChartModel& model : all_models())
-    if (const auto cells = kidney_cells(model))
-      all.push_back({.name = model.name,
-                     .changes = model.changes + Changes{{"cell-type", *cells}},
-                     .kind = model.kind});
+  std::vector<ChartModel> all = all_models();
+  std::erase_if(all, [](ChartModel& one) {
+    const auto cells = kidney_cells(one.model.cells);
+    if (cells) one.changes = one.changes + Changes{{"cell-type", *cells}};
+    return !cells;
+  });
   return all;
 }
 
@@ -111,10 +108,11 @@ const std::vector<ChartModel>& chart_models(BodyShape shape) {
   return shape == BodyShape::kidney ? kidney : block;
 }
 
-const ChartModel& model_named(const std::string& name, ChartKind kind, BodyShape shape) {
-  for (const ChartModel& model : chart_models(shape))
-    if (model.name == name && model.kind == kind) return model;
-  throw std::logic_error("no model '" + name + "'");
+const ChartModel& chart_model(const Model& model, BodyShape shape) {
+  const auto& all = chart_models(shape);
+  const auto found = std::ranges::find(all, model, &ChartModel::model);
+  if (found == all.end()) throw std::logic_error("no model '" + name_of(model) + "'");
+  return *found;
 }
 
 Body chart_body(const std::string& scene, const std::vector<GivenSetting>& options) {

@@ -13,21 +13,19 @@
 
 namespace springcheck {
 
-/// A way to simulate a scene: method, element, cells, solver, precision.
+/// A model, and what it changes.
 struct ChartModel {
-  std::string name;
+  Model model;
   Changes changes;  // of the scene's settings
   ChartKind kind;
 };
 
-/// Every one that a chart compares: springs and finite elements on hexahedra, tetrahedra
-/// and prisms, with both linear solvers of finite elements; motions by springs and by
-/// explicit elements, in double and single precision. Of a kidney those on its own two
-/// kinds of cells.
+/// Every one that a chart compares, as the methods' entries have them (Method::charted).
+/// Of a kidney those on its own two kinds of cells.
 const std::vector<ChartModel>& chart_models(BodyShape shape = BodyShape::block);
 
-/// The model of that name and kind. Throws std::logic_error without one.
-const ChartModel& model_named(const std::string& name, ChartKind kind, BodyShape shape);
+/// The one of that model. Throws std::logic_error without one.
+const ChartModel& chart_model(const Model& model, BodyShape shape);
 
 /// Whether a chart chooses the setting for its models. What a scene file says of it is
 /// not for a chart: models get the step, precision and constants that they have by

@@ -60,7 +60,7 @@ std::string hash_of_models(const ChartPlan& plan) {
 
 CaseSettings settings_of(const ChartPlan& plan, const StoredChart::Point& point) {
   const BodyShape shape = chart_body(plan.scene, plan.options).shape;
-  return model_case(plan.scene, plan.options, model_named(point.model, point.kind, shape),
+  return model_case(plan.scene, plan.options, chart_model(point.model, shape),
                     point.across);
 }
 

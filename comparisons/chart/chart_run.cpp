@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <span>
 
 #include "comparisons/build_info/build_info.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
@@ -46,9 +46,10 @@ TimedCase timed_case(const CaseSettings& settings, const Mesh& mesh, int threads
           .setup = timing_of({std::move(setups)}).median};
 }
 
-/// The model's name without what solves its equations.
-std::string without_solver(const ChartModel& model) {
-  return model.name.substr(0, model.name.find(','));
+/// The model without what solves its equations.
+Model without_solver(Model model) {
+  model.linear_solver.clear();
+  return model;
 }
 
 /// Errors by one version of the program and times by another are not of one chart.
@@ -92,7 +93,9 @@ class ChartRun::State {
   }
 
   StaticPath static_path(const ChartModel& model, int across) {
-    if (!model.name.starts_with("mss-")) return {.was_followed = true};
+    const auto& solvers = find_method(model.model.method)->solvers;
+    if (std::ranges::find(solvers, Solver::path_limit) == solvers.end())
+      return {.was_followed = true};
     CaseSettings settings = settings_of(model, across);
     settings.solver = Solver::path_limit;
     // The same of both precisions, and of rest and motion.
@@ -127,20 +130,25 @@ class ChartRun::State {
     const auto wanted = static_cast<std::size_t>(plan_.least_models);
     const int finest = plan_.across.back();
     std::vector<const ChartModel*> candidates;
-    std::set<std::string> reached;
+    std::vector<Model> reached;
+    const auto is_reached = [&](const ChartModel& model) {
+      return std::ranges::count(reached, without_solver(model.model)) > 0;
+    };
+    const auto reach = [&](const ChartModel& model) {
+      if (!is_reached(model)) reached.push_back(without_solver(model.model));
+    };
     for (const ChartModel& model : models) {
       if (model.kind != ChartKind::equilibrium) continue;
       if (is_ok(model, finest))
-        reached.insert(without_solver(model));
+        reach(model);
       else if (next_size(model) && !fails_somewhere(model) &&
                fits(settings_of(model, finest)))
         candidates.push_back(&model);
     }
     Progress progress(plan_.scene + ": models on the finest cells");
     while (true) {
-      std::erase_if(candidates, [&](const ChartModel* model) {
-        return reached.contains(without_solver(*model));
-      });
+      std::erase_if(candidates,
+                    [&](const ChartModel* model) { return is_reached(*model); });
       if (reached.size() >= wanted || candidates.empty()) return;
       progress.show(reached.size(), wanted);
       const auto cheapest = std::ranges::min_element(
@@ -149,7 +157,7 @@ class ChartRun::State {
       const ChartModel& model = **cheapest;
       const int across = next_size(model).value();
       measure(model, across, {&plan_.threads.front(), 1}, INFINITY);
-      if (is_ok(model, finest)) reached.insert(without_solver(model));
+      if (is_ok(model, finest)) reach(model);
       // What fails gets no finer: how long that takes no coarser mesh tells.
       if (!is_ok(model, across)) candidates.erase(cheapest);
     }
@@ -165,7 +173,7 @@ class ChartRun::State {
     bool is_new = false;
     for (const int threads : on_threads) {
       const StoredChart::Point* const known =
-          find_point(chart_, model.name, key, threads);
+          find_point(chart_, model.model, key, threads);
       // New times are for the points that have one: which ones a chart has is not left to
       // how long smaller ones take this time.
       if (plan_.retime != (known != nullptr && known->timing)) continue;
@@ -203,7 +211,7 @@ class ChartRun::State {
     if (!fits(settings)) return;
     bool is_new = false;
     for (const int threads : plan_.threads) {
-      StoredChart::Point* const point = find_point(chart_, model.name, key, threads);
+      StoredChart::Point* const point = find_point(chart_, model.model, key, threads);
       if (point == nullptr || !point->timing || point->timing->rounds >= round ||
           point->timing->median > plan_.repeat_for)
         continue;
@@ -227,7 +235,7 @@ class ChartRun::State {
   /// On the plan's first number of threads.
   bool is_timed(const ChartModel& model, int across) {
     const StoredChart::Point* const point = find_point(
-        chart_, model.name, key_of(settings_of(model, across)), plan_.threads.front());
+        chart_, model.model, key_of(settings_of(model, across)), plan_.threads.front());
     return point != nullptr && point->timing;
   }
 
@@ -293,9 +301,9 @@ class ChartRun::State {
 
   StoredChart::Point& point_of(const ChartModel& model, const CaseSettings& settings,
                                int across, const std::string& key, int threads) {
-    if (auto* point = find_point(chart_, model.name, key, threads)) return *point;
+    if (auto* point = find_point(chart_, model.model, key, threads)) return *point;
     const Mesh& mesh = meshes_.mesh(settings.body);
-    chart_.points.push_back({.model = model.name,
+    chart_.points.push_back({.model = model.model,
                              .kind = model.kind,
                              .across = across,
                              .cells = static_cast<double>(mesh.cells().size()),
@@ -326,8 +334,8 @@ class ChartRun::State {
                                         int threads) const {
     std::map<double, double> smaller, failed;  // seconds by nodes
     for (const StoredChart::Point& other : chart_.points)
-      if (other.model == model.name && other.kind == model.kind &&
-          other.threads == threads && other.nodes < nodes && other.timing)
+      if (other.model == model.model && other.threads == threads && other.nodes < nodes &&
+          other.timing)
         (has_failed(other.key) ? failed : smaller)[other.nodes] = other.timing->median;
     return springcheck::expected_seconds(smaller.empty() ? failed : smaller, nodes);
   }

@@ -45,13 +45,14 @@ void add_point(Sheet& sheet, const Chart& chart, const ChartPoint& point,
   const StoredChart::Point& place = point.place;
   SheetRow row{.cells = {text_cell(chart.stored.scene),
                          text_cell(std::string(name_of(place.kind))),
-                         text_cell(place.model),
+                         text_cell(name_of(place.model)),
                          {.number = place.across},
                          {.number = place.cells},
                          {.number = place.nodes},
                          {.number = place.threads},
                          text_cell(status_of(point))},
-               .cases = {place.key}};
+               .cases = {place.key},
+               .part = identity_of(chart.stored)};
   for (const ChartMeasure measure : all_values<ChartMeasure>())
     row.cells.push_back(truth ? error_cell(point, *truth, measure) : Cell{});
   row.cells.push_back({.number = point.seconds()});
@@ -118,7 +119,8 @@ Sheet truths_sheet(const std::vector<Chart>& charts) {
                      {.number = in_percent(truth.bars.volume)},
                      {.number = truth.volume_change.order, .text = "none"},
                      {.number = in_percent(truth.bars.deviation)}},
-           .cases = {truth.grids.keys.rbegin(), truth.grids.keys.rend()}});
+           .cases = {truth.grids.keys.rbegin(), truth.grids.keys.rend()},
+           .part = identity_of(chart.stored)});
   return sheet;
 }
 
@@ -186,15 +188,17 @@ Sheet laws_sheet(const std::vector<Chart>& charts) {
     std::set<std::pair<std::string, std::string>> seen;
     for (const ChartPoint& point : chart.points) {
       if (!point.found) continue;
-      if (!seen.insert({point.place.model, point.place.key}).second) continue;  // threads
+      if (!seen.insert({name_of(point.place.model), point.place.key}).second)
+        continue;  // threads
       for (std::size_t i = 0; i < chart.truths.size(); ++i) {
         SheetRow row{.cells = {text_cell(chart.stored.scene),
                                text_cell(std::string(name_of(point.place.kind))),
-                               text_cell(point.place.model),
+                               text_cell(name_of(point.place.model)),
                                {.number = point.place.across},
                                text_cell(chart.truths[i].grids.law),
                                text_cell(status_of(point))},
-                     .cases = {point.place.key}};
+                     .cases = {point.place.key},
+                     .part = identity_of(chart.stored)};
         for (const ChartMeasure measure : all_values<ChartMeasure>())
           row.cells.push_back(error_cell(point, i, measure));
         if (!point.compared[i].empty()) row.cases.push_back(point.compared[i]);
@@ -248,12 +252,13 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
                           {.number = point.seconds()},
                           {.number = point.seconds_at(&Timing::lower_quartile)},
                           {.number = point.seconds_at(&Timing::upper_quartile)},
-                          text_cell(point.place.model),
+                          text_cell(name_of(point.place.model)),
                           {.number = point.place.across},
                           {.number = point.place.threads},
                           {.number = static_cast<double>(
                                chart.rivals(i, measure, truth).size())}},
-                .cases = {point.place.key}};
+                .cases = {point.place.key},
+                .part = identity_of(chart.stored)};
             const auto bar = chart.bar(i, measure, truth);
             if (bar && *point.errors[truth].of(measure) < *bar)
               row.notes.emplace_back("Below what the truth itself may be off.");

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "comparisons/chart/pareto.hpp"
+#include "comparisons/methods/methods.hpp"
 
 namespace springcheck {
 namespace {
@@ -14,7 +15,8 @@ namespace {
 constexpr int counted_threads = 1;
 
 bool is_of_springs(const ChartPoint& point) {
-  return point.place.model.starts_with("mss-");
+  const Method* method = find_method(point.place.model.method);
+  return method != nullptr && method->family == Family::springs;
 }
 
 /// Whether a took less time than b.
@@ -27,14 +29,13 @@ Answer faster(const ChartPoint& a, const ChartPoint& b) {
 /// The points of the two models on the same cells, as many as both hold on; none where
 /// they nowhere do.
 std::optional<std::pair<std::size_t, std::size_t>> same_cells(
-    const Chart& chart, ChartKind kind, const std::string& springs,
-    const std::string& elements, const std::function<bool(const ChartPoint&)>& counts) {
+    const Chart& chart, const Model& springs, const Model& elements,
+    const std::function<bool(const ChartPoint&)>& counts) {
   std::optional<std::pair<std::size_t, std::size_t>> best;
   for (std::size_t i = 0; i < chart.points.size(); ++i)
     for (std::size_t j = 0; j < chart.points.size(); ++j) {
       const ChartPoint &a = chart.points[i], &b = chart.points[j];
-      const bool fits = a.place.kind == kind && b.place.kind == kind &&
-                        a.place.model == springs && b.place.model == elements &&
+      const bool fits = a.place.model == springs && b.place.model == elements &&
                         a.place.across == b.place.across && counts(a) && counts(b);
       if (fits && (!best || a.place.across > chart.points[best->first].place.across))
         best = {i, j};
@@ -101,7 +102,7 @@ Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
 std::string figures(const Chart& chart, const Claim& claim, std::size_t i) {
   const ChartPoint& point = chart.points[i];
   const KnownError error = known_error(chart, claim.measure, i);
-  return fmt::format("{} on {} across ({}, {}{:.3g} % off)", point.place.model,
+  return fmt::format("{} on {} across ({}, {}{:.3g} % off)", name_of(point.place.model),
                      point.place.across, time_text(point),
                      error.is_bar ? "less than " : "", 100 * error.value);
 }
@@ -118,13 +119,18 @@ std::vector<Claim> claims(const Chart& chart) {
   if (!truth) return {};
   struct Pair {
     ChartKind kind;
-    std::string springs, elements;
+    Model springs, elements;
   };
+  constexpr auto precision = dynamics::Precision::double_precision;
   std::vector<Pair> pairs;
   for (const char* springs : {"mss-cf", "mss-affine"}) {
-    pairs.push_back({ChartKind::equilibrium, springs, chart.stored.law + ":q1-sri"});
-    for (const char* elements : {"fem-explicit-8p, double", "fem-explicit-1p, double"})
-      pairs.push_back({ChartKind::motion, springs + std::string(", double"), elements});
+    pairs.push_back({ChartKind::equilibrium,
+                     {.method = springs},
+                     {.method = chart.stored.law, .element = "q1-sri"}});
+    for (const char* elements : {"fem-explicit-8p", "fem-explicit-1p"})
+      pairs.push_back({ChartKind::motion,
+                       {.method = springs, .precision = precision},
+                       {.method = elements, .precision = precision}});
   }
   std::vector<Claim> all;
   for (const auto& [kind, springs, elements] : pairs)
@@ -133,7 +139,7 @@ std::vector<Claim> claims(const Chart& chart) {
         return point.is_ok() && point.seconds() &&
                point.place.threads == counted_threads && point.errors[*truth].of(measure);
       };
-      if (const auto pair = same_cells(chart, kind, springs, elements, counts))
+      if (const auto pair = same_cells(chart, springs, elements, counts))
         all.push_back(claim_of(chart, kind, measure, pair->first, pair->second, counts));
     }
   return all;
@@ -195,10 +201,11 @@ Sheet claims_sheet(const std::vector<Chart>& charts) {
   for (const Chart& chart : charts)
     for (const Claim& claim : claims(chart)) {
       const ChartPoint& springs = chart.points[claim.springs];
-      SheetRow row{.cells = {}, .cases = {springs.place.key}};
+      SheetRow row{
+          .cells = {}, .cases = {springs.place.key}, .part = identity_of(chart.stored)};
       for (const std::string& text :
            {chart.stored.scene, std::string(name_of(claim.kind)), chart.stored.law,
-            std::string(name_of(claim.measure)), springs.place.model,
+            std::string(name_of(claim.measure)), name_of(springs.place.model),
             std::string(name_of(claim.is_faster)),
             std::string(name_of(claim.is_as_accurate)),
             std::string(name_of(claim.is_faster_at_equal_accuracy)),

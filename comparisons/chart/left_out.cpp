@@ -4,21 +4,11 @@
 
 #include <algorithm>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/running/simulate.hpp"
 
 namespace springcheck {
 namespace {
-
-/// A model's name in parts: "fem-stvk:q1 on tetrahedra" is method fem-stvk, rest ":q1 on
-/// tetrahedra"; "mss-cf, float" is mss-cf and ", float".
-struct Name {
-  std::string method, rest;
-};
-
-Name parts_of(const std::string& model) {
-  const std::size_t end = std::min(model.find_first_of(":, "), model.size());
-  return {.method = model.substr(0, end), .rest = model.substr(end)};
-}
 
 class Words {
  public:
@@ -27,13 +17,12 @@ class Words {
         measure_(measure),
         plan_(plan),
         chosen_(advice.chart.points[advice.chosen.value()]),
-        name_(parts_of(chosen_.place.model)) {}
+        model_(chosen_.place.model) {}
 
   std::vector<std::string> all() {
-    corrections();
-    face_diagonals();
-    laws();
+    methods();
     elements();
+    finite_elements();
     other_cells();
     precision();
     finer_cells();
@@ -42,7 +31,7 @@ class Words {
 
  private:
   /// The measured point of a model on cells as near to the chosen one's as there are.
-  [[nodiscard]] const ChartPoint* beside(const std::string& model) const {
+  [[nodiscard]] const ChartPoint* beside(const Model& model) const {
     const ChartPoint* nearest = nullptr;
     const auto distance = [&](const ChartPoint& point) {
       return std::abs(point.place.across - chosen_.place.across);
@@ -66,89 +55,78 @@ class Words {
     return fmt::format("{:.3g} % off in {}", 100 * *error, time_text(point));
   }
 
-  void say(const std::string& what, const ChartPoint& point) {
-    words_.push_back(fmt::format("{}: {} on {} across is {}.", what, point.place.model,
-                                 point.place.across, figures(point)));
+  void say(std::string_view what, const ChartPoint& point) {
+    words_.push_back(fmt::format("{}: {} on {} across is {}.", what,
+                                 name_of(point.place.model), point.place.across,
+                                 figures(point)));
   }
 
-  void say_if_measured(const std::string& what, const std::string& model) {
+  void say_if_measured(std::string_view what, const Model& model) {
     if (const ChartPoint* point = beside(model)) say(what, *point);
   }
 
-  void corrections() {
-    if (name_.method != "mss-fd" && name_.method != "mss-baudet") return;
-    const double nu = settings_of(plan_, chosen_.place).material.poisson_ratio;
-    if (name_.method == "mss-fd" && nu == 0.25) {
-      words_.emplace_back(
-          "No volume correction: at nu = 1/4 its modulus is zero, and springs alone have "
-          "the Poisson ratio.");
-      return;
-    }
-    say_if_measured("No volume correction",
-                    (name_.method == "mss-fd" ? "mss-cf" : "mss-nfd") + name_.rest);
-  }
-
-  void face_diagonals() {
-    if (name_.method != "mss-nfd" && name_.method != "mss-baudet") return;
-    if (!advice_.is_path_known) return;
-    words_.emplace_back(
-        "No face diagonals: without them the path to the full load stays stable on these "
-        "cells (its tangent positive definite).");
-  }
-
-  void laws() {
-    if (name_.method == "fem-hooke") {
-      say_if_measured("Hooke's law does here, beside it St-Venant's",
-                      "fem-stvk" + name_.rest);
-    } else if (name_.method == "fem-stvk") {
-      say_if_measured("Not Hooke's law", "fem-hooke" + name_.rest);
-      say_if_measured("No logarithmic strain", "fem-hencky" + name_.rest);
-    } else if (name_.method == "fem-hencky") {
-      say_if_measured("Not Hooke's law", "fem-hooke" + name_.rest);
+  void methods() {
+    const Method* method = find_method(model_.method);
+    if (method == nullptr) return;
+    const Material material = settings_of(plan_, chosen_.place).material;
+    for (const auto& [what, by, no_loss] : method->omits) {
+      const std::string_view instead = no_loss == nullptr ? "" : no_loss(material);
+      if (!instead.empty()) {
+        words_.emplace_back(instead);
+      } else if (by.empty()) {
+        if (advice_.is_path_known) words_.emplace_back(what);
+      } else {
+        Model other = model_;
+        other.method = by;
+        say_if_measured(what, other);
+      }
     }
   }
 
   void elements() {
-    if (name_.rest.starts_with(":q1-sri")) {
-      say_if_measured("No quadratic elements", name_.method + ":q2");
-    } else if (name_.rest == ":q1") {
-      say_if_measured("No reduced integration", name_.method + ":q1-sri");
-      say_if_measured("No quadratic elements", name_.method + ":q2");
-    } else if (name_.method == "fem-explicit-1p") {
-      say_if_measured("No further points of integration", "fem-explicit-8p" + name_.rest);
-    } else if (name_.method.starts_with("mss-") &&
-               chosen_.place.kind == ChartKind::equilibrium) {
-      say_if_measured("No finite elements", advice_.chart.stored.law + ":q1-sri");
-    } else if (name_.method.starts_with("mss-")) {
-      say_if_measured("No finite elements", "fem-explicit-8p" + name_.rest);
+    const ElementName* element = find_element(model_.element);
+    if (element == nullptr) return;
+    for (const auto& [what, by, no_loss] : element->omits) {
+      Model other = model_;
+      other.element = by;
+      other.linear_solver.clear();
+      say_if_measured(what, other);
     }
+  }
+
+  void finite_elements() {
+    const Method* method = find_method(model_.method);
+    if (method == nullptr || method->family != Family::springs) return;
+    Model other{.method = advice_.chart.stored.law, .element = "q1-sri"};
+    if (chosen_.place.kind == ChartKind::motion) {
+      other = model_;
+      other.method = "fem-explicit-8p";
+    }
+    say_if_measured("No finite elements", other);
   }
 
   void other_cells() {
-    if (const std::size_t on = chosen_.place.model.find(" on ");
-        on != std::string::npos) {
-      const std::size_t end = chosen_.place.model.find(',', on);
-      std::string on_hexahedra = chosen_.place.model;
-      on_hexahedra.erase(on, end == std::string::npos ? end : end - on);
-      say_if_measured("No hexahedra", on_hexahedra);
-      return;
-    }
-    for (const char* cells : {" on tetrahedra", " on prisms"})
-      say_if_measured(fmt::format("No cells{}", cells),
-                      chosen_.place.model + std::string(cells));
+    const auto say_of = [&](CellType cells, std::string_view what) {
+      Model other = model_;
+      other.cells = cells;
+      say_if_measured(fmt::format("No {}{}", what, plural_of(cells)), other);
+    };
+    if (model_.cells != CellType::hexahedron) return say_of(CellType::hexahedron, "");
+    for (const CellType cells : {CellType::tetrahedron, CellType::prism})
+      say_of(cells, "cells on ");
   }
 
   void precision() {
-    const std::size_t single = chosen_.place.model.find(", float");
-    if (single == std::string::npos) return;
-    say_if_measured("No double precision",
-                    chosen_.place.model.substr(0, single) + ", double");
+    if (model_.precision != dynamics::Precision::single_precision) return;
+    Model other = model_;
+    other.precision = dynamics::Precision::double_precision;
+    say_if_measured("No double precision", other);
   }
 
   void finer_cells() {
     const ChartPoint* finer = nullptr;
     for (const ChartPoint& point : advice_.chart.points)
-      if (point.place.model == chosen_.place.model && is_comparable(point) &&
+      if (point.place.model == model_ && is_comparable(point) &&
           point.place.across > chosen_.place.across &&
           (finer == nullptr || point.place.across < finer->place.across))
         finer = &point;
@@ -159,7 +137,7 @@ class Words {
   ChartMeasure measure_;
   const ChartPlan& plan_;
   const ChartPoint& chosen_;
-  Name name_;
+  const Model& model_;
   std::vector<std::string> words_;
 };
 

@@ -91,8 +91,7 @@ std::string scene_text(const std::string& scene, const std::vector<GivenSetting>
     settings[option.key] = option.value.toml();
   }
   const Body body = chart_body(scene, options);
-  const ChartModel& model =
-      model_named(chosen.place.model, chosen.place.kind, body.shape);
+  const ChartModel& model = chart_model(chosen.place.model, body.shape);
   for (const auto& [key, value] : model.changes) settings[key] = value.toml();
   const Cells cells = cells_across(body.block.size, chosen.place.across);
   settings["cells"] = fmt::format("[{}, {}, {}]", cells[0], cells[1], cells[2]);
@@ -110,7 +109,7 @@ std::vector<std::string> line_of(const std::string& role, const Advice& advice,
   const double unsure = *Judge(wish, advice.chart).error(i) - error;
   std::vector<std::string> line{
       role,
-      point.place.model,
+      name_of(point.place.model),
       std::to_string(point.place.across),
       fmt::format("{:.0f}", point.place.cells),
       fmt::format("{:.3g} +- {:.2g}", 100 * error, 100 * unsure),

@@ -63,11 +63,10 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
 
 /// "8 prisms, 20 hexahedra".
 std::string cell_counts(const Mesh& mesh) {
-  constexpr std::array plurals{"tetrahedra", "pyramids", "prisms", "hexahedra"};
   std::string text;
-  for (std::size_t i = 0; i < plurals.size(); ++i)
-    if (const std::size_t count = mesh.count(all_cell_types[i]); count > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, plurals[i]);
+  for (const CellType type : all_cell_types)
+    if (const std::size_t count = mesh.count(type); count > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, plural_of(type));
   return text;
 }
 

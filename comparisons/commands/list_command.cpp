@@ -32,6 +32,27 @@ Json described(const Range& range) {
   return entries;
 }
 
+Json list_of_methods() {
+  Json entries;
+  for (const Method& method : methods()) {
+    std::vector<std::string_view> cells, solvers;
+    for (const CellType type : method.cells) cells.push_back(name_of(type));
+    for (const Solver solver : method.solvers) solvers.push_back(name_of(solver));
+    entries[method.name] = {{"family", name_of(method.family)},
+                            {"description", method.description},
+                            {"source", method.source},
+                            {"cells", cells},
+                            {"solvers", solvers},
+                            {"settings", method.reads},
+                            {"lattice", method.lattice.has_value()},
+                            {"elastic", method.is_elastic},
+                            {"locks", method.locks},
+                            {"colour", method.look.colour},
+                            {"mark", method.look.mark}};
+  }
+  return entries;
+}
+
 /// {name: {"unit": ..., "description": ...}}.
 Json with_units(const std::vector<Described>& range) {
   Json entries;
@@ -50,11 +71,22 @@ Json shipped(const std::vector<ShippedFile>& files) {
   return entries;
 }
 
+Json list_of_elements() {
+  Json entries;
+  for (const ElementName& element : elements())
+    entries[std::string(element.name)] = {{"description", element.description},
+                                          {"locks", element.locks}};
+  return entries;
+}
+
+/// "hooke": "small-strain Hooke (fem-hooke)".
 Json materials() {
-  return {{"hooke", "small-strain Hooke (fem-hooke)"},
-          {"stvk", "St-Venant-Kirchhoff (fem-stvk)"},
-          {"hencky", "Hencky, logarithmic strain (fem-hencky)"},
-          {"cauchy-born", "continuum of a spring lattice (fem-cauchy-born)"}};
+  Json entries;
+  for (const Method& method : methods())
+    if (!method.law.empty())
+      entries[method.name.substr(method.name.find('-') + 1)] =
+          fmt::format("{} ({})", method.law, method.name);
+  return entries;
 }
 
 /// null where there may be any number of them.
@@ -114,11 +146,11 @@ struct List {
 };
 
 constexpr std::array lists{
-    List{"methods", [] { return described(methods()); }},
+    List{"methods", list_of_methods},
     List{"scenes", [] { return shipped(shipped_scenes()); }},
     List{"sweeps", [] { return shipped(shipped_sweeps()); }},
     List{"cell-types", [] { return described(cell_patterns()); }},
-    List{"elements", [] { return described(elements()); }},
+    List{"elements", list_of_elements},
     List{"materials", materials},
     List{"settings", settings},
     List{"tables", [] { return described(described_tables()); }},

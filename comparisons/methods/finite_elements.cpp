@@ -19,6 +19,8 @@ fem_reference::Settings reference_settings(const CaseSettings& settings, Law law
 /// A law with what all have.
 Method of_elements(Law law, Method own) {
   own.family = Family::finite_elements;
+  if (own.description.empty())
+    own.description = "finite elements, " + std::string(own.law);
   own.reads.insert(own.reads.end(), {"element", "linear-solver"});
   own.cells = {all_cell_types.begin(), all_cell_types.end()};
   own.solvers = {Solver::static_equilibrium};
@@ -41,10 +43,13 @@ Method of_elements(Law law, Method own) {
 
 constexpr Seconds of_linear{.at_rest = 0.1}, of_others{.at_rest = 0.6};  // .3 to .7
 
+constexpr Omission no_small_strain{"Not Hooke's law", "fem-hooke"};
+
 }  // namespace
 
 std::vector<ElementName> finite_elements() {
   using fem_reference::Element;
+  constexpr Omission no_quadratic{"No quadratic elements", "q2"};
   // Of multigrid's memory: peak of `run compression`, Hooke and Hencky alike: 580 MB at
   // 30^3 cells of q1-sri, 3435 MB at 60^3; 1646 MB at 20^3 cells of q2, which are 40^3
   // divisions.
@@ -52,13 +57,16 @@ std::vector<ElementName> finite_elements() {
            .element = Element::q1,
            .description = "linear or trilinear, full integration: locks near nu = 0.5",
            .divisions = 1,
-           .multigrid_bytes = 13e3},
+           .multigrid_bytes = 13e3,
+           .omits = {{"No reduced integration", "q1-sri"}, no_quadratic},
+           .locks = true},
           {.name = "q1-sri",
            .element = Element::q1_sri,
            .description = "the same, volumetric part from the cell's mean (selective "
                           "reduced integration; on tetrahedra it is q1)",
            .divisions = 1,
-           .multigrid_bytes = 13e3},
+           .multigrid_bytes = 13e3,
+           .omits = {no_quadratic}},
           {.name = "q2",
            .element = Element::q2,
            .description = "triquadratic (27 nodes), 3x3x3 points; hexahedra only",
@@ -67,32 +75,49 @@ std::vector<ElementName> finite_elements() {
 }
 
 std::vector<Method> finite_element_methods() {
-  return {of_elements(Law::hooke, {.name = "fem-hooke",
-                                   .description = "finite elements, small-strain Hooke",
-                                   .source = "linear elasticity",
-                                   .look = {"#7F7F7F", "X"},
-                                   .seconds = of_linear}),
-          of_elements(Law::st_venant_kirchhoff,
-                      {.name = "fem-stvk",
-                       .description = "finite elements, St-Venant-Kirchhoff",
-                       .source = "Hooke's law between Green's strain and the second "
-                                 "Piola-Kirchhoff stress",
-                       .look = {"#D55E00", "P"},
-                       .seconds = of_others}),
-          of_elements(Law::hencky,
-                      {.name = "fem-hencky",
-                       .description = "finite elements, Hencky (logarithmic strain)",
-                       .source = "Hencky 1928",
-                       .look = {"#000000", "s"},
-                       .seconds = of_others}),
-          of_elements(Law::cauchy_born,
-                      {.name = "fem-cauchy-born",
-                       .description = "finite elements, the continuum of a spring "
-                                      "lattice (option --lattice)",
-                       .source = "the lattice's energy under the Cauchy-Born rule",
-                       .look = {"#8C6BB1", "h"},
-                       .reads = {"lattice", "lattice-direction"},
-                       .seconds = of_others})};
+  const std::vector<Model> of_all_elements{
+      {.element = "q1"}, {.element = "q1-sri"}, {.element = "q2"}};
+  std::vector<Model> of_all_elements_and_solvers = of_all_elements;
+  for (const char* linear_solver : {"direct", "multigrid"})
+    of_all_elements_and_solvers.push_back(
+        {.element = "q1-sri", .linear_solver = linear_solver});
+  of_all_elements_and_solvers.push_back(
+      {.element = "q1", .cells = CellType::tetrahedron});
+  return {
+      of_elements(Law::hooke, {.name = "fem-hooke",
+                               .source = "linear elasticity",
+                               .law = "small-strain Hooke",
+                               .look = {"#7F7F7F", "X"},
+                               .seconds = of_linear,
+                               .charted = of_all_elements,
+                               .omits = {{"Hooke's law does here, beside it St-Venant's",
+                                          "fem-stvk"}}}),
+      of_elements(Law::st_venant_kirchhoff,
+                  {.name = "fem-stvk",
+                   .source = "Hooke's law between Green's strain and the second "
+                             "Piola-Kirchhoff stress",
+                   .law = "St-Venant-Kirchhoff",
+                   .look = {"#D55E00", "P"},
+                   .seconds = of_others,
+                   .charted = of_all_elements_and_solvers,
+                   .omits = {no_small_strain, {"No logarithmic strain", "fem-hencky"}}}),
+      of_elements(Law::hencky, {.name = "fem-hencky",
+                                .source = "Hencky 1928",
+                                .law = "Hencky, logarithmic strain",
+                                .look = {"#000000", "s"},
+                                .seconds = of_others,
+                                .charted = of_all_elements,
+                                .omits = {no_small_strain}}),
+      of_elements(Law::cauchy_born,
+                  {.name = "fem-cauchy-born",
+                   .description = "finite elements, the continuum of a spring "
+                                  "lattice (option --lattice)",
+                   .source = "the lattice's energy under the Cauchy-Born rule",
+                   .law = "continuum of a spring lattice",
+                   .look = {"#8C6BB1", "h"},
+                   .reads = {"lattice", "lattice-direction"},
+                   .seconds = of_others,
+                   .charted = {{.element = "q1-sri"}}})};
 }
 
 fem_reference::Lattice lattice_of(const CaseSettings& settings) {

@@ -87,6 +87,40 @@ constexpr Seconds of_lattices{.in_motion = by_kernels, .in_motion_off_grids = by
                        .in_motion_off_grids = by_plain_loops},
     of_tetrahedra{.in_motion = by_plain_loops, .in_motion_off_grids = by_plain_loops};
 
+constexpr auto double_precision = dynamics::Precision::double_precision,
+               single_precision = dynamics::Precision::single_precision;
+
+std::vector<Model> models(std::vector<CellType> at_rest,
+                          std::vector<dynamics::Precision> in_motion) {
+  std::vector<Model> all;
+  for (const CellType cells : at_rest) all.push_back({.cells = cells});
+  for (const auto precision : in_motion) all.push_back({.precision = precision});
+  return all;
+}
+
+const std::vector<Model> lattice_models =
+    models({CellType::hexahedron}, {double_precision, single_precision});
+
+const std::vector<Model> virtual_models = [] {
+  auto all = models({CellType::hexahedron, CellType::tetrahedron, CellType::prism},
+                    {double_precision, single_precision});
+  all.push_back({.cells = CellType::tetrahedron, .precision = double_precision});
+  return all;
+}();
+
+constexpr std::string_view no_correction = "No volume correction";
+constexpr Omission no_face_diagonals{
+    .what =
+        "No face diagonals: without them the path to the full load stays stable on "
+        "these cells (its tangent positive definite)."};
+
+std::string_view at_a_quarter(const Material& material) {
+  return material.poisson_ratio == 0.25
+             ? "No volume correction: at nu = 1/4 its modulus is zero, and springs alone "
+               "have the Poisson ratio."
+             : "";
+}
+
 }  // namespace
 
 std::vector<Method> spring_methods() {
@@ -98,7 +132,9 @@ std::vector<Method> spring_methods() {
                           .look = {"#CC79A7", "v"},
                           .cells = hexahedra,
                           .lattice = LatticeName{"mss-baudet", Springs::baudet, {}},
-                          .seconds = of_lattices}),
+                          .seconds = of_lattices,
+                          .charted = models({CellType::hexahedron}, {}),
+                          .omits = {{no_correction, "mss-nfd"}, no_face_diagonals}}),
       of_springs(nfd,
                  {.name = "mss-nfd",
                   .description = "edge and inner-diagonal springs with volume correction",
@@ -107,7 +143,9 @@ std::vector<Method> spring_methods() {
                   .reads = {"stiffness-form"},
                   .cells = hexahedra,
                   .lattice = LatticeName{"mss-nfd", Springs::nfd, {"stiffness-form"}},
-                  .seconds = of_lattices}),
+                  .seconds = of_lattices,
+                  .charted = lattice_models,
+                  .omits = {no_face_diagonals}}),
       of_springs(
           fd,
           {.name = "mss-fd",
@@ -118,7 +156,9 @@ std::vector<Method> spring_methods() {
            .cells = hexahedra,
            .lattice =
                LatticeName{"mss-fd", Springs::fd, {"diagonal-ratio", "stiffness-form"}},
-           .seconds = of_lattices}),
+           .seconds = of_lattices,
+           .charted = lattice_models,
+           .omits = {{no_correction, "mss-cf", at_a_quarter}}}),
       of_springs(cf, {.name = "mss-cf",
                       .description = "all springs with volume correction (Golec 2018)",
                       .source = "Golec 2018, Eq. 5.11, 5.12 and 5.36; of boxes: own",
@@ -128,7 +168,8 @@ std::vector<Method> spring_methods() {
                       .lattice = LatticeName{"mss-cf",
                                              Springs::cf,
                                              {"diagonal-ratio", "stiffness-form"}},
-                      .seconds = of_lattices}),
+                      .seconds = of_lattices,
+                      .charted = lattice_models}),
       // It couples a node with its neighbours' neighbours where its volume correction
       // acts on node stars. Peaks at 10^3 and 20^3 cubes: 221 and 714 MB, mss-cf's 188
       // and 432.
@@ -140,7 +181,8 @@ std::vector<Method> spring_methods() {
            .look = {"#009E73", "D"},
            .cells = any_cells,
            .lattice = LatticeName{"mss-affine", Springs::affine, {"stiffness-form"}},
-           .seconds = of_virtual_springs},
+           .seconds = of_virtual_springs,
+           .charted = virtual_models},
           2.8),
       of_springs(
           vangelder,
@@ -151,7 +193,8 @@ std::vector<Method> spring_methods() {
            .look = {"#B8A600", ">"},
            .reads = {"correction"},
            .cells = tetrahedra,
-           .seconds = of_tetrahedra}),
+           .seconds = of_tetrahedra,
+           .charted = models(tetrahedra, {})}),
       of_springs(lloyd,
                  {.name = "mss-lloyd",
                   .description = "edges of tetrahedra after Lloyd (option --correction)",
@@ -160,7 +203,8 @@ std::vector<Method> spring_methods() {
                   .look = {"#8B5A2B", "p"},
                   .reads = {"correction"},
                   .cells = tetrahedra,
-                  .seconds = of_tetrahedra}),
+                  .seconds = of_tetrahedra,
+                  .charted = models(tetrahedra, {})}),
       of_springs(custom,
                  {.name = "mss-custom",
                   .description = "springs and volume correction of your own (options "

@@ -47,10 +47,39 @@ Row row_of(const StoredChart::Truth& truth) {
   return row;
 }
 
+Row row_of(const Model& model) {
+  Row row{{"model", name_of(model)},
+          {"method", model.method},
+          {"cell-type", std::string(name_of(model.cells))}};
+  if (!model.element.empty()) row["element"] = model.element;
+  if (!model.linear_solver.empty()) row["linear-solver"] = model.linear_solver;
+  if (model.precision) row["precision"] = std::string(name_of(*model.precision));
+  return row;
+}
+
+Model model_of(const TableRows& points, std::size_t i) {
+  if (!points.find_text("method", i)) return model_in(points.text("model", i));
+  Model model{.method = points.text("method", i),
+              .element = points.find_text("element", i).value_or(""),
+              .linear_solver = points.find_text("linear-solver", i).value_or("")};
+  const std::string cells = points.text("cell-type", i);
+  const auto type =
+      std::ranges::find(all_cell_types, cells, [](CellType one) { return name_of(one); });
+  if (type == all_cell_types.end())
+    throw std::runtime_error("a chart has a point of cells '" + cells + "'");
+  model.cells = *type;
+  if (const auto name = points.find_text("precision", i)) {
+    const auto* precision = find_value<dynamics::Precision>(*name);
+    if (precision == nullptr)
+      throw std::runtime_error("a chart has a point of precision '" + *name + "'");
+    model.precision = precision->value;
+  }
+  return model;
+}
+
 Row row_of(const StoredChart::Point& point) {
-  Row row{{"model", point.model},
-          {"kind", std::string(name_of(point.kind))},
-          {"key", point.key}};
+  Row row = row_of(point.model);
+  row.insert({{"kind", std::string(name_of(point.kind))}, {"key", point.key}});
   put(row, "left_out", point.left_out);
   put(row, "across", point.across);
   put(row, "cells", point.cells);
@@ -115,7 +144,7 @@ StoredChart read_chart(hid_t group) {
   for (std::size_t i = 0; i < points.count(); ++i) {
     TimedRounds times = times_of(points, i);
     const auto timing = times.empty() ? std::nullopt : std::optional(timing_of(times));
-    chart.points.push_back({.model = points.text("model", i),
+    chart.points.push_back({.model = model_of(points, i),
                             .kind = kind_named(points.text("kind", i)),
                             .across = static_cast<int>(points.number("across", i)),
                             .cells = points.number("cells", i),
@@ -165,7 +194,7 @@ StoredChart merged(StoredChart chart, const StoredChart& other) {
   return chart;
 }
 
-StoredChart::Point* find_point(StoredChart& chart, const std::string& model,
+StoredChart::Point* find_point(StoredChart& chart, const Model& model,
                                const std::string& key, int threads) {
   const auto found = std::ranges::find_if(chart.points, [&](const auto& point) {
     return point.model == model && point.key == key && point.threads == threads;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "comparisons/cases/model.hpp"
 #include "comparisons/cases/named.hpp"
 #include "comparisons/running/timing.hpp"
 
@@ -32,7 +33,7 @@ struct StoredChart {
     std::array<std::string, 3> keys;
   };
   struct Point {
-    std::string model;  // its name
+    Model model;
     ChartKind kind;
     int across;
     double cells, nodes;  // of its mesh
@@ -68,7 +69,7 @@ struct StoredChart {
 std::string identity_of(const StoredChart& chart);
 
 /// The point of a model's case on so many threads; nullptr without.
-StoredChart::Point* find_point(StoredChart& chart, const std::string& model,
+StoredChart::Point* find_point(StoredChart& chart, const Model& model,
                                const std::string& key, int threads);
 
 /// A chart with the points, truths and comparisons that another of the same identity has
@@ -80,10 +81,12 @@ StoredChart merged(StoredChart chart, const StoredChart& other);
 ///     IDENTITY              attributes scene, settings, law, answer, height, imposed,
 ///                           machine
 ///     IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3
-///     IDENTITY/points       columns model, kind, across, cells, nodes, threads, key,
-///                           left_out, repetitions, minimum, lower_quartile, median,
-///                           upper_quartile, maximum, setup, simulated, times (all of
-///                           them, rounds with ';' between, as the figures follow from)
+///     IDENTITY/points       columns model (its name) and its parts method, element,
+///                           cell-type, linear-solver, precision, then kind, across,
+///                           cells, nodes, threads, key, left_out, repetitions, minimum,
+///                           lower_quartile, median, upper_quartile, maximum, setup,
+///                           simulated, times (all of them, rounds with ';' between, as
+///                           the figures follow from)
 ///     IDENTITY/comparisons  columns key, law, compared
 ///
 /// Replaces the chart of the same identity.

@@ -79,6 +79,7 @@ std::string json_text(const Sheet& sheet) {
     out["notes"] = row.notes;
     out["case"] = row.cases.empty() ? Json() : Json(row.cases.front());
     out["cases"] = row.cases;
+    if (!row.part.empty()) out["part"] = row.part;
     rows.push_back(out);
   }
   Json columns = Json::array();

@@ -26,6 +26,7 @@ struct SheetRow {
   std::vector<Cell> cells;           // one per column
   std::vector<std::string> notes{};  // footnotes, shared by equal text
   std::vector<std::string> cases{};  // keys of the simulations behind it, the main first
+  std::string part{};                // what it is of, of several in one sheet; JSON alone
 };
 
 /// A table of our own figures, of which the thesis printed none.

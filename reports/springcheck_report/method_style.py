@@ -3,48 +3,9 @@
 import zlib
 
 import matplotlib
+import methods
 
-# Okabe and Ito's palette, told apart by colour-blind readers (jfly.uni-koeln.de/color).
-_COLOURS = {
-    "mss-cf": "#0072B2",
-    "mss-affine": "#009E73",
-    "mss-nfd": "#E69F00",
-    "mss-baudet": "#CC79A7",
-    "mss-fd": "#56B4E9",
-    "fem-hencky": "#000000",
-    "fem-stvk": "#D55E00",
-    "fem-hooke": "#7F7F7F",
-    "fem-cauchy-born": "#8C6BB1",
-    "fem-explicit-1p": "#1B7F8C",
-    "fem-explicit-8p": "#A50F5A",
-    "mss-vangelder": "#B8A600",
-    "mss-lloyd": "#8B5A2B",
-    "mss-custom": "#5E81AC",
-    "mss-tissue": "#7A0177",
-    "fem-tissue": "#4D4D4D",
-    "mss-thesis-tissue": "#C2A5CF",
-    "mss-thesis-tissue-relative": "#A6761D",
-}
-_MARKERS = {
-    "mss-cf": "o",
-    "mss-affine": "D",
-    "mss-nfd": "^",
-    "mss-baudet": "v",
-    "mss-fd": "<",
-    "fem-hencky": "s",
-    "fem-stvk": "P",
-    "fem-hooke": "X",
-    "fem-cauchy-born": "h",
-    "fem-explicit-1p": "8",
-    "fem-explicit-8p": "H",
-    "mss-vangelder": ">",
-    "mss-lloyd": "p",
-    "mss-custom": "d",
-    "mss-tissue": "*",
-    "fem-tissue": "1",
-    "mss-thesis-tissue": "2",
-    "mss-thesis-tissue-relative": "3",
-}
+# For methods that are not known: others' results.
 _OTHERS = ["#AA3377", "#228833", "#BB5566", "#004488", "#997700"]
 
 # Statuses by what they mean for a user: usable, suspect, none. No method's colours.
@@ -98,7 +59,8 @@ def _base(name):
 def colour(name):
     """Of a method by its name in tables; labels of measured results get one of their own."""
     base = _base(name)
-    return _COLOURS.get(base) or _OTHERS[zlib.crc32(base.encode()) % len(_OTHERS)]
+    known = methods.look(base)
+    return known[0] if known else _OTHERS[zlib.crc32(base.encode()) % len(_OTHERS)]
 
 
 def line(name):
@@ -107,12 +69,13 @@ def line(name):
     base = _base(name)
     element = name.split(":")[1].split(",")[0].split(" ")[0] if ":" in name else ""
     dashes = {"q1": ":", "q2": "-."}.get(element, "--")
-    locks = element == "q1" or base == "fem-explicit-8p"
+    mark = (methods.look(base) or (None, "*"))[1]
+    is_dashed = methods.family(base) == "finite elements"
     return {
-        "markerfacecolor": "white" if locks else colour(name),
+        "markerfacecolor": "white" if methods.locks(base, element) else colour(name),
         "color": colour(name),
-        "marker": "*" if ", " in name else _MARKERS.get(base, "*"),  # variants, others' methods
-        "linestyle": dashes if base.startswith("fem-") else "-",
+        "marker": "*" if ", " in name else mark,  # variants, others' methods
+        "linestyle": dashes if is_dashed else "-",
         "markersize": 3.5,
         "linewidth": 1.1,
     }

@@ -4,6 +4,7 @@ import json
 from dataclasses import dataclass
 from functools import lru_cache
 
+import methods
 import numpy as np
 import pandas as pd
 import springcheck_results
@@ -33,6 +34,8 @@ FAILED = ["no_equilibrium", "diverged", "not_converged"]
 # The finite elements that springs are compared with, the first there is: Hencky's law is
 # the thesis's own reference.
 _LAWS = ["fem-hencky", "fem-stvk", "fem-hooke"]
+REFERENCE_LAW = _LAWS[0]
+THESIS_METHOD = "mss-cf"  # whose figures show what the thesis shows of its own
 # Those that do not lock, which is on hexahedra only: linear finite elements on other cells
 # are further from the truth than springs may be.
 _ELEMENTS = ["q1-sri", "q2"]
@@ -135,6 +138,7 @@ def read(file, folder):
     theory, atlas, vocabulary = (_document(folder / "data" / name) for name in names)
     charts = _document(folder / "data" / "charts.json") or []
     settings = vocabulary["settings"]
+    methods.learn(vocabulary)
     cases = results.cases
     is_limit = _mask(cases["solver"] == "limit") if "solver" in cases else np.zeros(len(cases), bool)
     limits = prepared(cases[is_limit], settings) if is_limit.any() else pd.DataFrame()
@@ -203,12 +207,7 @@ def prepared(cases, settings):
 def _kind(case):
     if case.get("source") == "measured":
         return "measured"
-    return "finite elements" if case.method.startswith("fem-") else "springs"
-
-
-def _own_solver(method):
-    """The solver of a method when none is named."""
-    return "semi-implicit" if method.startswith("fem-explicit") else "static"
+    return methods.family(case.method) or "springs"
 
 
 def is_through_time(case):
@@ -232,13 +231,13 @@ def method_name(case):
     if ratio is not None and np.isfinite(ratio) and ratio != 1:
         name += f", A = {ratio:g}"
     lattice = case.get("lattice")
-    if lattice and lattice != "mss-cf":
+    if lattice and lattice != methods.default("lattice"):
         name += f" ({lattice})"
     stiffness = [case.get(f"stiffness.{axis}", np.nan) for axis in "xyz"]
     if np.isfinite(stiffness).all():
         name += ", k = " + "/".join(f"{k:.4g}" for k in stiffness)
     solver = case.get("solver")
-    if solver and solver != _own_solver(case.method):
+    if solver and solver != methods.own_solver(case.method):
         name += f", {solver}"
     if case.get("correction") == "off":
         name += ", no correction"

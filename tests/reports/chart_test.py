@@ -6,6 +6,7 @@ import shutil
 import sys
 import tempfile
 import unittest
+from dataclasses import replace
 from html import unescape
 from pathlib import Path
 
@@ -46,7 +47,11 @@ def key_of(point):
 
 
 def key_drawn(point):
-    return (point.model, point.across, point.threads)
+    return (point.model.name, point.across, point.threads)
+
+
+def springs(method, **parts):
+    return work_precision.Model(method, method, "springs", **parts)
 
 
 class Charts(unittest.TestCase):
@@ -96,7 +101,7 @@ class Charts(unittest.TestCase):
         self.assertEqual(page_text.figures(self.html), names + with_own)
         for one, kind, block in self.drawn():
             models = {p["model"] for p in one["points"] if p["kind"] == kind}
-            self.assertLessEqual({p.model for p in block.points}, models)
+            self.assertLessEqual({p.model.name for p in block.points}, models)
 
     def test_the_front_is_that_of_the_file(self):
         seen = 0
@@ -287,14 +292,16 @@ class Parts(unittest.TestCase):
                 self.assertFalse(abs(x - other[0]) < width + other[2] and abs(y - other[1]) < 2 * height)
 
     def test_variants_of_a_method_share_its_colour_and_not_its_marker(self):
-        for usual, variant in [
-            ("mss-affine", "mss-affine on tetrahedra"),
-            ("mss-affine on tetrahedra", "mss-affine on prisms"),
-            ("mss-cf, double", "mss-cf, float"),
-            ("fem-stvk:q1-sri", "fem-stvk:q1-sri, direct"),
-            ("fem-stvk:q1-sri", "fem-stvk:q2"),
+        affine, lattice = springs("mss-affine"), springs("mss-cf", precision="double")
+        elements = work_precision.Model("fem-stvk:q1-sri", "fem-stvk", "finite elements", "q1-sri")
+        for usual, changes in [
+            (affine, {"cell_type": "tetrahedron"}),
+            (replace(affine, cell_type="tetrahedron"), {"cell_type": "prism"}),
+            (lattice, {"precision": "float"}),
+            (elements, {"linear_solver": "direct"}),
+            (elements, {"element": "q2"}),
         ]:
-            one, other = work_precision.style(usual), work_precision.style(variant)
+            one, other = work_precision.style(usual), work_precision.style(replace(usual, **changes))
             self.assertEqual(one["color"], other["color"])
             keys = ("marker", "fillstyle", "markerfacecolor")
             self.assertNotEqual(*([look.get(key) for key in keys] for look in (one, other)))
@@ -302,14 +309,14 @@ class Parts(unittest.TestCase):
     def test_a_failed_point_is_a_cross_of_its_models_colour_at_its_time(self):
         """And the line to the next finer mesh does not pass over it."""
         points = [
-            work_precision.Point("mss-cf", 2 + i, 1, status, 10.0**i, 10.0**i, 10.0**i, {"force": 5.0})
+            work_precision.Point(springs("mss-cf"), 2 + i, 1, status, 10.0**i, 10.0**i, 10.0**i, {"force": 5.0})
             for i, status in enumerate(["ok", "inverted", "ok"])
         ]
         block = work_precision.Block(
             "t", points, [work_precision.Measure("force", "Force", points[:1], [0.5], 0.5)],
-            [work_precision.Group("g", ["mss-cf"])])
+            [work_precision.Group("g", [springs("mss-cf")])])
         row = work_precision.draw("time [s]", [block]).axes[2]  # after the front and its legend
-        colour = work_precision.style("mss-cf")["color"]
+        colour = work_precision.style(springs("mss-cf"))["color"]
         own = [line for line in row.lines if line.get_color() == colour]
         crosses = [line for line in own if line.get_marker() == "x"]
         self.assertEqual([list(line.get_xdata()) for line in crosses], [[10.0]])
@@ -320,10 +327,10 @@ class Parts(unittest.TestCase):
 
     def test_errors_below_the_bar_leave_the_others_room(self):
         errors = [{"force": 1e-9}, {"force": 2.0}, {"force": 8.0}]
-        points = [work_precision.Point("mss-cf", 2 + i, 1, "ok", 1, 1, 1, e) for i, e in enumerate(errors)]
+        points = [work_precision.Point(springs("mss-cf"), 2 + i, 1, "ok", 1, 1, 1, e) for i, e in enumerate(errors)]
         block = work_precision.Block(
             "t", points, [work_precision.Measure("force", "Force", points[:1], [0.5], 0.5)],
-            [work_precision.Group("g", ["mss-cf"])])
+            [work_precision.Group("g", [springs("mss-cf")])])
         figure = work_precision.draw("time [s]", [block])
         low, high = figure.axes[0].get_ylim()
         self.assertTrue(0.01 < low < 0.5 and high > 8, (low, high))

@@ -1,18 +1,21 @@
 """Parts of the report that need no result file."""
 
+import json
 import sys
 import unittest
 from pathlib import Path
 
 REPORTS = Path(__file__).parents[2] / "reports"
-sys.path[:0] = [str(REPORTS), str(REPORTS / "springcheck_report")]
+sys.path[:0] = [str(Path(__file__).parent), str(REPORTS), str(REPORTS / "springcheck_report")]
 import method_style  # noqa: E402
+import methods  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 from content import file_name, paragraph, table  # noqa: E402
 from figures.cost import pareto_front  # noqa: E402
 from matplotlib.colors import to_rgb  # noqa: E402
 from numbers_shown import data, formatted, significant, with_bar  # noqa: E402
+from program import springcheck  # noqa: E402
 from study import method_name  # noqa: E402
 from surface import edges_in_plane, outside  # noqa: E402
 
@@ -140,6 +143,10 @@ def lab(colour, sight):
 
 
 class Figures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        methods.learn(json.loads(springcheck("list", "--json").stdout))
+
     def test_a_method_has_one_colour(self):
         for name in ("fem-stvk:q2", "fem-stvk:q1-sri", "fem-stvk, else"):
             self.assertEqual(method_style.colour(name), method_style.colour("fem-stvk"))

@@ -7,6 +7,7 @@ from pathlib import Path
 
 REPORTS = Path(__file__).parents[2] / "reports"
 sys.path[:0] = [str(REPORTS), str(REPORTS / "springcheck_report")]
+import methods  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 import study as study_module  # noqa: E402
@@ -15,7 +16,9 @@ from sections.failures import failing_sentences, failures  # noqa: E402
 from sections.summary import _force  # noqa: E402
 from sections.thesis_tables import relative_size  # noqa: E402
 
-SETTINGS = json.loads(springcheck("list", "settings", "--json").stdout)["settings"]
+VOCABULARY = json.loads(springcheck("list", "--json").stdout)
+SETTINGS = VOCABULARY["settings"]
+methods.learn(VOCABULARY)
 
 
 class Stub:

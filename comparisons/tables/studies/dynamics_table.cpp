@@ -24,12 +24,14 @@ constexpr std::array<Printed, 4> printed_tables{
      {"5.3", "resultant [1e-4 N]", &Measures::plate_force_norm, 1e4, 1},
      {"5.4", "torque [1e-6 N m]", &Measures::plate_torque, 1e6, 1}}};
 
-/// What is printed of mss-cf and computed here.
+constexpr std::string_view thesis_method = "mss-cf";
+
+/// What is printed of it and computed here.
 std::vector<std::pair<Printed, PrintedFigure>> figures() {
   std::vector<std::pair<Printed, PrintedFigure>> all;
   for (const Printed& printed : printed_tables)
     for (const PrintedFigure& figure : printed_figures(printed.table))
-      if (figure.method == "mss-cf") all.emplace_back(printed, figure);
+      if (figure.method == thesis_method) all.emplace_back(printed, figure);
   return all;
 }
 
@@ -41,8 +43,9 @@ std::string deformation_of(const PrintedFigure& figure) {
 
 /// Static, dynamic in SI units, dynamic in raw ones.
 std::vector<CaseSettings> cases_of(const PrintedFigure& figure) {
-  const Changes common{
-      {"method", "mss-cf"}, {"nu", figure.nu}, {"deformation", figure.deformation}};
+  const Changes common{{"method", std::string(thesis_method)},
+                       {"nu", figure.nu},
+                       {"deformation", figure.deformation}};
   const Changes raw = common + Changes{{"history", 200}};
   const Changes dynamic = raw + Changes{{"solver", "semi-implicit"}};
   const std::string scene(name_of(figure.test));

@@ -71,51 +71,101 @@ PlannedRow row_of(const PrintedFigure& figure, const std::string& method,
   return row;
 }
 
+bool has(const std::vector<std::string_view>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// A footnote of tables 5.1 to 5.4, and the rows that have it.
+struct NoteRule {
+  const char* note;
+  std::vector<std::string_view> methods;
+  std::vector<std::string_view> tables{};  // empty: all four
+  std::optional<double> nu{};
+  std::optional<bool> is_large{};   // of deformations above 10 %
+  bool has_young_form_too = false;  // which gets a row of its own
+
+  [[nodiscard]] bool holds(const std::string& table, const PrintedFigure& figure,
+                           const std::string& method) const {
+    return has(methods, method) && (tables.empty() || has(tables, table)) &&
+           (!nu || *nu == figure.nu) &&
+           (!is_large || *is_large == (figure.deformation > 0.1));
+  }
+};
+
+// The laws beside the FEM column.
+const std::vector<std::string_view> printed_laws{"fem-hencky", "fem-hooke", "fem-stvk"};
+
+const std::vector<NoteRule>& note_rules() {
+  using namespace table_notes;
+  static const std::vector<NoteRule> all{
+      {.note = fem_column, .methods = printed_laws},
+      {.note = tension_mesh, .methods = printed_laws, .tables = {"5.2"}},
+      {.note = small_strain,
+       .methods = {"fem-hooke"},
+       .tables = {"5.4"},
+       .is_large = true},
+      {.note = table_notes::dynamics,
+       .methods = {"mss-baudet", "mss-nfd", "mss-cf"},
+       .tables = {"5.3", "5.4"}},
+      {.note = baudet, .methods = {"mss-baudet"}, .tables = {"5.3", "5.4"}},
+      {.note = same_network,
+       .methods = {"mss-baudet", "mss-nfd"},
+       .tables = {"5.1", "5.2"},
+       .nu = 0.25},
+      {.note = no_compression,
+       .methods = {"mss-nfd"},
+       .tables = {"5.1"},
+       .nu = 0,
+       .is_large = true},
+      {.note = tension_nu_0,
+       .methods = {"mss-cf", "mss-nfd"},
+       .tables = {"5.2"},
+       .nu = 0,
+       .is_large = false},
+      {.note = no_tension,
+       .methods = {"mss-cf", "mss-nfd"},
+       .tables = {"5.2"},
+       .nu = 0,
+       .is_large = true},
+      {.note = young_form,
+       .methods = {"mss-cf"},
+       .tables = {"5.1"},
+       .nu = 0,
+       .has_young_form_too = true},
+      {.note = young_form_wrinkles,
+       .methods = {"mss-nfd"},
+       .tables = {"5.1"},
+       .nu = 0,
+       .has_young_form_too = true}};
+  return all;
+}
+
+/// The row of a method, and that of its E-form where the printed value needs it.
+void add_rows(std::vector<PlannedRow>& rows, const std::string& table,
+              const PrintedFigure& figure, const std::string& method,
+              const Reference& reference) {
+  rows.push_back(row_of(figure, method, {}, reference));
+  const std::size_t own = rows.size() - 1;
+  for (const NoteRule& rule : note_rules()) {
+    if (!rule.holds(table, figure, method)) continue;
+    rows[own].notes.emplace_back(rule.note);
+    if (!rule.has_young_form_too) continue;
+    rows.push_back(row_of(figure, method, {{"stiffness-form", "E"}}, reference));
+    rows.back().labels.back() += ", E-form";
+    rows.back().notes.emplace_back(rule.note);
+  }
+}
+
 /// Rows of tables 5.1 to 5.4: one per printed figure, but three laws for the FEM column
 /// and the E-form beside the mu-form where the printed value needs it.
 std::vector<PlannedRow> rows_of(const std::string& table, const Reference& reference) {
   std::vector<PlannedRow> rows;
-  for (const PrintedFigure& figure : printed_figures(table)) {
-    if (figure.method == "fem") {
-      for (const char* law : {"fem-hencky", "fem-hooke", "fem-stvk"}) {
-        rows.push_back(row_of(figure, law, {}, reference));
-        rows.back().notes.emplace_back(table_notes::fem_column);
-        if (table == "5.2") rows.back().notes.emplace_back(table_notes::tension_mesh);
-        if (table == "5.4" && figure.deformation > 0.1 && law == std::string("fem-hooke"))
-          rows.back().notes.emplace_back(table_notes::small_strain);
-      }
-      continue;
-    }
-    rows.push_back(row_of(figure, figure.method, {}, reference));
-    std::vector<std::string>& notes = rows.back().notes;
-    const bool is_plate_force = table == "5.3" || table == "5.4";
-    const bool large = figure.deformation == 0.2;
-    if (is_plate_force) notes.emplace_back(table_notes::dynamics);
-    if (is_plate_force && figure.method == "mss-baudet")
-      notes.emplace_back(table_notes::baudet);
-    if (!is_plate_force && figure.nu == 0.25 &&
-        (figure.method == "mss-baudet" || figure.method == "mss-nfd"))
-      notes.emplace_back(table_notes::same_network);
-    if (table == "5.1" && figure.method == "mss-nfd" && figure.nu == 0 && large)
-      notes.emplace_back(table_notes::no_compression);
-    if (table == "5.2" && figure.nu == 0 && !large &&
-        (figure.method == "mss-cf" || figure.method == "mss-nfd"))
-      notes.emplace_back(table_notes::tension_nu_0);
-    if (table == "5.2" && figure.nu == 0 && large &&
-        (figure.method == "mss-cf" || figure.method == "mss-nfd"))
-      notes.emplace_back(table_notes::no_tension);
-    const bool needs_young_form =
-        table == "5.1" && figure.nu == 0 &&
-        (figure.method == "mss-cf" || figure.method == "mss-nfd");
-    if (needs_young_form) {
-      const char* note = figure.method == "mss-cf" ? table_notes::young_form
-                                                   : table_notes::young_form_wrinkles;
-      notes.emplace_back(note);
-      rows.push_back(row_of(figure, figure.method, {{"stiffness-form", "E"}}, reference));
-      rows.back().labels.back() += ", E-form";
-      rows.back().notes.emplace_back(note);
-    }
-  }
+  for (const PrintedFigure& figure : printed_figures(table))
+    if (figure.method == "fem")
+      for (const std::string_view law : printed_laws)
+        add_rows(rows, table, figure, std::string(law), reference);
+    else
+      add_rows(rows, table, figure, figure.method, reference);
   return rows;
 }
 

@@ -20,14 +20,26 @@ _LANE = 0.1  # height of a status's lane, of the errors' own
 _MOST_BELOW_BAR = 10  # an error that is so much smaller than the bar says nothing more
 _MOST_TO_BAR = 30  # a bar that is so much smaller than all errors is told by its number
 _SMALLEST_MARKER, _LARGEST_MARKER = 2.6, 6.2
-# What tells a variant from the method's usual form.
+# What tells a variant from the method's usual form, by what it is in.
 _VARIANTS = {
-    "tetrahedra": {"fillstyle": "left"},
-    "prisms": {"fillstyle": "right"},
-    "float": {"fillstyle": "bottom"},
-    "direct": {"marker": "*"},
-    "multigrid": {"marker": "*", "markerfacecolor": "white"},
+    "element": {"q2": {"fillstyle": "top"}},
+    "cell_type": {"tetrahedron": {"fillstyle": "left"}, "prism": {"fillstyle": "right"}},
+    "precision": {"float": {"fillstyle": "bottom"}},
+    "linear_solver": {"direct": {"marker": "*"}, "multigrid": {"marker": "*", "markerfacecolor": "white"}},
 }
+
+
+@dataclass(frozen=True)
+class Model:
+    """A way to simulate: what charts.json tells of it."""
+
+    name: str
+    method: str
+    family: str
+    element: str = ""
+    cell_type: str = "hexahedron"
+    linear_solver: str = ""
+    precision: str = ""
 
 
 @dataclass
@@ -35,7 +47,7 @@ class Point:
     """One model on one mesh. time, lower and upper quartile in the figure's unit; errors:
     by measure [%], None where unknown."""
 
-    model: str
+    model: Model
     across: int
     threads: int
     status: str
@@ -135,12 +147,9 @@ def marker_sizes(points):
 
 def style(model):
     """Keywords of plot: the method's own, and what the variant changes of it."""
-    method, *variants = model.replace(" on ", ", ").split(", ")
-    own = line(method)
-    if ":q2" in method:
-        own["fillstyle"] = "top"
-    for variant in variants:
-        own |= _VARIANTS.get(variant, {} if variant == "double" else {"marker": "*"})
+    own = line(f"{model.method}:{model.element}" if model.element else model.method)
+    for part, looks in _VARIANTS.items():
+        own |= looks.get(getattr(model, part), {})
     if own.get("fillstyle", "full") != "full":
         own |= {"markerfacecolor": own["color"], "markerfacecoloralt": "white"}
     return own | {"linewidth": 0.9, "markeredgewidth": 0.7}
@@ -309,7 +318,7 @@ def _legend_beside(axes, title, models, **changes):
     axes.set_axis_off()
     handles = [Line2D([], [], **(style(model) | {"markersize": 4.5} | changes)) for model in models]
     small = {"fontsize": 5.8, "labelspacing": 0.35, "handlelength": 2.4, "borderaxespad": 0}
-    found = axes.legend(handles, models, title=title, loc="upper left", bbox_to_anchor=(-0.12, 1.0), **small)
+    found = axes.legend(handles, [model.name for model in models], title=title, loc="upper left", bbox_to_anchor=(-0.12, 1.0), **small)
     found.set_title(title, {"size": 6.3, "weight": "bold"})
     found._legend_box.align = "left"
 

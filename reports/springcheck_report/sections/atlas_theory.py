@@ -10,6 +10,7 @@ from figures.failure_maps import Line
 _LATTICES = {"mss-nfd": 0, "mss-cf": None}
 # The force on a compressed bar of St-Venant and Kirchhoff's law is largest at the stretch
 # 1/sqrt(3), where d/dl (l^3 - l) = 0.
+_STVK = "fem-stvk"
 _STVK_STRAIN = 1 - 1 / np.sqrt(3)
 _COLUMNS = {"nu": "nu", "diagonal-ratio": "diagonal_ratio"}  # of the table, by setting
 _LOADS = {"compression": ["compression"], "tension": ["tension"], "uniaxial": ["compression", "tension"]}
@@ -50,7 +51,7 @@ def theory_on(study, one, method, edges):
     case = _case_of(study, one, method)
     if first["key"] != "deformation" or case is None:
         return []
-    if method.startswith("fem-stvk") and case.test in ("compression", "uniaxial"):
+    if case.method == _STVK and case.test in ("compression", "uniaxial"):
         strain = _scale(first, case, "compression") * _STVK_STRAIN
         return _within(first, _level("St-Venant-Kirchhoff's bar", edges, strain, _STVK_WORDS))
     return _lattice(study, one, method, case, edges)

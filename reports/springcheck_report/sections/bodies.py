@@ -9,7 +9,7 @@ from numbers_shown import significant
 from sections.beams import beams_against_theory, diagonal_ratio_beams
 from sections.cross_sections import cross_section
 from sections.slices import deformation_panels, nu_panels
-from study import ANSWERS, is_variant
+from study import ANSWERS, REFERENCE_LAW, is_variant
 from surface import outside
 
 _TESTS = {
@@ -179,7 +179,7 @@ def _columns(study, chosen):
     order = ["mss-baudet", "mss-nfd", "mss-cf", "mss-affine"]
     springs.sort(key=lambda name: (order.index(name) if name in order else len(order), name))
     elements = [name for name, (kind, _) in names.items() if kind == "finite elements"]
-    elements.sort(key=lambda name: (-names[name][1], not name.startswith("fem-hencky"), name))
+    elements.sort(key=lambda name: (-names[name][1], not name.startswith(REFERENCE_LAW), name))
     return springs[:4] + elements[:1]
 
 

@@ -23,6 +23,7 @@ _GROUPS = [
     "Finite elements of other\nlaws on hexahedra",
     "Tetrahedra and prisms",
 ]
+_PARTS = ["method", "family", "element", "cell_type", "linear_solver", "precision"]
 _BARS = ["answer_bar", "volume_bar", "deviation_bar"]
 _TIMES = ["median", "lower_quartile", "upper_quartile"]
 _ANSWERS = {column: (name, unit) for column, name, unit in ANSWERS.values()}
@@ -48,15 +49,9 @@ def chart(study):
 
 
 def _rows_by_chart(study, name):
-    """Rows of a table, which has one chart after the other: two may be of one scene."""
-    counts = {
-        "chart": lambda one: len(one["points"]),
-        "chart-front": lambda one: sum(len(front["points"]) for front in one["fronts"]),
-        "chart-truths": lambda one: len(one["truths"]),
-        "chart-claims": lambda one: len(one["claims"]),
-    }
-    rows = iter(study.tables[name]["rows"])
-    return [[next(rows) for _ in range(counts[name](one))] for one in study.charts]
+    """Rows of a table for each chart: two may be of one scene."""
+    rows = study.tables[name]["rows"]
+    return [[row for row in rows if row["part"] == one["identity"]] for one in study.charts]
 
 
 def _introduction(study):
@@ -227,7 +222,7 @@ def _fewest_threads(one):
 def _point(point, law):
     errors = point["errors"].get(law, {})
     return work_precision.Point(
-        model=point["model"],
+        model=work_precision.Model(point["model"], **{part: point[part] for part in _PARTS}),
         across=point["across"],
         threads=point["threads"],
         status=point["status"],
@@ -256,30 +251,26 @@ def _models_of(points):
 
 
 def _group(model, law):
-    if model.endswith(", double"):
+    if model.precision == "double":
         return "Explicit steps,\ndouble precision"
-    if model.endswith(", float"):
+    if model.precision:
         return "Explicit steps,\nsingle precision"
-    if " on " in model:
+    if model.cell_type != "hexahedron":
         return "Tetrahedra and prisms"
-    if model.startswith("mss-"):
+    if model.family == "springs":
         return "Springs on hexahedra"
-    if _method(model) == law:
+    if model.method == law:
         return "Finite elements of this\nlaw on hexahedra"
     return "Finite elements of other\nlaws on hexahedra"
-
-
-def _method(model):
-    return model.split(":")[0]
 
 
 def _closest(points, law, kind):
     """The row of another law: its own elements and the springs."""
     if kind == "motion":
-        own = [model for model in _models_of(points) if model.endswith(", double")]
+        own = [model for model in _models_of(points) if model.precision == "double"]
         return work_precision.Group("Explicit steps,\ndouble precision", own)
-    models = [model for model in _models_of(points) if " on " not in model]
-    own = [model for model in models if model.startswith("mss-") or _method(model) == law]
+    models = [model for model in _models_of(points) if model.cell_type == "hexahedron"]
+    own = [model for model in models if model.family == "springs" or model.method == law]
     return work_precision.Group(f"Springs and {law}\non hexahedra", own)
 
 

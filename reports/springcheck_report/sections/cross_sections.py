@@ -3,7 +3,7 @@
 import numpy as np
 from content import Figure
 from figures import cross_sections
-from study import is_variant
+from study import REFERENCE_LAW, is_variant
 from surface import edges_in_plane
 
 
@@ -59,7 +59,7 @@ def _pairs_of_bodies(study, test):
         ),
     )
     laws = elements[elements.problem.isin(springs.problem)].groupby("name").problem.nunique()
-    law = max(laws.index, key=lambda name: (laws[name], name.startswith("fem-hencky"), name))
+    law = max(laws.index, key=lambda name: (laws[name], name.startswith(REFERENCE_LAW), name))
     keys = elements[elements["name"] == law].reset_index().set_index("problem").key
     springs = springs[springs.problem.isin(keys.index)].drop_duplicates("nu").sort_values("nu")
     if len(springs) > 3:

@@ -83,7 +83,7 @@ def _maps(study):
     in_atlas = {point["case"] for one in study.atlas.get("maps", []) for point in one["points"]}
     others = study.cases[~study.cases.index.isin(in_atlas)]
     for (test, method), cases in others.groupby(["test", "method"]):
-        if (cases.status == "ok").all() or method.startswith("fem-"):
+        if (cases.status == "ok").all() or (cases.kind == "finite elements").all():
             continue
         most = cases["cell-type"].mode()  # none of users' meshes
         cases = cases[cases["cell-type"] == most[0]] if len(most) else cases

@@ -7,7 +7,7 @@ from figures import curves, error_parts as error_figures
 from figures import rows as row_figures
 from method_style import NEUTRAL, line, shades
 from sections.sheets import sheet_blocks
-from study import ANSWERS
+from study import ANSWERS, THESIS_METHOD
 
 
 def spring_constants(study):
@@ -45,7 +45,7 @@ def spring_constants(study):
 
 def _diagonal_ratio(study):
     """Answers against A for each load, over those at the smallest |log A|."""
-    cases = study.cases[(study.cases.method == "mss-cf") & (study.cases.test != "bending")]
+    cases = study.cases[(study.cases.method == THESIS_METHOD) & (study.cases.test != "bending")]
     panels = []
     for test, of_test in cases.groupby("test"):
         if test not in ANSWERS:

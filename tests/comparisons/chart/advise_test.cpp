@@ -32,20 +32,20 @@ class Rehearsed : public Measurements {
   }
 
   void measure(const ChartModel& model, int across) override {
-    const std::string name = model.name + " " + std::to_string(across);
+    const std::string name = name_of(model.model) + " " + std::to_string(across);
     if (std::ranges::count(measured, name) > 0) return;
     measured.push_back(name);
     const Shown found = *find(model, across);
     example_
-        .add(model.name, across, found.seconds, 10 * (1 + found.percent_off / 100), 0.002,
-             model.kind)
+        .add(name_of(model.model), across, found.seconds,
+             10 * (1 + found.percent_off / 100), 0.002, model.kind)
         .status = found.status;
     if (!found.rounds.empty())
       example_.chart.points.back().timing = timing_of(found.rounds);
   }
 
   StaticPath static_path(const ChartModel& model, int) override {
-    const auto found = paths.find(model.name);
+    const auto found = paths.find(name_of(model.model));
     return found == paths.end() ? StaticPath{.was_followed = true} : found->second;
   }
 
@@ -55,7 +55,7 @@ class Rehearsed : public Measurements {
 
  private:
   [[nodiscard]] const Shown* find(const ChartModel& model, int across) const {
-    const auto found = shown.find(model.name);
+    const auto found = shown.find(name_of(model.model));
     if (found == shown.end() || !found->second.contains(across)) return nullptr;
     return &found->second.at(across);
   }
@@ -86,7 +86,7 @@ Advice advice_of(Rehearsed& rehearsed, double tolerance = 0.3) {
 std::string name_of(const Advice& advice, const std::optional<std::size_t>& place) {
   if (!place) return "none";
   const StoredChart::Point& point = advice.chart.points[*place].place;
-  return point.model + " " + std::to_string(point.across);
+  return name_of(point.model) + " " + std::to_string(point.across);
 }
 
 }  // namespace

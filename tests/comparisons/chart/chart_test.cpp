@@ -259,7 +259,7 @@ BOOST_AUTO_TEST_CASE(a_chart_is_measured_once_and_kept) {
   BOOST_TEST(chart.truths.size() == truth_laws().size());
   BOOST_TEST(chart.points.size() == chart_models().size());
   for (const ChartPoint& point : chart.points) {
-    BOOST_TEST_CONTEXT(point.place.model) {
+    BOOST_TEST_CONTEXT(name_of(point.place.model)) {
       BOOST_TEST(point.is_ok());
       BOOST_TEST(point.seconds().value() > 0);
       BOOST_TEST(*point.place.setup < point.place.timing->maximum);
@@ -273,7 +273,8 @@ BOOST_AUTO_TEST_CASE(a_chart_is_measured_once_and_kept) {
   // A law's own elements are closest to it where they are finest.
   const auto q2 = [&](const std::string& model, const std::string& law) {
     const auto found = std::ranges::find(
-        chart.points, model, [](const ChartPoint& point) { return point.place.model; });
+        chart.points, model,
+        [](const ChartPoint& point) { return name_of(point.place.model); });
     return found->errors.at(chart.truth_of(law).value()).force.value();
   };
   BOOST_TEST(q2("fem-stvk:q2", "fem-stvk") < q2("fem-stvk:q2", "fem-hencky"));
@@ -307,7 +308,7 @@ BOOST_AUTO_TEST_CASE(a_chart_is_measured_once_and_kept) {
     for (const ChartPoint& point : all.points)
       if (point.place.kind == ChartKind::equilibrium && point.place.across == 4 &&
           point.place.timing)
-        models.insert(point.place.model);
+        models.insert(name_of(point.place.model));
     return models;
   };
   const std::set<std::string> within = reached(grown);
@@ -349,7 +350,7 @@ BOOST_AUTO_TEST_CASE(models_beyond_the_budget_are_of_different_names_and_never_f
   std::set<std::string> failed;      // on 2
   for (const ChartPoint& point : chart.points) {
     if (point.place.kind != ChartKind::equilibrium || !point.place.timing) continue;
-    const std::string& name = point.place.model;
+    const std::string name = name_of(point.place.model);
     if (point.place.across == 3) ++timed[name.substr(0, name.find(','))];
     if (point.place.across == 2 && !point.is_ok()) failed.insert(name);
   }

@@ -51,7 +51,7 @@ struct ExampleChart {
                   double deviation, ChartKind kind = ChartKind::equilibrium) {
     const std::string key = model + std::to_string(across);
     chart.points.push_back(
-        {.model = model,
+        {.model = model_in(model),
          .kind = kind,
          .across = across,
          .cells = std::pow(across, 3),
