@@ -109,6 +109,7 @@ struct Method {
   /// Its models in charts, their method aside.
   std::vector<Model> charted{};
   std::vector<Omission> omits{};
+  bool beside_printed = false;  // it has rows in the thesis's tables 5.1 to 5.4
 
   /// What keys and JSON tell of it besides its name.
   std::vector<std::pair<std::string, std::string>> told{};

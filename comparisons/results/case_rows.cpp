@@ -133,6 +133,7 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
     row["reference"] = reference_label(result.request);
     row["reference_settings"] = settings_json(*result.request.reference).dump();
   }
+  row["family"] = std::string(name_of(result.request.settings.method.family));
   row["key"] = result.key;
   row["mesh"] = mesh.sha256();
   row["status"] = std::string(name_of(result.status));

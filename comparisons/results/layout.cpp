@@ -42,6 +42,7 @@ const std::vector<Described>& case_columns() {
   static const std::vector<Described> columns{
       {"key", "SHA-256 of settings, reference, mesh and program version"},
       {"scene", "the shipped scene, or the name of a scene file"},
+      {"family", "of the method: springs, finite elements or measured"},
       {"mesh", "SHA-256 of the mesh, its name in /meshes"},
       {"reference", "what deviations are measured against"},
       {"reference_settings", "all settings of that reference, as JSON"},

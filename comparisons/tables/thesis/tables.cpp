@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "comparisons/cases/grids.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/studies/converged_number.hpp"
 #include "comparisons/tables/thesis/printed_figures.hpp"
@@ -156,16 +157,36 @@ void add_rows(std::vector<PlannedRow>& rows, const std::string& table,
   }
 }
 
+/// Of methods that are not in the thesis, under the load of a printed figure.
+void add_unprinted(std::vector<PlannedRow>& rows, const PrintedFigure& figure,
+                   const Reference& reference) {
+  for (const Method& method : methods())
+    if (method.beside_printed) {
+      rows.push_back(row_of(figure, method.name, {}, reference));
+      rows.back().printed.reset();
+      rows.back().printed_text.clear();
+      rows.back().verdict.clear();
+    }
+}
+
 /// Rows of tables 5.1 to 5.4: one per printed figure, but three laws for the FEM column
-/// and the E-form beside the mu-form where the printed value needs it.
+/// and the E-form beside the mu-form where the printed value needs it; and of each load,
+/// whose figures the thesis prints one after the other, methods that are not in it.
 std::vector<PlannedRow> rows_of(const std::string& table, const Reference& reference) {
   std::vector<PlannedRow> rows;
-  for (const PrintedFigure& figure : printed_figures(table))
+  const std::vector<PrintedFigure> figures = printed_figures(table);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const PrintedFigure& figure = figures[i];
     if (figure.method == "fem")
       for (const std::string_view law : printed_laws)
         add_rows(rows, table, figure, std::string(law), reference);
     else
       add_rows(rows, table, figure, figure.method, reference);
+    const bool is_last_of_load = i + 1 == figures.size() ||
+                                 figures[i + 1].nu != figure.nu ||
+                                 figures[i + 1].deformation != figure.deformation;
+    if (is_last_of_load) add_unprinted(rows, figure, reference);
+  }
   return rows;
 }
 
