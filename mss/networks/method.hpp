@@ -11,6 +11,7 @@ enum class Method {
   nfd,        // no face diagonals (A = 0), with volume correction
   fd,         // face diagonals, no correction: right at nu = 1/4 only
   cf,         // face diagonals and volume correction: the thesis's method
+  uniform,    // one stiffness for all springs of a cell, no correction
   custom,     // constants of the user's choice
   affine,     // virtual springs in every cell, springs against hourglasses: any cells
   vangelder,  // edges of tetrahedra by Van Gelder's formula

@@ -11,6 +11,7 @@
 #include "mss/networks/box_lattice.hpp"
 #include "mss/networks/cell_springs.hpp"
 #include "mss/networks/hourglass.hpp"
+#include "mss/networks/uniform_stiffness.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -90,6 +91,11 @@ LatticeStiffness without_face_diagonals(const Material& material, double cell_ed
 LatticeStiffness after_baudet(const Material& material, double cell_edge,
                               const NetworkSettings& /*settings*/) {
   return baudet_stiffness(material.young_modulus, material.poisson_ratio, cell_edge);
+}
+
+LatticeStiffness of_one_stiffness(const Material& material, double cell_edge,
+                                  const NetworkSettings& /*settings*/) {
+  return uniform_stiffness(material.young_modulus, cell_edge);
 }
 
 LatticeStiffness given(const Material& /*material*/, double /*cell_edge*/,
@@ -178,6 +184,10 @@ constexpr std::array table{MethodEntry{.method = Method::baudet,
                                        .cells = CellShapes::boxes,
                                        .springs = on_boxes,
                                        .volume_modulus = corrected},
+                           MethodEntry{.method = Method::uniform,
+                                       .cells = CellShapes::cubes,
+                                       .springs = on_cubes<of_one_stiffness>,
+                                       .volume_modulus = uncorrected},
                            MethodEntry{.method = Method::custom,
                                        .cells = CellShapes::cubes,
                                        .springs = on_cubes<given>,

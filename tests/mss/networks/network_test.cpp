@@ -1,11 +1,13 @@
 #include "mss/networks/network.hpp"
 #include "meshing/generators/generate_block.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numeric>
 #include <set>
 
+#include "mss/networks/uniform_stiffness.hpp"
 #include "tests/mss/blocks.hpp"
 
 using namespace springcheck;
@@ -115,6 +117,30 @@ BOOST_AUTO_TEST_CASE(volume_correction_makes_the_tensor_right_for_every_poisson_
       });
       BOOST_TEST(std::sqrt(squared_error) < 1e-13 * (lambda + 2 * mu), "nu = " << nu);
     }
+}
+
+// By hand, see uniform_stiffness, for every Poisson ratio that is asked for. All 81
+// entries; the tolerance is round-off.
+BOOST_AUTO_TEST_CASE(one_stiffness_makes_a_cubic_tensor) {
+  for (const double nu : {0., 0.25, 0.499}) {
+    const Material material{.young_modulus = 1e4, .poisson_ratio = nu, .density = 1000};
+    const Tensor4 C = homogenised_tensor(material, {.method = Method::uniform});
+    const double k_over_h = 19e4 / 144;
+    const double c11 = 28 * k_over_h / 3, c12 = 10 * k_over_h / 3;
+    double largest_error = 0;
+    for_each_entry([&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+      const bool all_equal = i == j && j == k && k == l;
+      const bool in_pairs =
+          (i == j && k == l) || (i == k && j == l) || (i == l && j == k);
+      const double exact = all_equal ? c11 : in_pairs ? c12 : 0;
+      largest_error = std::max(largest_error, std::abs(C[i][j][k][l] - exact));
+    });
+    BOOST_TEST(largest_error < 1e-12 * c11, "nu = " << nu);
+    BOOST_TEST(c11 - 2 * c12 * c12 / (c11 + c12) == 1e4,
+               boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(axial_modulus({uniform_stiffness(1e4, 0.005), 0}, 0.005) == 1e4,
+               boost::test_tools::tolerance(1e-12));
+  }
 }
 
 // With kappa of nu = 0 but the stiffness of nu = 1/4 the material has E_eff = 2E/3 and
