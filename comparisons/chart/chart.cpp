@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparisons/chart/pareto.hpp"
+#include "comparisons/methods/methods.hpp"
 
 namespace springcheck {
 namespace {
@@ -104,6 +105,12 @@ bool ChartPoint::is_faster_than(const ChartPoint& other) const {
 std::string time_text(const ChartPoint& point) {
   return fmt::format("{:.3g} s{}", point.seconds().value(),
                      point.place.kind == ChartKind::motion ? " per simulated s" : "");
+}
+
+std::string family_of(const StoredChart::Point& point) {
+  if (!point.family.empty()) return point.family;
+  const Method* method = find_method(point.model.method);
+  return method == nullptr ? "" : std::string(name_of(method->family));
 }
 
 std::string status_of(const ChartPoint& point) {

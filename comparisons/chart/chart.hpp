@@ -67,6 +67,10 @@ struct ChartPoint {
 /// "0.12 s", or for a motion "0.12 s per simulated s". It must have a time.
 std::string time_text(const ChartPoint& point);
 
+/// Of the point's method: as the file tells, or else as its entry does; empty where
+/// neither is known.
+std::string family_of(const StoredChart::Point& point);
+
 /// Of its case, or why it was not timed.
 std::string status_of(const ChartPoint& point);
 

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/chart/claims.hpp"
-#include "comparisons/methods/methods.hpp"
 #include "comparisons/results/result_file.hpp"
 
 namespace springcheck {
@@ -33,11 +32,10 @@ Json number_json(const ConvergedNumber& number) {
 Json point_json(const Chart& chart, const ChartPoint& point) {
   const StoredChart::Point& place = point.place;
   const Model& model = place.model;
-  const Method* method = find_method(model.method);
   const std::string_view precision = model.precision ? name_of(*model.precision) : "";
   Json json{{"model", name_of(model)},
             {"method", model.method},
-            {"family", method == nullptr ? Json() : Json(name_of(method->family))},
+            {"family", family_of(place)},
             {"element", model.element},
             {"cell_type", name_of(model.cells)},
             {"linear_solver", model.linear_solver},

@@ -316,7 +316,8 @@ class ChartRun::State {
                              .setup = std::nullopt,
                              .simulated = model.kind == ChartKind::motion
                                               ? std::optional(settings.dynamics.duration)
-                                              : std::nullopt});
+                                              : std::nullopt,
+                             .family = std::string(name_of(settings.method.family))});
     return chart_.points.back();
   }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "comparisons/chart/pareto.hpp"
-#include "comparisons/methods/methods.hpp"
 
 namespace springcheck {
 namespace {
@@ -15,8 +14,7 @@ namespace {
 constexpr int counted_threads = 1;
 
 bool is_of_springs(const ChartPoint& point) {
-  const Method* method = find_method(point.place.model.method);
-  return method != nullptr && method->family == Family::springs;
+  return family_of(point.place) == name_of(Family::springs);
 }
 
 /// Whether a took less time than b.

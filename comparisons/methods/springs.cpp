@@ -170,17 +170,18 @@ std::vector<Method> spring_methods() {
                                              {"diagonal-ratio", "stiffness-form"}},
                       .seconds = of_lattices,
                       .charted = lattice_models}),
-      of_springs(uniform,
-                 {.name = "mss-uniform",
-                  .description = "all springs of one stiffness: Young's modulus along "
-                                 "the axes, nu = 5/19 whatever is asked for",
-                  .source = "own; what simulators do that know one constant",
-                  .look = {"#E7298A", "4"},
-                  .cells = hexahedra,
-                  .seconds = of_lattices,
-                  .charted = lattice_models,
-                  .omits = {{no_correction, "mss-cf"}},
-                  .beside_printed = true}),
+      of_springs(
+          uniform,
+          {.name = "mss-uniform",
+           .description = "all springs of a cell of one stiffness: Young's modulus along "
+                          "the axes, nu = 5/19 whatever is asked for",
+           .source = "own",
+           .look = {"#E7298A", "*"},
+           .cells = hexahedra,
+           .seconds = of_lattices,
+           .charted = lattice_models,
+           .omits = {{no_correction, "mss-cf"}},
+           .beside_printed = true}),
       // It couples a node with its neighbours' neighbours where its volume correction
       // acts on node stars. Peaks at 10^3 and 20^3 cubes: 221 and 714 MB, mss-cf's 188
       // and 432.

@@ -80,6 +80,7 @@ Model model_of(const TableRows& points, std::size_t i) {
 Row row_of(const StoredChart::Point& point) {
   Row row = row_of(point.model);
   row.insert({{"kind", std::string(name_of(point.kind))}, {"key", point.key}});
+  if (!point.family.empty()) row["family"] = point.family;
   put(row, "left_out", point.left_out);
   put(row, "across", point.across);
   put(row, "cells", point.cells);
@@ -155,7 +156,8 @@ StoredChart read_chart(hid_t group) {
                             .times = std::move(times),
                             .timing = timing,
                             .setup = points.find_number("setup", i),
-                            .simulated = points.find_number("simulated", i)});
+                            .simulated = points.find_number("simulated", i),
+                            .family = points.find_text("family", i).value_or("")});
   }
   const TableRows comparisons(hdf5::open_group(group, "comparisons"),
                               "a chart's comparison");

@@ -44,6 +44,7 @@ struct StoredChart {
     std::optional<Timing> timing;         // none of what was left out
     std::optional<double> setup;          // [s] of the time, median
     std::optional<double> simulated;      // [s] of motions
+    std::string family{};                 // of the method; empty in older files
   };
   /// The same case with its deviations from a truth.
   struct Comparison {
@@ -82,7 +83,8 @@ StoredChart merged(StoredChart chart, const StoredChart& other);
 ///                           machine
 ///     IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3
 ///     IDENTITY/points       columns model (its name) and its parts method, element,
-///                           cell-type, linear-solver, precision, then kind, across,
+///                           cell-type, linear-solver, precision, its family, then kind,
+///                           across,
 ///                           cells, nodes, threads, key, left_out, repetitions, minimum,
 ///                           lower_quartile, median, upper_quartile, maximum, setup,
 ///                           simulated, times (all of them, rounds with ';' between, as

@@ -54,7 +54,8 @@ std::vector<Request> requests(const RunSettings& run) {
     if (reference.grid == ReferenceGrid::converged || !reference.cells.empty())
       request.reference->body = grid_beside(reference, run.common.body);
     request.reference_grid = reference.grid;
-    const bool is_limit = solver_of(request.settings) == Solver::path_limit;
+    const bool is_limit = solver_of(request.settings) == Solver::path_limit ||
+                          solver_of(*request.reference) == Solver::path_limit;
     if (is_limit || (!method.is_elastic && !run.reference)) {
       // A limit is no state at the load, and the usual reference is elastic.
       request.reference.reset();

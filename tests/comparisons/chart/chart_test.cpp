@@ -223,6 +223,18 @@ BOOST_AUTO_TEST_CASE(deviations_are_held_against_the_bar_of_their_own_mesh) {
   BOOST_TEST((front["errors_told"] == nlohmann::ordered_json{0.002, 0.0005}));
 }
 
+// Of a method that this program does not have, as of one that is known.
+BOOST_AUTO_TEST_CASE(the_family_of_a_point_is_the_files_or_else_its_methods) {
+  ExampleChart example;
+  example.add("mss-cf", 4, 2, 10, 0.002);
+  example.add("ext-springs", 4, 2, 10, 0.002);
+  BOOST_TEST(family_of(example.chart.points[0]) == "springs");
+  BOOST_TEST(family_of(example.chart.points[1]) == "");
+  example.chart.points[1].family = "springs";
+  const Chart chart = evaluated(example.chart, example.cases);
+  BOOST_TEST(charts_json({chart})[0]["points"][1]["family"] == "springs");
+}
+
 BOOST_AUTO_TEST_CASE(points_without_a_time_say_why) {
   ExampleChart example;
   example.add("fem-stvk:q2", 4, 2, 10, 0.002);

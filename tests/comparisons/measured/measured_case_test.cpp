@@ -70,6 +70,23 @@ BOOST_AUTO_TEST_CASE(a_field_of_our_own_has_the_measures_it_had) {
   }
 }
 
+// A limit is no state at the load: no reference by it. Static elements are one.
+BOOST_AUTO_TEST_CASE(a_field_is_never_compared_with_a_limit) {
+  for (const auto& [reference, is_compared] :
+       {std::pair{"mss-cf", false}, std::pair{"fem-stvk", true}}) {
+    const RunSettings run =
+        run_of("compression", {"method=mss-cf", "cells=2,2,2", "solver=limit",
+                               std::string("reference=") + reference});
+    MeshStore meshes;
+    const Mesh& mesh = meshes.mesh(run.common.body);
+    const MeasuredFields fields{
+        .displacements = affine_field(mesh, Eigen::Matrix3d::Zero()), .forces = {}};
+    const CaseResult found = measured(run, fields, meshes);
+    BOOST_TEST(found.request.reference.has_value() == is_compared, reference);
+    BOOST_TEST(found.measures.mean_deviation.has_value() == is_compared, reference);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_same_field_through_a_csv_file_is_the_same_case) {
   const OwnFolder own;
   const RunSettings run = run_of("shearing", {"method=mss-cf", "cells=3,3,3"});

@@ -290,4 +290,22 @@ BOOST_AUTO_TEST_CASE(merging_adds_fields_that_are_lacking) {
   BOOST_TEST(stored_keys(own.path / "bare.h5").with_fields.size() == results.size());
 }
 
+// Files of before 0.3.0 lack the family, which says nothing that the method does not.
+BOOST_AUTO_TEST_CASE(merging_with_an_older_file_finds_no_conflict) {
+  const OwnFolder own;
+  MeshStore meshes;
+  const auto results = study(requests(run_of("compression", small)), meshes);
+  const auto older = own.path / "older.h5", newer = own.path / "newer.h5";
+  for (const auto& file : {older, newer}) write_results(file, results, meshes);
+  const hid_t file = H5Fopen(older.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  BOOST_TEST_REQUIRE(H5Ldelete(file, "cases/family", H5P_DEFAULT) >= 0);
+  H5Fclose(file);
+  BOOST_TEST(!read_cases(older).texts.contains("family"));
+  for (const auto& [to, from] : {std::pair(newer, older), std::pair(older, newer)}) {
+    const auto absorbed = ResultFile(to).absorb(from);
+    BOOST_TEST(absorbed.conflicts.empty());
+    BOOST_TEST(absorbed.already_there == results.size());
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()
