@@ -132,7 +132,7 @@ Region checked_region(const std::string& source, const std::string& name,
                       std::vector<FaceNodes> faces, const FaceUses& uses) {
   if (faces.empty())
     throw InputError(source, fmt::format("region '{}'", name), "at least 1 face", "0");
-  Region region{.faces = std::move(faces), .nodes = {}};
+  Region region{.faces = std::move(faces)};
   for (const FaceNodes& face : region.faces) {
     const auto found = uses.find(ascending(face));
     if (found == uses.end() || found->second.cells != 1)

@@ -12,7 +12,7 @@ namespace springcheck {
 /// A part of the boundary.
 struct Region {
   std::vector<FaceNodes> faces;
-  std::vector<NodeIndex> nodes;  // of the faces, ascending, each once
+  std::vector<NodeIndex> nodes{};  // of the faces, ascending, each once
 };
 
 /// The mesh both solvers receive: nodes [m], cells of any types, named boundary regions.

@@ -9,7 +9,7 @@ namespace springcheck {
 /// Nodes [m] and cells on the way to a Mesh, not checked yet.
 struct MeshParts {
   std::vector<Vector3> nodes;
-  std::vector<CellNodes> cells;
+  std::vector<CellNodes> cells{};
 };
 
 }  // namespace springcheck

@@ -62,8 +62,7 @@ CellQuality none() {
           .smallest_scaled_jacobian = infinity,
           .mean_scaled_jacobian = 0,
           .largest_edge_ratio = 0,
-          .mean_edge_ratio = 0,
-          .histogram = {}};
+          .mean_edge_ratio = 0};
 }
 
 void divide_sums(CellQuality& quality) {
@@ -99,7 +98,7 @@ double edge_ratio(const CornerPositions& x) {
 }
 
 Quality quality_of(const Mesh& mesh) {
-  Quality quality{.all = none(), .by_type = {}};
+  Quality quality{.all = none()};
   for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
     const CornerPositions x = corners(mesh.cells()[c], mesh.nodes());
     CellQuality& of_type = quality.by_type.try_emplace(type_of(x), none()).first->second;

@@ -36,12 +36,12 @@ struct CellQuality {
   double largest_edge_ratio;
   double mean_edge_ratio;
   // Cells with a scaled Jacobian in [0, 0.1), [0.1, 0.2), ..., [0.9, 1]:
-  std::array<std::size_t, 10> histogram;
+  std::array<std::size_t, 10> histogram{};
 };
 
 struct Quality {
   CellQuality all;
-  std::map<CellType, CellQuality> by_type;  // those there are
+  std::map<CellType, CellQuality> by_type{};  // those there are
 };
 Quality quality_of(const Mesh& mesh);
 

@@ -25,8 +25,6 @@ Vector3 displacement(const RigidMotion& motion, const Vector3& point,
 Solution refused(const std::string& reason) {
   return {.status = SolveStatus::refused,
           .reason = reason,
-          .displacements = {},
-          .reactions = {},
           .lever_arms = LeverArms::deformed,
           .strain_energy = 0,
           .load_fraction = 0,

@@ -67,7 +67,7 @@ struct Traction {
 /// One mechanical problem, as both solvers receive it together with a Mesh.
 struct Scene {
   Material material;
-  std::vector<Plate> plates;
+  std::vector<Plate> plates{};
   std::vector<Pin> pins{};
   std::vector<Traction> tractions{};
   // Displacement gradient H that the whole boundary follows, u = s H X:
@@ -93,11 +93,11 @@ enum class LeverArms { undeformed, deformed };
 /// What a solver returns. Vectors hold one entry per node of the mesh.
 struct Solution {
   SolveStatus status;
-  std::string reason;  // why; with ok, what was passed on the way
+  std::string reason{};  // why; with ok, what was passed on the way
   // [m] of the last state reached; empty when refused:
-  std::vector<Vector3> displacements;
+  std::vector<Vector3> displacements{};
   // [N] what the supports apply to the body, 0 in free components; loads are not in it:
-  std::vector<Vector3> reactions;
+  std::vector<Vector3> reactions{};
   LeverArms lever_arms;
   double strain_energy;   // [J]
   double load_fraction;   // reached, 1 = all of it

@@ -30,7 +30,7 @@ struct MaxwellBranch {
 /// The elastic branch has tau = infinity. memory.hpp is the same in any deformation.
 struct MaxwellModel {
   BranchModuli elastic;
-  std::vector<MaxwellBranch> branches;
+  std::vector<MaxwellBranch> branches{};
   double viscosity;        // eta [Pa s], at least 0
   double linear_limit;     // gamma_lim [-], above 0
   double hardening_index;  // p [-], above 0

@@ -59,7 +59,6 @@ constexpr double weight_of_loss = 0.4;
 MaxwellModel model_of(const BipowerLaw& law, const std::vector<double>& times,
                       const Eigen::VectorXd& x) {
   MaxwellModel model{.elastic = {x[0], x[1]},
-                     .branches = {},
                      .viscosity = x[x.size() - 1],
                      .linear_limit = law.linear_limit,
                      .hardening_index = law.hardening_index};

@@ -57,8 +57,8 @@ struct Decay {
   double kept, from_old, from_new;  // e, 1-e-f, f; between 0 and 1
 };
 struct MemoryStep {
-  double duration;            // dt [s]
-  std::vector<Decay> decays;  // of each branch
+  double duration;              // dt [s]
+  std::vector<Decay> decays{};  // of each branch
 };
 
 /// Once for each dt > 0, not for each point. Throws InputError for a dt or a solid that

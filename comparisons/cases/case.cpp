@@ -4,14 +4,6 @@
 
 namespace springcheck {
 
-bool has_lower_plate(Test test) {
-  return test != Test::affine;
-}
-
-bool has_upper_plate(Test test) {
-  return test != Test::bending && test != Test::affine;
-}
-
 Solver solver_of(const CaseSettings& settings) {
   const Method& method = settings.method;
   if (!method.follows_solver) return Solver::static_equilibrium;

@@ -6,22 +6,11 @@
 #include "comparisons/cases/body.hpp"
 #include "comparisons/cases/method.hpp"
 #include "comparisons/cases/named.hpp"
+#include "comparisons/cases/test.hpp"
 #include "mss/motion/dynamics.hpp"
 #include "tissue/bipower_law.hpp"
 
 namespace springcheck {
-
-/// The deformation tests; mechanical_scene says what holds and loads the body.
-enum class Test {
-  compression,
-  tension,
-  shearing,
-  torsion,
-  bending,
-  uniaxial,
-  traction,
-  affine
-};
 
 /// How a body touches its plates: all components held, or the one along the normal.
 enum class PlateContact { glued, sliding };
@@ -65,17 +54,6 @@ struct Tissue {
   int steps;  // of the quasi-static solver, on each straight piece of the load
 };
 
-/// Whether the body stands on a plate; whether there is one on it that is moved or
-/// loaded.
-bool has_lower_plate(Test test);
-bool has_upper_plate(Test test);
-
-template <>
-inline constexpr std::array value_names<Test>{
-    Named{Test::compression, "compression"}, Named{Test::tension, "tension"},
-    Named{Test::shearing, "shearing"},       Named{Test::torsion, "torsion"},
-    Named{Test::bending, "bending"},         Named{Test::uniaxial, "uniaxial"},
-    Named{Test::traction, "traction"},       Named{Test::affine, "affine"}};
 template <>
 inline constexpr std::array value_names<PlateContact>{
     Named{PlateContact::glued, "glued"}, Named{PlateContact::sliding, "sliding"}};

@@ -46,7 +46,8 @@ PlateGeometry plate_geometry(const CaseSettings& settings, const Mesh& mesh) {
     const auto [width, depth, height] = body.block.size;
     return {.centre = Vector3(width / 2, depth / 2, height), .distance = height};
   }
-  if (!has_upper_plate(settings.test)) return {.centre = Vector3::Zero(), .distance = 0};
+  if (!entry_of(settings.test).upper_plate)
+    return {.centre = Vector3::Zero(), .distance = 0};
   if (body.moved == body.fixed)
     throw InputError(mesh.source(), "plates", "two regions",
                      fmt::format("'{}' as the fixed and the moved one", body.fixed));
@@ -76,7 +77,7 @@ Scene mechanical_scene(const CaseSettings& settings, const Mesh& mesh) {
   const PlateGeometry plates = plate_geometry(settings, mesh);
   const double height = plates.distance;
   const bool slides =
-      settings.test == Test::uniaxial ||
+      entry_of(settings.test).slides ||
       (settings.test == Test::traction && settings.plates == PlateContact::sliding);
   Plate lower{.region = body.fixed,
               .motion = {.translation = Vector3::Zero(),
@@ -87,7 +88,7 @@ Scene mechanical_scene(const CaseSettings& settings, const Mesh& mesh) {
   Plate upper = lower;
   upper.region = body.moved;
   RigidMotion& motion = upper.motion;
-  Scene scene{.material = settings.material, .plates = {}, .gravity = settings.gravity};
+  Scene scene{.material = settings.material, .gravity = settings.gravity};
   if (slides)
     scene.pins = {
         {.point = Vector3::Zero(), .held = {true, true, false}},

@@ -82,6 +82,7 @@ struct Method {
   /// Settings of its own, by their keys in the table of settings. A lattice of finite
   /// elements adds its own (LatticeName).
   std::vector<std::string_view> reads{};
+  std::string covers{};           // in words; it refuses the rest in its own
   std::vector<CellType> cells{};  // it refuses others
   std::vector<Solver> solvers{};  // the first is its own; it refuses others
   bool follows_solver = true;     // no: static whatever solver a case names
@@ -89,6 +90,10 @@ struct Method {
   bool has_history = false;       // the way to a load matters without inertia too
   bool locks = false;             // too stiff near nu = 1/2
   bool belongs_to_cells = false;  // its constants are those of the case's own cells
+  bool corrects_volume = false;   // by Golec 2018, Eq. 5.36, always
+  int foremost = 0;               // its place among those of its family that people want
+                                  // to see first, from 1; 0: behind them
+  std::string_view at_rest{};     // a method that steps: label of its statics, another's
   std::optional<LatticeName> lattice{};  // whose continuum fem-cauchy-born is
   PathPrecision path{};
 

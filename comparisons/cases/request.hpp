@@ -15,7 +15,7 @@ enum class ReferenceGrid { one, converged };
 struct Request {
   CaseSettings settings;
   // On the same mesh or a refinement of it; on the same mesh when `converged`:
-  std::optional<CaseSettings> reference;
+  std::optional<CaseSettings> reference{};
   ReferenceGrid reference_grid = ReferenceGrid::one;
 };
 

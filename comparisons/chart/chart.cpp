@@ -18,22 +18,13 @@ const StoredCase* find(const Cases& cases, const std::string& key) {
   return found == cases.end() ? nullptr : &found->second;
 }
 
-std::optional<double> answer_of(const Measures& measures, const std::string& name) {
-  std::optional<double> answer;
-  for_each_measure(measures, [&](const char* own, const auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Measures::Value>)
-      if (name == own) answer = value;
-  });
-  return answer;
-}
-
 std::optional<ChartTruth> truth_of(const StoredChart& chart,
                                    const StoredChart::Truth& grids, const Cases& cases) {
   std::array<double, 3> answers{}, volumes{};
   for (std::size_t i = 0; i < 3; ++i) {
     const StoredCase* grid = find(cases, grids.keys[i]);
     if (grid == nullptr || grid->status != Status::ok) return std::nullopt;
-    const auto answer = answer_of(grid->measures, chart.answer);
+    const auto answer = measure_of(grid->measures, chart.answer);
     if (!answer) return std::nullopt;
     answers[i] = *answer;
     volumes[i] = grid->measures.volume_change.value();
@@ -43,8 +34,7 @@ std::optional<ChartTruth> truth_of(const StoredChart& chart,
       .answer = converged_number(grids.cell_sizes, answers,
                                  solver_noise * std::abs(answers[2])),
       .volume_change = converged_number(grids.cell_sizes, volumes, solver_noise),
-      .imposed = 0,
-      .bars = {}};
+      .imposed = 0};
   truth.imposed = chart.imposed.value_or(std::abs(truth.answer.value));
   truth.bars.force = truth.answer.bar / std::abs(truth.answer.value);
   truth.bars.volume = truth.volume_change.bar / (truth.imposed / chart.height);
@@ -54,7 +44,7 @@ std::optional<ChartTruth> truth_of(const StoredChart& chart,
 ChartErrors errors_of(const StoredChart& chart, const ChartTruth& truth,
                       const StoredCase& found, const StoredCase* compared) {
   ChartErrors errors;
-  if (const auto answer = answer_of(found.measures, chart.answer))
+  if (const auto answer = measure_of(found.measures, chart.answer))
     errors.force = std::abs(*answer / truth.answer.value - 1);
   if (const auto volume = found.measures.volume_change)
     errors.volume =
@@ -156,7 +146,7 @@ std::vector<std::size_t> Chart::rivals(std::size_t point, ChartMeasure measure,
 }
 
 Chart evaluated(const StoredChart& stored, const Cases& cases) {
-  Chart chart{.stored = stored, .truths = {}, .points = {}};
+  Chart chart{.stored = stored};
   for (const StoredChart::Truth& grids : stored.truths)
     if (auto truth = truth_of(stored, grids, cases)) chart.truths.push_back(*truth);
   std::map<std::pair<std::string, std::string>, std::string> compared;
@@ -165,7 +155,6 @@ Chart evaluated(const StoredChart& stored, const Cases& cases) {
   for (const StoredChart::Point& place : stored.points) {
     ChartPoint point{
         .place = place,
-        .found = std::nullopt,
         .errors = std::vector<ChartErrors>(chart.truths.size()),
         .deviation_bars = std::vector<std::optional<double>>(chart.truths.size()),
         .compared = std::vector<std::string>(chart.truths.size())};

@@ -42,13 +42,13 @@ struct ChartTruth {
   ConvergedNumber answer;         // [N], [N m] or [m]
   ConvergedNumber volume_change;  // of V0
   double imposed;                 // u [m]
-  ChartErrors bars;               // deviation's: the largest of any mesh compared
+  ChartErrors bars{};             // deviation's: the largest of any mesh compared
 };
 
 struct ChartPoint {
   StoredChart::Point place;
-  std::optional<StoredCase> found;  // none where it was not run
-  std::vector<ChartErrors> errors;  // for each truth; none in failed cases
+  std::optional<StoredCase> found{};  // none where it was not run
+  std::vector<ChartErrors> errors;    // for each truth; none in failed cases
   std::vector<std::optional<double>> deviation_bars;  // of each truth on this mesh
   std::vector<std::string> compared;  // keys of the cases that tell them, or ""
 
@@ -77,8 +77,8 @@ std::string status_of(const ChartPoint& point);
 /// A chart with its errors.
 struct Chart {
   StoredChart stored;
-  std::vector<ChartTruth> truths;  // without laws that have none: a grid failed
-  std::vector<ChartPoint> points;
+  std::vector<ChartTruth> truths{};  // without laws that have none: a grid failed
+  std::vector<ChartPoint> points{};
 
   /// Place of the truth of a law; none without.
   [[nodiscard]] std::optional<std::size_t> truth_of(const std::string& law) const;

@@ -20,20 +20,14 @@
 namespace springcheck {
 namespace {
 
-/// The measure that answers a test's load.
+/// The measure that answers a test's load; a plate's force along its motion, in shearing
+/// too.
 std::string answer_of(Test test, const std::string& scene) {
-  switch (test) {
-    case Test::torsion:
-      return "plate_torque";
-    case Test::bending:
-      return "tip_deflection";
-    case Test::traction:
-    case Test::affine:
-      throw InputError(scene, "test", "one that a plate or a weight answers",
-                       std::string(name_of(test)));
-    default:
-      return "plate_force";
-  }
+  const TestName& entry = entry_of(test);
+  if (entry.deforms && !entry.turns) return "plate_force";
+  if (entry.deforms || test == Test::bending) return std::string(entry.answer);
+  throw InputError(scene, "test", "one that a plate or a weight answers",
+                   std::string(entry.name));
 }
 
 RunSettings scene_of(const ChartPlan& plan) {
@@ -45,7 +39,7 @@ RunSettings scene_of(const ChartPlan& plan) {
 std::string law_of(const ChartPlan& plan) {
   const Request first = requests(scene_of(plan)).front();
   const Method& method = (first.reference ? *first.reference : first.settings).method;
-  return reads(method, "element") ? method.name : "fem-stvk";
+  return reads(method, "element") ? method.name : usual_law(false).name;
 }
 
 /// What determines all models of the chart, whichever they are.
@@ -92,20 +86,15 @@ StoredChart planned_chart(const ChartPlan& plan, const std::vector<ThreeCases>& 
                     .law = first.method.name,
                     .answer = answer_of(common.test, plan.scene),
                     .height = first.body.block.size[2],
-                    .imposed = std::nullopt,
                     .machine = fmt::format("{}, {}, commit {}", processor_name(),
-                                           build_info::compiler, build_info::commit),
-                    .truths = {},
-                    .points = {},
-                    .comparisons = {}};
+                                           build_info::compiler, build_info::commit)};
   if (first.test != Test::bending)
     chart.imposed = largest_imposed_displacement(mesh, mechanical_scene(first, mesh));
   for (const ThreeCases& grids : truths) {
-    StoredChart::Truth truth{
-        .law = grids.front().method.name, .cell_sizes = grid_sizes(grids), .keys = {}};
+    StoredChart::Truth truth{.law = grids.front().method.name,
+                             .cell_sizes = grid_sizes(grids)};
     std::ranges::transform(grids, truth.keys.begin(), [&](const CaseSettings& grid) {
-      return case_key({.settings = grid, .reference = std::nullopt},
-                      meshes.mesh(grid.body));
+      return case_key({.settings = grid}, meshes.mesh(grid.body));
     });
     chart.truths.push_back(std::move(truth));
   }

@@ -15,8 +15,8 @@ namespace springcheck {
 struct ChartPlan {
   std::string scene;
   std::vector<GivenSetting> options;  // that replace the scene's
-  std::vector<std::string> laws;      // of truths, beside that of the scene
-  std::vector<int> across;            // cells across the shortest edge
+  std::vector<std::string> laws{};    // of truths, beside that of the scene
+  std::vector<int> across{};          // cells across the shortest edge
   std::vector<int> threads;           // of the timed runs
   double budget;                      // [s] that a point's solution may take
   double repeat_for;                  // [s] of a point's repetitions, in all rounds

@@ -258,8 +258,7 @@ class ChartRun::State {
   }
 
   std::string key_of(const CaseSettings& settings) {
-    return case_key({.settings = settings, .reference = std::nullopt},
-                    meshes_.mesh(settings.body));
+    return case_key({.settings = settings}, meshes_.mesh(settings.body));
   }
 
   void put(std::span<const CaseResult> results, bool with_fields) {
@@ -283,8 +282,7 @@ class ChartRun::State {
   void find_truths() {
     std::vector<Request> all;
     for (const ThreeCases& grids : truths_planned_)
-      for (const CaseSettings& grid : grids)
-        all.push_back({.settings = grid, .reference = std::nullopt});
+      for (const CaseSettings& grid : grids) all.push_back({.settings = grid});
     check_memory(plan_.scene, all);
     Progress progress(plan_.scene + ": truths");
     const KnownResult known = only_with_fields(known_from(stored_, meshes_));
@@ -310,10 +308,6 @@ class ChartRun::State {
                              .nodes = static_cast<double>(mesh.nodes().size()),
                              .threads = threads,
                              .key = key,
-                             .left_out = std::nullopt,
-                             .times = {},
-                             .timing = std::nullopt,
-                             .setup = std::nullopt,
                              .simulated = model.kind == ChartKind::motion
                                               ? std::optional(settings.dynamics.duration)
                                               : std::nullopt,
@@ -350,7 +344,7 @@ class ChartRun::State {
   void compare(const CaseSettings& settings, const std::string& key,
                const std::optional<CaseResult>& result) {
     std::vector<Request> missing;
-    if (!is_known(key)) missing.push_back({.settings = settings, .reference = {}});
+    if (!is_known(key)) missing.push_back({.settings = settings});
     const bool is_state =
         result ? result->measures.volume_error.has_value() : !has_failed(key);
     const bool is_nested = settings.body.shape == BodyShape::block;

@@ -13,16 +13,10 @@ std::optional<double> in_percent(const std::optional<double>& fraction) {
   return fraction ? std::optional(100 * *fraction) : std::nullopt;
 }
 
-Cell text_cell(std::string text) {
-  return {.number = std::nullopt, .text = std::move(text)};
-}
-
 /// An error, or the status that stands in its place.
 Cell error_cell(const ChartPoint& point, std::size_t truth, ChartMeasure measure) {
-  return {.number = in_percent(point.errors[truth].of(measure)),
-          .text = !point.found || point.is_ok()
-                      ? ""
-                      : std::string(name_of(point.found->status))};
+  return {in_percent(point.errors[truth].of(measure)),
+          !point.found || point.is_ok() ? "" : std::string(name_of(point.found->status))};
 }
 
 std::string machines_of(const std::vector<Chart>& charts) {
@@ -43,41 +37,31 @@ const char* const what_errors_are =
 void add_point(Sheet& sheet, const Chart& chart, const ChartPoint& point,
                const std::optional<std::size_t>& truth) {
   const StoredChart::Point& place = point.place;
-  SheetRow row{.cells = {text_cell(chart.stored.scene),
-                         text_cell(std::string(name_of(place.kind))),
-                         text_cell(name_of(place.model)),
-                         {.number = place.across},
-                         {.number = place.cells},
-                         {.number = place.nodes},
-                         {.number = place.threads},
-                         text_cell(status_of(point))},
-               .cases = {place.key},
-               .part = identity_of(chart.stored)};
+  SheetRow row{
+      .cells = {chart.stored.scene, name_of(place.kind), name_of(place.model),
+                place.across, place.cells, place.nodes, place.threads, status_of(point)},
+      .cases = {place.key},
+      .part = identity_of(chart.stored)};
   for (const ChartMeasure measure : all_values<ChartMeasure>())
     row.cells.push_back(truth ? error_cell(point, *truth, measure) : Cell{});
-  row.cells.push_back({.number = point.seconds()});
-  row.cells.push_back({.number = point.seconds_at(&Timing::minimum)});
-  row.cells.push_back({.number = point.seconds_at(&Timing::lower_quartile)});
-  row.cells.push_back({.number = point.seconds_at(&Timing::upper_quartile)});
-  std::optional<double> repetitions, rounds;
-  if (place.timing) {
-    repetitions = place.timing->repetitions;
-    rounds = place.timing->rounds;
-  }
-  row.cells.push_back({.number = repetitions});
-  row.cells.push_back({.number = rounds});
-  row.cells.push_back({.number = point.seconds_at(&Timing::fastest_round)});
-  row.cells.push_back({.number = point.seconds_at(&Timing::slowest_round)});
-  row.cells.push_back({.number = place.setup});
-  std::optional<double> forces, factorisations, iterations, steps;
+  const auto& timing = place.timing;
+  row.cells.insert(
+      row.cells.end(),
+      {point.seconds(), point.seconds_at(&Timing::minimum),
+       point.seconds_at(&Timing::lower_quartile),
+       point.seconds_at(&Timing::upper_quartile),
+       timing ? Cell(timing->repetitions) : Cell(),
+       timing ? Cell(timing->rounds) : Cell(), point.seconds_at(&Timing::fastest_round),
+       point.seconds_at(&Timing::slowest_round), place.setup});
   if (point.found) {
-    forces = point.found->effort.value_or(Effort{}).force_evaluations;
-    steps = point.found->effort.value_or(Effort{}).steps;
-    factorisations = point.found->factorisations;
-    iterations = point.found->linear_iterations;
+    const Effort effort = point.found->effort.value_or(Effort{});
+    row.cells.insert(row.cells.end(),
+                     {effort.steps, effort.force_evaluations,
+                      std::optional<double>(point.found->factorisations),
+                      std::optional<double>(point.found->linear_iterations)});
+  } else {
+    row.cells.resize(row.cells.size() + 4);
   }
-  for (const auto& count : {steps, forces, factorisations, iterations})
-    row.cells.push_back({.number = count});
   if (truth && !point.compared[*truth].empty())
     row.cases.push_back(point.compared[*truth]);
   sheet.rows.push_back(std::move(row));
@@ -99,28 +83,25 @@ Sheet truths_sheet(const std::vector<Chart>& charts) {
                   {"volume_bar", "+- over the strain [%]", "{:.2g}"},
                   {"volume_order", "order", "{:.2f}"},
                   {"deviation_bar", "places +- [%]", "{:.2g}"}},
-      .rows = {},
       .notes = {
           "Richardson's extrapolation of the three grids, and the half width of its "
-          "error "
-          "bar (Roache's grid convergence index) over what errors are told by: the "
+          "error bar (Roache's grid convergence index) over what errors are told by: the "
           "answer, the imposed strain, the largest imposed displacement; the last is the "
           "largest of all meshes. An error below it says no more than that."}};
   for (const Chart& chart : charts)
     for (const ChartTruth& truth : chart.truths)
-      sheet.rows.push_back(
-          {.cells = {text_cell(chart.stored.scene),
-                     text_cell(truth.grids.law),
-                     text_cell(chart.stored.answer),
-                     {.number = truth.answer.value},
-                     {.number = in_percent(truth.bars.force)},
-                     {.number = truth.answer.order, .text = "none"},
-                     {.number = 100 * truth.volume_change.value},
-                     {.number = in_percent(truth.bars.volume)},
-                     {.number = truth.volume_change.order, .text = "none"},
-                     {.number = in_percent(truth.bars.deviation)}},
-           .cases = {truth.grids.keys.rbegin(), truth.grids.keys.rend()},
-           .part = identity_of(chart.stored)});
+      sheet.rows.push_back({.cells = {chart.stored.scene,
+                                      truth.grids.law,
+                                      chart.stored.answer,
+                                      truth.answer.value,
+                                      in_percent(truth.bars.force),
+                                      {truth.answer.order, "none"},
+                                      100 * truth.volume_change.value,
+                                      in_percent(truth.bars.volume),
+                                      {truth.volume_change.order, "none"},
+                                      in_percent(truth.bars.deviation)},
+                            .cases = {truth.grids.keys.rbegin(), truth.grids.keys.rend()},
+                            .part = identity_of(chart.stored)});
   return sheet;
 }
 
@@ -152,7 +133,6 @@ Sheet points_sheet(const std::vector<Chart>& charts) {
                   {"force_evaluations", "force evaluations", "{:.0f}"},
                   {"factorisations", "factorisations", "{:.0f}"},
                   {"linear_iterations", "linear iterations", "{:.0f}"}},
-      .rows = {},
       .notes = {what_errors_are,
                 "Time: median; of an equilibrium to a relative residual of 1e-10, of a "
                 "motion real seconds per simulated one at .9 of the method's own "
@@ -182,7 +162,6 @@ Sheet laws_sheet(const std::vector<Chart>& charts) {
                           {"force", "force off [%]", "{:.3g}"},
                           {"volume", "volume off [%]", "{:.3g}"},
                           {"deviation", "deviation [%]", "{:.3g}"}},
-              .rows = {},
               .notes = {what_errors_are}};
   for (const Chart& chart : charts) {
     std::set<std::pair<std::string, std::string>> seen;
@@ -191,12 +170,9 @@ Sheet laws_sheet(const std::vector<Chart>& charts) {
       if (!seen.insert({name_of(point.place.model), point.place.key}).second)
         continue;  // threads
       for (std::size_t i = 0; i < chart.truths.size(); ++i) {
-        SheetRow row{.cells = {text_cell(chart.stored.scene),
-                               text_cell(std::string(name_of(point.place.kind))),
-                               text_cell(name_of(point.place.model)),
-                               {.number = point.place.across},
-                               text_cell(chart.truths[i].grids.law),
-                               text_cell(status_of(point))},
+        SheetRow row{.cells = {chart.stored.scene, name_of(point.place.kind),
+                               name_of(point.place.model), point.place.across,
+                               chart.truths[i].grids.law, status_of(point)},
                      .cases = {point.place.key},
                      .part = identity_of(chart.stored)};
         for (const ChartMeasure measure : all_values<ChartMeasure>())
@@ -225,7 +201,6 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
                   {"across", "across", "{:.0f}"},
                   {"threads", "threads", "{:.0f}"},
                   {"rivals", "rivals", "{:.0f}"}},
-      .rows = {},
       .notes = {
           what_errors_are,
           "A front goes from the fastest point to the most accurate, each the fastest "
@@ -244,19 +219,13 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
           for (const std::size_t i : chart.front(kind, measure, truth)) {
             const ChartPoint& point = chart.points[i];
             SheetRow row{
-                .cells = {text_cell(chart.stored.scene),
-                          text_cell(std::string(name_of(kind))),
-                          text_cell(chart.truths[truth].grids.law),
-                          text_cell(std::string(name_of(measure))),
-                          {.number = in_percent(point.errors[truth].of(measure))},
-                          {.number = point.seconds()},
-                          {.number = point.seconds_at(&Timing::lower_quartile)},
-                          {.number = point.seconds_at(&Timing::upper_quartile)},
-                          text_cell(name_of(point.place.model)),
-                          {.number = point.place.across},
-                          {.number = point.place.threads},
-                          {.number = static_cast<double>(
-                               chart.rivals(i, measure, truth).size())}},
+                .cells = {chart.stored.scene, name_of(kind),
+                          chart.truths[truth].grids.law, name_of(measure),
+                          in_percent(point.errors[truth].of(measure)), point.seconds(),
+                          point.seconds_at(&Timing::lower_quartile),
+                          point.seconds_at(&Timing::upper_quartile),
+                          name_of(point.place.model), point.place.across,
+                          point.place.threads, chart.rivals(i, measure, truth).size()},
                 .cases = {point.place.key},
                 .part = identity_of(chart.stored)};
             const auto bar = chart.bar(i, measure, truth);

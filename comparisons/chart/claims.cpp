@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "comparisons/chart/pareto.hpp"
+#include "comparisons/methods/methods.hpp"
 
 namespace springcheck {
 namespace {
@@ -76,7 +77,6 @@ Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
               .elements = elements,
               .is_faster = faster(chart.points[springs], chart.points[elements]),
               .is_as_accurate = closer(chart, measure, springs, elements),
-              .rival = std::nullopt,
               .were_all_run = true,
               .is_faster_at_equal_accuracy = Answer::undecided};
   for (std::size_t i = 0; i < chart.points.size(); ++i) {
@@ -121,14 +121,14 @@ std::vector<Claim> claims(const Chart& chart) {
   };
   constexpr auto precision = dynamics::Precision::double_precision;
   std::vector<Pair> pairs;
-  for (const char* springs : {"mss-cf", "mss-affine"}) {
+  for (const Method* springs : foremost(Family::springs)) {
     pairs.push_back({ChartKind::equilibrium,
-                     {.method = springs},
+                     {.method = springs->name},
                      {.method = chart.stored.law, .element = "q1-sri"}});
-    for (const char* elements : {"fem-explicit-8p", "fem-explicit-1p"})
+    for (const Method* elements : moving_elements())
       pairs.push_back({ChartKind::motion,
-                       {.method = springs, .precision = precision},
-                       {.method = elements, .precision = precision}});
+                       {.method = springs->name, .precision = precision},
+                       {.method = elements->name, .precision = precision}});
   }
   std::vector<Claim> all;
   for (const auto& [kind, springs, elements] : pairs)
@@ -186,7 +186,6 @@ Sheet claims_sheet(const std::vector<Chart>& charts) {
                   {"as_accurate", "as accurate there"},
                   {"faster_at_equal_accuracy", "faster at equal accuracy"},
                   {"words", "by the figures"}},
-      .rows = {},
       .notes = {
           "Against the truth of the scene's own law, on one thread, on the largest mesh "
           "that both hold on. Undecided: the times cannot be told apart, as chart-front "
@@ -208,7 +207,7 @@ Sheet claims_sheet(const std::vector<Chart>& charts) {
             std::string(name_of(claim.is_as_accurate)),
             std::string(name_of(claim.is_faster_at_equal_accuracy)),
             claim_text(chart, claim)})
-        row.cells.push_back({.number = std::nullopt, .text = text});
+        row.cells.push_back(text);
       row.cases.push_back(chart.points[claim.elements].place.key);
       if (claim.rival) row.cases.push_back(chart.points[*claim.rival].place.key);
       sheet.rows.push_back(std::move(row));

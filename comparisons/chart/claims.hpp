@@ -24,7 +24,7 @@ struct Claim {
   Answer is_as_accurate;
   // The fastest elements of any size, and cells, that cannot be told to be less accurate
   // than the springs; none where all can:
-  std::optional<std::size_t> rival;
+  std::optional<std::size_t> rival{};
   bool were_all_run;  // elements of this kind; none were left out
   // Than the rival; without one yes, if all were run.
   Answer is_faster_at_equal_accuracy;

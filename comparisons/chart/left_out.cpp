@@ -100,7 +100,7 @@ class Words {
     Model other{.method = advice_.chart.stored.law, .element = "q1-sri"};
     if (chosen_.place.kind == ChartKind::motion) {
       other = model_;
-      other.method = "fem-explicit-8p";
+      other.method = moving_elements().front()->name;
     }
     say_if_measured("No finite elements", other);
   }

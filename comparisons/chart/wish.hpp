@@ -12,7 +12,7 @@ struct Wish {
   double tolerance;  // of its error
   // [s] of a frame that must be simulated in as much real time; none: an equilibrium is
   // wanted.
-  std::optional<double> frame;
+  std::optional<double> frame{};
   double budget;  // [s] that a solution may take
   int threads;    // of the points that count
 

@@ -26,7 +26,6 @@ const char* const first_line = "# Advised by springcheck";
 Wish wish_of(const AdviseOptions& options) {
   Wish wish{.measure = ChartMeasure::force,
             .tolerance = 0,
-            .frame = std::nullopt,
             .budget = options.budget,
             .threads = 1};
   const Given tolerance = Given::from_text("--tolerance", options.tolerance);
@@ -212,8 +211,6 @@ ExitStatus advise_command(const std::string& scene,
   if (given.out.empty()) temporary.emplace();
   const ChartPlan plan{.scene = scene,
                        .options = options,
-                       .laws = {},
-                       .across = {},
                        .threads = {wish.threads},
                        .budget = given.budget,
                        .repeat_for = std::min(1., given.budget),

@@ -40,7 +40,8 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
                      "at least one of springs whose continuum fem-cauchy-born is: " +
                          names_of(lattices()),
                      names_of(run.methods));
-  const Method law = run.reference ? run.reference->method : *find_method("fem-hencky");
+  const Method law =
+      run.reference ? run.reference->method : *foremost(Family::finite_elements).front();
   if (run.reference &&
       (run.reference->grid == ReferenceGrid::converged || !run.reference->cells.empty() ||
        run.reference->element.name != "q1-sri"))

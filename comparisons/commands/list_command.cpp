@@ -40,6 +40,7 @@ Json list_of_methods() {
     for (const Solver solver : method.solvers) solvers.push_back(name_of(solver));
     entries[method.name] = {{"family", name_of(method.family)},
                             {"description", method.description},
+                            {"covers", method.covers},
                             {"source", method.source},
                             {"cells", cells},
                             {"solvers", solvers},
@@ -47,6 +48,10 @@ Json list_of_methods() {
                             {"lattice", method.lattice.has_value()},
                             {"elastic", method.is_elastic},
                             {"locks", method.locks},
+                            {"law", method.law},
+                            {"corrects_volume", method.corrects_volume},
+                            {"foremost", method.foremost},
+                            {"at_rest", method.at_rest},
                             {"colour", method.look.colour},
                             {"mark", method.look.mark}};
   }
@@ -184,6 +189,8 @@ void print_entries(const Json& entries) {
   for (const auto& [name, entry] : entries.items()) {
     const Json& text = entry.is_string() ? entry : entry["description"];
     fmt::print("  {:<{}} {}\n", heading_of(name, entry), width, text.get<std::string>());
+    if (entry.contains("covers"))
+      fmt::print("  {:<{}} covers {}\n", "", width, entry["covers"].get<std::string>());
   }
 }
 

@@ -31,8 +31,7 @@ std::vector<Vector3> read_displacements(const std::filesystem::path& file,
 }
 
 MeasuredFields read_fields(const MeasuredFiles& files, const Mesh& mesh) {
-  MeasuredFields fields{.displacements = read_displacements(files.displacements, mesh),
-                        .forces = {}};
+  MeasuredFields fields{.displacements = read_displacements(files.displacements, mesh)};
   if (files.forces)
     fields.forces = read_nodal_csv(*files.forces, mesh, NodalQuantity::force);
   return fields;

@@ -11,10 +11,7 @@ namespace springcheck {
 ExitStatus stability_command(const std::string& scene,
                              const std::vector<GivenSetting>& options,
                              const StabilityOptions& stability) {
-  AtlasPlan plan{.scene = scene,
-                 .options = options,
-                 .axes = {},
-                 .judges_locking = stability.locking};
+  AtlasPlan plan{.scene = scene, .options = options, .judges_locking = stability.locking};
   const Test test = read_run(scene, options).common.test;
   for (const std::string& text : stability.over)
     for (Axis& axis : axes_named("--over", text, test))

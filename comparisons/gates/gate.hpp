@@ -20,7 +20,7 @@ double half_width(const Width& width, double about);
 
 /// From `low` to `high`, both included; open where empty.
 struct Range {
-  std::optional<double> low, high;
+  std::optional<double> low, high{};
 };
 
 // What the measure is compared with, one of these:
@@ -83,7 +83,7 @@ struct Gate {
   Selection where;
   std::string measure;         // "force.z"; empty: the status alone
   std::vector<Status> expect;  // what its cases' status may be
-  Comparison comparison;
+  Comparison comparison{};
   Blessing blessing;
 };
 

@@ -83,7 +83,7 @@ Order order_of(const GateTable& gate) {
   if (gate.along() != "cells")
     gate.refuse("along", "'cells' for an order of convergence", "'" + gate.along() + "'");
   if (gate.has("order_at_least"))
-    return {.range = {.low = gate.value("order_at_least").positive_number(), .high = {}}};
+    return {.range = {.low = gate.value("order_at_least").positive_number()}};
   const auto [low, high] = gate.value("order_between").numbers<2>();
   if (!(0 < low && low < high))
     gate.value("order_between").refuse("two positive numbers, the smaller one first");
@@ -127,7 +127,6 @@ Gate gate_of(const GateTable& table, const Selection& common, bool all_fixed) {
             .where = narrowed(common, table.selection("where")),
             .measure = table.text_or("measure", ""),
             .expect = {Status::ok},
-            .comparison = {},
             .blessing = Blessing::allowed};
   if (gate.where.empty()) table.refuse("where", "settings that select a case", "none");
   if (gate.measure == "status") gate.measure.clear();

@@ -24,7 +24,6 @@ Condition condition_of(std::string_view column, const toml::node& node,
                        const std::string& file) {
   Condition condition{.column = std::string(column),
                       .place = fmt::format("{}: {}", place(file, node.source()), column),
-                      .values = {},
                       .is_flat_list = false};
   const auto value_of = [&](const toml::node& one) {
     std::vector<Given::Scalar> numbers;

@@ -18,7 +18,7 @@ enum class Absent { fails, passes };
 /// the column is wide.
 struct Condition {
   std::string column, place;  // "gates.toml:4:12: nu"
-  std::vector<std::vector<Given::Scalar>> values;
+  std::vector<std::vector<Given::Scalar>> values{};
   // [4, 4, 4] is one value of a column three wide, but three of one that is not:
   bool is_flat_list;
   Absent absent = Absent::fails;

@@ -13,7 +13,7 @@ namespace springcheck {
 struct MeasuredFields {
   std::vector<Vector3> displacements;  // [m]
   // [N] what the supports apply to the body; empty where they are not known:
-  std::vector<Vector3> forces;
+  std::vector<Vector3> forces{};
 };
 
 /// The method of that name whose model are these fields. Throws InputError where the

@@ -38,8 +38,8 @@ std::vector<std::string> fields_of(const std::string& line) {
 /// Where the columns stand that a row is read from.
 struct CsvColumns {
   std::vector<std::string> names;
-  std::vector<std::size_t> place;  // of x, y, z or of node
-  std::vector<std::size_t> value;  // of the three components
+  std::vector<std::size_t> place{};  // of x, y, z or of node
+  std::vector<std::size_t> value{};  // of the three components
 };
 
 /// "x,y,z,ux,uy,uz" or "node,ux,uy,uz", in any order.
@@ -48,7 +48,7 @@ CsvColumns columns_of(const std::string& where, const std::string& header,
   const std::vector<std::string> by_point{"x", "y", "z"}, by_number{"node"},
       displacement{"ux", "uy", "uz"}, force{"fx", "fy", "fz"};
   const auto& components = quantity == NodalQuantity::displacement ? displacement : force;
-  CsvColumns columns{.names = fields_of(header), .place = {}, .value = {}};
+  CsvColumns columns{.names = fields_of(header)};
   const auto find_all = [&](const std::vector<std::string>& wanted) {
     std::vector<std::size_t> places;
     for (const std::string& name : wanted) {

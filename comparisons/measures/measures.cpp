@@ -62,7 +62,7 @@ void measure_plate(Measures& measures, const CaseSettings& settings, const Scene
   measures.torque = torque;
   measures.plate_force_norm = force.norm();
   measures.plate_torque = torque.z();
-  if (settings.test != Test::torsion)
+  if (!entry_of(settings.test).turns)
     measures.plate_force = force.dot(plate.motion.translation.normalized());
 }
 
@@ -98,6 +98,18 @@ void measure_affine(Measures& measures, const Scene& scene, const Mesh& mesh,
 }
 
 }  // namespace
+
+Measures::Value measure_of(const Measures& measures, std::string_view name) {
+  Measures::Value found;
+  for_each_measure(measures, [&](std::string_view own, const auto& value) {
+    if (name != own || !value) return;
+    if constexpr (std::is_same_v<decltype(value), const Measures::Value&>)
+      found = *value;
+    else
+      found = value->norm();
+  });
+  return found;
+}
 
 std::optional<std::string> not_finite(const Measures& measures) {
   std::optional<std::string> found;

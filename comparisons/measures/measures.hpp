@@ -144,6 +144,9 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
   visit("transit_count", measures.transit_count);
 }
 
+/// The measure of that name, of a vector its length; none without.
+Measures::Value measure_of(const Measures& measures, std::string_view name);
+
 /// The name of a measure that is not a finite number; none if all are that are known.
 std::optional<std::string> not_finite(const Measures& measures);
 

@@ -39,6 +39,7 @@ Method that_step(ExplicitElement element, Method own) {
           options.instruction_set);
     };
   };
+  own.covers = "hexahedra of any shape; motions alone, by explicit steps";
   own.charted = {{.precision = dynamics::Precision::double_precision},
                  {.precision = dynamics::Precision::single_precision}};
   own.seconds = {.in_motion = 0.03, .in_motion_off_grids = 0.03};
@@ -57,13 +58,16 @@ std::vector<Method> explicit_element_methods() {
                                 "control; hexahedra only",
                  .source = "Flanagan and Belytschko 1981, with a stiffness of our own",
                  .look = {"#1B7F8C", "8"},
+                 .foremost = 5,
                  .omits = {{"No further points of integration", "fem-explicit-8p"}}}),
       that_step(ExplicitElement::eight_points,
                 {.name = "fem-explicit-8p",
                  .description = "the same at 2x2x2 points: locks near nu = 0.5",
                  .source = "St-Venant-Kirchhoff on trilinear hexahedra",
                  .look = {"#A50F5A", "H"},
-                 .locks = true})};
+                 .locks = true,
+                 .foremost = 4,
+                 .at_rest = "fem-stvk:q1"})};
 }
 
 }  // namespace springcheck

@@ -22,6 +22,7 @@ Method of_elements(Law law, Method own) {
   if (own.description.empty())
     own.description = "finite elements, " + std::string(own.law);
   own.reads.insert(own.reads.end(), {"element", "linear-solver"});
+  own.covers = "cells of any shape, q2 hexahedra alone; bodies at rest" + own.covers;
   own.cells = {all_cell_types.begin(), all_cell_types.end()};
   own.solvers = {Solver::static_equilibrium};
   own.follows_solver = false;
@@ -88,6 +89,7 @@ std::vector<Method> finite_element_methods() {
                                .source = "linear elasticity",
                                .law = "small-strain Hooke",
                                .look = {"#7F7F7F", "X"},
+                               .foremost = 3,
                                .seconds = of_linear,
                                .charted = of_all_elements,
                                .omits = {{"Hooke's law does here, beside it St-Venant's",
@@ -98,6 +100,7 @@ std::vector<Method> finite_element_methods() {
                              "Piola-Kirchhoff stress",
                    .law = "St-Venant-Kirchhoff",
                    .look = {"#D55E00", "P"},
+                   .foremost = 2,
                    .seconds = of_others,
                    .charted = of_all_elements_and_solvers,
                    .omits = {no_small_strain, {"No logarithmic strain", "fem-hencky"}}}),
@@ -105,6 +108,7 @@ std::vector<Method> finite_element_methods() {
                                 .source = "Hencky 1928",
                                 .law = "Hencky, logarithmic strain",
                                 .look = {"#000000", "s"},
+                                .foremost = 1,
                                 .seconds = of_others,
                                 .charted = of_all_elements,
                                 .omits = {no_small_strain}}),
@@ -116,6 +120,7 @@ std::vector<Method> finite_element_methods() {
                    .law = "continuum of a spring lattice",
                    .look = {"#8C6BB1", "h"},
                    .reads = {"lattice", "lattice-direction"},
+                   .covers = "; Poisson's ratios above -1/4 of the lattice of mss-baudet",
                    .seconds = of_others,
                    .charted = {{.element = "q1-sri"}}})};
 }

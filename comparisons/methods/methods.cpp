@@ -55,4 +55,33 @@ const LatticeName* find_lattice(std::string_view name) {
   return find(lattices(), name);
 }
 
+std::vector<const Method*> foremost(Family family) {
+  std::vector<const Method*> all;
+  for (const Method& method : methods())
+    if (method.family == family && method.foremost > 0) all.push_back(&method);
+  std::ranges::sort(all, {}, &Method::foremost);
+  return all;
+}
+
+std::vector<const Method*> moving_elements() {
+  std::vector<const Method*> all = foremost(Family::finite_elements);
+  std::erase_if(all, [](const Method* method) { return method->stepping == nullptr; });
+  return all;
+}
+
+std::vector<const Method*> laws() {
+  std::vector<const Method*> all;
+  for (const Method& method : methods())
+    if (reads(method, "element")) all.push_back(&method);
+  return all;
+}
+
+const Method& usual_law(bool is_small) {
+  return *find_method(is_small ? "fem-hooke" : "fem-stvk");
+}
+
+const Method& continuum_of_lattices() {
+  return *find_method("fem-cauchy-born");
+}
+
 }  // namespace springcheck

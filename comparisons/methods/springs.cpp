@@ -4,6 +4,7 @@
 
 #include "comparisons/cases/case.hpp"
 #include "comparisons/methods/protocol.hpp"
+#include "mss/networks/method_table.hpp"
 #include "mss/solve.hpp"
 
 namespace springcheck {
@@ -29,10 +30,25 @@ std::optional<mss::DynamicsSettings> motion_settings(const CaseSettings& setting
                                .threads = threads};
 }
 
+std::string words_of(mss::CellShapes shapes) {
+  switch (shapes) {
+    case mss::CellShapes::any:
+      return "cells of any shape";
+    case mss::CellShapes::tetrahedra:
+      return "tetrahedra of any shape";
+    case mss::CellShapes::cubes:
+      return "cubes";
+    case mss::CellShapes::boxes:
+      break;
+  }
+  return "cubes, and boxes that springs of no negative stiffness make isotropic";
+}
+
 /// A method with what all of springs have. Of a solution's systems the coupling is that
 /// above nu = 1/4.
 Method of_springs(mss::Method springs, Method own, double coupling = 1) {
   own.family = Family::springs;
+  own.covers = words_of(mss::entry_of(springs).cells) + own.covers;
   own.reads.insert(own.reads.end(), {"damping", "precision", "noise", "seed"});
   own.solvers = {Solver::static_equilibrium,  Solver::path_limit, Solver::explicit_euler,
                  Solver::semi_implicit_euler, Solver::verlet,     Solver::implicit_euler};
@@ -130,6 +146,7 @@ std::vector<Method> spring_methods() {
                           .description = "edge and inner-diagonal springs after Baudet",
                           .source = "Golec 2018, chapter 3, after Baudet",
                           .look = {"#CC79A7", "v"},
+                          .covers = "; Poisson's ratios above -1/4",
                           .cells = hexahedra,
                           .lattice = LatticeName{"mss-baudet", Springs::baudet, {}},
                           .seconds = of_lattices,
@@ -142,6 +159,7 @@ std::vector<Method> spring_methods() {
                   .look = {"#E69F00", "^"},
                   .reads = {"stiffness-form"},
                   .cells = hexahedra,
+                  .corrects_volume = true,
                   .lattice = LatticeName{"mss-nfd", Springs::nfd, {"stiffness-form"}},
                   .seconds = of_lattices,
                   .charted = lattice_models,
@@ -165,6 +183,8 @@ std::vector<Method> spring_methods() {
                       .look = {"#0072B2", "o"},
                       .reads = {"diagonal-ratio", "stiffness-form"},
                       .cells = hexahedra,
+                      .corrects_volume = true,
+                      .foremost = 1,
                       .lattice = LatticeName{"mss-cf",
                                              Springs::cf,
                                              {"diagonal-ratio", "stiffness-form"}},
@@ -192,6 +212,8 @@ std::vector<Method> spring_methods() {
            .source = "own",
            .look = {"#009E73", "D"},
            .cells = any_cells,
+           .corrects_volume = true,
+           .foremost = 2,
            .lattice = LatticeName{"mss-affine", Springs::affine, {"stiffness-form"}},
            .seconds = of_virtual_springs,
            .charted = virtual_models},

@@ -135,6 +135,10 @@ Method of_tissue(Method own) {
 Method of_thesis(tissue::Elongation elongation, Method own) {
   own.family = Family::springs;
   own.source = "Golec 2018, Eq. 4.4 and Table 4.2";
+  own.covers =
+      "cubes, and boxes that springs of no negative stiffness make isotropic; "
+      "the laws of liver, kidney and spleen, to which limits were fitted by hand; "
+      "loads without inertia";
   own.cells = {CellType::hexahedron};
   own.solvers = {Solver::static_equilibrium};
   own.solve = [elongation](const CaseSettings& settings, const Mesh& mesh,
@@ -159,6 +163,8 @@ std::vector<Method> tissue_methods() {
                  .family = Family::springs,
                  .look = {"#7A0177", "*"},
                  .reads = {"branches"},
+                 .covers = "cells of any shape; no limits of paths, which give way with "
+                           "time; no implicit steps",
                  .cells = any_cells,
                  .solvers = {Solver::static_equilibrium, Solver::explicit_euler,
                              Solver::semi_implicit_euler, Solver::verlet},
@@ -172,6 +178,7 @@ std::vector<Method> tissue_methods() {
                  .family = Family::finite_elements,
                  .look = {"#4D4D4D", "1"},
                  .reads = {"branches"},
+                 .covers = "cells of any shape; loads without inertia",
                  .cells = any_cells,
                  .solvers = {Solver::static_equilibrium},
                  .solve = solve_by_elements}),

@@ -16,8 +16,7 @@ MethodModes stable_or_not(const std::string& method, std::optional<NaturalModes>
 MethodModes spring_modes(const Method& method, const CaseSettings& settings,
                          const Mesh& mesh, const std::vector<bool>& is_free, int count) {
   const auto network = method.network(settings, mesh);
-  if (!network)
-    return {.method = method.name, .modes = std::nullopt, .reason = "refused"};
+  if (!network) return {.method = method.name, .reason = "refused"};
   return stable_or_not(method.name, mss::rest_modes(*network, is_free, count));
 }
 

@@ -15,7 +15,7 @@ enum class Hold { free, as_in_scene };
 /// A method's modes, or why there are none: "refused", "indefinite".
 struct MethodModes {
   std::string method;  // as in a heading
-  std::optional<NaturalModes> modes;
+  std::optional<NaturalModes> modes{};
   std::string reason;
 };
 

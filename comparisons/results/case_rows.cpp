@@ -164,14 +164,8 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
 StoredCase stored_case(const Columns& cases, std::size_t row, const std::string& file) {
   const Reader reader(cases, row, file);
   StoredCase stored{.status = status_named(reader.text("status"), file),
-                    .flags = {},
                     .reason = reader.text("reason"),
-                    .measures = {},
-                    .effort = effort_of(reader),
-                    .linear_iterations = {},
-                    .factorisations = {},
-                    .dt = {},
-                    .dt_limit = {}};
+                    .effort = effort_of(reader)};
   std::string flags = reader.text("flags");
   while (!flags.empty()) {
     const std::size_t comma = std::min(flags.find(','), flags.size());
@@ -200,9 +194,6 @@ CaseResult with_stored(const Request& request, const std::string& key,
           .reason = stored.reason,
           .measures = stored.measures,
           .solution = {.status = SolveStatus::ok,
-                       .reason = {},
-                       .displacements = {},
-                       .reactions = {},
                        .lever_arms = LeverArms::deformed,
                        .strain_energy = 0,
                        .load_fraction = effort.load_fraction,

@@ -28,12 +28,12 @@ struct Effort {
 /// What a result file knows about a case, without fields.
 struct StoredCase {
   Status status;
-  std::vector<Status> flags;
+  std::vector<Status> flags{};
   std::string reason;
-  Measures measures;
+  Measures measures{};
   std::optional<Effort> effort;  // none where another program's result was measured
-  std::optional<int> linear_iterations, factorisations;
-  std::optional<double> dt, dt_limit;
+  std::optional<int> linear_iterations{}, factorisations{};
+  std::optional<double> dt{}, dt_limit{};
   std::string commit{};  // of the program that computed it
 };
 

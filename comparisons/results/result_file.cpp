@@ -183,7 +183,7 @@ void ResultFile::put_map(const StoredMap& map, MapState state) {
 ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
   constexpr std::size_t at_once = 500;  // bounds what a commit keeps in memory
   if (std::error_code none; std::filesystem::equivalent(from, file_, none))
-    return {.added = 0, .already_there = stored_.rows.size(), .conflicts = {}};
+    return {.added = 0, .already_there = stored_.rows.size()};
   const Columns theirs = read_cases(from);
   const Columns ours = std::filesystem::exists(file_) ? read_cases(file_) : Columns{};
   Absorbed absorbed;

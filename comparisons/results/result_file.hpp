@@ -30,7 +30,8 @@ StoredKeys keys_in(hid_t root, const std::filesystem::path& file);
 
 /// HDF5 layout 2; its groups and columns are told by layout.hpp.
 ///
-/// Results are added whole or not at all, whatever ends the program (comparisons/store/journal.hpp).
+/// Results are added whole or not at all, whatever ends the program
+/// (comparisons/store/journal.hpp).
 class ResultFile {
  public:
   /// Opens a result file to add to it; a missing one is made with the first results. What
@@ -56,7 +57,7 @@ class ResultFile {
   /// they are here, but get fields they lack.
   struct Absorbed {
     std::size_t added = 0, already_there = 0;
-    std::vector<std::string> conflicts;  // cases of other figures, in words
+    std::vector<std::string> conflicts{};  // cases of other figures, in words
   };
   Absorbed absorb(const std::filesystem::path& from);
 

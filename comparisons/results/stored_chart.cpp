@@ -128,13 +128,10 @@ StoredChart read_chart(hid_t group) {
                     .answer = hdf5::read_text(group, "answer").value_or(""),
                     .height = height->at(0),
                     .imposed = imposed ? std::optional(imposed->at(0)) : std::nullopt,
-                    .machine = hdf5::read_text(group, "machine").value_or(""),
-                    .truths = {},
-                    .points = {},
-                    .comparisons = {}};
+                    .machine = hdf5::read_text(group, "machine").value_or("")};
   const TableRows truths(hdf5::open_group(group, "truths"), "a chart's truth");
   for (std::size_t i = 0; i < truths.count(); ++i) {
-    StoredChart::Truth truth{.law = truths.text("law", i), .cell_sizes = {}, .keys = {}};
+    StoredChart::Truth truth{.law = truths.text("law", i)};
     for (std::size_t grid = 0; grid < 3; ++grid) {
       truth.cell_sizes[grid] = truths.number(size_columns[grid], i);
       truth.keys[grid] = truths.text(key_columns[grid], i);

@@ -29,8 +29,8 @@ struct StoredChart {
   /// Three grids of q2, from coarse to fine; their limit is the law's truth.
   struct Truth {
     std::string law;  // its method
-    std::array<double, 3> cell_sizes;
-    std::array<std::string, 3> keys;
+    std::array<double, 3> cell_sizes{};
+    std::array<std::string, 3> keys{};
   };
   struct Point {
     Model model;
@@ -39,12 +39,12 @@ struct StoredChart {
     double cells, nodes;  // of its mesh
     int threads;
     std::string key;
-    std::optional<std::string> left_out;  // why it was not run
-    TimedRounds times{};                  // [s] behind the timing
-    std::optional<Timing> timing;         // none of what was left out
-    std::optional<double> setup;          // [s] of the time, median
-    std::optional<double> simulated;      // [s] of motions
-    std::string family{};                 // of the method; empty in older files
+    std::optional<std::string> left_out{};  // why it was not run
+    TimedRounds times{};                    // [s] behind the timing
+    std::optional<Timing> timing{};         // none of what was left out
+    std::optional<double> setup{};          // [s] of the time, median
+    std::optional<double> simulated;        // [s] of motions
+    std::string family{};                   // of the method; empty in older files
   };
   /// The same case with its deviations from a truth.
   struct Comparison {
@@ -57,11 +57,11 @@ struct StoredChart {
   double height;         // [m] along the axis
   // Largest displacement that is imposed [m]; none in bending, where it is the truth's
   // tip deflection:
-  std::optional<double> imposed;
+  std::optional<double> imposed{};
   std::string machine;  // processor, compiler and commit
-  std::vector<Truth> truths;
-  std::vector<Point> points;
-  std::vector<Comparison> comparisons;
+  std::vector<Truth> truths{};
+  std::vector<Point> points{};
+  std::vector<Comparison> comparisons{};
 };
 
 /// Of scene, settings, the truth of its own law and the machine: charts of the same have

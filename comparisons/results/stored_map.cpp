@@ -25,9 +25,7 @@ Row row_of(const StoredMap::Limit& limit) {
 
 StoredMap read_map(hid_t group) {
   StoredMap map{.scene = hdf5::read_text(group, "scene").value_or(""),
-                .axes = {hdf5::read_text(group, "first").value_or("")},
-                .points = {},
-                .limits = {}};
+                .axes = {hdf5::read_text(group, "first").value_or("")}};
   if (const auto second = hdf5::read_text(group, "second")) map.axes.push_back(*second);
   const TableRows points(hdf5::open_group(group, "points"), "a map");
   for (std::size_t i = 0; i < points.count(); ++i) {

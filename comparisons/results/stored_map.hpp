@@ -27,9 +27,9 @@ struct StoredMap {
     std::optional<std::string> key;  // of the case that fails first
   };
   std::string scene;
-  std::vector<std::string> axes;  // keys, one or two
-  std::vector<Point> points;
-  std::vector<Limit> limits;
+  std::vector<std::string> axes{};  // keys, one or two
+  std::vector<Point> points{};
+  std::vector<Limit> limits{};
 };
 
 /// Whether limits and controls are known, or its cases still have to be computed.

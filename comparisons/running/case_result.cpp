@@ -19,7 +19,7 @@ std::string case_key(const Request& request, const Mesh& mesh) {
 }
 
 Verdict judge(SolveStatus solved, bool inverted, bool wrinkled) {
-  Verdict verdict{.status = Status::ok, .flags = {}};
+  Verdict verdict{.status = Status::ok};
   switch (solved) {
     case SolveStatus::no_equilibrium:
       verdict.status = Status::no_equilibrium;

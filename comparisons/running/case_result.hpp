@@ -12,12 +12,12 @@ namespace springcheck {
 
 struct CaseResult {
   Request request;
-  std::string key;  // identifies all that determines the result, see case_key
-  Status status;
-  std::vector<Status> flags;  // all of wrinkled, indefinite, inverted that apply
-  std::string reason;         // in words, unless status is ok
-  Measures measures;          // all empty when there is no equilibrium to measure
-  Solution solution;
+  std::string key{};  // identifies all that determines the result, see case_key
+  Status status{};
+  std::vector<Status> flags{};  // all of wrinkled, indefinite, inverted that apply
+  std::string reason{};         // in words, unless status is ok
+  Measures measures{};          // all empty when there is no equilibrium to measure
+  Solution solution{};
   // [m] displacement less the reference's, of each node; empty without a reference:
   std::vector<Vector3> deviation{};
   History history{};    // of dynamics, where samples were asked for
@@ -32,7 +32,7 @@ std::string case_key(const Request& request, const Mesh& mesh);
 /// of inverted (a corner Jacobian below 0), wrinkled, indefinite, ok.
 struct Verdict {
   Status status;
-  std::vector<Status> flags;
+  std::vector<Status> flags{};
 };
 Verdict judge(SolveStatus solved, bool inverted, bool wrinkled);
 

@@ -112,10 +112,7 @@ CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& ow
                 .last_dt = number("last_dt"),
                 .steps_left = count("steps_left"),
                 .limit = number("limit"),
-                .stiffest = {},
-                .look_evaluations = count("look_evaluations"),
-                .excess = {}},
-      .history = {}};
+                .look_evaluations = count("look_evaluations")}};
   if (hdf5::has_link(root, "stiffest"))
     checkpoint.march.stiffest = table("stiffest", 3 * nodes);
   if (hdf5::read_numbers(root, "excess_limit"))

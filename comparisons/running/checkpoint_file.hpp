@@ -12,7 +12,7 @@ namespace springcheck {
 /// Where a case in dynamics is, and what was sampled on the way there.
 struct CaseCheckpoint {
   dynamics::Checkpoint march;
-  History history;
+  History history{};
 };
 
 /// The case that a checkpoint belongs to: case_key, which decides, and settings_json,

@@ -78,9 +78,8 @@ dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
     };
   }
   if (!watch.checkpoint || !goes_through_time(settings)) return observers;
-  const CheckpointOwner owner{
-      .key = case_key({.settings = settings, .reference = std::nullopt}, mesh),
-      .settings = settings_json(settings)};
+  const CheckpointOwner owner{.key = case_key({.settings = settings}, mesh),
+                              .settings = settings_json(settings)};
   if (auto from = read_checkpoint(*watch.checkpoint, owner, mesh.nodes().size())) {
     fmt::print(stderr, "going on from {} at t = {:.4g} s, step {}\n",
                watch.checkpoint->string(), from->march.time, from->march.step);
@@ -97,12 +96,8 @@ dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
 }  // namespace
 
 CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found) {
-  CaseResult result{.request = {.settings = settings, .reference = std::nullopt},
-                    .key = {},
+  CaseResult result{.request = {.settings = settings},
                     .status = Status::ok,
-                    .flags = {},
-                    .reason = {},
-                    .measures = {},
                     .solution = std::move(found),
                     .wall_s = 0,
                     .solve_wall_s = 0};

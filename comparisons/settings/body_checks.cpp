@@ -55,7 +55,7 @@ void check_body(const CaseSettings& common, const Settings& settings,
   if (body.shape == BodyShape::kidney) check_kidney(settings, body.block);
   if (body.shape == BodyShape::disc) check_disc(settings, body.block);
   const bool slides =
-      common.test == Test::uniaxial || common.plates == PlateContact::sliding;
+      entry_of(common.test).slides || common.plates == PlateContact::sliding;
   if (slides && body.shape != BodyShape::block)
     throw InputError(
         body.shape == BodyShape::file ? find(settings, "mesh")->place() : file,

@@ -43,8 +43,8 @@ Body grid_beside(const ReferenceMethod& reference, const Body& body) {
 std::vector<Request> requests(const RunSettings& run) {
   constexpr double small_deformation = 0.02;
   const bool is_small = std::abs(run.common.deformation.value_or(1)) <= small_deformation;
-  const ReferenceMethod reference = run.reference.value_or(ReferenceMethod{
-      *find_method(is_small ? "fem-hooke" : "fem-stvk"), *find_element("q1-sri")});
+  const ReferenceMethod reference = run.reference.value_or(
+      ReferenceMethod{usual_law(is_small), *find_element("q1-sri")});
   std::vector<Request> all;
   for (const Method& method : run.methods) {
     Request request{.settings = run.common, .reference = run.common};

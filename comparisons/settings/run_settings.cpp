@@ -72,8 +72,8 @@ void check_test(const Settings& settings, Test test) {
     const auto has = find_setting(key)->has;
     if (has == nullptr || has(test)) continue;
     const auto& tests = value_names<Test>;
-    const auto first = std::ranges::find_if(tests, has, &Named<Test>::value);
-    if (std::ranges::count_if(tests, has, &Named<Test>::value) == 1)
+    const auto first = std::ranges::find_if(tests, has, &TestName::value);
+    if (std::ranges::count_if(tests, has, &TestName::value) == 1)
       given.refuse(fmt::format("no {} but in {}", key, first->name));
     given.refuse(fmt::format("no {} in {}", key, name_of(test)));
   }
@@ -119,7 +119,7 @@ void check_reversed(const RunSettings& run, const Settings& settings) {
 
 Dimension dimension_of(const Setting& setting, Test test) {
   if (setting.dimension != Dimension::deformation) return setting.dimension;
-  return test == Test::torsion ? Dimension::angle : Dimension::fraction;
+  return entry_of(test).turns ? Dimension::angle : Dimension::fraction;
 }
 
 /// Whether a setting is given that stands in its place.

@@ -21,7 +21,7 @@ inline bool has_cells(const CaseSettings& c) {
 }
 
 inline bool deforms(Test test) {
-  return !in_tests<Test::bending, Test::traction, Test::affine>(test);
+  return entry_of(test).deforms;
 }
 
 inline bool at_rest(const CaseSettings& c) {
@@ -56,9 +56,9 @@ inline bool has_no_inertia(const CaseSettings& c) {
   return !goes_through_time(c);
 }
 
-template <bool (*has_plate)(Test)>
+template <bool TestName::*has_plate>
 bool of_users_plate(const CaseSettings& c) {
-  return !has_cells(c) && has_plate(c.test);
+  return !has_cells(c) && entry_of(c.test).*has_plate;
 }
 
 // With what becomes of the setting where nothing of the run reads it:
@@ -66,8 +66,8 @@ bool of_users_plate(const CaseSettings& c) {
 constexpr std::string_view without_time = "without a solver that goes through time";
 
 constexpr Readers all{}, of_cells{has_cells}, of_blocks{body_is<BodyShape::block>},
-    of_lower_plates{of_users_plate<has_lower_plate>},
-    of_upper_plates{of_users_plate<has_upper_plate>}, of_chance{is_random},
+    of_lower_plates{of_users_plate<&TestName::lower_plate>},
+    of_upper_plates{of_users_plate<&TestName::upper_plate>}, of_chance{is_random},
     of_elastic{is_elastic}, of_solvers{is_solved};
 constexpr Readers of_steps{goes_through_time, Unread::refused_as_option, without_time},
     of_usual_steps{has_step_ratio, Unread::refused_as_option, without_time},

@@ -107,7 +107,7 @@ double deformation_of(const Given& given, const CaseSettings& settings) {
   const Test test = settings.test;
   constexpr double largest = 100;  // keeps squares of strains far from overflow
   const double deformation =
-      test == Test::torsion
+      entry_of(test).turns
           ? given.number("a finite angle, such as 0.785 (radians) or '45deg'")
           : given.number("a finite strain, such as 0.05 or '5%'");
   if (deformation > largest) given.refuse("a deformation of at most 100");
@@ -117,7 +117,7 @@ double deformation_of(const Given& given, const CaseSettings& settings) {
     return deformation;
   }
   if (!(deformation > 0)) given.refuse("a positive number: the test gives its direction");
-  if (test == Test::torsion && deformation > 2 * std::numbers::pi)
+  if (entry_of(test).turns && deformation > 2 * std::numbers::pi)
     given.refuse("an angle of at most a turn: degrees are written '45deg'");
   if (test == Test::compression && deformation >= 1)
     given.refuse("a strain below 1: the plates would meet");

@@ -68,12 +68,12 @@ std::string row_text(const std::vector<std::string>& cells) {
 /// What a table says once instead of in every row.
 struct Condensed {
   TextLines lines;
-  std::vector<std::string> cases;  // of the rows, empty without a column of them
-  std::string constants;           // "mesh 10x10x10, nu 0.25"
+  std::vector<std::string> cases{};  // of the rows, empty without a column of them
+  std::string constants{};           // "mesh 10x10x10, nu 0.25"
 };
 
 Condensed condensed(TextLines lines) {
-  Condensed shorter{.lines = std::move(lines), .cases = {}, .constants = {}};
+  Condensed shorter{.lines = std::move(lines)};
   shorter.cases.resize(shorter.lines.size() - 1);
   TextLines& rows = shorter.lines;
   for (std::size_t column = rows[0].size(); column-- > 0;) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "comparisons/sheets/table_format.hpp"
@@ -16,10 +19,18 @@ struct Column {
 };
 
 /// A number of its column, or a text; both may be lacking. Beside a number the text is
-/// ignored; where a number is lacking it says why.
+/// ignored; where a number is lacking it says why. Either one makes a cell.
 struct Cell {
   std::optional<double> number{};
   std::string text{};
+
+  Cell() = default;
+  Cell(double value) : number(value) {}
+  Cell(std::integral auto count) : number(static_cast<double>(count)) {}
+  Cell(std::optional<double> value, std::string otherwise = {})
+      : number(value), text(std::move(otherwise)) {}
+  Cell(std::convertible_to<std::string_view> auto const& words)
+      : text(std::string_view(words)) {}
 };
 
 struct SheetRow {
@@ -34,8 +45,8 @@ struct Sheet {
   std::string name;
   std::string title;
   std::vector<Column> columns;
-  std::vector<SheetRow> rows;
-  std::vector<std::string> notes;  // on the sheet as a whole
+  std::vector<SheetRow> rows{};
+  std::vector<std::string> notes{};  // on the sheet as a whole
 };
 
 /// Texts of a sheet: markdown rounds and shows the start of each row's first key; CSV and

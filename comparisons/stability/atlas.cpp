@@ -38,9 +38,9 @@ std::vector<CaseSettings> cases_at(const AtlasPlan& plan,
 
 /// A method at a value of the second axis: what has one limit along the first.
 struct Line {
-  std::size_t method;                     // place among the methods
-  std::vector<std::string> others;        // value of the second axis, if there is one
-  std::vector<const AtlasPoint*> points;  // along the first
+  std::size_t method;                       // place among the methods
+  std::vector<std::string> others;          // value of the second axis, if there is one
+  std::vector<const AtlasPoint*> points{};  // along the first
 };
 
 bool fails(Failure failure) {
@@ -55,12 +55,7 @@ bool is_of_the_body(Failure failure) {
 AtlasLimit unknown_limit(const Line& line) {
   return {.method = line.points.front()->method,
           .other = line.others.empty() ? std::nullopt : std::optional(line.others[0]),
-          .low = std::nullopt,
-          .high = std::nullopt,
-          .failure = Failure::none,
-          .reason = {},
-          .wavelength = std::nullopt,
-          .cases = {}};
+          .failure = Failure::none};
 }
 
 void take_failure(AtlasLimit& limit, const CaseResult& result, Failure failure) {
@@ -96,7 +91,7 @@ std::optional<CaseSettings> control_of(const CaseSettings& settings) {
   if (!settings.method.lattice || goes_through_time(settings) ||
       !is_grid_of_hexahedra(settings.body))
     return std::nullopt;
-  control.method = *find_method("fem-cauchy-born");
+  control.method = continuum_of_lattices();
   control.elements.lattice = *settings.method.lattice;
   return control;
 }
@@ -183,8 +178,7 @@ std::vector<Line> lines_of(const Atlas& atlas) {
     if (is_new)
       lines.push_back({.method = static_cast<std::size_t>(
                            std::ranges::find(methods, point.method) - methods.begin()),
-                       .others = others,
-                       .points = {}});
+                       .others = others});
     lines[place->second].points.push_back(&point);
   }
   return lines;
@@ -310,7 +304,7 @@ void check_axes(const Atlas& atlas, const AtlasPlan& plan) {
 
 /// The atlas as files keep it; the results of its points may still be lacking.
 StoredMap stored_map(const Atlas& atlas, const AtlasPlan& plan) {
-  StoredMap map{.scene = plan.scene, .axes = {}, .points = {}, .limits = {}};
+  StoredMap map{.scene = plan.scene};
   for (const Axis& axis : plan.axes) map.axes.push_back(axis.key);
   for (const AtlasPoint& point : atlas.points)
     map.points.push_back({.method = point.method,
@@ -343,12 +337,10 @@ Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner) {
   for (const auto& values : places)
     for (const CaseSettings& settings : cases_at(plan, values)) {
       cases.push_back(settings);
-      atlas.points.push_back(
-          {.method = label(settings), .values = values, .result = {}, .failure = {}});
+      atlas.points.push_back({.method = label(settings), .values = values});
     }
   std::vector<Request> requests;
-  for (const CaseSettings& settings : cases)
-    requests.push_back({.settings = settings, .reference = std::nullopt});
+  for (const CaseSettings& settings : cases) requests.push_back({.settings = settings});
   check_memory("--over", requests);
   const std::vector<std::string> keys = runner.keys_of(cases);
   for (std::size_t i = 0; i < keys.size(); ++i) atlas.points[i].result.key = keys[i];

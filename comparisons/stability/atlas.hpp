@@ -14,15 +14,15 @@ namespace springcheck {
 struct AtlasPlan {
   std::string scene;
   std::vector<GivenSetting> options;  // that replace the scene's
-  std::vector<Axis> axes;             // one or two; limits are along the first
+  std::vector<Axis> axes{};           // one or two; limits are along the first
   bool judges_locking = false;        // of points, by a control for each
 };
 
 struct AtlasPoint {
   std::string method;               // its label
   std::vector<std::string> values;  // of the axes
-  CaseResult result;
-  Failure failure;
+  CaseResult result{};
+  Failure failure{};
   std::optional<std::string> control{};  // key of that by which locking was judged
 };
 
@@ -35,11 +35,11 @@ struct AtlasLimit {
   // paths within .2 % (springs) or 1/1024 of the last value (elements). No low: it fails
   // at the first value; no high: it holds at the last, or what failed tells nothing of
   // the body (solver failure, not covered).
-  std::optional<double> low, high;
+  std::optional<double> low{}, high{};
   Failure failure;  // at `high`
-  std::string reason;
-  std::optional<double> wavelength;  // [cells] of the mode that becomes unstable
-  std::vector<std::string> cases;    // keys: that which fails first
+  std::string reason{};
+  std::optional<double> wavelength{};  // [cells] of the mode that becomes unstable
+  std::vector<std::string> cases{};    // keys: that which fails first
 };
 
 struct Atlas {

@@ -7,10 +7,6 @@
 namespace springcheck {
 namespace {
 
-Cell text_cell(const std::string& text) {
-  return {.number = {}, .text = text};
-}
-
 /// Letters by the first axis's value and the second's, of one method.
 using Map = std::map<std::pair<std::string, std::string>, char>;
 
@@ -42,9 +38,7 @@ std::string map_text(const Map& map, const AtlasPlan& plan) {
 Sheet points_sheet(const Atlas& atlas, const AtlasPlan& plan) {
   Sheet sheet{.name = "stability-points",
               .title = fmt::format("Where methods fail in {}", plan.scene),
-              .columns = {{"method", "method"}},
-              .rows = {},
-              .notes = {}};
+              .columns = {{"method", "method"}}};
   for (const Axis& axis : plan.axes) sheet.columns.push_back({axis.key, axis.key});
   for (const Column& column : std::initializer_list<Column>{
            {"failure", "failure"},
@@ -59,17 +53,13 @@ Sheet points_sheet(const Atlas& atlas, const AtlasPlan& plan) {
     sheet.columns.push_back(column);
   for (const AtlasPoint& point : atlas.points) {
     const Measures& m = point.result.measures;
-    SheetRow row{.cells = {text_cell(point.method)}, .cases = {point.result.key}};
-    for (const std::string& value : point.values) row.cells.push_back(text_cell(value));
-    row.cells.push_back(text_cell(std::string(name_of(point.failure))));
-    row.cells.push_back(text_cell(std::string(name_of(point.result.status))));
-    row.cells.push_back({.number = m.wrinkle_alternation});
-    row.cells.push_back({.number = m.wrinkle_amplitude});
-    row.cells.push_back({.number = m.hourglass_alternation});
-    row.cells.push_back({.number = m.hourglass_amplitude});
-    row.cells.push_back({.number = m.corner_jacobian_ratio_min});
-    row.cells.push_back({.number = m.definite_up_to_deformation});
-    row.cells.push_back({.number = point.result.solution.dt_limit});
+    SheetRow row{.cells = {point.method}, .cases = {point.result.key}};
+    for (const std::string& value : point.values) row.cells.push_back(value);
+    row.cells.insert(row.cells.end(),
+                     {name_of(point.failure), name_of(point.result.status),
+                      m.wrinkle_alternation, m.wrinkle_amplitude, m.hourglass_alternation,
+                      m.hourglass_amplitude, m.corner_jacobian_ratio_min,
+                      m.definite_up_to_deformation, point.result.solution.dt_limit});
     sheet.rows.push_back(std::move(row));
   }
   return sheet;
@@ -84,7 +74,6 @@ Sheet limits_sheet(const Atlas& atlas, const AtlasPlan& plan) {
       .name = "stability-limits",
       .title = fmt::format("Limits along {} in {}", along.key, plan.scene),
       .columns = {{"method", "method"}},
-      .rows = {},
       .notes = {
           "A method holds up to the one and fails at the other value, within 1 % of "
           "it; none: it fails from the first value on, holds to the last, or what "
@@ -106,13 +95,13 @@ Sheet limits_sheet(const Atlas& atlas, const AtlasPlan& plan) {
                                      {"reason", "reason"}})
     sheet.columns.push_back(column);
   for (const AtlasLimit& limit : atlas.limits) {
-    SheetRow row{.cells = {text_cell(limit.method)}, .cases = limit.cases};
-    if (plan.axes.size() == 2) row.cells.push_back(text_cell(limit.other.value()));
-    row.cells.push_back({.number = limit.low, .text = "none"});
-    row.cells.push_back({.number = limit.high, .text = "none"});
-    row.cells.push_back(text_cell(std::string(name_of(limit.failure))));
-    row.cells.push_back({.number = limit.wavelength});
-    row.cells.push_back(text_cell(limit.reason));
+    SheetRow row{.cells = {limit.method}, .cases = limit.cases};
+    if (plan.axes.size() == 2) row.cells.push_back(limit.other.value());
+    row.cells.insert(row.cells.end(), {{limit.low, "none"},
+                                       {limit.high, "none"},
+                                       name_of(limit.failure),
+                                       limit.wavelength,
+                                       limit.reason});
     sheet.rows.push_back(std::move(row));
   }
   return sheet;

@@ -44,7 +44,7 @@ bool is_ascending(const Setting& setting, const std::vector<std::string>& values
 
 /// The values of a setting that is named without any.
 std::string usual_values(const std::string& key, Test test) {
-  if (key == "deformation" && test == Test::torsion) return "15deg:180deg:12";
+  if (key == "deformation" && entry_of(test).turns) return "15deg:180deg:12";
   const Setting* setting = find_setting(key);
   return setting == nullptr ? "" : std::string(setting->usual_axis);
 }
@@ -72,7 +72,7 @@ Axis axis_named(const std::string& place, const std::string& text) {
   const auto refuse = [&]() { throw InputError(place, "", expected, "'" + text + "'"); };
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) refuse();
-  Axis axis{.key = text.substr(0, equals), .values = {}, .is_range = false};
+  Axis axis{.key = text.substr(0, equals), .is_range = false};
   if (const auto keys = axis_keys(); std::ranges::count(keys, axis.key) == 0)
     refuse_name(place, "setting of a run", axis.key, keys);
   const std::string values = text.substr(equals + 1);

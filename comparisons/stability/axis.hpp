@@ -11,8 +11,8 @@ namespace springcheck {
 /// A setting with the values it takes in turn.
 struct Axis {
   std::string key;
-  std::vector<std::string> values;  // as a user would write them
-  bool is_range;                    // ascending numbers: one can be between two others
+  std::vector<std::string> values{};  // as a user would write them
+  bool is_range;                      // ascending numbers: one can be between two others
 };
 
 /// "KEY=FROM:TO:COUNT", equal steps, both ends included, or "KEY=A,B,C"; semicolons

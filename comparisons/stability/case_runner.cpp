@@ -30,8 +30,7 @@ CaseRunner::CaseRunner(const std::optional<std::filesystem::path>& file, int par
 std::vector<std::string> CaseRunner::keys_of(const std::vector<CaseSettings>& settings) {
   std::vector<std::string> keys;
   for (const CaseSettings& one : settings)
-    keys.push_back(
-        case_key({.settings = one, .reference = std::nullopt}, meshes_.mesh(one.body)));
+    keys.push_back(case_key({.settings = one}, meshes_.mesh(one.body)));
   return keys;
 }
 
@@ -42,8 +41,7 @@ void CaseRunner::keep(const StoredMap& map, MapState state) {
 std::vector<CaseResult> CaseRunner::run(const std::vector<CaseSettings>& settings) {
   if (settings.empty()) return {};
   std::vector<Request> requests;
-  for (const CaseSettings& one : settings)
-    requests.push_back({.settings = one, .reference = std::nullopt});
+  for (const CaseSettings& one : settings) requests.push_back({.settings = one});
   const std::vector<std::string> keys = keys_of(settings);
   const KnownResult from_file = known_figures(stored_);
   const KnownResult known = [&](const Request& request, const std::string& key) {

@@ -14,7 +14,7 @@ namespace {
 /// HDF5's view of an OverlayFile: a virtual file driver that keeps nothing but the
 /// overlay's address and the end of allocated addresses.
 struct DriverFile {
-  H5FD_t base;  // HDF5's own part comes first
+  H5FD_t base{};  // HDF5's own part comes first
   OverlayFile* overlay;
   haddr_t end_of_allocation;
 };
@@ -30,7 +30,7 @@ H5FD_t* open_driver(const char*, unsigned flags, hid_t access, haddr_t) {
   const auto* overlay = static_cast<OverlayFile* const*>(H5Pget_driver_info(access));
   if (overlay == nullptr) return nullptr;
   if ((flags & H5F_ACC_TRUNC) != 0) (*overlay)->resize(0);
-  return &(new DriverFile{.base = {}, .overlay = *overlay, .end_of_allocation = 0})->base;
+  return &(new DriverFile{.overlay = *overlay, .end_of_allocation = 0})->base;
 }
 
 herr_t close_driver(H5FD_t* file) {

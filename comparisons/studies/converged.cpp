@@ -127,8 +127,7 @@ ConvergedField converged_field(std::span<const CaseResult* const> runs, const Bo
       .cell_volumes = {cell_volumes.value.data(),
                        cell_volumes.value.data() + cell_volumes.value.size()},
       .order = field.order,
-      .bar = field.bar.colwise().norm().mean(),
-      .node_bars = {}};
+      .bar = field.bar.colwise().norm().mean()};
   for (const auto& bar : field.bar.colwise()) converged.node_bars.push_back(bar.norm());
   for (const auto& u : field.value.colwise()) converged.displacements.emplace_back(u);
   return converged;
@@ -140,9 +139,7 @@ ConvergedField finest_field(std::span<const CaseResult* const> runs, const Body&
   const CaseResult& finest = *runs.back();
   ConvergedField field{.displacements = displacements_on(body, finest, meshes),
                        .cell_volumes = cell_volumes_on(body, finest, meshes),
-                       .order = std::nullopt,
-                       .bar = 0,
-                       .node_bars = {}};
+                       .bar = 0};
   const Eigen::MatrixXd u = matrix_of(field.displacements);
   const Eigen::MatrixXd change =
       u - matrix_of(displacements_on(body, *runs[runs.size() - 2], meshes));
@@ -160,7 +157,7 @@ std::optional<ReferenceField> reference_field(const Request& request,
       runs, [](const CaseResult* run) { return run->measures.volume_error.has_value(); });
   if (runs.empty() || !all_measured) return std::nullopt;
   const Body& body = request.settings.body;
-  ReferenceField field{.solution = runs.back()->solution, .order = {}, .bar = {}};
+  ReferenceField field{.solution = runs.back()->solution};
   field.solution.reactions.clear();
   field.solution.loaded_face_displacements = face_displacements(runs);
   if (runs.size() == 1) {

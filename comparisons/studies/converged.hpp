@@ -21,9 +21,9 @@ GridSizes grid_sizes(const ThreeCases& cases);
 struct ConvergedField {
   std::vector<Vector3> displacements;
   std::vector<double> cell_volumes;  // [m^3] deformed, of its cells
-  std::optional<double> order;       // of the displacements
+  std::optional<double> order{};     // of the displacements
   double bar;                        // mean over the nodes of the distance it bounds [m]
-  std::vector<double> node_bars;     // that distance at each
+  std::vector<double> node_bars{};   // that distance at each
 };
 
 /// A run's displacements at the nodes of a body's mesh: its own ones, or interpolated
@@ -43,9 +43,9 @@ ConvergedField finest_field(std::span<const CaseResult* const> runs, const Body&
 
 /// What deviations are measured against.
 struct ReferenceField {
-  Solution solution;                 // displacements and cell volumes, on the case's mesh
-  std::optional<double> order, bar;  // as ConvergedField's, of three grids
-  std::vector<double> node_bars{};   // likewise
+  Solution solution;  // displacements and cell volumes, on the case's mesh
+  std::optional<double> order{}, bar{};  // as ConvergedField's, of three grids
+  std::vector<double> node_bars{};       // likewise
 };
 
 /// The request's, from the runs of reference_cases(request); none when one of them

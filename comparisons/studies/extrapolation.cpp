@@ -48,7 +48,7 @@ Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values,
   const Eigen::MatrixXd coarse = q1 - q2, fine = q2 - q3;
   const double coarse_change = root_mean_square(coarse);
   const double fine_change = root_mean_square(fine);
-  Extrapolated limit{.value = q3, .order = std::nullopt, .bar = fine};
+  Extrapolated limit{.value = q3, .bar = fine};
   if (coarse_change <= noise && fine_change <= noise) {
     limit.bar.setZero();
   } else {

@@ -42,9 +42,9 @@ inline constexpr double safety_with_order = 1.25, safety_without_order = 3;
 
 /// What values converge to as the grid is refined.
 struct Extrapolated {
-  Eigen::MatrixXd value;        // q*
-  std::optional<double> order;  // observed
-  Eigen::MatrixXd bar;          // half width about q*, entry by entry, not negative
+  Eigen::MatrixXd value;          // q*
+  std::optional<double> order{};  // observed
+  Eigen::MatrixXd bar;            // half width about q*, entry by entry, not negative
 };
 
 /// Richardson extrapolation, one order for all entries, and the error bar of the grid

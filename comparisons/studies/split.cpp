@@ -44,12 +44,9 @@ std::vector<GridValue> on_grids(Runs runs, Of&& of) {
 /// A scalar measure; changes below `noise` times its unit are the solvers'.
 ConvergedValue converged_measure(Runs runs, const SplitMeasure& measure,
                                  const std::optional<double>& unit) {
-  ConvergedValue value{
-      .grids =
-          on_grids(runs, [&](const CaseResult& run) { return measure.of(run.measures); }),
-      .value = {},
-      .order = {},
-      .bar = {}};
+  ConvergedValue value{.grids = on_grids(runs, [&](const CaseResult& run) {
+                         return measure.of(run.measures);
+                       })};
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < 3; ++i) {
     if (!value.grids[i].value) return value;
@@ -72,7 +69,6 @@ ContinuumValue continuum_measure(Runs runs, Runs check, const SplitMeasure& meas
                                  const std::optional<double>& unit) {
   ContinuumValue both{.converged = converged_measure(runs, measure, unit),
                       .check = converged_measure(check, measure, unit),
-                      .disagreement = {},
                       .all_ok = all_ok(runs, check)};
   if (both.converged.value && both.check.value)
     both.disagreement = std::abs(*both.converged.value - *both.check.value);
@@ -130,9 +126,7 @@ ConvergedValue converged_distance(Runs runs, const std::optional<ConvergedField>
               return std::nullopt;
             return mean_distance(displacements_on(body, run, meshes), origin);
           }),
-      .value = mean_distance(field, origin),
-      .order = {},
-      .bar = {}};
+      .value = mean_distance(field, origin)};
   if (field) {
     value.order = field->order;
     value.bar = field->bar;
@@ -153,9 +147,7 @@ SplitQuantity split_measure(const SplitMeasure& measure,
       .springs = measure.of(springs.measures),
       .cauchy_born =
           continuum_measure(cauchy_born.runs, cauchy_born.check, measure, unit),
-      .reference = continuum_measure(reference.runs, reference.check, measure, unit),
-      .law = {},
-      .discretisation = {}};
+      .reference = continuum_measure(reference.runs, reference.check, measure, unit)};
   const ConvergedValue& lattice = quantity.cauchy_born.converged;
   const ConvergedValue& law = quantity.reference.converged;
   quantity.law = {difference(lattice.value, law.value), sum(lattice.bar, law.bar)};
@@ -184,9 +176,7 @@ SplitQuantity split_field(const CaseResult& springs, const ContinuumRuns& cauchy
       .reference = {converged_distance(reference.runs, law, law, body, meshes),
                     converged_distance(reference.check, law_check, law, body, meshes),
                     mean_distance(law, law_check),
-                    all_ok(reference.runs, reference.check)},
-      .law = {},
-      .discretisation = {}};
+                    all_ok(reference.runs, reference.check)}};
   const auto& lattice_bar = quantity.cauchy_born.converged.bar;
   quantity.law = {mean_distance(lattice, law),
                   sum(lattice_bar, quantity.reference.converged.bar)};
@@ -210,7 +200,7 @@ SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
                      std::string(name_of(springs.body.shape)));
   CaseSettings lattice = springs;
   lattice.body = on_hexahedra(springs.body, springs.body.block.cells);
-  lattice.method = *find_method("fem-cauchy-born");
+  lattice.method = continuum_of_lattices();
   lattice.elements.element = *find_element("q1-sri");
   lattice.elements.lattice = *springs.method.lattice;
   lattice.elements.lattice_direction = fem_reference::LatticeDirection::d100;
@@ -229,8 +219,7 @@ std::vector<Request> split_requests(const SplitPlan& plan) {
   std::vector<Request> all;
   for (const ThreeCases* cases : {&plan.cauchy_born, &plan.cauchy_born_check,
                                   &plan.reference, &plan.reference_check})
-    for (const CaseSettings& settings : *cases)
-      all.push_back({.settings = settings, .reference = std::nullopt});
+    for (const CaseSettings& settings : *cases) all.push_back({.settings = settings});
   return all;
 }
 
@@ -243,27 +232,10 @@ bool SplitQuantity::is_resolved() const {
 }
 
 std::optional<SplitMeasure> answer_to_load(Test test) {
-  switch (test) {
-    case Test::compression:
-    case Test::tension:
-    case Test::uniaxial:
-      return SplitMeasure{"plate_force", &Measures::plate_force};
-    case Test::shearing:
-      return SplitMeasure{"plate_force_norm", &Measures::plate_force_norm};
-    case Test::torsion:
-      return SplitMeasure{"plate_torque", &Measures::plate_torque};
-    case Test::bending:
-      return SplitMeasure{"tip_deflection", &Measures::tip_deflection};
-    case Test::traction:
-      return SplitMeasure{"face_displacement",
-                          [](const Measures& m) -> std::optional<double> {
-                            if (!m.face_displacement) return std::nullopt;
-                            return m.face_displacement->norm();
-                          }};
-    case Test::affine:
-      return std::nullopt;
-  }
-  return std::nullopt;
+  const std::string answer(entry_of(test).answer);
+  if (answer.empty()) return std::nullopt;
+  return SplitMeasure{answer,
+                      [answer](const Measures& m) { return measure_of(m, answer); }};
 }
 
 Split split_error(const SplitPlan& plan, const CaseResult& springs,
@@ -271,7 +243,7 @@ Split split_error(const SplitPlan& plan, const CaseResult& springs,
   assert(runs.size() == 12);
   const ContinuumRuns cauchy_born{runs.subspan(0, 3), runs.subspan(3, 3)};
   const ContinuumRuns reference{runs.subspan(6, 3), runs.subspan(9, 3)};
-  Split split{.plan = plan, .quantities = {}, .reasons = {}};
+  Split split{.plan = plan};
   // Signed: of the errors' absolute values, parts would not add up where laws disagree
   // on the sign.
   split.quantities.push_back(split_measure({"volume_change", &Measures::volume_change}, 1,

@@ -43,7 +43,7 @@ struct GridValue {
 /// A quantity on three grids, from coarse to fine, and what it converges to.
 struct ConvergedValue {
   std::vector<GridValue> grids;
-  std::optional<double> value, order, bar;  // no order: none was observed
+  std::optional<double> value{}, order{}, bar{};  // no order: none was observed
 };
 
 /// A quantity of one continuum by both discretisations.
@@ -51,7 +51,7 @@ struct ContinuumValue {
   ConvergedValue converged;  // q1-sri
   ConvergedValue check;      // q2
   // Between the two: |value - value|, or the mean distance of the fields.
-  std::optional<double> disagreement;
+  std::optional<double> disagreement{};
   bool all_ok;  // the status of every run
 
   /// Whether the two agree within the sum of their bars, and all runs are ok.
@@ -71,7 +71,7 @@ struct SplitQuantity {
   std::string name;  // of the measure
   std::optional<double> springs;
   ContinuumValue cauchy_born, reference;
-  ErrorPart law, discretisation;
+  ErrorPart law{}, discretisation{};
 
   /// Whether both continua are resolved and the springs have a value.
   [[nodiscard]] bool is_resolved() const;
@@ -79,8 +79,8 @@ struct SplitQuantity {
 
 struct Split {
   SplitPlan plan;
-  std::vector<SplitQuantity> quantities;  // volume change, answer to the load, field
-  std::vector<std::string> reasons;       // runs that are not "ok", in words
+  std::vector<SplitQuantity> quantities{};  // volume change, answer to the load, field
+  std::vector<std::string> reasons{};       // runs that are not "ok", in words
 };
 
 /// A number that is split, by the name of its measure.

@@ -146,7 +146,7 @@ class Study {
   /// A simulation is known by its key without a reference.
   std::size_t place_of(const CaseSettings& settings) {
     const Mesh& mesh = meshes_.mesh(settings.body);
-    const Request alone{.settings = settings, .reference = std::nullopt};
+    const Request alone{.settings = settings};
     const std::string key = case_key(alone, mesh);
     const auto [place, is_new] = places_.try_emplace(key, simulations_.size());
     if (!is_new) return place->second;

@@ -193,7 +193,7 @@ std::vector<Request> requests_of(const std::vector<GivenSetting>& settings,
 Sweep read_sweep(const std::string& name_or_path, std::size_t most) {
   const TomlFile file = toml_file(name_or_path, "sweep", shipped_sweeps());
   const toml::table table = parse_toml(file.text, file.file);
-  Sweep sweep{.name = file.name, .with_fields = false, .requests = {}};
+  Sweep sweep{.name = file.name, .with_fields = false};
   if (const toml::node* fields = table.get("fields"))
     sweep.with_fields = given(*fields, file.file, "fields").truth();
   const std::vector<std::vector<Choices>> all = products(table, file.file);

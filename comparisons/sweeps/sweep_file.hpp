@@ -25,7 +25,7 @@ namespace springcheck {
 struct Sweep {
   std::string name;
   bool with_fields;
-  std::vector<Request> requests;  // in order; some may be equal
+  std::vector<Request> requests{};  // in order; some may be equal
 };
 
 /// The shipped sweep of that name or the file at that path. Throws InputError with file,

@@ -73,22 +73,19 @@ std::string mesh_of(const Columns& cases, std::size_t row) {
 
 SheetRow row_of(const Columns& cases, std::size_t row) {
   const std::string status = text(cases, "status", row);
-  SheetRow shown{.cells = {{.text = text(cases, "scene", row)},
-                           {.text = method_of(cases, row)},
-                           {.text = mesh_of(cases, row)},
-                           {.number = number(cases, "nu", row)},
-                           {.number = number(cases, "young", row)},
-                           {.number = number(cases, "deformation", row)},
-                           {.text = status}},
-                 .cases = {text(cases, "key", row)}};
+  SheetRow shown{
+      .cells = {text(cases, "scene", row), method_of(cases, row), mesh_of(cases, row),
+                number(cases, "nu", row), number(cases, "young", row),
+                number(cases, "deformation", row), status},
+      .cases = {text(cases, "key", row)}};
   for (const Measure& measure : shown_measures()) {
     const bool is_shown =
         measure.only == nullptr || text(cases, "test", row) == measure.only;
-    Cell cell{.number = is_shown ? number(cases, measure.column, row) : std::nullopt};
+    Cell cell = is_shown ? number(cases, measure.column, row) : std::nullopt;
     if (cell.number) *cell.number *= measure.factor;
     shown.cells.push_back(cell);
   }
-  shown.cells.push_back({.text = text(cases, "reference", row)});
+  shown.cells.push_back(text(cases, "reference", row));
   return shown;
 }
 
@@ -105,7 +102,6 @@ Sheet cases_sheet(const Columns& cases) {
                   {"young", "E [Pa]", "{:g}"},
                   {"deformation", "deformation [-, rad]", "{:.4g}"},
                   {"status", "status"}},
-      .rows = {},
       .notes = {"Deviation: volume-weighted root mean square over the free nodes, "
                 "from the reference, over the largest imposed displacement."}};
   for (const Measure& measure : shown_measures()) sheet.columns.push_back(measure.shown);

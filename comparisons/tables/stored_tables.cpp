@@ -23,8 +23,7 @@ std::optional<Table> stored_table(const std::string& name, const std::string& fi
     rows.push_back(row);
     results.push_back(std::move(*own));
     for (const CaseSettings& reference : reference_cases(row.request))
-      results.push_back(find({.settings = reference, .reference = std::nullopt})
-                            .value_or(CaseResult{}));
+      results.push_back(find({.settings = reference}).value_or(CaseResult{}));
   }
   if (rows.empty()) return std::nullopt;
   if (rows.size() < plan.rows.size())

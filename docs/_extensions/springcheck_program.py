@@ -51,7 +51,9 @@ def table_of(kind, entries):
     first = next(iter(entries.values()))
     columns = [name for name in ("letter", "unit", "units")
                if isinstance(first, dict) and name in first]
-    heads = [*columns, "meaning"]
+    further = [name for name in ("covers", "settings")
+               if isinstance(first, dict) and name in first]
+    heads = [*columns, "meaning", *further]
     heads.insert(int("letter" in columns), HEADS[kind])
     lines = [f"| {' | '.join(heads)} |", "|" + " --- |" * len(heads)]
     for name, entry in entries.items():
@@ -59,6 +61,7 @@ def table_of(kind, entries):
         if isinstance(entry, dict) and entry.get("option") is False:
             text += " (in scene files alone)"
         row = [shown(column, entry[column]) for column in columns] + [text]
+        row += [shown(column, entry[column]) for column in further]
         row.insert(int("letter" in columns), f'<span id="{anchor(kind, name)}"></span>`{name}`')
         lines.append(f"| {' | '.join(row)} |")
     return lines
@@ -75,7 +78,7 @@ def tables_of(kind):
     entries = json.loads(asked("list", kind, "--json"))[kind]
     groups = {}
     for name, entry in entries.items():
-        group = entry.get("group", "") if isinstance(entry, dict) else ""
+        group = entry.get("group", entry.get("family", "")) if isinstance(entry, dict) else ""
         groups.setdefault(group, {})[name] = entry
     lines = []
     for group, members in groups.items():

@@ -62,9 +62,6 @@ class March {
 
   Solution run() {
     Solution solution{.status = SolveStatus::ok,
-                      .reason = {},
-                      .displacements = {},
-                      .reactions = {},
                       .lever_arms = LeverArms::deformed,
                       .strain_energy = 0,
                       .load_fraction = 0,
@@ -211,7 +208,6 @@ class March {
         .time = now_.time,
         .load_fraction = fraction(),
         .step = now_.step,
-        .displacements = {},
         .reactions = std::vector<Vector3>(state.displacements.size(), Vector3::Zero()),
         .kinetic_energy = 0,
         .strain_energy = body_.forces.strain_energy(state.displacements)};

@@ -49,10 +49,10 @@ struct Moment {
   double time;  // [s]
   double load_fraction;
   int step;
-  std::vector<Vector3> displacements;  // [m]
-  std::vector<Vector3> reactions;      // [N], see Solution
-  double kinetic_energy;               // [J]
-  double strain_energy;                // [J]
+  std::vector<Vector3> displacements{};  // [m]
+  std::vector<Vector3> reactions;        // [N], see Solution
+  double kinetic_energy;                 // [J]
+  double strain_energy;                  // [J]
 };
 
 /// Who follows a march. Empty functions are not called.

@@ -69,7 +69,6 @@ class QuasiStatic {
   [[nodiscard]] Solution solution() const {
     const Moment now = moment(0);
     return {.status = SolveStatus::ok,
-            .reason = {},
             .displacements = now.displacements,
             .reactions = now.reactions,
             .lever_arms = LeverArms::deformed,

@@ -14,7 +14,7 @@ using ForcesAt = std::function<std::vector<Vector3>(const State& state)>;
 
 /// A system about which small motions are looked at.
 struct SmallMotions {
-  ForcesAt forces;
+  ForcesAt forces{};
   State state;                     // K and C are those of this state
   std::span<const double> masses;  // [kg] of each node
   std::vector<bool> is_free;       // of each component, 3 node + component

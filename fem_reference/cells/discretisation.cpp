@@ -81,11 +81,8 @@ std::map<std::string, std::vector<AreaShare>> area_shares(const Mesh& mesh) {
 Discretisation discretise(const Mesh& mesh, Element element) {
   assert(element != Element::q2 ||
          mesh.count(CellType::hexahedron) == mesh.cells().size());
-  Discretisation body{.vertices = mesh.nodes().size(),
-                      .nodes = mesh.nodes(),
-                      .parents = {},
-                      .cells = cells_of(mesh),
-                      .regions = {}};
+  Discretisation body{
+      .vertices = mesh.nodes().size(), .nodes = mesh.nodes(), .cells = cells_of(mesh)};
   dealii::Triangulation<3> triangulation;
   build(triangulation, mesh, body.cells);
   const auto shapes = cell_shapes(mesh, triangulation, element);

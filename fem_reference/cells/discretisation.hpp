@@ -22,9 +22,9 @@ struct Discretisation {
   std::size_t vertices;
   std::vector<Vector3> nodes;  // [m]
   // Vertices whose mean an intermediate node is, ascending: two, four or eight.
-  std::vector<std::vector<NodeIndex>> parents;
+  std::vector<std::vector<NodeIndex>> parents{};
   std::vector<Cell> cells;
-  std::map<std::string, std::vector<AreaShare>> regions;
+  std::map<std::string, std::vector<AreaShare>> regions{};
 };
 
 /// q2 is for meshes of hexahedra only.

@@ -108,7 +108,6 @@ HexahedronBlock<Real> hexahedron_block(const Mesh& mesh, const Block& block,
   };
   HexahedronBlock<Real> cells{.cells = dynamics::cells_in_arrays(block, lanes),
                               .axes = like.axes,
-                              .constants = {},
                               .half_lambda = static_cast<Real>(lambda / 2),
                               .mu = static_cast<Real>(mu)};
   const std::size_t count = cells.cells.count;

@@ -44,7 +44,7 @@ struct HexahedronBlock {
   std::array<std::size_t, 3> axes{0, 1, 2};
   // The n-th of a cell is constants[n] where cells are alike, and else
   // constants[n cells.count + number of the cell], 0 where there is no cell.
-  std::vector<Real> constants;
+  std::vector<Real> constants{};
   std::vector<std::uint8_t> is_cell{};  // where cells are alike
   Real half_lambda, mu;                 // [Pa]
   std::vector<Real> drag{};             // of each element [kg/s]; empty without

@@ -26,7 +26,7 @@ struct SpringDirection {
 /// Source: Born and Huang, Dynamical Theory of Crystal Lattices (1954); the
 /// energy is the mss-cf cell's (Golec 2018, chapter 5) with lattice values of k over h^3.
 struct CauchyBorn {
-  std::vector<SpringDirection> springs;
+  std::vector<SpringDirection> springs{};
   double volume_modulus;  // kappa [Pa]
 
   /// The springs' part of psi [Pa], its stress and its tangent dP/dF.

@@ -16,11 +16,11 @@ constexpr double sufficient_decrease = 1e-4;
 /// An iterate with all that is judged about it.
 struct Iterate {
   Eigen::VectorXd displacements;
-  Elasticity::Internal internal;
-  Eigen::VectorXd unbalanced;  // load minus internal forces on free nodes [N]
-  double total_energy;         // W - load.u [J]
-  double scale;                // larger of reactions and load [N]
-  double relative;             // residual over scale
+  Elasticity::Internal internal{};
+  Eigen::VectorXd unbalanced{};  // load minus internal forces on free nodes [N]
+  double total_energy;           // W - load.u [J]
+  double scale;                  // larger of reactions and load [N]
+  double relative;               // residual over scale
 
   [[nodiscard]] bool usable(bool is_linear) const {
     return std::isfinite(total_energy) && std::isfinite(relative) &&
@@ -31,8 +31,6 @@ struct Iterate {
 Iterate evaluate(const Elasticity& body, Eigen::VectorXd displacements,
                  const Eigen::VectorXd& load) {
   Iterate now{.displacements = std::move(displacements),
-              .internal = {},
-              .unbalanced = {},
               .total_energy = 0,
               .scale = 0,
               .relative = 0};

@@ -175,7 +175,7 @@ class RememberingElements final : public dynamics::RememberingBody {
   std::vector<double> states_;      // of all Gauss points, cell by cell
   std::vector<std::size_t> first_;  // of each cell, and the end
   std::vector<CellMatrix> tangents_;
-  tissue::MemoryStep step_{.duration = 0, .decays = {}};
+  tissue::MemoryStep step_{.duration = 0};
   double force_scale_ = 0;
 };
 

@@ -57,10 +57,8 @@ void read_elements_2(MshCursor& cursor, MshFile& msh) {
         const std::int64_t value = cursor.number<std::int32_t>();
         if (tag == 0) group = value;
       }
-      MshElement element{.tag = ElementTag{number},
-                         .type = &type,
-                         .nodes = {},
-                         .groups = set_of(group, sets, msh)};
+      MshElement element{
+          .tag = ElementTag{number}, .type = &type, .groups = set_of(group, sets, msh)};
       for (std::size_t n = 0; n < type.nodes; ++n)
         element.nodes.push_back(NodeTag{cursor.number<std::int32_t>()});
       msh.elements.push_back(element);

@@ -97,7 +97,6 @@ void read_elements_4(MshCursor& cursor, const EntityGroups& entities, MshFile& m
     for (std::size_t i = 0; i < count; ++i) {
       MshElement element{.tag = ElementTag{cursor.number<Size>()},
                          .type = &type,
-                         .nodes = {},
                          .groups = groups == entities.end() ? 0 : groups->second};
       for (std::size_t n = 0; n < type.nodes; ++n)
         element.nodes.push_back(NodeTag{cursor.number<Size>()});

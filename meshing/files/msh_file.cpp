@@ -88,7 +88,7 @@ const MshType& known_type(MshCursor& cursor, std::int64_t number) {
 MshFile parse_msh(const std::filesystem::path& file) {
   MshCursor cursor(file);
   const bool is_4 = read_format(cursor);
-  MshFile msh{.nodes = {}, .elements = {}, .groups = {{}}, .names = {}};
+  MshFile msh{.groups = {{}}};
   EntityGroups entities;
   std::set<std::string> read;
   while (!cursor.at_end()) {

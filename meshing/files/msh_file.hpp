@@ -37,18 +37,18 @@ struct MshNode {
 struct MshElement {
   ElementTag tag;
   const MshType* type;
-  ShortList<NodeTag, 8> nodes;  // in gmsh's order, which is ours
-  std::size_t groups;           // index in MshFile::groups
+  ShortList<NodeTag, 8> nodes{};  // in gmsh's order, which is ours
+  std::size_t groups;             // index in MshFile::groups
 };
 
 /// What a .msh file says, with its own numbers; not checked to make sense.
 struct MshFile {
-  std::vector<MshNode> nodes;
-  std::vector<MshElement> elements;
+  std::vector<MshNode> nodes{};
+  std::vector<MshElement> elements{};
   // Sets of physical groups that elements belong to, by their positive numbers:
   std::vector<std::vector<std::int64_t>> groups;
   // By dimension and number of the physical group:
-  std::map<std::pair<std::int64_t, std::int64_t>, std::string> names;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::string> names{};
 };
 
 /// Parses a .msh file, version 2.2 or 4.1, ASCII or binary. Nothing in it can make it

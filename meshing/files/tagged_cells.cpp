@@ -86,8 +86,7 @@ TaggedCells tagged_cells(const std::string& file, const MshFile& msh,
   const std::vector<MshNode> nodes = sorted_nodes(file, msh);
   check_use(file, msh, nodes);
   const std::vector<MshElement> elements = counting_cells(file, msh);
-  TaggedCells cells{
-      .file = file, .node_tags = {}, .nodes = {}, .cell_tags = {}, .cells = {}};
+  TaggedCells cells{.file = file};
   for (const MshElement& element : elements)
     cells.node_tags.insert(cells.node_tags.end(), element.nodes.begin(),
                            element.nodes.end());

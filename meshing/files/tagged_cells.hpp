@@ -11,10 +11,10 @@ namespace springcheck {
 /// for those who read the errors.
 struct TaggedCells {
   std::string file;
-  std::vector<NodeTag> node_tags;  // ascending, of the nodes that the cells use
-  std::vector<Vector3> nodes;      // [m]
-  std::vector<ElementTag> cell_tags;
-  std::vector<CellNodes> cells;  // tetrahedra first, as Mesh sorts them
+  std::vector<NodeTag> node_tags{};  // ascending, of the nodes that the cells use
+  std::vector<Vector3> nodes{};      // [m]
+  std::vector<ElementTag> cell_tags{};
+  std::vector<CellNodes> cells{};  // tetrahedra first, as Mesh sorts them
 };
 
 /// Those of the file's three-dimensional elements that are in a physical group, or all

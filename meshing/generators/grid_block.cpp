@@ -95,7 +95,7 @@ std::vector<CellNodes> cut(const GridCell& cell, CellPattern pattern,
 }  // namespace
 
 MeshParts grid_block(const Block& block) {
-  MeshParts parts{.nodes = grid_nodes(block), .cells = {}};
+  MeshParts parts{.nodes = grid_nodes(block)};
   distort(block, parts.nodes);
   const std::vector<GridCell> grid = grid_cells(block.cells);
   const bool is_mixed = block.pattern == CellPattern::mixed;

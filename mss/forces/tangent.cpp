@@ -121,11 +121,8 @@ void add_gradients(Eigen::Matrix3Xd& columns, const std::vector<NodeIndex>& node
 
 StarTangent star_tangent(const Network& network, const CellStates& states,
                          std::size_t star) {
-  StarTangent tangent{.nodes = star_nodes(network, star),
-                      .gradients = {},
-                      .shape = Matrix9::Zero(),
-                      .volume_gradients = {},
-                      .volume = 0};
+  StarTangent tangent{
+      .nodes = star_nodes(network, star), .shape = Matrix9::Zero(), .volume = 0};
   const auto count = static_cast<Eigen::Index>(tangent.nodes.size());
   tangent.gradients.setZero(3, count);
   tangent.volume_gradients.setZero(3, count);

@@ -13,11 +13,11 @@ namespace springcheck::mss {
 ///
 /// over its nodes a; never put together for longer than it takes to add it somewhere.
 struct StarTangent {
-  std::vector<NodeIndex> nodes;       // of all its cells, ascending
-  Eigen::Matrix3Xd gradients;         // G_a of the star's mean F [1/m]
-  Matrix9 shape;                      // 3/4 V_n dP/dF [J]
-  Eigen::Matrix3Xd volume_gradients;  // g_a of its mean det F [1/m]
-  double volume;                      // kappa V_n [J], not negative
+  std::vector<NodeIndex> nodes;         // of all its cells, ascending
+  Eigen::Matrix3Xd gradients{};         // G_a of the star's mean F [1/m]
+  Matrix9 shape;                        // 3/4 V_n dP/dF [J]
+  Eigen::Matrix3Xd volume_gradients{};  // g_a of its mean det F [1/m]
+  double volume;                        // kappa V_n [J], not negative
 };
 Eigen::MatrixXd matrix(const StarTangent& star);
 /// Its 3x3 block between two of the star's nodes.

@@ -100,8 +100,7 @@ std::unique_ptr<dynamics::Motion> by_kernel(const Mesh& mesh, const Scene& scene
 dynamics::SmallMotions small_motions(const Network& network, double damping_ratio,
                                      const std::vector<bool>& is_free) {
   const std::size_t nodes = network.rest_positions.size();
-  return {.forces = {},
-          .state = {.displacements = std::vector<Vector3>(nodes, Vector3::Zero()),
+  return {.state = {.displacements = std::vector<Vector3>(nodes, Vector3::Zero()),
                     .velocities = std::vector<Vector3>(nodes, Vector3::Zero())},
           .masses = network.masses,
           .is_free = is_free,

@@ -14,7 +14,6 @@ void Cells::add(std::span<const NodeIndex> nodes, std::span<const Vector3> gradi
 
 Stars stars(const Cells& cells, std::size_t nodes, StarCells which) {
   Stars result{.first = std::vector<std::size_t>(nodes + 1, 0),
-               .parts = {},
                .volumes = std::vector<double>(nodes, 0)};
   const auto belongs = [&](std::size_t c) {
     return which == StarCells::all || cells.is_tetrahedron(c);

@@ -70,7 +70,7 @@ struct Stars {
     double weight;  // of the cell in means over the star; they add up to 1
   };
   std::vector<std::size_t> first;  // of each node, and the end; empty: there are no stars
-  std::vector<Part> parts;
+  std::vector<Part> parts{};
   std::vector<double> volumes;  // V_n = sum V_e/n_e [m^3], of each node
 
   [[nodiscard]] std::size_t size() const { return volumes.size(); }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "meshing/cell_geometry.hpp"
 #include "mss/networks/cell_springs.hpp"
 #include "mss/networks/method.hpp"
 

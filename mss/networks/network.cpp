@@ -38,8 +38,6 @@ Network build_network(const Mesh& mesh, const Material& material,
   const bool is_affine = method.has_virtual_springs;
   const double mu = lame_constants(material).mu;
   Network network{.rest_positions = mesh.nodes(),
-                  .springs = {},
-                  .cells = {},
                   .cell_springs = is_affine ? RestLength::affine : RestLength::constant,
                   .spring_modulus = is_affine ? mu : 0,
                   .volume_modulus = method.volume_modulus(material, settings),

@@ -26,16 +26,16 @@ enum class RestLength { constant, affine };
 /// see strain_energy.
 struct Network {
   std::vector<Vector3> rest_positions;  // [m]
-  std::vector<Spring> springs;  // of constant rest length, each pair of nodes once
+  std::vector<Spring> springs{};  // of constant rest length, each pair of nodes once
   // Edges that carry the dashpots of the virtual springs, and do not pull; once each:
   std::vector<Spring> damped_edges{};
-  Cells cells;  // their springs are those above, cell by cell, where those are constant
+  Cells cells{};  // their springs are those above, cell by cell, where those are constant
   RestLength cell_springs = RestLength::constant;
-  double spring_modulus = 0;   // mu of the virtual springs [Pa]; 0: there are none
-  double volume_modulus;       // kappa [Pa]; 0 without correction
-  Stars shape_stars{};         // means of F; none: virtual springs act on cells alone
-  Stars volume_stars{};        // means of det F; none: the correction acts on cells
-  std::vector<double> masses;  // [kg] density times nodal_volumes
+  double spring_modulus = 0;     // mu of the virtual springs [Pa]; 0: there are none
+  double volume_modulus;         // kappa [Pa]; 0 without correction
+  Stars shape_stars{};           // means of F; none: virtual springs act on cells alone
+  Stars volume_stars{};          // means of det F; none: the correction acts on cells
+  std::vector<double> masses{};  // [kg] density times nodal_volumes
 };
 
 /// Why the method cannot treat this mesh and material, or nothing when it can:

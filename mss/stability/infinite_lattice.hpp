@@ -22,8 +22,8 @@ Network lattice_cell(const Material& material, const NetworkSettings& settings,
 ///
 /// K the second derivatives of a cell's energy (tangent_at). C_-n = C_n^T.
 struct Couplings {
-  std::array<Matrix3, 27> blocks;  // C_n at 9 (n_z + 1) + 3 (n_y + 1) + n_x + 1
-  double edge;                     // h [m]
+  std::array<Matrix3, 27> blocks{};  // C_n at 9 (n_z + 1) + 3 (n_y + 1) + n_x + 1
+  double edge;                       // h [m]
 };
 Couplings couplings(const Network& cell, const Matrix3& deformation_gradient);
 

@@ -61,7 +61,6 @@ Eigen::VectorXd IterativeSolver::negative_curvature(std::mt19937_64& random) {
 IterativeSolver::Answer IterativeSolver::conjugate_gradients(const Eigen::VectorXd& right,
                                                              double accuracy) {
   Answer answer{.solution = Eigen::VectorXd::Zero(right.size()),
-                .direction = {},
                 .converged = false,
                 .definite = true};
   Eigen::VectorXd residual = right, product;

@@ -43,8 +43,8 @@ class IterativeSolver {
 
  private:
   struct Answer {
-    Eigen::VectorXd solution;   // of all components
-    Eigen::VectorXd direction;  // the last one
+    Eigen::VectorXd solution;     // of all components
+    Eigen::VectorXd direction{};  // the last one
     bool converged;
     bool definite;  // curvature positive along every direction
   };

@@ -84,7 +84,6 @@ PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& n
                   .load_fraction = 0,
                   .next_load_fraction = 1,
                   .positions = mesh.nodes(),
-                  .critical_mode = {},
                   .curvature = 0,
                   .rest_curvature = 0,
                   .steps = 0,

@@ -24,7 +24,7 @@ struct PathLimit {
   std::vector<Vector3> positions;  // [m]
   // Unit vector of least curvature of the energy there, as it goes to zero where
   // definiteness is lost; on every node, 0 where held:
-  std::vector<Vector3> critical_mode;
+  std::vector<Vector3> critical_mode{};
   double curvature;       // of the energy along it [N/m]
   double rest_curvature;  // least curvature at rest [N/m]
   int steps;

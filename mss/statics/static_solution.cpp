@@ -10,8 +10,6 @@ Solution static_solution(const Mesh& mesh, const Scene& scene, const Network& ne
   nodal_forces(network, positions, forces);
   const std::vector<Vector3> load = load_forces(mesh, scene, network);
   Solution solution{.status = SolveStatus::ok,
-                    .reason = {},
-                    .displacements = {},
                     .reactions = std::vector<Vector3>(positions.size(), Vector3::Zero()),
                     .lever_arms = LeverArms::deformed,
                     .strain_energy = strain_energy(network, positions),

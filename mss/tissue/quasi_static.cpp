@@ -13,11 +13,8 @@ using Eigen::Index;
 
 /// The cells as patches of a tangent, without anything that acts.
 Network patches_of(const TissueBody& body) {
-  Network network{.rest_positions = body.rest_positions,
-                  .springs = {},
-                  .cells = {},
-                  .volume_modulus = 0,
-                  .masses = body.masses};
+  Network network{
+      .rest_positions = body.rest_positions, .volume_modulus = 0, .masses = body.masses};
   for (std::size_t c = 0; c < body.cells.size(); ++c) {
     const CellNodes& cell = body.cells[c];
     const std::vector<Vector3> no_gradients(cell.size(), Vector3::Zero());
@@ -118,7 +115,7 @@ class RememberingTissue final : public dynamics::RememberingBody {
   Tangent tangent_;
   std::vector<double> memories_;
   std::vector<tissue::PointStress> stresses_;
-  tissue::MemoryStep step_{.duration = 0, .decays = {}};
+  tissue::MemoryStep step_{.duration = 0};
   double force_scale_ = 0;
 };
 

@@ -14,8 +14,6 @@ namespace {
 /// The network's cells with the volume correction alone.
 Network without_springs(const Network& network) {
   Network left{.rest_positions = network.rest_positions,
-               .springs = {},
-               .cells = {},
                .volume_modulus = network.volume_modulus,
                .masses = network.masses};
   for (std::size_t c = 0; c < network.cells.size(); ++c)

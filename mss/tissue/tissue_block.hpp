@@ -15,7 +15,7 @@ struct TissueConstants {
     double linear, hardening;  // G, B/(p+1) [Pa]
   };
   Branch elastic;
-  std::vector<Branch> branches;
+  std::vector<Branch> branches{};
   double viscosity;       // eta [Pa s]
   double bulk_ratio;      // r
   double inverse_square;  // 1/gamma_lim^2
@@ -33,9 +33,9 @@ struct TissueConstants {
 struct TissueBlock {
   dynamics::BlockCells cells;
   // The n-th is constants[n] where cells are alike, and else at place_in_packs:
-  std::vector<double> constants;
-  std::vector<std::uint8_t> is_cell;  // where cells are alike
-  std::vector<double> memories;       // A_1 to A_N, at place_in_packs
+  std::vector<double> constants{};
+  std::vector<std::uint8_t> is_cell{};  // where cells are alike
+  std::vector<double> memories{};       // A_1 to A_N, at place_in_packs
 };
 
 /// Numbers of a cell's memory. C'^-1 of the last step is not among them: see

@@ -51,8 +51,6 @@ TissueBody build_tissue_body(const Mesh& mesh, const tissue::Solid& solid,
   TissueBody body{.solid = solid,
                   .rest_positions = mesh.nodes(),
                   .cells = mesh.cells(),
-                  .shapes = {},
-                  .shape_of = {},
                   .masses = std::vector<double>(mesh.nodes().size(), 0.)};
   std::map<std::vector<std::int64_t>, std::size_t> known;
   for (const CellNodes& cell : mesh.cells()) {

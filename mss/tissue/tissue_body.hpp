@@ -13,9 +13,9 @@ struct TissueBody {
   tissue::Solid solid;
   std::vector<Vector3> rest_positions;  // [m]
   std::vector<CellNodes> cells;
-  std::vector<TissueShape> shapes;    // each once
-  std::vector<std::size_t> shape_of;  // each cell
-  std::vector<double> masses;         // [kg], of the nodes
+  std::vector<TissueShape> shapes{};    // each once
+  std::vector<std::size_t> shape_of{};  // each cell
+  std::vector<double> masses;           // [kg], of the nodes
 
   [[nodiscard]] const TissueShape& shape(std::size_t cell) const {
     return shapes[shape_of[cell]];

@@ -21,7 +21,6 @@ TissueConstants constants_of(const tissue::Solid& solid) {
   };
   TissueConstants constants{
       .elastic = branch(model.elastic),
-      .branches = {},
       .viscosity = model.viscosity,
       .bulk_ratio = solid.bulk_ratio,
       .inverse_square = 1 / (model.linear_limit * model.linear_limit),
@@ -69,10 +68,7 @@ std::vector<double> own_constants(const TissueShape& shape,
 
 TissueBlock tissue_block(const TissueBody& body, const Block& block,
                          const std::optional<Eigen::Matrix3d>& edges, std::size_t lanes) {
-  TissueBlock tissue{.cells = dynamics::cells_in_arrays(block, lanes),
-                     .constants = {},
-                     .is_cell = {},
-                     .memories = {}};
+  TissueBlock tissue{.cells = dynamics::cells_in_arrays(block, lanes)};
   const std::size_t count = tissue.cells.count;
   if (edges) {
     tissue.constants = alike_constants(*edges);

@@ -42,7 +42,7 @@ class TissueMotion final : public dynamics::Motion {
   const TissueBody& body_;
   TissueForces forces_;
   std::unique_ptr<dynamics::Motion> motion_;
-  tissue::MemoryStep memory_step_{.duration = 0, .decays = {}};
+  tissue::MemoryStep memory_step_{.duration = 0};
 };
 
 }  // namespace springcheck::mss

@@ -3,6 +3,7 @@
 import base64
 from dataclasses import dataclass
 
+import methods
 import numpy as np
 from study import case_text
 from surface import outside
@@ -33,7 +34,7 @@ def groups(study, test):
         load = members.deformation.abs().max()
         rank = (
             not both,
-            "mss-cf" not in set(usable["name"]),
+            methods.of_thesis() not in set(usable["name"]),
             -(load if np.isfinite(load) else 0),
             -len(study.mesh(members.index[0])["nodes"]),
             -members.method.nunique(),

@@ -50,7 +50,7 @@ TWO_COLUMNS = 7.2  # inches, of a journal's page
 
 
 def _base(name):
-    """"fem-stvk" of "fem-stvk:q1-sri"."""
+    """The method alone, of a name in tables such as fem-stvk:q1-sri."""
     for separator in (":", ",", " ("):
         name = name.split(separator)[0]
     return name

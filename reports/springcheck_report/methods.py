@@ -16,6 +16,51 @@ def family(method):
     return _methods.get(method, {}).get("family")
 
 
+def foremost(family):
+    """Its methods that people want to see first, in that order."""
+    places = {name: entry["foremost"] for name, entry in _methods.items() if entry["family"] == family}
+    return sorted((name for name, place in places.items() if place), key=places.get)
+
+
+def of_thesis():
+    """The springs that the thesis is of: figures of what it shows of its own are theirs."""
+    return foremost("springs")[0]
+
+
+def reference_law():
+    """The finite elements that springs are compared with first: the thesis's own reference."""
+    return foremost("finite elements")[0]
+
+
+def continuum_of_lattices():
+    """The finite elements of springs' own continuum."""
+    return next(name for name, entry in _methods.items() if "lattice" in entry["settings"])
+
+
+def place(method):
+    """Its place among those of its family, for sorting; others come behind."""
+    return _methods.get(method, {}).get("foremost") or len(_methods)
+
+
+def law(method):
+    """Of the material, "" where the method is not known by it."""
+    return _methods.get(method, {}).get("law", "")
+
+
+def at_rest(name):
+    """The statics of a method that steps, by their name in tables; other methods are their own."""
+    return _methods.get(name, {}).get("at_rest") or name
+
+
+def corrects_volume():
+    """Springs with a volume correction throughout."""
+    return [name for name, entry in _methods.items() if entry["corrects_volume"]]
+
+
+def reads(method, setting):
+    return setting in _methods.get(method, {}).get("settings", [])
+
+
 def own_solver(method):
     """The solver when none is named."""
     return _methods[method]["solvers"][0] if method in _methods else "static"

@@ -31,15 +31,6 @@ ANSWERS = {
 USABLE = "ok"
 FAILED = ["no_equilibrium", "diverged", "not_converged"]
 
-# The finite elements that springs are compared with, the first there is: Hencky's law is
-# the thesis's own reference.
-_LAWS = ["fem-hencky", "fem-stvk", "fem-hooke"]
-REFERENCE_LAW = _LAWS[0]
-THESIS_METHOD = "mss-cf"  # whose figures show what the thesis shows of its own
-# Those that do not lock, which is on hexahedra only: linear finite elements on other cells
-# are further from the truth than springs may be.
-_ELEMENTS = ["q1-sri", "q2"]
-
 
 @dataclass
 class Study:
@@ -301,11 +292,12 @@ def _counterparts(cases):
     """(keys of the finite elements on the same problem, for each case that is none itself;
     whether they are good enough to judge by)."""
     reference = cases[(cases.kind == "finite elements") & (cases.status == USABLE)]
+    laws = methods.foremost("finite elements")
     best = {}
     for key, case in reference.iterrows():
-        if case.method not in _LAWS:
+        if not methods.law(case.method) or case.method not in laws:
             continue
-        rank = _LAWS.index(case.method), case.element not in _ELEMENTS, case.element
+        rank = laws.index(case.method), methods.locks(case.method, case.element), case.element
         if case.problem not in best or rank < best[case.problem][0]:
             best[case.problem] = rank, key
     keys = [
@@ -317,6 +309,8 @@ def _counterparts(cases):
 
 
 def _is_judge(case):
-    """Whether finite elements are right enough to judge springs by."""
+    """Whether finite elements are right enough to judge springs by: not where they lock, and on
+    hexahedra only, since linear ones on other cells are further from the truth than springs may
+    be."""
     is_grid = case.body == "block" and case["cell-type"] == "hexahedron"
-    return is_grid and case.element in _ELEMENTS
+    return is_grid and not methods.locks(case.method, case.element)

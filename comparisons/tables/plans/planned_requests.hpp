@@ -12,7 +12,7 @@ namespace springcheck {
 class PlannedRequests {
  public:
   std::size_t add(const CaseSettings& settings) {
-    requests_.push_back({.settings = settings, .reference = std::nullopt});
+    requests_.push_back({.settings = settings});
     return requests_.size() - 1;
   }
   std::size_t add(const std::string& scene, const Changes& changes) {

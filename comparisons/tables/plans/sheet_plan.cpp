@@ -3,12 +3,11 @@
 namespace springcheck {
 
 SheetPlan without_cases(Sheet (*make)()) {
-  return {.requests = {},
-          .make = [make](std::span<const CaseResult>, MeshStore&) { return make(); }};
+  return {.make = [make](std::span<const CaseResult>, MeshStore&) { return make(); }};
 }
 
 Cell value_or_status(const std::optional<double>& value, const CaseResult& result) {
-  return {.number = value, .text = std::string(name_of(result.status))};
+  return {value, std::string(name_of(result.status))};
 }
 
 }  // namespace springcheck

@@ -13,7 +13,7 @@ namespace springcheck {
 /// A sheet before it is computed: the simulations it needs, and how it is made of their
 /// results, which come in the same order and with their fields.
 struct SheetPlan {
-  std::vector<Request> requests;
+  std::vector<Request> requests{};
   std::function<Sheet(std::span<const CaseResult>, MeshStore&)> make;
 };
 

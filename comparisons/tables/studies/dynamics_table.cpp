@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/tables/thesis/printed_figures.hpp"
 
@@ -33,12 +31,6 @@ std::vector<std::pair<Printed, PrintedFigure>> figures() {
     for (const PrintedFigure& figure : printed_figures(printed.table))
       if (figure.method == thesis_method) all.emplace_back(printed, figure);
   return all;
-}
-
-std::string deformation_of(const PrintedFigure& figure) {
-  return figure.test == Test::torsion
-             ? fmt::format("{:g} deg", figure.deformation * 180 / std::numbers::pi)
-             : fmt::format("{:g} %", 100 * figure.deformation);
 }
 
 /// Static, dynamic in SI units, dynamic in raw ones.
@@ -76,17 +68,13 @@ Sheet filled(std::span<const CaseResult> results) {
                   {"raw_transits", "transits", "{:.1f}"},
                   {"raw_damping", "damping", "{:g}"},
                   {"raw_kinetic", "kinetic/strain energy", "{:.1e}"}},
-      .rows = {},
       .notes = {
           "Dynamics: 10 s with the plate at constant velocity. In SI units steps of .9 "
-          "of "
-          "the stability limit; in raw units, centimetres read as metres, steps of 1 ms "
-          "as "
-          "the thesis states. The thesis states no damping.",
+          "of the stability limit; in raw units, centimetres read as metres, steps of 1 "
+          "ms as the thesis states. The thesis states no damping.",
           "Transits: how often a pressure wave runs through the body's height meanwhile. "
           "In raw units the body is a hundred times larger, and waves have hardly "
-          "crossed "
-          "it a few times before the figure is read."}};
+          "crossed it a few times before the figure is read."}};
   const auto all = figures();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& [printed, figure] = all[i];
@@ -97,19 +85,16 @@ Sheet filled(std::span<const CaseResult> results) {
       return value_or_status(measured ? std::optional(factor * *measured) : std::nullopt,
                              result);
     };
-    SheetRow row{.cells = {{.text = std::string(name_of(figure.test))},
-                           {.number = figure.nu},
-                           {.text = deformation_of(figure)},
-                           {.text = printed.name},
-                           {.number = figure.value},
-                           value(still, printed.factor)},
+    SheetRow row{.cells = {name_of(figure.test), figure.nu,
+                           deformation_text(figure.test, figure.deformation),
+                           printed.name, figure.value, value(still, printed.factor)},
                  .cases = {still.key, moved.key, raw.key}};
     for (const auto& [result, factor] :
          {std::pair(&moved, printed.factor), std::pair(&raw, printed.raw_factor)}) {
       row.cells.push_back(value(*result, factor));
-      row.cells.push_back({.number = result->measures.transit_count});
-      row.cells.push_back({.number = result->request.settings.dynamics.damping_ratio});
-      row.cells.push_back({.number = energy_ratio(result->measures)});
+      row.cells.push_back(result->measures.transit_count);
+      row.cells.push_back(result->request.settings.dynamics.damping_ratio);
+      row.cells.push_back(energy_ratio(result->measures));
     }
     sheet.rows.push_back(std::move(row));
   }
@@ -119,14 +104,12 @@ Sheet filled(std::span<const CaseResult> results) {
 }  // namespace
 
 SheetPlan plan_dynamics_table() {
-  SheetPlan plan{.requests = {},
-                 .make = [](std::span<const CaseResult> results, MeshStore&) {
-                   return filled(results);
-                 }};
+  SheetPlan plan{.make = [](std::span<const CaseResult> results, MeshStore&) {
+    return filled(results);
+  }};
   for (const auto& [printed, figure] : figures())
     for (CaseSettings& settings : cases_of(figure))
-      plan.requests.push_back(
-          {.settings = std::move(settings), .reference = std::nullopt});
+      plan.requests.push_back({.settings = std::move(settings)});
   return plan;
 }
 

@@ -151,14 +151,14 @@ std::optional<double> converged_load(std::span<const CaseResult> results,
 Cell error_cell(const CaseResult& result, const std::optional<double>& exact) {
   const auto load = load_of(result);
   if (!load || !exact) return value_or_status(std::nullopt, result);
-  return {.number = 100 * (*load / *exact - 1)};
+  return {100 * (*load / *exact - 1)};
 }
 
 Cell volume_cell(const CaseResult& result, const CaseResult& same_law) {
   const auto &change = result.measures.volume_change,
              &exact = same_law.measures.volume_change;
   if (!change || !exact) return value_or_status(std::nullopt, result);
-  return {.number = 100 * (*change - *exact)};
+  return {100 * (*change - *exact)};
 }
 
 double cell_count(const Mesh& mesh) {
@@ -179,7 +179,6 @@ Sheet elements_sheet(const std::vector<PlannedElementsRow>& rows,
                   {"cells", "cells", "{:.0f}"},
                   {"method", "method"},
                   {"nu", "nu", "{}"}},
-      .rows = {},
       .notes = {
           "Forces and torques in percent, at a deformation of 1e-5: off Hooke q2 on 5 x "
           "5 x 5 cubes, and off what Hooke q2 converges to on 4, 8 and 16 cells across.",
@@ -200,12 +199,9 @@ Sheet elements_sheet(const std::vector<PlannedElementsRow>& rows,
   for (const PlannedElementsRow& planned : rows) {
     const CaseResult& first = results[planned.small[0]];
     SheetRow row{
-        .cells = {{.text = planned.mesh},
-                  {.number = cell_count(meshes.mesh(first.request.settings.body))},
-                  {.text = planned.method.label},
-                  {.number = planned.nu}},
-        .notes = notes_on(first),
-        .cases = {}};
+        .cells = {planned.mesh, cell_count(meshes.mesh(first.request.settings.body)),
+                  planned.method.label, planned.nu},
+        .notes = notes_on(first)};
     for (std::size_t t = 0; t < tests.size(); ++t)
       row.cells.push_back(
           error_cell(results[planned.small[t]], load_of(results[planned.reference[t]])));
@@ -222,7 +218,7 @@ Sheet elements_sheet(const std::vector<PlannedElementsRow>& rows,
       if (statuses.find(name) == std::string::npos)
         statuses += (statuses.empty() ? "" : ", ") + name;
     }
-    row.cells.push_back({.text = statuses});
+    row.cells.push_back(statuses);
     for (const OfTests& places : {planned.small, planned.finite, planned.reference,
                                   planned.truth[0], planned.truth[1], planned.truth[2]})
       for (const std::size_t place : places) row.cases.push_back(results[place].key);

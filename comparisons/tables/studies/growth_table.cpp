@@ -170,15 +170,10 @@ void add_rows(Sheet& sheet, const Growing& growing, double most_seconds) {
   }
   for (std::size_t i = 0; i < cells.size(); ++i)
     sheet.rows.push_back(
-        {.cells = {
-             {.text = growing.model},
-             {.text = growing.what},
-             {.number = cells[i]},
-             {.number = seconds[i]},
-             {.number = 1e9 * seconds[i] / cells[i]},
-             {.number = time_exponent},
-             {.number = bytes[i] > 0 ? std::optional(bytes[i] / 1e6) : std::nullopt},
-             {.number = memory_exponent}}});
+        {.cells = {growing.model, growing.what, cells[i], seconds[i],
+                   1e9 * seconds[i] / cells[i], time_exponent,
+                   bytes[i] > 0 ? std::optional(bytes[i] / 1e6) : std::nullopt,
+                   memory_exponent}});
 }
 
 }  // namespace
@@ -197,7 +192,6 @@ Sheet growth_sheet(const std::vector<int>& across,
                   {"time_exponent", "exponent", "{:.3f}"},
                   {"megabytes", "memory [MB]", "{:.4g}"},
                   {"memory_exponent", "exponent", "{:.3f}"}},
-      .rows = {},
       .notes = {
           fmt::format("Measured on {}, compiled by {} (commit {}), one thread.",
                       processor_name(), build_info::compiler, build_info::commit),
@@ -216,9 +210,9 @@ Sheet growth_sheet(const std::vector<int>& across,
 }
 
 SheetPlan plan_growth_table() {
-  return {.requests = {}, .make = [](std::span<const CaseResult>, MeshStore&) {
-            return growth_sheet({10, 22, 46, 100}, {10, 14, 20, 28});
-          }};
+  return {.make = [](std::span<const CaseResult>, MeshStore&) {
+    return growth_sheet({10, 22, 46, 100}, {10, 14, 20, 28});
+  }};
 }
 
 }  // namespace springcheck

@@ -101,7 +101,6 @@ Sheet measured_sheet() {
                   {"seconds", "time of so many [s]", "{:.4g}"},
                   {"printed_seconds", "printed, mss-cf on 8 threads [s]", "{:.4g}"},
                   {"seconds_as_printed", "ours for as many steps [s]", "{:.4g}"}},
-      .rows = {},
       .notes = {
           fmt::format(
               "Measured on {}, instruction set {}, compiled by {} (commit {}); the "
@@ -142,27 +141,19 @@ Sheet measured_sheet() {
           if (timed.is_thesis) thesis[threads] = time.real;
           const bool is_printed = timed.is_thesis && cells == study.bodies.front();
           const auto if_printed = [&](double value) {
-            return Cell{.number = is_printed ? std::optional(value) : std::nullopt};
+            return Cell{is_printed ? std::optional(value) : std::nullopt};
           };
           sheet.rows.push_back(
-              {.cells = {
-                   {.text = study.name},
-                   {.text = study.figures},
-                   {.number = count},
-                   {.text = is_naive ? "plain loops" : timed.method},
-                   {.text = std::string(name_of(timed.precision))},
-                   {.number = threads},
-                   {.number = 1e9 * time.real / count},
-                   {.number = timed.over_naive ? std::optional(naive.value() / time.real)
-                                               : std::nullopt},
-                   {.number = timed.over_kernel
-                                  ? std::optional(time.real / thesis.at(threads))
-                                  : std::nullopt},
-                   {.number = time.user_over_real},
-                   {.number = study.steps_shown},
-                   {.number = study.steps_shown * time.real},
-                   if_printed(study.printed_seconds),
-                   if_printed(study.printed_steps * time.real)}});
+              {.cells = {study.name, study.figures, count,
+                         is_naive ? "plain loops" : timed.method,
+                         name_of(timed.precision), threads, 1e9 * time.real / count,
+                         timed.over_naive ? std::optional(naive.value() / time.real)
+                                          : std::nullopt,
+                         timed.over_kernel ? std::optional(time.real / thesis.at(threads))
+                                           : std::nullopt,
+                         time.user_over_real, study.steps_shown,
+                         study.steps_shown * time.real, if_printed(study.printed_seconds),
+                         if_printed(study.printed_steps * time.real)}});
         }
     }
   return sheet;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/tables/studies/split_output.hpp"
@@ -25,9 +23,7 @@ std::vector<CaseSettings> springs_of_the_table() {
 }
 
 std::string load_of(const CaseSettings& settings) {
-  if (settings.test == Test::torsion)
-    return fmt::format("{:g} deg", *settings.deformation * 180 / std::numbers::pi);
-  if (settings.deformation) return fmt::format("{:g} %", 100 * *settings.deformation);
+  if (settings.deformation) return deformation_text(settings.test, *settings.deformation);
   return fmt::format("{:g} MPa", settings.material.young_modulus / 1e6);
 }
 
@@ -59,26 +55,19 @@ SheetRow row_of(const SplitQuantity& quantity, const Split& split,
   const auto [name, unit, factor] = shown_measure(quantity.name);
   const auto& lattice = quantity.cauchy_born.converged;
   const auto& law = quantity.reference.converged;
-  return {.cells = {{.text = settings.scene},
-                    {.text = load_of(settings)},
-                    {.text = name},
-                    {.text = unit},
-                    value_or_status(scaled(quantity.springs, factor), springs),
-                    {.number = scaled(lattice.value, factor)},
-                    {.number = scaled(lattice.bar, factor)},
-                    {.number = lattice.order},
-                    {.number = scaled(law.value, factor)},
-                    {.number = scaled(law.bar, factor)},
-                    {.number = law.order},
-                    {.number = scaled(quantity.law.value, factor)},
-                    {.number = scaled(quantity.law.bar, factor)},
-                    {.number = scaled(quantity.discretisation.value, factor)},
-                    {.number = scaled(quantity.discretisation.bar, factor)},
-                    {.number = percent(quantity.law, quantity)},
-                    {.number = percent(quantity.discretisation, quantity)},
-                    {.text = quantity.is_resolved() ? "resolved" : "unresolved"}},
-          .notes = split.reasons,
-          .cases = keys_of(quantity, springs)};
+  return {
+      .cells = {settings.scene, load_of(settings), name, unit,
+                value_or_status(scaled(quantity.springs, factor), springs),
+                scaled(lattice.value, factor), scaled(lattice.bar, factor), lattice.order,
+                scaled(law.value, factor), scaled(law.bar, factor), law.order,
+                scaled(quantity.law.value, factor), scaled(quantity.law.bar, factor),
+                scaled(quantity.discretisation.value, factor),
+                scaled(quantity.discretisation.bar, factor),
+                percent(quantity.law, quantity),
+                percent(quantity.discretisation, quantity),
+                quantity.is_resolved() ? "resolved" : "unresolved"},
+      .notes = split.reasons,
+      .cases = keys_of(quantity, springs)};
 }
 
 }  // namespace
@@ -107,14 +96,12 @@ Sheet split_sheet(const std::vector<Split>& splits,
                   {"discretisation_percent", "discretisation part [% of Hencky]",
                    "{:+.2f}"},
                   {"state", "converged values"}},
-      .rows = {},
       .notes = {
           "Law part: converged Cauchy-Born (the continuum of the springs' lattice) minus "
           "converged Hencky. Discretisation part: the springs on this mesh minus "
           "converged Cauchy-Born. The law part is as uncertain as both bars together, "
           "the discretisation part as Cauchy-Born's; the sign of a part within its bar "
-          "is not "
-          "known.",
+          "is not known.",
           "Volume errors e are the absolute values of the volume changes.",
           "Mean deviations are mean distances over the nodes from converged Hencky, the "
           "discretisation part from converged Cauchy-Born.",
@@ -134,8 +121,8 @@ SheetPlan plan_split_table() {
   std::vector<SplitPlan> splits;
   SheetPlan plan;
   for (const CaseSettings& springs : springs_of_the_table()) {
-    splits.push_back(plan_split(springs, *find_method("fem-hencky")));
-    plan.requests.push_back({.settings = springs, .reference = std::nullopt});
+    splits.push_back(plan_split(springs, *foremost(Family::finite_elements).front()));
+    plan.requests.push_back({.settings = springs});
     const std::vector<Request> grids = split_requests(splits.back());
     plan.requests.insert(plan.requests.end(), grids.begin(), grids.end());
   }

@@ -67,7 +67,7 @@ std::optional<double> deviation(const CaseResult& parent, const CaseResult& chil
 Cell change_cell(const std::optional<double>& of_child,
                  const std::optional<double>& of_parent, const CaseResult& child) {
   if (!of_child || !of_parent) return value_or_status(std::nullopt, child);
-  return {.number = 100 * (*of_child / *of_parent - 1)};
+  return {100 * (*of_child / *of_parent - 1)};
 }
 
 SheetRow row_of(const PlannedPair& pair, std::span<const CaseResult> results) {
@@ -77,17 +77,13 @@ SheetRow row_of(const PlannedPair& pair, std::span<const CaseResult> results) {
              &parent_volume = parent.measures.volume_change;
   const auto off = deviation(parent, child);
   return {
-      .cells = {{.text = label(child.request.settings)},
-                {.text = pair.load.test},
-                {.text = pair.load.amount},
-                {.text = pair.parent_type},
-                {.text = pair.child_type},
+      .cells = {label(child.request.settings), pair.load.test, pair.load.amount,
+                pair.parent_type, pair.child_type,
                 change_cell(answer.of(child.measures), answer.of(parent.measures), child),
-                volume && parent_volume ? Cell{.number = 100 * (*volume - *parent_volume)}
+                volume && parent_volume ? Cell{100 * (*volume - *parent_volume)}
                                         : value_or_status(std::nullopt, child),
-                off ? Cell{.number = 100 * *off} : value_or_status(std::nullopt, child),
-                {.text = std::string(name_of(child.status))},
-                {.text = std::string(name_of(parent.status))}},
+                off ? Cell{100 * *off} : value_or_status(std::nullopt, child),
+                name_of(child.status), name_of(parent.status)},
       .cases = {child.key, parent.key}};
 }
 
@@ -124,7 +120,6 @@ SheetPlan plan_subdivision_table() {
                         {"deviation", "deviation [%]", "{:.3f}"},
                         {"status", "status"},
                         {"parent_status", "parent's"}},
-            .rows = {},
             .notes = {"Cubes of 4 x 4 x 4 hexahedra, beams of 4 x 4 x 24. Deviation: "
                       "root mean square over the parent's nodes, over its largest "
                       "displacement. Source of the subdivisions: Golec 2018, section "

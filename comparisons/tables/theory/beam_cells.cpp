@@ -13,16 +13,14 @@ BeamCells::BeamCells(const CaseSettings& settings, const Mesh& mesh)
 std::vector<Cell> BeamCells::next(const Eigen::VectorXd& shape) {
   const BeamMotion motion = beam_motion(mesh_, shape);
   const int n = ++count_[motion];
-  const Cell name{.text = fmt::format("{} {}", name_of(motion), n)};
+  const Cell name{fmt::format("{} {}", name_of(motion), n)};
   switch (motion) {
     case BeamMotion::bending:
-      return {name,
-              {.number = euler_bernoulli_frequency(beam_, n)},
-              {.number = timoshenko_frequency(beam_, n)}};
+      return {name, euler_bernoulli_frequency(beam_, n), timoshenko_frequency(beam_, n)};
     case BeamMotion::torsion:
-      return {name, {}, {.number = torsion_frequency(beam_, n)}};
+      return {name, {}, torsion_frequency(beam_, n)};
     case BeamMotion::stretching:
-      return {name, {}, {.number = stretching_frequency(beam_, n)}};
+      return {name, {}, stretching_frequency(beam_, n)};
     case BeamMotion::other:
       break;
   }

@@ -22,12 +22,8 @@ double centre_on_paper(double zeta) {
 }
 
 void add_row(Sheet& sheet, const char* part, double zeta, double x) {
-  sheet.rows.push_back({.cells = {{.text = part},
-                                  {.number = zeta},
-                                  {.number = mss::forces_at(unit, x, zeta).top},
-                                  {.number = force_on_paper(zeta)},
-                                  {.number = x},
-                                  {.number = centre_on_paper(zeta)}}});
+  sheet.rows.push_back({.cells = {part, zeta, mss::forces_at(unit, x, zeta).top,
+                                  force_on_paper(zeta), x, centre_on_paper(zeta)}});
 }
 
 Sheet four_springs_sheet() {
@@ -41,7 +37,6 @@ Sheet four_springs_sheet() {
                   {"force_on_paper", "F_A/(k l) on paper", "{:.4f}"},
                   {"centre", "x/l", "{:.4f}"},
                   {"centre_on_paper", "x/l on paper", "{:.4f}"}},
-      .rows = {},
       .notes = {
           fmt::format("Four equal springs about a node C that may go aside (Golec 2018, "
                       "section 3.2.2), forces from the program's own springs. Straight, "

@@ -79,17 +79,17 @@ std::string components(const mss::LatticeWave& wave) {
 
 void add_cells(std::vector<Cell>& cells, const LatticeLimit& limit) {
   const bool is_lost = limit.loss != LatticeLoss::none;
-  cells.push_back({.number = is_lost ? std::optional(100 * limit.strain) : std::nullopt,
-                   .text = fmt::format("> {:.0f}", 100 * limit.strain)});
-  cells.push_back({.text = loss_in(limit)});
+  cells.push_back({is_lost ? std::optional(100 * limit.strain) : std::nullopt,
+                   fmt::format("> {:.0f}", 100 * limit.strain)});
+  cells.push_back(loss_in(limit));
   if (!limit.wave) {
     cells.insert(cells.end(), {{}, {}});
     return;
   }
-  cells.push_back({.text = components(*limit.wave)});
+  cells.push_back(components(*limit.wave));
   const double length = wavelength(*limit.wave);
-  cells.push_back({.number = std::isinf(length) ? std::nullopt : std::optional(length),
-                   .text = "infinite"});
+  cells.push_back(
+      {std::isinf(length) ? std::nullopt : std::optional(length), "infinite"});
 }
 
 Sheet lattice_stability_sheet() {
@@ -99,7 +99,6 @@ Sheet lattice_stability_sheet() {
       .columns = {{"method", "method"},
                   {"diagonal_ratio", "A", "{}"},
                   {"nu", "nu", "{}"}},
-      .rows = {},
       .notes = {
           "Bloch waves: the lattice stretched by l, l, z along its axes, l such that the "
           "mean lateral stress is zero, followed from rest; the first strain at which "
@@ -115,8 +114,7 @@ Sheet lattice_stability_sheet() {
           "Free sides: the energy has no minimum over l beyond that strain, a limit "
           "point. Compression is looked at up to 90 %, tension up to 100 %.",
           "Mss-nfd, A = 0, has waves without energy at rest, which turn negative with "
-          "the "
-          "first strain; a block's plates hold them up to some per cent. So has "
+          "the first strain; a block's plates hold them up to some per cent. So has "
           "mss-baudet, for every nu. Mss-fd is, for every nu, mss-cf at nu = 0.25.",
           "The continuum of St-Venant and Kirchhoff has a limit of its own: the force on "
           "a compressed bar is largest at a stretch of 1/sqrt(3), a strain of 42.3 %."}};
@@ -136,9 +134,7 @@ Sheet lattice_stability_sheet() {
                  limit_of(rows[i], UniaxialLoad::tension)};
   });
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    SheetRow row{.cells = {{.text = rows[i].name},
-                           {.number = rows[i].diagonal_ratio},
-                           {.number = rows[i].poisson_ratio}}};
+    SheetRow row{.cells = {rows[i].name, rows[i].diagonal_ratio, rows[i].poisson_ratio}};
     for (const LatticeLimit& limit : limits[i]) add_cells(row.cells, limit);
     sheet.rows.push_back(std::move(row));
   }

@@ -41,7 +41,6 @@ Sheet empty_sheet() {
                   {"theory", "theory [Hz]", "{:.3f}"},
                   {"fem", "FEM [Hz]", "{:.3f}"},
                   {"fem_off", "off theory [%]", "{:.2f}"}},
-      .rows = {},
       .notes = {
           "Small undamped vibrations about the rest state; f = omega/(2 pi). Free cube: "
           "the cube of the scene compression, 5 cm, 10 x 10 x 10 cells, E = 10 kPa, "
@@ -57,9 +56,8 @@ Sheet empty_sheet() {
           "wherever they stand in its own order; of several the mean. MAC: the least of "
           "the row. Where a method's is below 0.9 a note says so.",
           "Theory of the free cube: Rayleigh and Ritz, polynomials up to degree 10. "
-          "Modes "
-          "9-10 at nu = 0.25 and 0.4 are two of Lame's three, f = sqrt(mu/rho)/(sqrt(2) "
-          "L) exactly; on cells the third has another frequency.",
+          "Modes 9-10 at nu = 0.25 and 0.4 are two of Lame's three, f = "
+          "sqrt(mu/rho)/(sqrt(2) L) exactly; on cells the third has another frequency.",
           "Theory of the cantilever: Timoshenko's beam (shear factor 5/6), "
           "Saint-Venant's torsion (J = "
           "0.1406 a^4) and the bar, for a slender beam that may contract and warp at the "
@@ -122,18 +120,16 @@ void add_rows(Sheet& sheet, const SwingingBody& body, double nu, MeshStore& mesh
 
   std::vector<SheetRow> rows;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    SheetRow row{.cells = {{.text = body.name},
-                           {.number = settings.material.poisson_ratio},
-                           {.text = numbers(groups[i])}}};
+    SheetRow row{
+        .cells = {body.name, settings.material.poisson_ratio, numbers(groups[i])}};
     const std::vector<Cell> theory =
-        body.hold == Hold::free
-            ? std::vector<Cell>{{}, {}, {.number = exact[i].frequency}}
-            : beam.next(reference.shapes.col(groups[i].first));
+        body.hold == Hold::free ? std::vector<Cell>{{}, {}, exact[i].frequency}
+                                : beam.next(reference.shapes.col(groups[i].first));
     row.cells.insert(row.cells.end(), theory.begin(), theory.end());
     const double f = reference.frequencies[groups[i].first];
-    row.cells.push_back({.number = f});
+    row.cells.push_back(f);
     const std::optional<double> theory_f = row.cells[theory_column].number;
-    row.cells.push_back(theory_f ? Cell{.number = 100 * (f / *theory_f - 1)} : Cell{});
+    row.cells.push_back(theory_f ? Cell{100 * (f / *theory_f - 1)} : Cell{});
     rows.push_back(std::move(row));
   }
 
@@ -141,8 +137,7 @@ void add_rows(Sheet& sheet, const SwingingBody& body, double nu, MeshStore& mesh
   std::string status;
   for (const MethodModes& method : std::span(all).subspan(1)) {
     if (!method.modes) {
-      for (SheetRow& row : rows)
-        row.cells.insert(row.cells.end(), {{.text = method.reason}, {}});
+      for (SheetRow& row : rows) row.cells.insert(row.cells.end(), {method.reason, {}});
       status += (status.empty() ? "" : ", ") + method.method + " " + method.reason;
       continue;
     }
@@ -151,8 +146,8 @@ void add_rows(Sheet& sheet, const SwingingBody& body, double nu, MeshStore& mesh
         body_notes(method, reference, *rows.back().cells[fem_column].number, body.hold);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const double f = *rows[i].cells[fem_column].number;
-      rows[i].cells.push_back({.number = pairs[i].frequency});
-      rows[i].cells.push_back({.number = 100 * (pairs[i].frequency / f - 1)});
+      rows[i].cells.push_back(pairs[i].frequency);
+      rows[i].cells.push_back(100 * (pairs[i].frequency / f - 1));
       least_mac[i] = std::min(least_mac[i], pairs[i].mac);
       std::ranges::copy(notes, std::back_inserter(rows[i].notes));
       if (pairs[i].mac < alike)
@@ -161,8 +156,8 @@ void add_rows(Sheet& sheet, const SwingingBody& body, double nu, MeshStore& mesh
     }
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].cells.push_back({.number = least_mac[i]});
-    rows[i].cells.push_back({.text = status.empty() ? "ok" : status});
+    rows[i].cells.push_back(least_mac[i]);
+    rows[i].cells.push_back(status.empty() ? "ok" : status);
     sheet.rows.push_back(std::move(rows[i]));
   }
 }
@@ -170,13 +165,13 @@ void add_rows(Sheet& sheet, const SwingingBody& body, double nu, MeshStore& mesh
 }  // namespace
 
 SheetPlan plan_modes_table() {
-  return {.requests = {}, .make = [](std::span<const CaseResult>, MeshStore& meshes) {
-            omp_set_num_threads(1);  // CHOLMOD's small loops only wait otherwise
-            Sheet sheet = empty_sheet();
-            for (const SwingingBody& body : bodies)
-              for (const double nu : {0., 0.25, 0.4}) add_rows(sheet, body, nu, meshes);
-            return sheet;
-          }};
+  return {.make = [](std::span<const CaseResult>, MeshStore& meshes) {
+    omp_set_num_threads(1);  // CHOLMOD's small loops only wait otherwise
+    Sheet sheet = empty_sheet();
+    for (const SwingingBody& body : bodies)
+      for (const double nu : {0., 0.25, 0.4}) add_rows(sheet, body, nu, meshes);
+    return sheet;
+  }};
 }
 
 }  // namespace springcheck

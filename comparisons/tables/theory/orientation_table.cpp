@@ -68,7 +68,6 @@ Sheet orientation_sheet(std::span<const CaseResult> results) {
                   {"springs", "stress/(E strain), mss-cf", "{:.4f}"},
                   {"over_100", "Cauchy-Born over 100's", "{:.4f}"},
                   {"status", "status of mss-cf"}},
-      .rows = {},
       .notes = {
           "Nominal stress, free sides, over that of the linear material. An isotropic "
           "material has the same in all directions; the lattice has at small strain "
@@ -76,9 +75,8 @@ Sheet orientation_sheet(std::span<const CaseResult> results) {
           "Cauchy-Born: one cell between sliding plates, the lattice turned so that the "
           "direction lies along the load. mss-cf: a block of springs whose boundary "
           "follows Cauchy-Born's homogeneous state, turned back into the lattice's "
-          "frame; "
-          "the mean stress along the direction. It is a patch test: springs that follow "
-          "the state inside carry Cauchy-Born's stress."}};
+          "frame; the mean stress along the direction. It is a patch test: springs that "
+          "follow the state inside carry Cauchy-Born's stress."}};
   std::optional<double> along_100;
   for (; results.size() >= 2; results = results.subspan(2)) {
     const CaseResult &continuum = results[0], &springs = results[1];
@@ -88,16 +86,13 @@ Sheet orientation_sheet(std::span<const CaseResult> results) {
     if (direction == LatticeDirection::d100) along_100 = stiffness;
     const Vector3 d = fem_reference::lattice_to_body(direction).row(2);
     sheet.rows.push_back(
-        {.cells = {{.number = settings.material.poisson_ratio},
-                   {.number = settings.deformation},
-                   {.text = std::string(name_of(direction))},
-                   value_or_status(stiffness, continuum),
+        {.cells = {settings.material.poisson_ratio, settings.deformation,
+                   name_of(direction), value_or_status(stiffness, continuum),
                    value_or_status(stiffness_of(springs, d, *settings.deformation),
                                    springs),
-                   {.number = stiffness && along_100
-                                  ? std::optional(*stiffness / *along_100)
-                                  : std::nullopt},
-                   {.text = std::string(name_of(springs.status))}},
+                   stiffness && along_100 ? std::optional(*stiffness / *along_100)
+                                          : std::nullopt,
+                   name_of(springs.status)},
          .cases = {continuum.key, springs.key}});
   }
   return sheet;
@@ -106,17 +101,15 @@ Sheet orientation_sheet(std::span<const CaseResult> results) {
 }  // namespace
 
 SheetPlan plan_orientation_table() {
-  SheetPlan plan{.requests = {},
-                 .make = [](std::span<const CaseResult> results, MeshStore&) {
-                   return orientation_sheet(results);
-                 }};
+  SheetPlan plan{.make = [](std::span<const CaseResult> results, MeshStore&) {
+    return orientation_sheet(results);
+  }};
   for (const double nu : {0.25, 0.499})
     for (const double strain : {-0.05, -0.2})
       for (const char* direction : {"100", "110", "111"}) {
         const CaseSettings continuum = continuum_case(nu, strain, direction);
-        plan.requests.push_back({.settings = continuum, .reference = std::nullopt});
-        plan.requests.push_back(
-            {.settings = springs_case(continuum, nu), .reference = std::nullopt});
+        plan.requests.push_back({.settings = continuum});
+        plan.requests.push_back({.settings = springs_case(continuum, nu)});
       }
   return plan;
 }

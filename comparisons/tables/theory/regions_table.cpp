@@ -15,18 +15,13 @@ void add_point(Sheet& sheet, const char* figure, const char* name, Integrator in
   const double r = region_border(integrator, zeta);
   const bool has_gamma = std::abs(zeta) <= 1;  // else two, and real
   const auto if_gamma = [&](double value) {
-    return Cell{.number = has_gamma ? std::optional(value) : std::nullopt};
+    return Cell{has_gamma ? std::optional(value) : std::nullopt};
   };
   sheet.rows.push_back(
-      {.cells = {
-           {.text = figure},
-           {.text = name},
-           {.number = zeta},
-           {.number = r},
-           {.number = border_on_paper(integrator, zeta)},
-           if_gamma(-r * zeta),
-           if_gamma(r * std::sqrt(std::max(0., 1 - zeta * zeta))),
-           {.text = integrator == Integrator::implicit_euler ? "outside" : "inside"}}});
+      {.cells = {figure, name, zeta, r, border_on_paper(integrator, zeta),
+                 if_gamma(-r * zeta),
+                 if_gamma(r * std::sqrt(std::max(0., 1 - zeta * zeta))),
+                 integrator == Integrator::implicit_euler ? "outside" : "inside"}});
 }
 
 Sheet regions_sheet() {
@@ -41,7 +36,6 @@ Sheet regions_sheet() {
                   {"real", "Re Gamma dt", "{:.4f}"},
                   {"imaginary", "Im Gamma dt", "{:.4f}"},
                   {"stable", "stable"}},
-      .rows = {},
       .notes = {
           "Where the spectral radius of a step's matrix, made by stepping unit states of "
           "the oscillator x'' = -2 zeta omega x' - omega^2 x with the program's own "

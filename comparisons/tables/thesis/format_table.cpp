@@ -47,7 +47,7 @@ std::string instead_of_value(const CaseResult& result) {
   const CaseSettings& settings = result.request.settings;
   if (fraction == 0 || !settings.deformation) return std::string(status);
   const double reached = fraction * *settings.deformation;
-  return settings.test == Test::torsion
+  return entry_of(settings.test).turns
              ? fmt::format("{} beyond {:.3g} deg", status,
                            reached * 180 / std::numbers::pi)
              : fmt::format("{} beyond {:.3g} %", status, 100 * reached);

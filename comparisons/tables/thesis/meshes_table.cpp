@@ -68,7 +68,6 @@ Sheet meshes_sheet() {
                           {"springs_fd_printed", "mss-fd springs, printed", "{:.0f}"},
                           {"springs_fd", "mss-fd springs", "{:.0f}"},
                           {"springs_distinct", "each spring once", "{:.0f}"}},
-              .rows = {},
               .notes = {"The thesis stores face diagonals with each cell, so that those "
                         "between two cells count twice; the last column counts every "
                         "spring of mss-fd and mss-cf once."}};
@@ -78,16 +77,11 @@ Sheet meshes_sheet() {
         generate_block({.size = {0.05, 0.05, 0.05 * nz / nx}, .cells = printed.cells});
     const SpringCounts springs = count_springs(mesh);
     const auto count = [](std::size_t n) { return static_cast<double>(n); };
-    sheet.rows.push_back({.cells = {{.text = fmt::format("{}x{}x{}", nx, ny, nz)},
-                                    {.number = printed.volumes},
-                                    {.number = count(mesh.cells().size())},
-                                    {.number = printed.vertices},
-                                    {.number = count(mesh.nodes().size())},
-                                    {.number = printed.springs_nfd},
-                                    {.number = springs.nfd},
-                                    {.number = printed.springs_fd},
-                                    {.number = springs.fd},
-                                    {.number = springs.distinct}}});
+    sheet.rows.push_back(
+        {.cells = {fmt::format("{}x{}x{}", nx, ny, nz), printed.volumes,
+                   count(mesh.cells().size()), printed.vertices,
+                   count(mesh.nodes().size()), printed.springs_nfd, springs.nfd,
+                   printed.springs_fd, springs.fd, springs.distinct}});
   }
   return sheet;
 }
@@ -95,8 +89,7 @@ Sheet meshes_sheet() {
 }  // namespace
 
 SheetPlan plan_meshes_table() {
-  return {.requests = {},
-          .make = [](std::span<const CaseResult>, MeshStore&) { return meshes_sheet(); }};
+  return {.make = [](std::span<const CaseResult>, MeshStore&) { return meshes_sheet(); }};
 }
 
 }  // namespace springcheck

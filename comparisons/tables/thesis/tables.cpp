@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -49,25 +48,18 @@ Request request_of(const std::string& scene, const std::string& method,
   return requests(run).front();
 }
 
-std::string deformation_text(const PrintedFigure& figure) {
-  return figure.test == Test::torsion
-             ? fmt::format("{:g} deg", figure.deformation * 180 / std::numbers::pi)
-             : fmt::format("{:g} %", 100 * figure.deformation);
-}
-
 /// A row of our method beside a printed figure.
 PlannedRow row_of(const PrintedFigure& figure, const std::string& method,
                   const Changes& further, const Reference& reference) {
   const std::string scene(name_of(figure.test));
   Changes overrides{{"nu", figure.nu}, {"deformation", figure.deformation}};
   overrides.insert(overrides.end(), further.begin(), further.end());
-  PlannedRow row{
-      .labels = {fmt::format("{:g}", figure.nu), deformation_text(figure), method},
-      .request = request_of(scene, method, overrides, reference),
-      .printed = figure.value,
-      .printed_text = figure.text,
-      .verdict = figure.verdict,
-      .notes = {}};
+  PlannedRow row{.labels = {fmt::format("{:g}", figure.nu),
+                            deformation_text(figure.test, figure.deformation), method},
+                 .request = request_of(scene, method, overrides, reference),
+                 .printed = figure.value,
+                 .printed_text = figure.text,
+                 .verdict = figure.verdict};
   row.labels.back() = label(row.request.settings);
   return row;
 }
@@ -195,7 +187,6 @@ TablePlan torsion_table(const Reference& reference) {
       .title = "Table 5.4: torque on the plate in torsion",
       .label_headings = {"nu", "deformation", "method"},
       .quantity = scaled("torque", "1e-6 N m", "{:.0f}", &Measures::plate_torque, 1e6),
-      .further = {},
       .rows = rows_of("5.4", reference),
       .notes = {table_notes::units, table_notes::torsion_angle}};
 }
@@ -216,7 +207,6 @@ TablePlan deviation_table(const Reference& reference) {
                          &Measures::deviation_max_relative, 100),
                   scaled("rms difference of cells' V/V0", "-", "{:.4f}",
                          &Measures::cell_volume_ratio_rms_difference, 1)},
-      .rows = {},
       .notes = {
           "The relative measures are volume-weighted over the free nodes and divided "
           "by the largest imposed displacement.",
@@ -244,7 +234,6 @@ TablePlan bending_table(const Reference& reference) {
                   &Measures::centre_line_euler_bernoulli, 1),
            scaled("off Timoshenko", "m", "{:.3g}", &Measures::centre_line_timoshenko, 1),
            scaled("off the elastica", "m", "{:.3g}", &Measures::centre_line_elastica, 1)},
-      .rows = {},
       .notes = {table_notes::figures_only,
                 "The distances are the largest between a node of the centre line and the "
                 "theory's point of the same arc length. The elastica is inextensible and "
@@ -257,10 +246,7 @@ TablePlan bending_table(const Reference& reference) {
         .request = request_of(scene, method,
                               {{"young", young}, {"cells", cells}, {"element", element}},
                               reference),
-        .printed = std::nullopt,
-        .printed_text = {},
-        .verdict = verdict,
-        .notes = {}};
+        .verdict = verdict};
     row.labels = {
         scene, fmt::format("{:g}", young / 1e6),
         fmt::format("{}", fmt::join(row.request.settings.body.block.cells, " x ")),
@@ -355,23 +341,16 @@ std::vector<Request> table_requests(const TablePlan& plan) {
   for (const PlannedRow& row : plan.rows) {
     all.push_back(row.request);
     for (const CaseSettings& reference : reference_cases(row.request))
-      all.push_back({.settings = reference, .reference = std::nullopt});
+      all.push_back({.settings = reference});
   }
   return all;
 }
 
 Table fill_table(TablePlan plan, const std::vector<CaseResult>& results) {
-  Table table{.plan = std::move(plan), .rows = {}};
+  Table table{.plan = std::move(plan)};
   std::size_t next = 0;
   for (const PlannedRow& planned : table.plan.rows) {
-    TableRow row{.plan = planned,
-                 .result = results.at(next++),
-                 .ours = {},
-                 .difference = {},
-                 .reference_value = {},
-                 .reference_order = {},
-                 .reference_bar = {},
-                 .further = {}};
+    TableRow row{.plan = planned, .result = results.at(next++)};
     const std::size_t references = reference_cases(planned.request).size();
     set_reference_value(row, table.plan.quantity,
                         std::span(results).subspan(next, references));

@@ -23,10 +23,10 @@ struct Quantity {
 struct PlannedRow {
   std::vector<std::string> labels;  // under the table's label headings
   Request request;
-  std::optional<double> printed;   // in the table's unit
-  std::string printed_text;        // with the printed digits, or empty
-  std::string verdict;             // the thesis's on instabilities, or empty
-  std::vector<std::string> notes;  // footnotes, shared by equal text
+  std::optional<double> printed{};   // in the table's unit
+  std::string printed_text{};        // with the printed digits, or empty
+  std::string verdict;               // the thesis's on instabilities, or empty
+  std::vector<std::string> notes{};  // footnotes, shared by equal text
 };
 
 /// A comparison table: what is computed, and what the thesis printed for it.
@@ -35,8 +35,8 @@ struct TablePlan {
   std::string title;
   std::vector<std::string> label_headings;
   Quantity quantity;
-  std::vector<Quantity> further;  // columns without a printed value
-  std::vector<PlannedRow> rows;
+  std::vector<Quantity> further{};  // columns without a printed value
+  std::vector<PlannedRow> rows{};
   std::vector<std::string> notes;  // on the table as a whole
 };
 
@@ -54,17 +54,17 @@ TablePlan plan_table(const std::string& name,
 struct TableRow {
   PlannedRow plan;
   CaseResult result;
-  std::optional<double> ours;             // in the table's unit
-  std::optional<double> difference;       // ours - printed
-  std::optional<double> reference_value;  // the same quantity of the reference
+  std::optional<double> ours{};             // in the table's unit
+  std::optional<double> difference{};       // ours - printed
+  std::optional<double> reference_value{};  // the same quantity of the reference
   // Of an extrapolated one, the order observed and the error bar:
-  std::optional<double> reference_order, reference_bar;
-  std::vector<std::optional<double>> further;
+  std::optional<double> reference_order{}, reference_bar{};
+  std::vector<std::optional<double>> further{};
 };
 
 struct Table {
   TablePlan plan;
-  std::vector<TableRow> rows;
+  std::vector<TableRow> rows{};
 };
 
 /// The simulations a table needs: its rows and, for their values, the references.

@@ -29,7 +29,7 @@ CaseSettings swinging(std::string_view organ, double frequency, double cycles) {
 }
 
 Cell off(const std::optional<double>& value, double law) {
-  return {.number = value ? std::optional(100 * (*value / law - 1)) : std::nullopt};
+  return {value ? std::optional(100 * (*value / law - 1)) : std::nullopt};
 }
 
 Sheet oscillation_sheet(std::span<const CaseResult> results) {
@@ -46,12 +46,10 @@ Sheet oscillation_sheet(std::span<const CaseResult> results) {
                   {"loss_branches", "five branches [Pa]", "{:.5g}"},
                   {"loss_springs", "mss-tissue [Pa]", "{:.5g}"},
                   {"loss_off", "off [%]", "{:.2f}"}},
-      .rows = {},
       .notes = {
           "Law: K (i omega)^n, Golec 2018, Eq. 4.3. mss-tissue: a shear of 0.1 % that "
           "swings from rest, 64 steps in a cycle; G' is the stress after 10 1/4 cycles, "
-          "at "
-          "the largest strain, and G'' after 10, at none, over the amplitude."}};
+          "at the largest strain, and G'' after 10, at none, over the amplitude."}};
   std::size_t next = 0;
   for (const tissue::Organ& organ : tissue::organs()) {
     const tissue::MaxwellFit fit = tissue::fit_maxwell_model(organ.law);
@@ -61,17 +59,12 @@ Sheet oscillation_sheet(std::span<const CaseResult> results) {
       const tissue::ComplexModulus law = small_oscillation(organ.law, frequency),
                                    branches = small_oscillation(fit.model, frequency);
       const auto storage = modulus(at_peak), loss = modulus(at_rest);
-      sheet.rows.push_back({.cells = {{.text = std::string(organ.name)},
-                                      {.number = frequency},
-                                      {.number = law.storage},
-                                      {.number = branches.storage},
-                                      value_or_status(storage, at_peak),
-                                      off(storage, law.storage),
-                                      {.number = law.loss},
-                                      {.number = branches.loss},
-                                      value_or_status(loss, at_rest),
-                                      off(loss, law.loss)},
-                            .cases = {at_peak.key, at_rest.key}});
+      sheet.rows.push_back(
+          {.cells = {organ.name, frequency, law.storage, branches.storage,
+                     value_or_status(storage, at_peak), off(storage, law.storage),
+                     law.loss, branches.loss, value_or_status(loss, at_rest),
+                     off(loss, law.loss)},
+           .cases = {at_peak.key, at_rest.key}});
     }
   }
   return sheet;

@@ -51,14 +51,8 @@ SheetRow row_of(const tissue::Organ& organ, const Way& way, const CaseResult& re
     springs = (*stress)(0, 2);
     off = 100 * (*springs - law) / scale;
   }
-  SheetRow row{.cells = {{.text = std::string(organ.name)},
-                         {.text = std::string(way.what)},
-                         {.number = strains[1] / times[1]},
-                         {.number = times[2] - times[1]},
-                         {.number = strains[2]},
-                         {.number = law},
-                         value_or_status(springs, result),
-                         {.number = off}},
+  SheetRow row{.cells = {organ.name, way.what, strains[1] / times[1], times[2] - times[1],
+                         strains[2], law, value_or_status(springs, result), off},
                .cases = {result.key}};
   if (!is_held)
     row.notes.push_back("Deviation in percent of the stress before the strain fell.");
@@ -77,14 +71,11 @@ Sheet relaxation_sheet(std::span<const CaseResult> results) {
                   {"law", "law [Pa]", "{:.5g}"},
                   {"springs", "mss-tissue [Pa]", "{:.5g}"},
                   {"off", "off [%]", "{:.2f}"}},
-      .rows = {},
       .notes = {
           "Law: Golec 2018, Eq. 4.1 and 4.2, with |gamma|^p where strains fall, which "
-          "the "
-          "thesis leaves undefined. mss-tissue: five Maxwell branches, 2 x 2 x 2 cells, "
-          "50 "
-          "steps on the ramp and 50 after it. The branches are fitted to ramps and to "
-          "strains that are held; of large strains that fall nothing is fitted."}};
+          "the thesis leaves undefined. mss-tissue: five Maxwell branches, 2 x 2 x 2 "
+          "cells, 50 steps on the ramp and 50 after it. The branches are fitted to ramps "
+          "and to strains that are held; of large strains that fall nothing is fitted."}};
   std::size_t next = 0;
   for (const tissue::Organ& organ : tissue::organs())
     for (const Way& way : ways())

@@ -51,8 +51,7 @@ std::string errors_note(std::string_view organ, const tissue::FitErrors& errors)
   return fmt::format(
       "The branches of {} are off the law by at most {:.2g} % at constant rate (RMS of "
       "ln {:.2g} %), {:.2g} % up to 100 s after a ramp, and {:.2g} and {:.2g} % in G' "
-      "and "
-      "G'' from 0.1 to 100 rad/s.",
+      "and G'' from 0.1 to 100 rad/s.",
       organ, 100 * errors.constant_rate, 100 * errors.constant_rate_rms,
       100 * errors.ramp_and_hold, 100 * errors.storage, 100 * errors.loss);
 }
@@ -71,23 +70,18 @@ void add_rows(Sheet& sheet, const tissue::Organ& organ, const tissue::MaxwellMod
   for (std::size_t i = 0; i < strains.size(); ++i) {
     const double strain = strains[i];
     const tissue::ShearStress law = tissue::constant_rate_stress(organ.law, strain, rate);
-    SheetRow row{.cells = {{.text = std::string(organ.name)},
-                           {.number = rate},
-                           {.number = strain},
-                           {.number = strain / rate},
-                           {.number = law.total()},
-                           {.number = law.hardening}},
-                 .cases = {results[i].key}};
+    SheetRow row{
+        .cells = {organ.name, rate, strain, strain / rate, law.total(), law.hardening},
+        .cases = {results[i].key}};
     const auto add = [&](double stress, Deviations& deviations) {
-      row.cells.push_back({.number = stress});
-      row.cells.push_back({.number = deviations.add(stress, law.total())});
+      row.cells.push_back(stress);
+      row.cells.push_back(deviations.add(stress, law.total()));
     };
     add(tissue::constant_rate_stress(model, strain, rate), of_branches);
     if (const auto& stress = results[i].measures.mean_stress)
       add((*stress)(0, 2), of_springs);
     else
-      row.cells.resize(row.cells.size() + 2,
-                       {.text = std::string(name_of(results[i].status))});
+      row.cells.resize(row.cells.size() + 2, name_of(results[i].status));
     add(mss::shear_stress(printed, strain), of_printed);
     add(mss::shear_stress(repaired, strain), of_repaired);
     sheet.rows.push_back(std::move(row));
@@ -118,17 +112,14 @@ Sheet tissue_sheet(std::span<const CaseResult> results) {
                   {"thesis_off", "off [%]", "{:.1f}"},
                   {"repaired", "repaired [Pa]", "{:.4g}"},
                   {"repaired_off", "off [%]", "{:.1f}"}},
-      .rows = {},
       .notes = {
           "Law: Golec 2018, Eq. 4.1 and 4.2, with Table 4.1's parameters. Branches: five "
           "of Maxwell's, an elastic one and a dashpot, fitted to the law with nothing "
-          "set "
-          "by hand; mss-tissue: springs with them, 2 x 2 x 2 cells, 100 steps of time.",
+          "set by hand; mss-tissue: springs with them, 2 x 2 x 2 cells, 100 steps of "
+          "time.",
           "Eq. 4.4: the thesis's spring force on its lattice, with Table 4.2's "
-          "hand-fitted "
-          "limits; repaired: |l - l0|^(1-n) as a strain times l0, which as printed "
-          "depends "
-          "on the unit of length. Neither knows the rate."}};
+          "hand-fitted limits; repaired: |l - l0|^(1-n) as a strain times l0, which as "
+          "printed depends on the unit of length. Neither knows the rate."}};
   std::span<const CaseResult> left = results;
   for (const tissue::Organ& organ : tissue::organs()) {
     const tissue::MaxwellFit fit = tissue::fit_maxwell_model(organ.law);

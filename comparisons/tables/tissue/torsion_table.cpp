@@ -35,13 +35,11 @@ Sheet torsion_sheet(std::span<const CaseResult> results) {
                   {"rim_strain", "strain at the rim", "{:g}"},
                   {"time", "time [s]", "{:.4g}"},
                   {"law", "law [uN m]", "{:.5g}"}},
-      .rows = {},
       .notes = {fmt::format(
           "Disc of 15 mm and {:g} mm, its rim sheared at {:g} 1/s. Law: 2 pi int sigma "
-          "x^2 "
-          "dx of Golec 2018, Eq. 4.1, in homogeneous torsion. mss-tissue: hexahedra from "
-          "gmsh, 20 steps; the rim of n cells across is a polygon of 2 n sides on the "
-          "circle, whose polar moment is smaller by 5.0, 1.3 and 0.6 %.",
+          "x^2 dx of Golec 2018, Eq. 4.1, in homogeneous torsion. mss-tissue: hexahedra "
+          "from gmsh, 20 steps; the rim of n cells across is a polygon of 2 n sides on "
+          "the circle, whose polar moment is smaller by 5.0, 1.3 and 0.6 %.",
           1000 * height, rim_rate)}};
   for (const auto& [across, layers] : meshes) {
     const std::string name = fmt::format("springs_{}", across);
@@ -54,10 +52,7 @@ Sheet torsion_sheet(std::span<const CaseResult> results) {
   for (const tissue::Organ& organ : tissue::organs())
     for (const double rim_strain : rim_strains) {
       const double law = 1e6 * disc_torque(organ.law, rim_strain, rim_rate, radius);
-      SheetRow row{.cells = {{.text = std::string(organ.name)},
-                             {.number = rim_strain},
-                             {.number = rim_strain / rim_rate},
-                             {.number = law}}};
+      SheetRow row{.cells = {organ.name, rim_strain, rim_strain / rim_rate, law}};
       for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
         const CaseResult& result = results[next++];
         std::optional<double> torque, off;
@@ -66,7 +61,7 @@ Sheet torsion_sheet(std::span<const CaseResult> results) {
           off = 100 * (*torque / law - 1);
         }
         row.cells.push_back(value_or_status(torque, result));
-        row.cells.push_back({.number = off});
+        row.cells.push_back(off);
         row.cases.push_back(result.key);
       }
       sheet.rows.push_back(std::move(row));

@@ -2,15 +2,12 @@
 
 from dataclasses import dataclass
 
+import methods
 import numpy as np
 from figures.failure_maps import Line
 
-# Methods whose infinite lattice the table lattice-stability has, with the A of those that
-# have one fixed.
-_LATTICES = {"mss-nfd": 0, "mss-cf": None}
 # The force on a compressed bar of St-Venant and Kirchhoff's law is largest at the stretch
 # 1/sqrt(3), where d/dl (l^3 - l) = 0.
-_STVK = "fem-stvk"
 _STVK_STRAIN = 1 - 1 / np.sqrt(3)
 _COLUMNS = {"nu": "nu", "diagonal-ratio": "diagonal_ratio"}  # of the table, by setting
 _LOADS = {"compression": ["compression"], "tension": ["tension"], "uniaxial": ["compression", "tension"]}
@@ -51,7 +48,7 @@ def theory_on(study, one, method, edges):
     case = _case_of(study, one, method)
     if first["key"] != "deformation" or case is None:
         return []
-    if case.method == _STVK and case.test in ("compression", "uniaxial"):
+    if methods.law(case.method) == "St-Venant-Kirchhoff" and case.test in ("compression", "uniaxial"):
         strain = _scale(first, case, "compression") * _STVK_STRAIN
         return _within(first, _level("St-Venant-Kirchhoff's bar", edges, strain, _STVK_WORDS))
     return _lattice(study, one, method, case, edges)
@@ -85,12 +82,11 @@ def _lattice(study, one, method, case, edges):
     """The infinite lattice's first loss of stability over the second axis, from the table
     lattice-stability."""
     document = study.tables.get("lattice-stability")
-    if document is None or method not in _LATTICES or case["cell-type"] != "hexahedron":
+    if document is None or case["cell-type"] != "hexahedron":
         return []
     first, second = one["axes"]
-    own = {"nu": case.nu, "diagonal-ratio": _LATTICES[method]}
-    if own["diagonal-ratio"] is None:
-        own["diagonal-ratio"] = case["diagonal-ratio"]
+    has_ratio = methods.reads(method, "diagonal-ratio")
+    own = {"nu": case.nu, "diagonal-ratio": case["diagonal-ratio"] if has_ratio else 0}
     along = second["key"] if second["key"] in own else None
     if along and second["numbers"] is None:
         return []  # its values do not stand where they are

@@ -1,10 +1,11 @@
 """Figures 5.3 and 5.16 to 5.19: centre lines of beams."""
 
+import methods
 import numpy as np
 from content import Figure
 from figures import beams
 from method_style import NEUTRAL, line, shades
-from study import THESIS_METHOD, counts_text, is_variant
+from study import counts_text, is_variant
 
 
 def beams_against_theory(study):
@@ -45,7 +46,7 @@ def beams_against_theory(study):
 
 def diagonal_ratio_beams(study):
     """Figure 5.3: the ratio A of the diagonals' stiffness."""
-    cases = study.cases[(study.cases.test == "bending") & (study.cases.method == THESIS_METHOD)]
+    cases = study.cases[(study.cases.test == "bending") & (study.cases.method == methods.of_thesis())]
     cases = study.with_fields(cases)
     panels = []
     for _, same in cases.groupby(["mesh", "young", "nu"]):

@@ -1,6 +1,7 @@
 """The five tests, and others: 3D views, pictures, sections, beams, sweeps."""
 
 import bodies
+import methods
 import numpy as np
 from content import Figure, Section, Viewer, measured_number, paragraph, table
 from figures import bodies as body_figures
@@ -9,7 +10,7 @@ from numbers_shown import significant
 from sections.beams import beams_against_theory, diagonal_ratio_beams
 from sections.cross_sections import cross_section
 from sections.slices import deformation_panels, nu_panels
-from study import ANSWERS, REFERENCE_LAW, is_variant
+from study import ANSWERS, is_variant
 from surface import outside
 
 _TESTS = {
@@ -179,7 +180,7 @@ def _columns(study, chosen):
     order = ["mss-baudet", "mss-nfd", "mss-cf", "mss-affine"]
     springs.sort(key=lambda name: (order.index(name) if name in order else len(order), name))
     elements = [name for name, (kind, _) in names.items() if kind == "finite elements"]
-    elements.sort(key=lambda name: (-names[name][1], not name.startswith(REFERENCE_LAW), name))
+    elements.sort(key=lambda name: (-names[name][1], not name.startswith(methods.reference_law()), name))
     return springs[:4] + elements[:1]
 
 

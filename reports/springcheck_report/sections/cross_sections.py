@@ -1,9 +1,10 @@
 """Figures 5.11 and 5.13: sections through springs and finite elements."""
 
+import methods
 import numpy as np
 from content import Figure
 from figures import cross_sections
-from study import REFERENCE_LAW, is_variant
+from study import is_variant
 from surface import edges_in_plane
 
 
@@ -47,7 +48,9 @@ def _pairs_of_bodies(study, test):
     springs = springs[springs.problem.isin(elements.problem)]
     if springs.empty:
         return []
-    name = "mss-cf" if "mss-cf" in set(springs["name"]) else springs["name"].iloc[0]
+    name = methods.of_thesis()
+    if name not in set(springs["name"]):
+        name = springs["name"].iloc[0]
     springs = springs[springs["name"] == name]
     loads = springs.groupby(["mesh", "deformation"], dropna=False)
     springs = max(
@@ -59,7 +62,7 @@ def _pairs_of_bodies(study, test):
         ),
     )
     laws = elements[elements.problem.isin(springs.problem)].groupby("name").problem.nunique()
-    law = max(laws.index, key=lambda name: (laws[name], name.startswith(REFERENCE_LAW), name))
+    law = max(laws.index, key=lambda name: (laws[name], name.startswith(methods.reference_law()), name))
     keys = elements[elements["name"] == law].reset_index().set_index("problem").key
     springs = springs[springs.problem.isin(keys.index)].drop_duplicates("nu").sort_values("nu")
     if len(springs) > 3:

@@ -1,13 +1,14 @@
 """What the springs' constants and laws do: from the tables split, locking, orientation,
 modes."""
 
+import methods
 import numpy as np
 from content import Figure, Section, paragraph
 from figures import curves, error_parts as error_figures
 from figures import rows as row_figures
 from method_style import NEUTRAL, line, shades
 from sections.sheets import sheet_blocks
-from study import ANSWERS, THESIS_METHOD
+from study import ANSWERS
 
 
 def spring_constants(study):
@@ -16,7 +17,7 @@ def spring_constants(study):
         return None
     section = Section("spring-constants", "The springs' constants")
     modulus = study.theory.get("volume_modulus")
-    corrected = study.cases.method.isin(["mss-cf", "mss-nfd", "mss-affine"]) & study.cases.answer.notna()
+    corrected = study.cases.method.isin(methods.corrects_volume()) & study.cases.answer.notna()
     if modulus and corrected.any():
         formula = curves.Curve(
             "κ/E = (4ν − 1)/(2(1 + ν)(1 − 2ν))",
@@ -45,7 +46,7 @@ def spring_constants(study):
 
 def _diagonal_ratio(study):
     """Answers against A for each load, over those at the smallest |log A|."""
-    cases = study.cases[(study.cases.method == THESIS_METHOD) & (study.cases.test != "bending")]
+    cases = study.cases[(study.cases.method == methods.of_thesis()) & (study.cases.test != "bending")]
     panels = []
     for test, of_test in cases.groupby("test"):
         if test not in ANSWERS:

@@ -1,5 +1,6 @@
 """Lines through the cases along one setting, all others the same."""
 
+import methods
 import numpy as np
 from content import Figure
 from figures import curves
@@ -57,11 +58,9 @@ def deformation_panels(study, test):
     scale = np.degrees(1) if angle else 100
     for i, group in enumerate(_slices(study, test, "deformation", 4)):
         caption = f"{test.capitalize()} from small to large deformation at nu = {group.iloc[0].nu:g}."
-        if {"mss-cf", "fem-cauchy-born"} <= set(group.method):
-            caption += (
-                " Where the laws part, mss-cf follows the continuum of its own lattice, "
-                "fem-cauchy-born."
-            )
+        springs, continuum = methods.of_thesis(), methods.continuum_of_lattices()
+        if {springs, continuum} <= set(group.method):
+            caption += f" Where the laws part, {springs} follows the continuum of its own lattice, {continuum}."
         label = "angle [°]" if angle else "deformation [%]"
         panels = _two_panels(group, test, "deformation", scale, label)
         figures.append(Figure(f"deformation_{test}_{i + 1}", caption, curves.draw, (panels,)))

@@ -1,5 +1,6 @@
 """Time of explicit steps: the thesis's performance study on the machine of the table."""
 
+import methods
 import numpy as np
 from content import Figure, Section, paragraph, table, tabled_number
 from figures import curves
@@ -53,13 +54,13 @@ def _other_work(document):
 
 
 def _headline(document):
-    """What a step of mss-cf takes on one thread, over all bodies."""
-    sentences = []
+    """What a step of the thesis's springs takes on one thread, over all bodies."""
+    sentences, springs = [], methods.of_thesis()
     for precision in ("double", "float"):
         rows = [
             row
             for row in document["rows"]
-            if (row["method"], row["precision"], row["threads"]) == ("mss-cf", precision, 1)
+            if (row["method"], row["precision"], row["threads"]) == (springs, precision, 1)
         ]
         if rows:
             times = _range(document, rows, "ns_per_cell_step", 2)
@@ -69,7 +70,7 @@ def _headline(document):
                     times, "single" if precision == "float" else precision, ratios
                 )
             )
-    return paragraph("On one thread a step of mss-cf takes {}.", Markup("; ").join(sentences))
+    return paragraph("On one thread a step of {} takes {}.", springs, Markup("; ").join(sentences))
 
 
 def _range(document, rows, key, digits):

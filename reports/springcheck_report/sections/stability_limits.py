@@ -1,5 +1,6 @@
 """Limits of the equilibrium path: where springs lose their stability, beside theory."""
 
+import methods
 import numpy as np
 from content import Figure, Section, paragraph, table
 from figures import curves
@@ -9,8 +10,6 @@ from numbers_shown import data, significant
 from study import case_text, mesh_text, method_name
 
 _MOST_ROWS = 200
-# Methods whose infinite lattice the table lattice-stability has, by its A.
-_LATTICES = {"mss-nfd": 0, "mss-cf": 1}
 _BY = {
     "indefinite": "loses its stability",
     "no_equilibrium": "turns back: no equilibrium beyond",
@@ -72,13 +71,14 @@ def _scale(case):
     return np.degrees(1) if case.test == "torsion" else 100
 
 
-def _theory(study, methods):
+def _theory(study, names):
     document = study.tables.get("lattice-stability")
     if document is None:
         return []
     found = []
-    for method in sorted(methods & set(_LATTICES)):
-        rows = [row for row in document["rows"] if row["diagonal_ratio"] == _LATTICES[method]]
+    for method in sorted(names):
+        ratio = float(methods.default("diagonal-ratio")) if methods.reads(method, "diagonal-ratio") else 0
+        rows = [row for row in document["rows"] if (row["method"], row["diagonal_ratio"]) == (method, ratio)]
         rows = [row for row in rows if row["compression_strain"] is not None]
         if not rows:
             continue

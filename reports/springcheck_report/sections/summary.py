@@ -1,5 +1,6 @@
 """The first screen: what was compared, how well it agrees, where springs fail."""
 
+import methods
 from content import Section, bullets, columns, measured_number, paragraph, table
 from markupsafe import Markup
 from numbers_shown import formatted, significant
@@ -96,8 +97,7 @@ def _matrix(study, cases, name):
 
 
 def _by_usefulness(name):
-    order = ["mss-cf", "mss-affine"]
-    return (order.index(name) if name in order else len(order), name)
+    return methods.place(name), name
 
 
 def _force(study, cases):
@@ -134,7 +134,7 @@ def _findings(study):
 def _against_print(study):
     """How many of the thesis's figures are met, by method, and the furthest."""
     items = []
-    for method in ("mss-cf", "fem-hencky:q1-sri"):
+    for method in (methods.of_thesis(), f"{methods.reference_law()}:q1-sri"):
         judged = []
         for document in study.tables.values():
             if "quantity" not in document or document["table"] in ("deviation", "bending"):

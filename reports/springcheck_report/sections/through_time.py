@@ -1,5 +1,6 @@
 """Dynamics: what the protocol alone changes, solvers beside statics, histories."""
 
+import methods
 import numpy as np
 from content import Figure, Section, document_blocks, measured_number, paragraph, table, tabled_number
 from figures import rows as row_figures
@@ -10,8 +11,6 @@ from sections.histories import histories
 from study import ANSWERS, USABLE, case_text, is_through_time, method_name
 
 _MOST_ROWS = 200
-# The static elements that explicit ones are the dynamics of.
-_STATICS = {"fem-explicit-8p": "fem-stvk:q1"}
 
 
 def through_time(study):
@@ -43,7 +42,7 @@ def _protocols(study):
         "figure is read while undamped waves still run. A row without dots has no "
         "equilibrium. Linear within ±0.1."
     )
-    figure = Figure("protocols", caption, row_figures.draw, (_panels(document), _SERIES, 0.1))
+    figure = Figure("protocols", caption, row_figures.draw, (_panels(document), _series(), 0.1))
     heads = ["test", "nu", "deformation", "measure", "printed", "static"]
     for key, units in (("dynamic", "SI"), ("raw", "raw")):
         damping = ", ".join(f"{value:g}" for value in sorted({r[f"{key}_damping"] for r in document["rows"]}))
@@ -54,12 +53,13 @@ def _protocols(study):
     return [title, figure, *document_blocks(document, heads, rows)]
 
 
-_BLUE = colour("mss-cf")
-_SERIES = {
-    "printed": {"marker": "x", "color": "black", "markersize": 4.5},
-    "dynamics, SI units": {"marker": "o", "color": _BLUE, "markersize": 3.5},
-    "dynamics, raw units": {"marker": "D", "color": _BLUE, "markersize": 4, "mfc": "white"},
-}
+def _series():
+    own = colour(methods.of_thesis())
+    return {
+        "printed": {"marker": "x", "color": "black", "markersize": 4.5},
+        "dynamics, SI units": {"marker": "o", "color": own, "markersize": 3.5},
+        "dynamics, raw units": {"marker": "D", "color": own, "markersize": 4, "mfc": "white"},
+    }
 
 
 def _panels(document):
@@ -77,7 +77,7 @@ def _panels(document):
             np.array([_off_statics(row, key) for row in rows], dtype=float)
             for key in ("printed", "dynamic", "raw")
         ]
-        panels.append((title, labels, f"off statics [{unit}]", dict(zip(_SERIES, values))))
+        panels.append((title, labels, f"off statics [{unit}]", dict(zip(_series(), values))))
     return panels
 
 
@@ -158,7 +158,7 @@ def _solver_row(study, key, statics):
         return measured_number(study, of, name, formatted(value, form)) if np.isfinite(value) else ""
 
     plain = method_name(case.drop("solver"))
-    other = statics.get((case.problem, _STATICS.get(plain, plain)))
+    other = statics.get((case.problem, methods.at_rest(plain)))
     still = off = ""
     if other is not None and np.isfinite(case[measure]):
         still = number(measure, "{:.5g}", other)
