@@ -123,8 +123,7 @@ struct Solution {
   std::vector<Vector3> loaded_face_displacements{};
   std::optional<double> kinetic_energy{};  // [J] dynamics only
   std::optional<double> dt{};              // [s] dynamics only: of the last step
-  std::optional<double>
-      dt_limit{};  // [s] dynamics only: largest stable step looked at last
+  std::optional<double> dt_limit{};        // [s] dynamics only: the last one looked at
   // [-] tissue only: of any cell on the way, in simple shear the strain:
   std::optional<double> largest_shear_strain{};
 };

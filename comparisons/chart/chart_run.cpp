@@ -5,21 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <span>
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/methods/methods.hpp"
-#include "comparisons/results/known_results.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
-#include "comparisons/settings/case_json.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {
-
-constexpr double growth_of_paths = 1.5;  // exponent of the nodes
 
 /// A case timed on so many threads, in one round.
 struct TimedCase {
@@ -46,12 +40,6 @@ TimedCase timed_case(const CaseSettings& settings, const Mesh& mesh, int threads
           .setup = timing_of({std::move(setups)}).median};
 }
 
-/// The model without what solves its equations.
-Model without_solver(Model model) {
-  model.linear_solver.clear();
-  return model;
-}
-
 /// Errors by one version of the program and times by another are not of one chart.
 void refuse_another_commit(const std::filesystem::path& file, const std::string& commit) {
   if (commit == build_info::commit) return;
@@ -65,357 +53,195 @@ void refuse_another_commit(const std::filesystem::path& file, const std::string&
 
 }  // namespace
 
-class ChartRun::State {
- public:
-  State(const ChartPlan& plan, const std::filesystem::path& file)
-      : plan_(plan), path_(file), file_(file) {
-    if (std::filesystem::exists(file)) stored_ = stored_cases({file});
-    for (const auto& [key, place] : stored_) {
-      refuse_another_commit(file, place.second.commit);
-      know(key, place.second);
-    }
-    begin_chart();
-    find_truths();
-  }
-
-  [[nodiscard]] Chart chart() const {
-    std::map<std::string, StoredCase> cases;
-    for (auto& [key, stored] : read_results(path_)) cases.emplace(key, std::move(stored));
-    return evaluated(chart_, cases);
-  }
-
-  [[nodiscard]] double expected_seconds(const ChartModel& model, int across) {
-    const CaseSettings settings = settings_of(model, across);
-    if (!fits(settings)) return INFINITY;
-    const Mesh& mesh = meshes_.mesh(settings.body);
-    return expected_seconds(model, static_cast<double>(mesh.nodes().size()),
-                            plan_.threads.front());
-  }
-
-  StaticPath static_path(const ChartModel& model, int across) {
-    const auto& solvers = find_method(model.model.method)->solvers;
-    if (std::ranges::find(solvers, Solver::path_limit) == solvers.end())
-      return {.was_followed = true};
-    CaseSettings settings = settings_of(model, across);
-    settings.solver = Solver::path_limit;
-    // The same of both precisions, and of rest and motion.
-    const std::string key = settings_json(settings).dump();
-    if (const auto known = paths_.find(key); known != paths_.end()) return known->second;
-    const StaticPath coarser =
-        across > 2 ? static_path(model, std::max(2, across * 2 / 3)) : StaticPath{};
-    const Mesh& mesh = meshes_.mesh(settings.body);
-    StaticPath path{.nodes = static_cast<double>(mesh.nodes().size())};
-    if (coarser.nodes > 0)
-      path.seconds =
-          coarser.seconds * std::pow(path.nodes / coarser.nodes, growth_of_paths);
-    if (path.seconds <= plan_.budget && fits(settings)) {
-      const CaseResult result = simulate(settings, mesh);
-      path.was_followed = true;
-      // Of the whole load, for finer cells, which may get farther.
-      constexpr double least = 0.01;
-      path.seconds =
-          result.solve_wall_s / std::clamp(result.solution.load_fraction, least, 1.);
-      if (result.status != Status::ok)
-        path.against =
-            result.reason.empty() ? std::string(name_of(result.status)) : result.reason;
-    }
-    return paths_[key] = path;
-  }
-
-  void measure(const ChartModel& model, int across) {
-    measure(model, across, plan_.threads, plan_.budget);
-  }
-
-  void measure_beyond_budget(std::span<const ChartModel> models) {
-    const auto wanted = static_cast<std::size_t>(plan_.least_models);
-    const int finest = plan_.across.back();
-    std::vector<const ChartModel*> candidates;
-    std::vector<Model> reached;
-    const auto is_reached = [&](const ChartModel& model) {
-      return std::ranges::count(reached, without_solver(model.model)) > 0;
-    };
-    const auto reach = [&](const ChartModel& model) {
-      if (!is_reached(model)) reached.push_back(without_solver(model.model));
-    };
-    for (const ChartModel& model : models) {
-      if (model.kind != ChartKind::equilibrium) continue;
-      if (is_ok(model, finest))
-        reach(model);
-      else if (next_size(model) && !fails_somewhere(model) &&
-               fits(settings_of(model, finest)))
-        candidates.push_back(&model);
-    }
-    Progress progress(plan_.scene + ": models on the finest cells");
-    while (true) {
-      std::erase_if(candidates,
-                    [&](const ChartModel* model) { return is_reached(*model); });
-      if (reached.size() >= wanted || candidates.empty()) return;
-      progress.show(reached.size(), wanted);
-      const auto cheapest = std::ranges::min_element(
-          candidates, {},
-          [&](const ChartModel* model) { return expected_seconds(*model, finest); });
-      const ChartModel& model = **cheapest;
-      const int across = next_size(model).value();
-      measure(model, across, {&plan_.threads.front(), 1}, INFINITY);
-      if (is_ok(model, finest)) reach(model);
-      // What fails gets no finer: how long that takes no coarser mesh tells.
-      if (!is_ok(model, across)) candidates.erase(cheapest);
-    }
-  }
-
-  void measure(const ChartModel& model, int across, std::span<const int> on_threads,
-               double budget) {
-    const CaseSettings settings = settings_of(model, across);
-    check_mesh_memory(plan_.scene, settings.body);
-    const Mesh& mesh = meshes_.mesh(settings.body);
-    const std::string key = key_of(settings);
-    std::optional<CaseResult> result;
-    bool is_new = false;
-    for (const int threads : on_threads) {
-      const StoredChart::Point* const known =
-          find_point(chart_, model.model, key, threads);
-      // New times are for the points that have one: which ones a chart has is not left to
-      // how long smaller ones take this time.
-      if (plan_.retime != (known != nullptr && known->timing)) continue;
-      const bool fits_now = fits(settings);
-      if (plan_.retime && !fits_now) continue;
-      is_new = true;
-      StoredChart::Point& point = point_of(model, settings, across, key, threads);
-      point.left_out.reset();
-      if (!fits_now)
-        point.left_out = "over memory";
-      else if (!plan_.retime && expected_seconds(model, point.nodes, threads) > budget)
-        point.left_out = "over budget";
-      if (point.left_out) continue;
-      point.times.clear();
-      TimedCase timed = timed_case(settings, mesh, threads, seconds_of_round());
-      if (timed.result.status == Status::refused) {
-        point.left_out = "not applicable";
-        continue;
-      }
-      point.times.push_back(std::move(timed.times));
-      point.timing = timing_of(point.times);
-      point.setup = timed.setup;
-      result = std::move(timed.result);
-    }
-    if (result) result->key = key;
-    const std::size_t comparisons = chart_.comparisons.size();
-    if (result || is_known(key)) compare(settings, key, result);
-    if (is_new || chart_.comparisons.size() > comparisons) file_.put_chart(chart_);
-  }
-
-  void time_again(const ChartModel& model, int across, int round) {
-    const CaseSettings settings = settings_of(model, across);
-    const Mesh& mesh = meshes_.mesh(settings.body);
-    const std::string key = key_of(settings);
-    if (!fits(settings)) return;
-    bool is_new = false;
-    for (const int threads : plan_.threads) {
-      StoredChart::Point* const point = find_point(chart_, model.model, key, threads);
-      if (point == nullptr || !point->timing || point->timing->rounds >= round ||
-          point->timing->median > plan_.repeat_for)
-        continue;
-      point->times.push_back(
-          timed_case(settings, mesh, threads, seconds_of_round()).times);
-      point->timing = timing_of(point->times);
-      is_new = true;
-    }
-    if (is_new) file_.put_chart(chart_);
-  }
-
- private:
-  void begin_chart() {
-    truths_planned_ = planned_truths(plan_);
-    chart_ = planned_chart(plan_, truths_planned_, meshes_);
-    if (!std::filesystem::exists(path_)) return;
-    for (const StoredChart& earlier : read_charts(path_))
-      if (identity_of(earlier) == identity_of(chart_)) chart_ = merged(chart_, earlier);
-  }
-
-  /// On the plan's first number of threads.
-  bool is_timed(const ChartModel& model, int across) {
-    const StoredChart::Point* const point = find_point(
-        chart_, model.model, key_of(settings_of(model, across)), plan_.threads.front());
-    return point != nullptr && point->timing;
-  }
-
-  bool is_ok(const ChartModel& model, int across) {
-    const auto found = outcomes_.find(key_of(settings_of(model, across)));
-    return is_timed(model, across) && found != outcomes_.end() && found->second.is_ok;
-  }
-
-  bool fails_somewhere(const ChartModel& model) {
-    return std::ranges::any_of(plan_.across, [&](int across) {
-      return is_timed(model, across) && !is_ok(model, across);
-    });
-  }
-
-  /// The first of the plan's sizes on which the model is not timed.
-  std::optional<int> next_size(const ChartModel& model) {
-    const auto size = std::ranges::find_if_not(
-        plan_.across, [&](int across) { return is_timed(model, across); });
-    return size == plan_.across.end() ? std::nullopt : std::optional(*size);
-  }
-
-  std::string key_of(const CaseSettings& settings) {
-    return case_key({.settings = settings}, meshes_.mesh(settings.body));
-  }
-
-  void put(std::span<const CaseResult> results, bool with_fields) {
-    file_.put(results, with_fields, meshes_);
-    for (const CaseResult& result : results) know(result.key, result);
-  }
-
-  void know(const std::string& key, const auto& result) {
-    outcomes_[key] = {.has_state = result.measures.volume_error.has_value(),
-                      .is_ok = result.status == Status::ok};
-  }
-  [[nodiscard]] bool is_known(const std::string& key) const {
-    return outcomes_.contains(key);
-  }
-  [[nodiscard]] bool has_failed(const std::string& key) const {
-    const auto found = outcomes_.find(key);
-    return found != outcomes_.end() && !found->second.has_state;
-  }
-
-  /// The truths' runs are kept with their fields, which every comparison needs.
-  void find_truths() {
-    std::vector<Request> all;
-    for (const ThreeCases& grids : truths_planned_)
-      for (const CaseSettings& grid : grids) all.push_back({.settings = grid});
-    check_memory(plan_.scene, all);
-    Progress progress(plan_.scene + ": truths");
-    const KnownResult known = only_with_fields(known_from(stored_, meshes_));
-    run_study(
-        all, meshes_, plan_.jobs,
-        [&](std::size_t done, std::size_t of) { progress.show(done, of); }, known,
-        [&](std::size_t, CaseResult&& result) {
-          if (!stored_.contains(result.key) ||
-              !file_.stored().with_fields.contains(result.key))
-            put({&result, 1}, true);
-          truths_.insert_or_assign(result.key, std::move(result));
-        });
-  }
-
-  StoredChart::Point& point_of(const ChartModel& model, const CaseSettings& settings,
-                               int across, const std::string& key, int threads) {
-    if (auto* point = find_point(chart_, model.model, key, threads)) return *point;
-    const Mesh& mesh = meshes_.mesh(settings.body);
-    chart_.points.push_back({.model = model.model,
-                             .kind = model.kind,
-                             .across = across,
-                             .cells = static_cast<double>(mesh.cells().size()),
-                             .nodes = static_cast<double>(mesh.nodes().size()),
-                             .threads = threads,
-                             .key = key,
-                             .simulated = model.kind == ChartKind::motion
-                                              ? std::optional(settings.dynamics.duration)
-                                              : std::nullopt,
-                             .family = std::string(name_of(settings.method.family))});
-    return chart_.points.back();
-  }
-
-  [[nodiscard]] double seconds_of_round() const { return plan_.repeat_for / most_rounds; }
-
-  [[nodiscard]] static bool fits(const CaseSettings& settings) {
-    return estimated_memory(settings) <= available_memory();
-  }
-
-  [[nodiscard]] CaseSettings settings_of(const ChartModel& model, int across) const {
-    return model_case(plan_.scene, plan_.options, model, across);
-  }
-
-  [[nodiscard]] double expected_seconds(const ChartModel& model, double nodes,
-                                        int threads) const {
-    std::map<double, double> smaller, failed;  // seconds by nodes
-    for (const StoredChart::Point& other : chart_.points)
-      if (other.model == model.model && other.threads == threads && other.nodes < nodes &&
-          other.timing)
-        (has_failed(other.key) ? failed : smaller)[other.nodes] = other.timing->median;
-    return springcheck::expected_seconds(smaller.empty() ? failed : smaller, nodes);
-  }
-
-  [[nodiscard]] bool is_compared(const std::string& compared) const {
-    return std::ranges::count(chart_.comparisons, compared,
-                              &StoredChart::Comparison::compared) > 0;
-  }
-
-  /// Adds the case and its deviations from every truth to the file.
-  void compare(const CaseSettings& settings, const std::string& key,
-               const std::optional<CaseResult>& result) {
-    std::vector<Request> missing;
-    if (!is_known(key)) missing.push_back({.settings = settings});
-    const bool is_state =
-        result ? result->measures.volume_error.has_value() : !has_failed(key);
-    const bool is_nested = settings.body.shape == BodyShape::block;
-    for (const ThreeCases& grids : truths_planned_) {
-      const CaseSettings& truth = grids.front();
-      const Request request{.settings = settings,
-                            .reference = truth,
-                            .reference_grid = ReferenceGrid::converged};
-      const std::string compared = case_key(request, meshes_.mesh(settings.body));
-      if (!is_state || !is_nested) continue;
-      if (!is_known(compared)) missing.push_back(request);
-      if (!is_compared(compared))
-        chart_.comparisons.push_back(
-            {.key = key, .law = truth.method.name, .compared = compared});
-    }
-    const KnownResult known = [&](const Request& request,
-                                  const std::string& asked) -> std::optional<CaseResult> {
-      if (const auto truth = truths_.find(asked); truth != truths_.end())
-        return truth->second;
-      if (request.reference || asked != key) return std::nullopt;
-      return result;
-    };
-    put(run_study(
-            missing, meshes_, 1, [](std::size_t, std::size_t) {}, known),
-        false);
-  }
-
-  /// What became of a case.
-  struct Outcome {
-    bool has_state, is_ok;
-  };
-
-  ChartPlan plan_;
-  std::filesystem::path path_;
-  ResultFile file_;
-  StoredCases stored_;                       // of the file, before
-  std::map<std::string, Outcome> outcomes_;  // by the keys of the file's cases
-  MeshStore meshes_;
-  std::vector<ThreeCases> truths_planned_;  // of each law
-  std::map<std::string, CaseResult> truths_;
-  std::map<std::string, StaticPath> paths_;  // by settings
-  StoredChart chart_{};
-};
-
 ChartRun::ChartRun(const ChartPlan& plan, const std::filesystem::path& file)
-    : state_(std::make_unique<State>(plan, file)) {}
-
-ChartRun::~ChartRun() = default;
-
-void ChartRun::measure(const ChartModel& model, int across) {
-  state_->measure(model, across);
-}
-
-void ChartRun::measure_beyond_budget(std::span<const ChartModel> models) {
-  state_->measure_beyond_budget(models);
-}
-
-void ChartRun::time_again(const ChartModel& model, int across, int round) {
-  state_->time_again(model, across, round);
-}
-
-StaticPath ChartRun::static_path(const ChartModel& model, int across) {
-  return state_->static_path(model, across);
-}
-
-double ChartRun::expected_seconds(const ChartModel& model, int across) {
-  return state_->expected_seconds(model, across);
+    : plan_(plan), path_(file), file_(file) {
+  if (std::filesystem::exists(file)) stored_ = stored_cases({file});
+  for (const auto& [key, place] : stored_) {
+    refuse_another_commit(file, place.second.commit);
+    know(key, place.second);
+  }
+  begin_chart();
+  find_truths();
 }
 
 Chart ChartRun::chart() const {
-  return state_->chart();
+  std::map<std::string, StoredCase> cases;
+  for (auto& [key, stored] : read_results(path_)) cases.emplace(key, std::move(stored));
+  return evaluated(chart_, cases);
+}
+
+void ChartRun::measure(const ChartModel& model, int across) {
+  measure(model, across, plan_.threads, plan_.budget);
+}
+
+void ChartRun::measure(const ChartModel& model, int across,
+                       std::span<const int> on_threads, double budget) {
+  const CaseSettings settings = settings_of(model, across);
+  check_mesh_memory(plan_.scene, settings.body);
+  const Mesh& mesh = meshes_.mesh(settings.body);
+  const std::string key = key_of(settings);
+  std::optional<CaseResult> result;
+  bool is_new = false;
+  for (const int threads : on_threads) {
+    const StoredChart::Point* const known = find_point(chart_, model.model, key, threads);
+    // New times are for the points that have one: which ones a chart has is not left to
+    // how long smaller ones take this time.
+    if (plan_.retime != (known != nullptr && known->timing)) continue;
+    const bool fits_now = fits(settings);
+    if (plan_.retime && !fits_now) continue;
+    is_new = true;
+    StoredChart::Point& point = point_of(model, settings, across, key, threads);
+    point.left_out.reset();
+    if (!fits_now)
+      point.left_out = "over memory";
+    else if (!plan_.retime && expected_seconds(model, point.nodes, threads) > budget)
+      point.left_out = "over budget";
+    if (point.left_out) continue;
+    point.times.clear();
+    TimedCase timed = timed_case(settings, mesh, threads, seconds_of_round());
+    if (timed.result.status == Status::refused) {
+      point.left_out = "not applicable";
+      continue;
+    }
+    point.times.push_back(std::move(timed.times));
+    point.timing = timing_of(point.times);
+    point.setup = timed.setup;
+    result = std::move(timed.result);
+  }
+  if (result) result->key = key;
+  const std::size_t comparisons = chart_.comparisons.size();
+  if (result || is_known(key)) compare(settings, key, result);
+  if (is_new || chart_.comparisons.size() > comparisons) file_.put_chart(chart_);
+}
+
+void ChartRun::time_again(const ChartModel& model, int across, int round) {
+  const CaseSettings settings = settings_of(model, across);
+  const Mesh& mesh = meshes_.mesh(settings.body);
+  const std::string key = key_of(settings);
+  if (!fits(settings)) return;
+  bool is_new = false;
+  for (const int threads : plan_.threads) {
+    StoredChart::Point* const point = find_point(chart_, model.model, key, threads);
+    if (point == nullptr || !point->timing || point->timing->rounds >= round ||
+        point->timing->median > plan_.repeat_for)
+      continue;
+    point->times.push_back(timed_case(settings, mesh, threads, seconds_of_round()).times);
+    point->timing = timing_of(point->times);
+    is_new = true;
+  }
+  if (is_new) file_.put_chart(chart_);
+}
+
+void ChartRun::begin_chart() {
+  truths_planned_ = planned_truths(plan_);
+  chart_ = planned_chart(plan_, truths_planned_, meshes_);
+  if (!std::filesystem::exists(path_)) return;
+  for (const StoredChart& earlier : read_charts(path_))
+    if (identity_of(earlier) == identity_of(chart_)) chart_ = merged(chart_, earlier);
+}
+
+std::string ChartRun::key_of(const CaseSettings& settings) {
+  return case_key({.settings = settings}, meshes_.mesh(settings.body));
+}
+
+void ChartRun::put(std::span<const CaseResult> results, bool with_fields) {
+  file_.put(results, with_fields, meshes_);
+  for (const CaseResult& result : results) know(result.key, result);
+}
+
+void ChartRun::know(const std::string& key, const auto& result) {
+  outcomes_[key] = {.has_state = result.measures.volume_error.has_value(),
+                    .is_ok = result.status == Status::ok};
+}
+
+bool ChartRun::is_known(const std::string& key) const {
+  return outcomes_.contains(key);
+}
+
+bool ChartRun::has_failed(const std::string& key) const {
+  const auto found = outcomes_.find(key);
+  return found != outcomes_.end() && !found->second.has_state;
+}
+
+void ChartRun::find_truths() {
+  std::vector<Request> all;
+  for (const ThreeCases& grids : truths_planned_)
+    for (const CaseSettings& grid : grids) all.push_back({.settings = grid});
+  check_memory(plan_.scene, all);
+  Progress progress(plan_.scene + ": truths");
+  const KnownResult known = only_with_fields(known_from(stored_, meshes_));
+  run_study(
+      all, meshes_, plan_.jobs,
+      [&](std::size_t done, std::size_t of) { progress.show(done, of); }, known,
+      [&](std::size_t, CaseResult&& result) {
+        if (!stored_.contains(result.key) ||
+            !file_.stored().with_fields.contains(result.key))
+          put({&result, 1}, true);
+        truths_.insert_or_assign(result.key, std::move(result));
+      });
+}
+
+StoredChart::Point& ChartRun::point_of(const ChartModel& model,
+                                       const CaseSettings& settings, int across,
+                                       const std::string& key, int threads) {
+  if (auto* point = find_point(chart_, model.model, key, threads)) return *point;
+  const Mesh& mesh = meshes_.mesh(settings.body);
+  chart_.points.push_back({.model = model.model,
+                           .kind = model.kind,
+                           .across = across,
+                           .cells = static_cast<double>(mesh.cells().size()),
+                           .nodes = static_cast<double>(mesh.nodes().size()),
+                           .threads = threads,
+                           .key = key,
+                           .simulated = model.kind == ChartKind::motion
+                                            ? std::optional(settings.dynamics.duration)
+                                            : std::nullopt,
+                           .family = std::string(name_of(settings.method.family))});
+  return chart_.points.back();
+}
+
+double ChartRun::seconds_of_round() const {
+  return plan_.repeat_for / most_rounds;
+}
+
+CaseSettings ChartRun::settings_of(const ChartModel& model, int across) const {
+  return model_case(plan_.scene, plan_.options, model, across);
+}
+
+bool ChartRun::is_compared(const std::string& compared) const {
+  return std::ranges::count(chart_.comparisons, compared,
+                            &StoredChart::Comparison::compared) > 0;
+}
+
+void ChartRun::compare(const CaseSettings& settings, const std::string& key,
+                       const std::optional<CaseResult>& result) {
+  std::vector<Request> missing;
+  if (!is_known(key)) missing.push_back({.settings = settings});
+  const bool is_state =
+      result ? result->measures.volume_error.has_value() : !has_failed(key);
+  const bool is_nested = settings.body.shape == BodyShape::block;
+  for (const ThreeCases& grids : truths_planned_) {
+    const CaseSettings& truth = grids.front();
+    const Request request{.settings = settings,
+                          .reference = truth,
+                          .reference_grid = ReferenceGrid::converged};
+    const std::string compared = case_key(request, meshes_.mesh(settings.body));
+    if (!is_state || !is_nested) continue;
+    if (!is_known(compared)) missing.push_back(request);
+    if (!is_compared(compared))
+      chart_.comparisons.push_back(
+          {.key = key, .law = truth.method.name, .compared = compared});
+  }
+  const KnownResult known = [&](const Request& request,
+                                const std::string& asked) -> std::optional<CaseResult> {
+    if (const auto truth = truths_.find(asked); truth != truths_.end())
+      return truth->second;
+    if (request.reference || asked != key) return std::nullopt;
+    return result;
+  };
+  put(run_study(
+          missing, meshes_, 1, [](std::size_t, std::size_t) {}, known),
+      false);
 }
 
 Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file) {

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
+#include <map>
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "comparisons/chart/chart_models.hpp"
 #include "comparisons/chart/chart_plan.hpp"
 #include "comparisons/chart/measurements.hpp"
+#include "comparisons/results/known_results.hpp"
+#include "comparisons/results/result_file.hpp"
 
 namespace springcheck {
 
@@ -23,7 +28,6 @@ class ChartRun : public Measurements {
   /// Computes the truths. Throws InputError as planned_chart, and for a file with cases
   /// of another version of the program.
   ChartRun(const ChartPlan& plan, const std::filesystem::path& file);
-  ~ChartRun() override;
 
   /// Measures a model on so many cells across. Throws InputError where their mesh alone
   /// would not fit into the memory.
@@ -54,8 +58,49 @@ class ChartRun : public Measurements {
   [[nodiscard]] Chart chart() const override;
 
  private:
-  class State;
-  std::unique_ptr<State> state_;
+  void measure(const ChartModel& model, int across, std::span<const int> on_threads,
+               double budget);
+  void begin_chart();
+  /// On the plan's first number of threads.
+  bool is_timed(const ChartModel& model, int across);
+  bool is_ok(const ChartModel& model, int across);
+  bool fails_somewhere(const ChartModel& model);
+  /// The first of the plan's sizes on which the model is not timed.
+  std::optional<int> next_size(const ChartModel& model);
+  std::string key_of(const CaseSettings& settings);
+  void put(std::span<const CaseResult> results, bool with_fields);
+  void know(const std::string& key, const auto& result);
+  [[nodiscard]] bool is_known(const std::string& key) const;
+  [[nodiscard]] bool has_failed(const std::string& key) const;
+  /// The truths' runs are kept with their fields, which every comparison needs.
+  void find_truths();
+  StoredChart::Point& point_of(const ChartModel& model, const CaseSettings& settings,
+                               int across, const std::string& key, int threads);
+  [[nodiscard]] double seconds_of_round() const;
+  [[nodiscard]] static bool fits(const CaseSettings& settings);
+  [[nodiscard]] CaseSettings settings_of(const ChartModel& model, int across) const;
+  [[nodiscard]] double expected_seconds(const ChartModel& model, double nodes,
+                                        int threads) const;
+  [[nodiscard]] bool is_compared(const std::string& compared) const;
+  /// Adds the case and its deviations from every truth to the file.
+  void compare(const CaseSettings& settings, const std::string& key,
+               const std::optional<CaseResult>& result);
+
+  /// What became of a case.
+  struct Outcome {
+    bool has_state, is_ok;
+  };
+
+  ChartPlan plan_;
+  std::filesystem::path path_;
+  ResultFile file_;
+  StoredCases stored_;                       // of the file, before
+  std::map<std::string, Outcome> outcomes_;  // by the keys of the file's cases
+  MeshStore meshes_;
+  std::vector<ThreeCases> truths_planned_;  // of each law
+  std::map<std::string, CaseResult> truths_;
+  std::map<std::string, StaticPath> paths_;  // by settings
+  StoredChart chart_{};
 };
 
 /// Measures all points of the plan, in most_rounds rounds, and those beyond its budget

@@ -1,4 +1,4 @@
-#include "comparisons/methods/explicit_elements.hpp"
+#include "comparisons/methods/families.hpp"
 
 #include "comparisons/cases/case.hpp"
 #include "comparisons/methods/protocol.hpp"

@@ -1,4 +1,4 @@
-#include "comparisons/methods/finite_elements.hpp"
+#include "comparisons/methods/families.hpp"
 
 #include "comparisons/cases/case.hpp"
 #include "fem_reference/solve.hpp"

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 
-#include "comparisons/methods/explicit_elements.hpp"
-#include "comparisons/methods/finite_elements.hpp"
-#include "comparisons/methods/springs.hpp"
-#include "comparisons/methods/tissue.hpp"
+#include "comparisons/methods/families.hpp"
 
 namespace springcheck {
 namespace {

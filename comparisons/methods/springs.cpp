@@ -1,4 +1,4 @@
-#include "comparisons/methods/springs.hpp"
+#include "comparisons/methods/families.hpp"
 
 #include <memory>
 

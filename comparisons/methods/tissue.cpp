@@ -1,4 +1,4 @@
-#include "comparisons/methods/tissue.hpp"
+#include "comparisons/methods/families.hpp"
 
 #include <fmt/format.h>
 

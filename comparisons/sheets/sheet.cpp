@@ -34,6 +34,8 @@ TextLines lines_of(const Sheet& sheet, Shown&& shown, Notes&& notes, Cases&& cas
     for (std::size_t i = 0; i < sheet.columns.size(); ++i) {
       const Cell& cell = row.cells.at(i);
       line.push_back(cell.number ? shown(sheet.columns[i], *cell.number) : cell.text);
+      if (sheet.columns[i].is_signed && cell.number && line.back().front() != '-')
+        line.back().insert(0, 1, '+');
     }
     line.insert(line.end(), {notes(row), cases(row)});
     lines.push_back(std::move(line));

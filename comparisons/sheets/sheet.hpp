@@ -13,9 +13,10 @@ namespace springcheck {
 
 /// A column of a sheet: of numbers where it has a format, else of texts.
 struct Column {
-  std::string key;       // its name in JSON
-  std::string heading;   // in markdown and CSV, with the unit
-  std::string format{};  // fmt's, for one double
+  std::string key;         // its name in JSON
+  std::string heading;     // in markdown and CSV, with the unit
+  std::string format{};    // fmt's, for one double
+  bool is_signed = false;  // numbers have a sign, of + too
 };
 
 /// A number of its column, or a text; both may be lacking. Beside a number the text is
@@ -44,7 +45,7 @@ struct SheetRow {
 struct Sheet {
   std::string name;
   std::string title;
-  std::vector<Column> columns;
+  std::vector<Column> columns{};
   std::vector<SheetRow> rows{};
   std::vector<std::string> notes{};  // on the sheet as a whole
 };

@@ -9,25 +9,11 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "comparisons/tables/studies/convergence_table.hpp"
-#include "comparisons/tables/studies/dynamics_table.hpp"
-#include "comparisons/tables/studies/elements_table.hpp"
-#include "comparisons/tables/studies/growth_table.hpp"
-#include "comparisons/tables/studies/locking_table.hpp"
-#include "comparisons/tables/studies/performance_table.hpp"
-#include "comparisons/tables/studies/split_table.hpp"
-#include "comparisons/tables/studies/subdivision_table.hpp"
-#include "comparisons/tables/theory/four_springs_table.hpp"
-#include "comparisons/tables/theory/lattice_stability_table.hpp"
-#include "comparisons/tables/theory/modes_table.hpp"
-#include "comparisons/tables/theory/orientation_table.hpp"
-#include "comparisons/tables/theory/regions_table.hpp"
+#include "comparisons/tables/studies/study_tables.hpp"
+#include "comparisons/tables/theory/theory_tables.hpp"
 #include "comparisons/tables/thesis/meshes_table.hpp"
 #include "comparisons/tables/thesis/tables.hpp"
-#include "comparisons/tables/tissue/oscillation_table.hpp"
-#include "comparisons/tables/tissue/relaxation_table.hpp"
-#include "comparisons/tables/tissue/tissue_table.hpp"
-#include "comparisons/tables/tissue/torsion_table.hpp"
+#include "comparisons/tables/tissue/tissue_tables.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

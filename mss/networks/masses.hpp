@@ -23,12 +23,4 @@ std::vector<double> nodal_volumes(const CornerPositions& x);
 /// Source: Golec 2018, Eq. 6.1.
 double equal_nodal_volume(const CornerPositions& x);
 
-/// Volume as the sum of the tetrahedra that the cell is cut into [m^3]: a prism into 3, a
-/// pyramid into 2, a hexahedron into two prisms. Exact where the faces are plane; of a
-/// warped face it sees one diagonal, the neighbour perhaps the other, and the volumes of
-/// cells that fill a body do not add up to the body's.
-/// Source: Golec 2018, Eq. 6.3 to 6.6 and section 6.1, whose P1 to P6 of a prism are our
-/// 0, 1, 2, 4, 3, 5.
-double volume_of_tetrahedra(const CornerPositions& x);
-
 }  // namespace springcheck::mss

@@ -22,13 +22,7 @@ const LatticeConstants& constants_of(const NetworkSettings& settings) {
   return *settings.constants;
 }
 
-/// mu of the springs.
-double spring_modulus(const Material& material, StiffnessForm form) {
-  return form == StiffnessForm::shear_modulus ? lame_constants(material).mu
-                                              : 0.4 * material.young_modulus;
-}
-
-/// One spring for each of the pairs, of stiffness(pair, r) where that is not 0.
+/// Springs between the pairs, of stiffness(pair, r) where that is not 0.
 template <class Stiffness>
 void add_springs(std::vector<CellSpring>& springs, const CornerPositions& x,
                  std::span<const LocalEdge> pairs, const Stiffness& stiffness) {
@@ -39,11 +33,13 @@ void add_springs(std::vector<CellSpring>& springs, const CornerPositions& x,
   }
 }
 
-std::vector<CellSpring> cube_springs(const CornerPositions& x,
-                                     const LatticeStiffness& k) {
+/// stiffness(h): of the lattice of cubes with edge h.
+template <class Stiffness>
+std::vector<CellSpring> on_cube(const SpringCell& cell, const Stiffness& stiffness) {
+  const LatticeStiffness k = stiffness(std::cbrt(cell.volume));
   std::vector<CellSpring> springs;
   const auto add = [&](std::span<const LocalEdge> pairs, double share) {
-    add_springs(springs, x, pairs,
+    add_springs(springs, cell.x, pairs,
                 [&](const LocalEdge&, const Vector3&) { return share; });
   };
   add(edges(CellType::hexahedron), k.edge / 4);
@@ -70,75 +66,31 @@ std::vector<CellSpring> box_springs(const CornerPositions& x, const BoxLattice& 
 }
 
 /// The formula in the modulus that the settings name.
-LatticeStiffness isotropic_lattice(const Material& material, double cell_edge,
-                                   StiffnessForm form, double diagonal_ratio) {
-  return form == StiffnessForm::shear_modulus
-             ? shear_modulus_form(lame_constants(material).mu, cell_edge, diagonal_ratio)
-             : young_modulus_form(material.young_modulus, cell_edge, diagonal_ratio);
+std::vector<CellSpring> isotropic_cube(const SpringCell& cell, double diagonal_ratio) {
+  return on_cube(cell, [&](double h) {
+    return cell.settings.stiffness_form == StiffnessForm::shear_modulus
+               ? shear_modulus_form(lame_constants(cell.material).mu, h, diagonal_ratio)
+               : young_modulus_form(cell.material.young_modulus, h, diagonal_ratio);
+  });
 }
 
-LatticeStiffness with_face_diagonals(const Material& material, double cell_edge,
-                                     const NetworkSettings& settings) {
-  return isotropic_lattice(material, cell_edge, settings.stiffness_form,
-                           settings.diagonal_ratio);
+std::vector<CellSpring> isotropic_box(const SpringCell& cell) {
+  const std::array<double, 3> box = box_edges(cell.x).value();
+  if (is_cube(box)) return isotropic_cube(cell, cell.settings.diagonal_ratio);
+  const double mu = cell.settings.stiffness_form == StiffnessForm::shear_modulus
+                        ? lame_constants(cell.material).mu
+                        : 0.4 * cell.material.young_modulus;
+  return box_springs(cell.x, box_lattice(mu, box).value());
 }
 
-LatticeStiffness without_face_diagonals(const Material& material, double cell_edge,
-                                        const NetworkSettings& settings) {
-  return isotropic_lattice(material, cell_edge, settings.stiffness_form, 0);
-}
-
-LatticeStiffness after_baudet(const Material& material, double cell_edge,
-                              const NetworkSettings& /*settings*/) {
-  return baudet_stiffness(material.young_modulus, material.poisson_ratio, cell_edge);
-}
-
-LatticeStiffness of_one_stiffness(const Material& material, double cell_edge,
-                                  const NetworkSettings& /*settings*/) {
-  return uniform_stiffness(material.young_modulus, cell_edge);
-}
-
-LatticeStiffness given(const Material& /*material*/, double /*cell_edge*/,
-                       const NetworkSettings& settings) {
-  return constants_of(settings).stiffness;
-}
-
-template <auto stiffness>
-std::vector<CellSpring> on_cubes(const CornerPositions& x, double volume,
-                                 const Material& material,
-                                 const NetworkSettings& settings) {
-  return cube_springs(x, stiffness(material, std::cbrt(volume), settings));
-}
-
-std::vector<CellSpring> on_boxes(const CornerPositions& x, double volume,
-                                 const Material& material,
-                                 const NetworkSettings& settings) {
-  const std::array<double, 3> box = box_edges(x).value();
-  if (is_cube(box)) return on_cubes<with_face_diagonals>(x, volume, material, settings);
-  const double mu = spring_modulus(material, settings.stiffness_form);
-  return box_springs(x, box_lattice(mu, box).value());
-}
-
-template <auto stiffness>
-std::vector<CellSpring> on_tetrahedra(const CornerPositions& x, double volume,
-                                      const Material& material,
-                                      const NetworkSettings& /*settings*/) {
+/// stiffness(l): of an edge of length l.
+template <class Stiffness>
+std::vector<CellSpring> on_tetrahedron(const SpringCell& cell,
+                                       const Stiffness& stiffness) {
   std::vector<CellSpring> springs;
-  add_springs(springs, x, edges(CellType::tetrahedron),
-              [&](const LocalEdge&, const Vector3& r) {
-                return stiffness(material.young_modulus, volume, r.norm());
-              });
+  add_springs(springs, cell.x, edges(CellType::tetrahedron),
+              [&](const LocalEdge&, const Vector3& r) { return stiffness(r.norm()); });
   return springs;
-}
-
-double after_lloyd(double young_modulus, double /*volume*/, double length) {
-  return lloyd_stiffness(young_modulus, length);
-}
-
-std::vector<CellSpring> against_hourglasses(const CornerPositions& x, double volume,
-                                            const Material& material,
-                                            const NetworkSettings& /*settings*/) {
-  return hourglass_springs(x, volume, material);
 }
 
 double uncorrected(const Material& /*material*/, const NetworkSettings& /*settings*/) {
@@ -155,10 +107,6 @@ double corrected_if_on(const Material& material, const NetworkSettings& settings
              : 0;
 }
 
-double corrected_as_given(const Material& /*material*/, const NetworkSettings& settings) {
-  return constants_of(settings).volume_modulus;
-}
-
 std::optional<std::string> with_negative_edges(const Material& material) {
   if (material.poisson_ratio > -0.25) return std::nullopt;
   return fmt::format(
@@ -167,44 +115,78 @@ std::optional<std::string> with_negative_edges(const Material& material) {
       material.poisson_ratio);
 }
 
-constexpr std::array table{MethodEntry{.method = Method::baudet,
-                                       .cells = CellShapes::cubes,
-                                       .springs = on_cubes<after_baudet>,
-                                       .volume_modulus = uncorrected,
-                                       .refuses = with_negative_edges},
-                           MethodEntry{.method = Method::nfd,
-                                       .cells = CellShapes::cubes,
-                                       .springs = on_cubes<without_face_diagonals>,
-                                       .volume_modulus = corrected},
-                           MethodEntry{.method = Method::fd,
-                                       .cells = CellShapes::boxes,
-                                       .springs = on_boxes,
-                                       .volume_modulus = uncorrected},
-                           MethodEntry{.method = Method::cf,
-                                       .cells = CellShapes::boxes,
-                                       .springs = on_boxes,
-                                       .volume_modulus = corrected},
-                           MethodEntry{.method = Method::uniform,
-                                       .cells = CellShapes::cubes,
-                                       .springs = on_cubes<of_one_stiffness>,
-                                       .volume_modulus = uncorrected},
-                           MethodEntry{.method = Method::custom,
-                                       .cells = CellShapes::cubes,
-                                       .springs = on_cubes<given>,
-                                       .volume_modulus = corrected_as_given},
-                           MethodEntry{.method = Method::affine,
-                                       .cells = CellShapes::any,
-                                       .springs = against_hourglasses,
-                                       .volume_modulus = corrected,
-                                       .has_virtual_springs = true},
-                           MethodEntry{.method = Method::vangelder,
-                                       .cells = CellShapes::tetrahedra,
-                                       .springs = on_tetrahedra<van_gelder_stiffness>,
-                                       .volume_modulus = corrected_if_on},
-                           MethodEntry{.method = Method::lloyd,
-                                       .cells = CellShapes::tetrahedra,
-                                       .springs = on_tetrahedra<after_lloyd>,
-                                       .volume_modulus = corrected_if_on}};
+constexpr std::array table{
+    MethodEntry{.method = Method::baudet,
+                .cells = CellShapes::cubes,
+                .springs =
+                    [](const SpringCell& cell) {
+                      return on_cube(cell, [&](double h) {
+                        return baudet_stiffness(cell.material.young_modulus,
+                                                cell.material.poisson_ratio, h);
+                      });
+                    },
+                .volume_modulus = uncorrected,
+                .refuses = with_negative_edges},
+    MethodEntry{.method = Method::nfd,
+                .cells = CellShapes::cubes,
+                .springs = [](const SpringCell& cell) { return isotropic_cube(cell, 0); },
+                .volume_modulus = corrected},
+    MethodEntry{.method = Method::fd,
+                .cells = CellShapes::boxes,
+                .springs = isotropic_box,
+                .volume_modulus = uncorrected},
+    MethodEntry{.method = Method::cf,
+                .cells = CellShapes::boxes,
+                .springs = isotropic_box,
+                .volume_modulus = corrected},
+    MethodEntry{.method = Method::uniform,
+                .cells = CellShapes::cubes,
+                .springs =
+                    [](const SpringCell& cell) {
+                      return on_cube(cell, [&](double h) {
+                        return uniform_stiffness(cell.material.young_modulus, h);
+                      });
+                    },
+                .volume_modulus = uncorrected},
+    MethodEntry{.method = Method::custom,
+                .cells = CellShapes::cubes,
+                .springs =
+                    [](const SpringCell& cell) {
+                      return on_cube(cell, [&](double /*h*/) {
+                        return constants_of(cell.settings).stiffness;
+                      });
+                    },
+                .volume_modulus =
+                    [](const Material& /*material*/, const NetworkSettings& settings) {
+                      return constants_of(settings).volume_modulus;
+                    }},
+    MethodEntry{.method = Method::affine,
+                .cells = CellShapes::any,
+                .springs =
+                    [](const SpringCell& cell) {
+                      return hourglass_springs(cell.x, cell.volume, cell.material);
+                    },
+                .volume_modulus = corrected,
+                .has_virtual_springs = true},
+    MethodEntry{.method = Method::vangelder,
+                .cells = CellShapes::tetrahedra,
+                .springs =
+                    [](const SpringCell& cell) {
+                      return on_tetrahedron(cell, [&](double length) {
+                        return van_gelder_stiffness(cell.material.young_modulus,
+                                                    cell.volume, length);
+                      });
+                    },
+                .volume_modulus = corrected_if_on},
+    MethodEntry{.method = Method::lloyd,
+                .cells = CellShapes::tetrahedra,
+                .springs =
+                    [](const SpringCell& cell) {
+                      return on_tetrahedron(cell, [&](double length) {
+                        return lloyd_stiffness(cell.material.young_modulus, length);
+                      });
+                    },
+                .volume_modulus = corrected_if_on}};
 
 }  // namespace
 

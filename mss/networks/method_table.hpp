@@ -13,13 +13,20 @@ namespace springcheck::mss {
 /// The cells that a method has springs for; boxes are those that box_lattice covers.
 enum class CellShapes { any, tetrahedra, cubes, boxes };
 
+/// What springs of one cell are made of.
+struct SpringCell {
+  const CornerPositions& x;
+  double volume;  // [m^3]
+  const Material& material;
+  const NetworkSettings& settings;
+};
+
 /// What tells one method from another.
 struct MethodEntry {
   Method method;
   CellShapes cells;
-  /// Springs of one cell of its shapes, of so much volume [m^3].
-  std::vector<CellSpring> (*springs)(const CornerPositions& corners, double volume,
-                                     const Material&, const NetworkSettings&);
+  /// Springs of one cell of its shapes.
+  std::vector<CellSpring> (*springs)(const SpringCell&);
   /// kappa of the volume correction [Pa]; 0 without.
   double (*volume_modulus)(const Material&, const NetworkSettings&);
   /// Virtual springs in every cell (VirtualSprings), beside which its own resist

@@ -51,7 +51,7 @@ Network build_network(const Mesh& mesh, const Material& material,
     std::array<Vector3, 8> gradients;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       gradients[i] = area.col(static_cast<Eigen::Index>(i)) / volume;
-    const std::vector<CellSpring> own = method.springs(x, volume, material, settings);
+    const std::vector<CellSpring> own = method.springs({x, volume, material, settings});
     network.cells.add({nodes.begin(), nodes.size()},
                       std::span(gradients).first(nodes.size()), volume, own);
 

@@ -1,6 +1,5 @@
 #include "mss/networks/stiffness.hpp"
 
-#include <algorithm>
 #include <numbers>
 
 namespace springcheck::mss {
@@ -37,14 +36,6 @@ double lloyd_stiffness(double young_modulus, double length) {
 double volume_correction_modulus(const Material& material) {
   const double E = material.young_modulus, nu = material.poisson_ratio;
   return E * (4 * nu - 1) / (2 * (1 + nu) * (1 - 2 * nu));
-}
-
-double axial_modulus(const LatticeConstants& lattice, double cell_edge) {
-  const auto& [k, kappa] = lattice;
-  const double C_12 = (k.face_diagonal + 4. / 3 * k.inner_diagonal) / cell_edge + kappa;
-  const double C_11 = (k.edge + k.face_diagonal) / cell_edge + C_12;
-  if (!(C_11 + C_12 > 0)) return 0;
-  return std::max(0., C_11 - 2 * C_12 * C_12 / (C_11 + C_12));
 }
 
 }  // namespace springcheck::mss

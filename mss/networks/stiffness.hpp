@@ -68,15 +68,4 @@ double lloyd_stiffness(double young_modulus, double length);
 /// Negative below nu = 1/4, zero at it. Source: Golec 2018, Eq. 5.36.
 double volume_correction_modulus(const Material& material);
 
-/// Young's modulus of a lattice along its edges at small strain [Pa]:
-///
-///     E_100 = C_11 - 2 C_12^2 / (C_11 + C_12)
-///     C_11 = (k_e + 2 k_f + 4/3 k_c)/h + kappa     C_12 = (k_f + 4/3 k_c)/h + kappa
-///
-/// cell_edge  h [m]
-///
-/// Source: cubic symmetry, and C = (1/V) sum k/l^2 r r r r over a cell's springs.
-/// 0 where it or C_11 + C_12 is not positive: such a lattice is unstable at rest.
-double axial_modulus(const LatticeConstants& lattice, double cell_edge);
-
 }  // namespace springcheck::mss

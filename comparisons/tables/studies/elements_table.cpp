@@ -1,4 +1,4 @@
-#include "comparisons/tables/studies/elements_table.hpp"
+#include "comparisons/tables/studies/study_tables.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "comparisons/tables/studies/growth_table.hpp"
+#include "comparisons/tables/studies/study_tables.hpp"
 
 #include <fmt/format.h>
 #include <malloc.h>

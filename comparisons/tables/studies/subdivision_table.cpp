@@ -1,4 +1,4 @@
-#include "comparisons/tables/studies/subdivision_table.hpp"
+#include "comparisons/tables/studies/study_tables.hpp"
 
 #include <algorithm>
 #include <cmath>

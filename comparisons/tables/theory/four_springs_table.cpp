@@ -1,4 +1,4 @@
-#include "comparisons/tables/theory/four_springs_table.hpp"
+#include "comparisons/tables/theory/theory_tables.hpp"
 
 #include <fmt/format.h>
 

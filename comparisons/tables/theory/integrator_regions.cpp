@@ -22,14 +22,6 @@ Eigen::Matrix2d step_matrix(Integrator integrator, double dt, double damping_rat
 
 }  // namespace
 
-std::complex<double> amplification(Integrator integrator, std::complex<double> rate) {
-  const bool is_implicit = integrator == Integrator::implicit_euler;
-  std::complex<double> x = 1, v = rate;
-  dynamics::step(Integrator::explicit_euler, x, v, rate * v, is_implicit ? -1. : 1.,
-                 is_implicit ? -1. : 1.);
-  return is_implicit ? 1. / x : x;
-}
-
 double spectral_radius(Integrator integrator, double phase, double damping_ratio) {
   if (integrator != Integrator::implicit_euler)
     return step_matrix(integrator, phase, damping_ratio)

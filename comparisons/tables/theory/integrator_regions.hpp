@@ -1,17 +1,8 @@
 #pragma once
 
-#include <complex>
-
 #include "dynamics/integrators.hpp"
 
 namespace springcheck {
-
-/// What a step multiplies x by on the test equation x' = Gamma x, taken from the step
-/// itself with dt = 1: a step of explicit Euler, and for implicit Euler, whose step it is
-/// backwards, one over that by -dt. Not for the others, which step a pair of x and v.
-/// rate: dt Gamma. Source: Golec 2018, Eq. 2.28, 2.32 and 2.34.
-std::complex<double> amplification(dynamics::Integrator integrator,
-                                   std::complex<double> rate);
 
 /// Largest modulus of the eigenvalues of a step's matrix on the damped oscillator
 /// x'' = -2 zeta omega x' - omega^2 x, whose columns are the steps of unit states (x, v);

@@ -1,4 +1,4 @@
-#include "comparisons/tables/theory/lattice_stability_table.hpp"
+#include "comparisons/tables/theory/theory_tables.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

@@ -1,4 +1,4 @@
-#include "comparisons/tables/theory/modes_table.hpp"
+#include "comparisons/tables/theory/theory_tables.hpp"
 
 #include <fmt/format.h>
 #include <omp.h>

@@ -1,10 +1,10 @@
-#include "comparisons/tables/theory/orientation_table.hpp"
+#include "comparisons/tables/theory/theory_tables.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "comparisons/methods/finite_elements.hpp"
+#include "comparisons/methods/families.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "fem_reference/laws/uniaxial_stress.hpp"
 

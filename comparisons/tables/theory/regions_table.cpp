@@ -1,4 +1,4 @@
-#include "comparisons/tables/theory/regions_table.hpp"
+#include "comparisons/tables/theory/theory_tables.hpp"
 
 #include <cmath>
 #include <numbers>

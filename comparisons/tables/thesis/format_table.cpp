@@ -7,33 +7,12 @@
 #include <numbers>
 
 #include "comparisons/build_info/build_info.hpp"
-#include "comparisons/sheets/latex_table.hpp"
-#include "comparisons/sheets/text_table.hpp"
+#include "comparisons/sheets/sheet.hpp"
 
 namespace springcheck {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-enum class Digits { rounded, all };
-
-std::string number(const Quantity& quantity, const std::optional<double>& value,
-                   Digits digits) {
-  if (!value) return {};
-  if (digits == Digits::all) return fmt::format("{}", *value);
-  return rounded(quantity.format, *value);
-}
-
-std::string plain(const std::optional<double>& value, const char* format, Digits digits) {
-  if (!value) return {};
-  return digits == Digits::all ? fmt::format("{}", *value) : rounded(format, *value);
-}
-
-std::string signed_number(const Quantity& quantity, const std::optional<double>& value,
-                          Digits digits) {
-  const std::string text = number(quantity, value, digits);
-  return text.empty() || text.starts_with('-') ? text : "+" + text;
-}
 
 std::string heading(const Quantity& quantity) {
   return quantity.unit == "-" ? quantity.name
@@ -64,101 +43,67 @@ std::string reference_of(const CaseResult& result) {
   return result.request.reference ? reference_label(result.request) : "itself";
 }
 
-/// All footnotes of the table: on the whole first, then the rows', each once.
-std::vector<std::string> footnotes(const Table& table) {
-  std::vector<std::string> notes;
-  for (const TableRow& row : table.rows)
-    for (const std::string& note : row.plan.notes)
-      if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
-  return notes;
-}
-
-std::string note_marks(const TableRow& row, const std::vector<std::string>& notes) {
-  std::vector<std::ptrdiff_t> marks;
-  for (const std::string& note : row.plan.notes)
-    marks.push_back(std::ranges::find(notes, note) - notes.begin() + 1);
-  return fmt::format("{}", fmt::join(marks, " "));
-}
-
-std::vector<std::string> headings(const Table& table) {
-  const Quantity& quantity = table.plan.quantity;
+/// What tables to be read show.
+Sheet sheet_of(const Table& table) {
+  const auto& [name, title, labels, quantity, further, rows, notes] = table.plan;
+  const std::string shown = heading(quantity), &format = quantity.format;
   const std::string unit =
       quantity.unit == "-"
           ? ""
           : fmt::format(" [{}]", quantity.unit == "%" ? "points" : quantity.unit);
-  std::vector<std::string> all = table.plan.label_headings;
-  all.insert(all.end(), {"printed " + heading(quantity), "ours " + heading(quantity),
-                         "ours - printed" + unit, "reference's " + heading(quantity),
-                         "reference's +-", "reference's order", "reference", "mesh",
-                         "printed instabilities", "status"});
-  for (const Quantity& further : table.plan.further) all.push_back(heading(further));
-  all.insert(all.end(), {"notes", "case"});
-  return all;
-}
-
-std::vector<std::string> cells(const Table& table, const TableRow& row,
-                               const std::vector<std::string>& notes, Digits digits) {
-  const Quantity& quantity = table.plan.quantity;
-  std::vector<std::string> all = row.plan.labels;
-  all.insert(
-      all.end(),
-      {row.plan.printed_text,
-       row.ours ? number(quantity, row.ours, digits) : instead_of_value(row.result),
-       signed_number(quantity, row.difference, digits),
-       number(quantity, row.reference_value, digits),
-       plain(row.reference_bar, "{:.1g}", digits),
-       plain(row.reference_order, "{:.2f}", digits), reference_of(row.result),
-       fmt::format("{}", fmt::join(row.result.request.settings.body.block.cells, "x")),
-       row.plan.verdict, statuses(row.result)});
-  for (std::size_t i = 0; i < table.plan.further.size(); ++i)
-    all.push_back(number(table.plan.further[i], row.further[i], digits));
-  all.insert(all.end(), {note_marks(row, notes), row.result.key.substr(0, 12)});
-  return all;
-}
-
-/// Heads and rows, without the columns that are empty in every row.
-std::vector<std::vector<std::string>> grid(const Table& table,
-                                           const std::vector<std::string>& notes) {
-  std::vector<std::vector<std::string>> lines{headings(table)};
-  for (const TableRow& row : table.rows)
-    lines.push_back(cells(table, row, notes, Digits::rounded));
-  return without_empty_columns(std::move(lines));
-}
-
-/// What tables to be read say below their rows.
-TableText text_of(const Table& table, const std::vector<std::string>& notes) {
-  std::vector<std::string> on_the_table{
-      "Reference: the solution (method:element, on the same mesh unless @ says "
-      "otherwise) "
-      "that deviations and the columns \"reference's\" belong to; with @converged, its "
-      "error "
-      "bar (+-) and the order observed."};
-  on_the_table.insert(on_the_table.end(), table.plan.notes.begin(),
-                      table.plan.notes.end());
-  return {.title = table.plan.title, .notes = on_the_table, .footnotes = notes};
-}
-
-/// The same without what only the screen has room for: further measures beside printed
-/// values.
-std::vector<std::vector<std::string>> narrow_grid(const Table& table,
-                                                  const std::vector<std::string>& notes) {
-  Table narrow = table;
-  const bool has_printed = std::ranges::any_of(
-      table.rows, [](const TableRow& row) { return row.plan.printed.has_value(); });
-  if (has_printed) narrow.plan.further.clear();
-  return grid(narrow, notes);
-}
-
-/// All digits, and the notes in words.
-std::string csv(const Table& table) {
-  const std::vector<std::string> notes = footnotes(table);
-  std::vector<std::vector<std::string>> lines{headings(table)};
+  Sheet sheet{
+      .name = name,
+      .title = title,
+      .notes = {
+          "Reference: the solution (method:element, on the same mesh unless @ says "
+          "otherwise) that deviations and the columns \"reference's\" belong to; with "
+          "@converged, its error bar (+-) and the order observed."}};
+  sheet.notes.insert(sheet.notes.end(), notes.begin(), notes.end());
+  for (const std::string& label : labels) sheet.columns.push_back({label, label});
+  sheet.columns.insert(sheet.columns.end(),
+                       {{"printed", "printed " + shown},
+                        {"ours", "ours " + shown, format},
+                        {"difference", "ours - printed" + unit, format, true},
+                        {"reference_value", "reference's " + shown, format},
+                        {"reference_bar", "reference's +-", "{:.1g}"},
+                        {"reference_order", "reference's order", "{:.2f}"},
+                        {"reference", "reference"},
+                        {"cells", "mesh"},
+                        {"printed_instabilities", "printed instabilities"},
+                        {"status", "status"}});
+  for (const Quantity& one : further)
+    sheet.columns.push_back({heading(one), heading(one), one.format});
   for (const TableRow& row : table.rows) {
-    lines.push_back(cells(table, row, notes, Digits::all));
-    lines.back().end()[-2] = fmt::format("{}", fmt::join(row.plan.notes, " "));
-    lines.back().back() = row.result.key;
+    const CaseResult& result = row.result;
+    SheetRow own{.cells = {row.plan.labels.begin(), row.plan.labels.end()},
+                 .notes = row.plan.notes,
+                 .cases = {result.key}};
+    own.cells.insert(
+        own.cells.end(),
+        {row.plan.printed_text,
+         {row.ours, instead_of_value(result)},
+         row.difference,
+         row.reference_value,
+         row.reference_bar,
+         row.reference_order,
+         reference_of(result),
+         fmt::format("{}", fmt::join(result.request.settings.body.block.cells, "x")),
+         row.plan.verdict,
+         statuses(result)});
+    own.cells.insert(own.cells.end(), row.further.begin(), row.further.end());
+    sheet.rows.push_back(std::move(own));
   }
-  return csv_text(lines);
+  return sheet;
+}
+
+/// Without what only the screen has room for: further measures beside printed values.
+Table narrowed(Table table) {
+  if (std::ranges::any_of(
+          table.rows, [](const TableRow& row) { return row.plan.printed.has_value(); })) {
+    table.plan.further.clear();
+    for (TableRow& row : table.rows) row.further.clear();
+  }
+  return table;
 }
 
 Json json(const std::optional<double>& value) {
@@ -215,18 +160,9 @@ std::string json_text(const Table& table) {
 }  // namespace
 
 std::string format_table(const Table& table, TableFormat format) {
-  const std::vector<std::string> notes = footnotes(table);
-  switch (format) {
-    case TableFormat::markdown:
-      return markdown_text(grid(table, notes), text_of(table, notes));
-    case TableFormat::latex:
-      return latex_text(narrow_grid(table, notes), text_of(table, notes));
-    case TableFormat::csv:
-      return csv(table);
-    case TableFormat::json:
-      return json_text(table);
-  }
-  return {};
+  if (format == TableFormat::json) return json_text(table);
+  const bool is_narrow = format == TableFormat::latex;
+  return format_sheet(sheet_of(is_narrow ? narrowed(table) : table), format);
 }
 
 }  // namespace springcheck

@@ -1,4 +1,4 @@
-#include "comparisons/tables/tissue/tissue_table.hpp"
+#include "comparisons/tables/tissue/tissue_tables.hpp"
 
 #include <fmt/format.h>
 

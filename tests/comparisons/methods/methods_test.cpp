@@ -6,7 +6,7 @@
 #include <set>
 
 #include "comparisons/cases/mechanical_scene.hpp"
-#include "comparisons/methods/finite_elements.hpp"
+#include "comparisons/methods/families.hpp"
 #include "comparisons/settings/case_json.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "fem_reference/laws/materials.hpp"

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "comparisons/cases/mechanical_scene.hpp"
-#include "comparisons/methods/finite_elements.hpp"
+#include "comparisons/methods/families.hpp"
 #include "comparisons/settings/case_json.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/settings.hpp"

@@ -5,7 +5,7 @@
 #include "comparisons/settings/case_json.hpp"
 #include "comparisons/studies/split.hpp"
 #include "comparisons/tables/studies/split_output.hpp"
-#include "comparisons/tables/studies/split_table.hpp"
+#include "comparisons/tables/studies/study_tables.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
 

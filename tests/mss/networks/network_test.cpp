@@ -9,6 +9,7 @@
 
 #include "mss/networks/uniform_stiffness.hpp"
 #include "tests/mss/blocks.hpp"
+#include "tests/mss/networks/axial_modulus.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;

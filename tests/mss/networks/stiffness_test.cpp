@@ -1,4 +1,5 @@
 #include "mss/networks/stiffness.hpp"
+#include "tests/mss/networks/axial_modulus.hpp"
 
 #include <boost/test/unit_test.hpp>
 

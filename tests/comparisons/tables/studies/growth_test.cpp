@@ -2,7 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "comparisons/tables/studies/growth_table.hpp"
+#include "comparisons/tables/studies/study_tables.hpp"
 #include "tests/comparisons/tables/sheet_column.hpp"
 
 using namespace springcheck;

@@ -24,6 +24,18 @@ Complex rate(double r, double zeta) {
   return r * Complex(-zeta, std::sqrt(1 - zeta * zeta));
 }
 
+/// What a step multiplies x by on the test equation x' = Gamma x, taken from the step
+/// itself with dt = 1: a step of explicit Euler, and for implicit Euler, whose step it is
+/// backwards, one over that by -dt. Not for the others, which step a pair of x and v.
+/// rate: dt Gamma. Source: Golec 2018, Eq. 2.28, 2.32 and 2.34.
+std::complex<double> amplification(Integrator integrator, std::complex<double> rate) {
+  const bool is_implicit = integrator == Integrator::implicit_euler;
+  std::complex<double> x = 1, v = rate;
+  dynamics::step(Integrator::explicit_euler, x, v, rate * v, is_implicit ? -1. : 1.,
+                 is_implicit ? -1. : 1.);
+  return is_implicit ? 1. / x : x;
+}
+
 }  // namespace
 
 // 1 + dt Gamma and 1/(1 - dt Gamma), Golec 2018, Eq. 2.33 and 2.35; round-off.

@@ -4,9 +4,14 @@
 #include <vector>
 
 #include "comparisons/cases/case.hpp"
+#include "comparisons/cases/method.hpp"
+#include "fem_reference/laws/settings.hpp"
 #include "tissue/maxwell_fit.hpp"
 
 namespace springcheck {
+
+/// Elastic springs; constants, networks and what they cover: mss/networks.
+std::vector<Method> spring_methods();
 
 /// Living tissue: branches fitted to the case's law (fit_maxwell_model, its range by
 /// default), the bulk ratio of its Poisson ratio (bulk_ratio_of); and the thesis's
@@ -20,5 +25,15 @@ std::vector<Method> tissue_methods();
 /// range's: smaller ones are linear, and have the range of angular frequencies.
 std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamics,
                           double largest_strain);
+
+/// Elements and laws of the static solver.
+std::vector<ElementName> finite_elements();
+std::vector<Method> finite_element_methods();
+
+/// The lattice whose continuum a case of fem-cauchy-born is.
+fem_reference::Lattice lattice_of(const CaseSettings& settings);
+
+/// Finite elements that step explicitly.
+std::vector<Method> explicit_element_methods();
 
 }  // namespace springcheck
