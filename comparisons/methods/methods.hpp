@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "comparisons/cases/method.hpp"
@@ -39,8 +40,13 @@ const Method& continuum_of_lattices();
 template <class Entries>
 std::string names_of(const Entries& entries) {
   std::string names;
-  for (const auto& entry : entries)
-    names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  for (const auto& entry : entries) {
+    if (!names.empty()) names += ", ";
+    if constexpr (std::is_pointer_v<typename Entries::value_type>)
+      names += entry->name;
+    else
+      names += entry.name;
+  }
   return names;
 }
 

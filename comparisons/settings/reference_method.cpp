@@ -41,7 +41,7 @@ ReferenceMethod reference_named(const Given& given) {
                             .text = text};
   if (colon != std::string::npos) {
     if (!reads(reference.method, "element"))
-      given.refuse("an element for fem- methods only, and none for fem-explicit-");
+      given.refuse("an element for " + names_of(laws()) + " only");
     reference.element = value_named<ElementName>(given, what.substr(colon + 1));
   }
   if (at == std::string::npos) return reference;

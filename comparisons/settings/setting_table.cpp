@@ -118,25 +118,24 @@ constexpr Setting table[] = {
 
     {"diagonal-ratio", of_lattices, chosen, of_methods,
      in_springs<not_negative_of, &Network::diagonal_ratio>, "1",
-     "A = k_f/k_c of mss-fd, mss-cf and their lattices in fem-cauchy-born",
+     "A = k_f/k_c of springs or of a continuum's lattice",
      {.label = "A = k_f/k_c, face over inner diagonals",
       .usual_axis = "0.01,0.03,0.1,0.3,1,3,10,30,100"}},
     {"stiffness-form", of_lattices, chosen, of_methods,
      in_springs<named<mss::StiffnessForm>, &Network::stiffness_form>, "mu",
-     "spring constants from mu or, as Eq. 5.12 prints, E; of fem-cauchy-born's lattice "
-     "too"},
+     "constants of springs or of a continuum's lattice from mu or, as Eq. 5.12 prints, "
+     "E"},
     {"stiffness", of_lattices, chosen, of_methods_alone,
      {read_stiffness, stiffness_told, so_many_numbers<3>}, {},
-     "KE,KF,KC of mss-custom: lattice values of its edge, face-diagonal and "
-     "inner-diagonal springs at the scene's cell size [N/m]",
-     {.dimension = Dimension::stiffness,
-      .needed = "KE,KF,KC of mss-custom [N/m]"}},
+     "KE,KF,KC: lattice values of edge, face-diagonal and inner-diagonal springs at the "
+     "scene's cell size [N/m]",
+     {.dimension = Dimension::stiffness, .needed = "KE,KF,KC [N/m]"}},
     {"kappa", of_lattices, chosen, of_methods_alone, {read_kappa, kappa_told, number}, "0",
-     "modulus of mss-custom's volume correction [Pa]; 0: none",
+     "modulus of the volume correction [Pa]; 0: none",
      {.dimension = Dimension::pressure}},
     {"correction", of_lattices, chosen, of_methods_alone,
      in_springs<named<mss::VolumeCorrection>, &Network::volume_correction>, "on",
-     "volume correction of mss-vangelder and mss-lloyd: on, off"},
+     "volume correction: on, off"},
 
     {"element", of_elements, chosen, of_methods,
      in_elements<named<ElementName>, &ElementSettings::element>, "q1-sri",
@@ -144,17 +143,16 @@ constexpr Setting table[] = {
     {"linear-solver", of_elements, chosen, of_methods,
      in_elements<named<fem_reference::LinearSolver>, &ElementSettings::linear_solver>,
      "auto",
-     "of finite elements: auto (by size), direct or multigrid"},
+     "of linear systems: auto (by size), direct or multigrid"},
     {"lattice", of_elements, chosen, of_methods_alone,
      in_elements<named<LatticeName>, &ElementSettings::lattice>,
      "mss-cf",
-     "springs whose continuum fem-cauchy-born is: mss-baudet, mss-nfd, mss-fd, mss-cf, "
-     "mss-affine"},
+     "springs whose continuum it is:"},
     {"lattice-direction", of_elements, chosen, of_methods_alone,
      of_type(in_elements<lattice_direction_of, &ElementSettings::lattice_direction>,
              {.kind = ValueType::Kind::integer,
               .names = all_names<fem_reference::LatticeDirection>}), "100",
-     "direction of fem-cauchy-born's lattice along z: 100, 110, 111", {.counts = true}},
+     "direction of the lattice along z: 100, 110, 111", {.counts = true}},
 
     {"solver", solution, chosen, of_solvers,
      telling(value<named<Solver>, &C::solver>, solver_told), {},
@@ -259,21 +257,33 @@ bool reads(const CaseSettings& settings, const Setting& setting) {
          is_reader(settings, setting);
 }
 
+/// Methods whose entries list the setting.
+static std::vector<std::string_view> own_readers(const Setting& setting) {
+  std::vector<std::string_view> names;
+  for (const Method& method : methods())
+    if (reads(method, setting.key)) names.push_back(method.name);
+  return names;
+}
+
 std::string without_readers(const Setting& setting) {
   if (!setting.readers.without.empty()) return std::string(setting.readers.without);
-  std::string names;
-  for (const Method& method : methods())
-    if (reads(method, setting.key))
-      names += (names.empty() ? "" : " or ") + method.name;
-  return fmt::format("without {} as method or reference", names);
+  return fmt::format("without {} as method or reference",
+                     fmt::join(own_readers(setting), " or "));
 }
 
 std::string help_of(const Setting& setting) {
   const std::string_view usual =
       setting.default_text.empty() ? setting.otherwise : setting.default_text;
+  std::string help(setting.help);
+  if (help.ends_with(':'))
+    help += fmt::format(" {}", fmt::join(setting.access.type.names(), ", "));
+  const auto readers = own_readers(setting);
+  constexpr std::size_t few = 4;
+  if (setting.readers.of_methods && readers.size() <= few)
+    help += fmt::format("; of {}", fmt::join(readers, ", "));
   return usual.empty() || setting.access.type.kind == ValueType::Kind::truth
-             ? std::string(setting.help)
-             : fmt::format("{} (default {})", setting.help, usual);
+             ? help
+             : fmt::format("{} (default {})", help, usual);
 }
 
 std::vector<std::string_view> setting_keys() {

@@ -23,6 +23,11 @@ std::vector<std::string> footnotes(const Sheet& sheet) {
   return notes;
 }
 
+/// Digits of a number of the column.
+std::string with_sign(const Column& column, const std::string& digits) {
+  return column.is_signed && digits.front() != '-' ? "+" + digits : digits;
+}
+
 /// Head line and rows; shown(column, cell) is a cell's text.
 template <class Shown, class Notes, class Cases>
 TextLines lines_of(const Sheet& sheet, Shown&& shown, Notes&& notes, Cases&& cases) {
@@ -33,9 +38,9 @@ TextLines lines_of(const Sheet& sheet, Shown&& shown, Notes&& notes, Cases&& cas
     std::vector<std::string> line;
     for (std::size_t i = 0; i < sheet.columns.size(); ++i) {
       const Cell& cell = row.cells.at(i);
-      line.push_back(cell.number ? shown(sheet.columns[i], *cell.number) : cell.text);
-      if (sheet.columns[i].is_signed && cell.number && line.back().front() != '-')
-        line.back().insert(0, 1, '+');
+      line.push_back(
+          cell.number ? with_sign(sheet.columns[i], shown(sheet.columns[i], *cell.number))
+                      : cell.text);
     }
     line.insert(line.end(), {notes(row), cases(row)});
     lines.push_back(std::move(line));
@@ -133,8 +138,9 @@ std::string sheet_in_columns(const Sheet& sheet,
     lines[0].push_back(column.heading);
     for (std::size_t row = 0; row < sheet.rows.size(); ++row) {
       const Cell& cell = sheet.rows[row].cells[i];
-      lines[row + 1].push_back(cell.number ? rounded(column.format, *cell.number)
-                                           : cell.text);
+      lines[row + 1].push_back(
+          cell.number ? with_sign(column, rounded(column.format, *cell.number))
+                      : cell.text);
     }
   }
   return in_columns(without_empty_columns(lines));

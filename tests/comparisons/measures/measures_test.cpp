@@ -56,6 +56,28 @@ BOOST_AUTO_TEST_CASE(volumes_of_a_homogeneous_stretch, *utf::tolerance(1e-12)) {
   BOOST_TEST(!m.tip_deflection.has_value());
 }
 
+BOOST_AUTO_TEST_CASE(a_measure_by_its_name) {
+  Measures m;
+  m.plate_force = -2;
+  m.face_displacement = Vector3(3, 0, -4);
+  BOOST_TEST((measure_of(m, "plate_force") == -2));
+  BOOST_TEST((measure_of(m, "face_displacement") == 5));
+  BOOST_TEST(!measure_of(m, "plate_torque").has_value());
+  BOOST_TEST(!measure_of(m, "plate_farce").has_value());
+}
+
+// What answers a test's load is a measure.
+BOOST_AUTO_TEST_CASE(tests_are_answered_by_measures) {
+  for (const TestName& test : value_names<Test>) {
+    bool is_there = false;
+    const Measures none;
+    for_each_measure(none, [&](std::string_view name, const auto&) {
+      is_there = is_there || name == test.answer;
+    });
+    BOOST_TEST(is_there == !test.answer.empty(), test.name);
+  }
+}
+
 // A force pair of 3 N at opposite edges' middles of the plate, +-y at x = centre +- .2:
 // torque 2 * 3 * .2 about z. Round-off.
 BOOST_AUTO_TEST_CASE(torque_is_taken_about_the_plates_moved_centre,

@@ -75,6 +75,9 @@ BOOST_AUTO_TEST_CASE(entries_are_complete) {
   for (const Method& method : methods()) BOOST_TEST_CONTEXT(method.name) {
       BOOST_TEST(!method.description.empty());
       BOOST_TEST(!method.source.empty());
+      BOOST_TEST(!method.covers.empty());
+      BOOST_TEST((method.at_rest.empty() ||
+                  find_method(method.at_rest.substr(0, method.at_rest.find(':')))));
       BOOST_TEST(!method.cells.empty());
       BOOST_TEST_REQUIRE(!method.solvers.empty());
       BOOST_TEST((method.solve != nullptr));
@@ -88,6 +91,32 @@ BOOST_AUTO_TEST_CASE(entries_are_complete) {
       BOOST_TEST((method.seconds.in_motion_off_grids > 0) == moves);
       BOOST_TEST((method.stepping != nullptr) == moves);
     }
+}
+
+// Each place once; the thesis's springs and its reference are the first.
+BOOST_AUTO_TEST_CASE(the_foremost_are_in_order) {
+  for (const Family family : {Family::springs, Family::finite_elements}) {
+    int place = 0;
+    for (const Method* method : foremost(family)) BOOST_TEST(method->foremost == ++place);
+  }
+  BOOST_TEST(foremost(Family::springs).front()->name == "mss-cf");
+  BOOST_TEST(foremost(Family::finite_elements).front()->name == "fem-hencky");
+  BOOST_TEST(names_of(moving_elements()) == "fem-explicit-8p, fem-explicit-1p");
+  BOOST_TEST(names_of(laws()) == "fem-hooke, fem-stvk, fem-hencky, fem-cauchy-born");
+}
+
+// Where a user may turn the correction off it is not there always.
+BOOST_AUTO_TEST_CASE(a_volume_correction_is_in_the_network) {
+  for (const Method& method : methods()) {
+    if (!method.network) continue;
+    CaseSettings settings =
+        small_case(method, method.cells.front(), method.solvers.front());
+    settings.material.poisson_ratio = 0.3;
+    settings.springs.volume_correction = mss::VolumeCorrection::off;
+    const auto network = method.network(settings, build_mesh(settings.body));
+    BOOST_TEST_REQUIRE(network.has_value(), method.name);
+    BOOST_TEST((network->volume_modulus != 0) == method.corrects_volume, method.name);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(own_settings_are_settings_that_some_case_reads) {

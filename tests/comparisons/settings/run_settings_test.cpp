@@ -159,8 +159,9 @@ const std::vector<Bad> bad_scenes{
     {good + "reference = \"fem-stvk@fine\"\n",
      "scene.toml:9:13: reference: expected METHOD[:ELEMENT] and behind it @NX,NY,NZ"},
     {good + "reference = \"mss-cf:q1@4\"\n",
-     "scene.toml:9:13: reference: expected an element for fem- methods only, and "
-     "none for fem-explicit-"},
+     "scene.toml:9:13: reference: expected an element for fem-hooke, fem-stvk, "
+     "fem-hencky, "
+     "fem-cauchy-born only"},
     {good + "reference = \"fem@converged\"\n",
      "scene.toml:9:13: reference: unknown value 'fem', expected one of mss-baudet"},
     {good + "traction = [0, 0, 1]\n",
@@ -188,7 +189,7 @@ const std::vector<Bad> bad_scenes{
      "reference, got [1, 2, 3]"},
     {good + "kappa = 1\n", "scene.toml:9:9: kappa: expected no kappa without mss-custom"},
     {own,
-     "scene.toml:1:1: key 'stiffness': expected KE,KF,KC of mss-custom [N/m], got "
+     "scene.toml:1:1: key 'stiffness': expected KE,KF,KC [N/m], got "
      "none"},
     {own + "kappa = 1\n", "scene.toml:1:1: key 'stiffness': expected KE,KF,KC"},
     {own + "stiffness = [1, 2]\n",
