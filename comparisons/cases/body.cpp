@@ -1,6 +1,7 @@
 #include "comparisons/cases/body.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
@@ -9,6 +10,7 @@
 #include "meshing/generators/disc.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "meshing/generators/kidney.hpp"
+#include "mss/networks/box_lattice.hpp"
 
 namespace springcheck {
 
@@ -23,6 +25,12 @@ bool reads_seed(const Block& block) {
 
 bool is_grid_of_hexahedra(const Body& body) {
   return body.shape == BodyShape::block && body.block.pattern == CellPattern::hexahedron;
+}
+
+bool is_grid_of_cubes(const Body& body) {
+  std::array<double, 3> edges = body.block.size;
+  for (std::size_t i = 0; i < 3; ++i) edges[i] /= body.block.cells[i];
+  return is_grid_of_hexahedra(body) && mss::is_cube(edges);
 }
 
 Body on_hexahedra(Body body, const std::array<int, 3>& cells) {

@@ -51,6 +51,9 @@ bool reads_seed(const Block& block);
 /// Whether it is a block whose cells are those of the regular grid, distorted or not.
 bool is_grid_of_hexahedra(const Body& body);
 
+/// Whether it is one of cubes, to 1e-6 of their edge, before they are distorted.
+bool is_grid_of_cubes(const Body& body);
+
 /// The same body on a regular grid of so many hexahedra. It must be a block.
 Body on_hexahedra(Body body, const std::array<int, 3>& cells);
 

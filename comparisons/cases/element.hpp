@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,9 +32,10 @@ struct ElementName {
 
 /// Springs whose continuum fem-cauchy-born is, by the name of their method.
 struct LatticeName {
-  std::string_view name;
+  std::string name{};
   fem_reference::Springs springs;
-  std::vector<std::string_view> reads;  // settings of springs that it has too
+  std::vector<std::string_view> reads{};  // settings of springs that it has too
+  bool of_cubes = true;  // springs on other cells have another continuum, or are refused
 };
 
 }  // namespace springcheck

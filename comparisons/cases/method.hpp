@@ -93,6 +93,9 @@ struct Method {
   bool corrects_volume = false;   // by Golec 2018, Eq. 5.36, always
   int foremost = 0;               // its place among those of its family that people want
                                   // to see first, from 1; 0: behind them
+  bool of_thesis = false;         // Golec's own springs, or the law he compares them with
+  double bar_limit = 0;           // compression at which a bar of its law bears most; 0:
+                                  // nowhere
   std::string_view at_rest{};     // a method that steps: label of its statics, another's
   std::optional<LatticeName> lattice{};  // whose continuum fem-cauchy-born is
   PathPrecision path{};

@@ -30,9 +30,9 @@ struct Claim {
   Answer is_faster_at_equal_accuracy;
 };
 
-/// Golec's claims of springs, faster than finite elements and as accurate, put to mss-cf
-/// and mss-affine beside q1-sri elements (motions: beside the explicit element of eight
-/// points and of one) of the scene's law, on one thread.
+/// Golec's claims of springs, faster than finite elements and as accurate, put to the
+/// foremost springs beside q1-sri elements of the scene's law, in motions beside each of
+/// moving_elements, on one thread.
 std::vector<Claim> claims(const Chart& chart);
 
 /// In words, with the figures.

@@ -40,8 +40,7 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
                      "at least one of springs whose continuum fem-cauchy-born is: " +
                          names_of(lattices()),
                      names_of(run.methods));
-  const Method law =
-      run.reference ? run.reference->method : *foremost(Family::finite_elements).front();
+  const Method law = run.reference ? run.reference->method : thesis_law();
   if (run.reference &&
       (run.reference->grid == ReferenceGrid::converged || !run.reference->cells.empty() ||
        run.reference->element.name != "q1-sri"))

@@ -51,6 +51,9 @@ Json list_of_methods() {
                             {"law", method.law},
                             {"corrects_volume", method.corrects_volume},
                             {"foremost", method.foremost},
+                            {"of_thesis", method.of_thesis},
+                            {"follows_solver", method.follows_solver},
+                            {"bar_limit", method.bar_limit},
                             {"at_rest", method.at_rest},
                             {"colour", method.look.colour},
                             {"mark", method.look.mark}};

@@ -1,5 +1,7 @@
 #include "comparisons/methods/families.hpp"
 
+#include <numbers>
+
 #include "comparisons/cases/case.hpp"
 #include "fem_reference/solve.hpp"
 #include "fem_reference/statics/takes_multigrid.hpp"
@@ -22,7 +24,10 @@ Method of_elements(Law law, Method own) {
   if (own.description.empty())
     own.description = "finite elements, " + std::string(own.law);
   own.reads.insert(own.reads.end(), {"element", "linear-solver"});
-  own.covers = "cells of any shape, q2 hexahedra alone; bodies at rest" + own.covers;
+  own.covers =
+      "cells of any shape, q2 hexahedra alone; bodies at rest, whatever solver a "
+      "case names" +
+      own.covers;
   own.cells = {all_cell_types.begin(), all_cell_types.end()};
   own.solvers = {Solver::static_equilibrium};
   own.follows_solver = false;
@@ -101,6 +106,7 @@ std::vector<Method> finite_element_methods() {
                    .law = "St-Venant-Kirchhoff",
                    .look = {"#D55E00", "P"},
                    .foremost = 2,
+                   .bar_limit = 1 - std::numbers::inv_sqrt3,  // of l^3 - l, d/dl = 0
                    .seconds = of_others,
                    .charted = of_all_elements_and_solvers,
                    .omits = {no_small_strain, {"No logarithmic strain", "fem-hencky"}}}),
@@ -109,6 +115,7 @@ std::vector<Method> finite_element_methods() {
                                 .law = "Hencky, logarithmic strain",
                                 .look = {"#000000", "s"},
                                 .foremost = 1,
+                                .of_thesis = true,
                                 .seconds = of_others,
                                 .charted = of_all_elements,
                                 .omits = {no_small_strain}}),
@@ -128,6 +135,7 @@ std::vector<Method> finite_element_methods() {
 fem_reference::Lattice lattice_of(const CaseSettings& settings) {
   using fem_reference::SpringConstants;
   const bool from_shear_modulus =
+      !reads(settings, "stiffness-form") ||
       settings.springs.stiffness_form == mss::StiffnessForm::shear_modulus;
   return {.springs = settings.elements.lattice.springs,
           .diagonal_ratio = settings.springs.diagonal_ratio,

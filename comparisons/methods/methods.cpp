@@ -48,9 +48,6 @@ const Method* find_method(std::string_view name) {
 const ElementName* find_element(std::string_view name) {
   return find(elements(), name);
 }
-const LatticeName* find_lattice(std::string_view name) {
-  return find(lattices(), name);
-}
 
 std::vector<const Method*> foremost(Family family) {
   std::vector<const Method*> all;
@@ -61,8 +58,13 @@ std::vector<const Method*> foremost(Family family) {
 }
 
 std::vector<const Method*> moving_elements() {
-  std::vector<const Method*> all = foremost(Family::finite_elements);
-  std::erase_if(all, [](const Method* method) { return method->stepping == nullptr; });
+  std::vector<const Method*> all;
+  for (const Method& method : methods())
+    if (method.family == Family::finite_elements && method.stepping)
+      all.push_back(&method);
+  std::ranges::stable_sort(all, {}, [](const Method* method) {
+    return std::pair(method->foremost == 0, method->foremost);
+  });
   return all;
 }
 
@@ -75,6 +77,11 @@ std::vector<const Method*> laws() {
 
 const Method& usual_law(bool is_small) {
   return *find_method(is_small ? "fem-hooke" : "fem-stvk");
+}
+
+const Method& thesis_law() {
+  const auto all = laws();
+  return **std::ranges::find_if(all, &Method::of_thesis);
 }
 
 const Method& continuum_of_lattices() {

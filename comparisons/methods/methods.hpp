@@ -18,20 +18,22 @@ const std::vector<LatticeName>& lattices();
 /// The entry of that name in the lists above; nullptr when there is none.
 const Method* find_method(std::string_view name);
 const ElementName* find_element(std::string_view name);
-const LatticeName* find_lattice(std::string_view name);
 
 /// Those of a family that have a place, by it (Method::foremost).
 std::vector<const Method*> foremost(Family family);
 
-/// Finite elements that step through time, the foremost first.
+/// Finite elements that step through time: those that have a place, then the others.
 std::vector<const Method*> moving_elements();
 
 /// Finite elements of a law, which bodies converge to by finer cells.
 std::vector<const Method*> laws();
 
 /// The law that deviations are measured from where a case names none: Hooke's up to small
-/// deformations, St-Venant-Kirchhoff's beyond. Where errors are split it is the foremost.
+/// deformations, St-Venant-Kirchhoff's beyond.
 const Method& usual_law(bool is_small);
+
+/// The law that the thesis compares springs with, as errors that are split do.
+const Method& thesis_law();
 
 /// The continuum of a lattice of springs, by the Cauchy-Born rule.
 const Method& continuum_of_lattices();

@@ -41,14 +41,21 @@ std::string words_of(mss::CellShapes shapes) {
     case mss::CellShapes::boxes:
       break;
   }
-  return "cubes, and boxes that springs of no negative stiffness make isotropic";
+  return "cubes, and boxes, of no A, that springs of no negative stiffness make "
+         "isotropic";
 }
 
 /// A method with what all of springs have. Of a solution's systems the coupling is that
 /// above nu = 1/4.
 Method of_springs(mss::Method springs, Method own, double coupling = 1) {
   own.family = Family::springs;
-  own.covers = words_of(mss::entry_of(springs).cells) + own.covers;
+  if (own.lattice)
+    own.lattice = {.name = own.name,
+                   .springs = own.lattice->springs,
+                   .reads = own.reads,
+                   .of_cubes = own.lattice->of_cubes};
+  own.covers = words_of(mss::entry_of(springs).cells) + own.covers +
+               "; single precision on hexahedra, by explicit steps";
   own.reads.insert(own.reads.end(), {"damping", "precision", "noise", "seed"});
   own.solvers = {Solver::static_equilibrium,  Solver::path_limit, Solver::explicit_euler,
                  Solver::semi_implicit_euler, Solver::verlet,     Solver::implicit_euler};
@@ -148,7 +155,7 @@ std::vector<Method> spring_methods() {
                           .look = {"#CC79A7", "v"},
                           .covers = "; Poisson's ratios above -1/4",
                           .cells = hexahedra,
-                          .lattice = LatticeName{"mss-baudet", Springs::baudet, {}},
+                          .lattice = LatticeName{.springs = Springs::baudet},
                           .seconds = of_lattices,
                           .charted = models({CellType::hexahedron}, {}),
                           .omits = {{no_correction, "mss-nfd"}, no_face_diagonals}}),
@@ -160,23 +167,21 @@ std::vector<Method> spring_methods() {
                   .reads = {"stiffness-form"},
                   .cells = hexahedra,
                   .corrects_volume = true,
-                  .lattice = LatticeName{"mss-nfd", Springs::nfd, {"stiffness-form"}},
+                  .lattice = LatticeName{.springs = Springs::nfd},
                   .seconds = of_lattices,
                   .charted = lattice_models,
                   .omits = {no_face_diagonals}}),
       of_springs(
-          fd,
-          {.name = "mss-fd",
-           .description = "all springs without correction: right at nu = 0.25 only",
-           .source = "Golec 2018, Eq. 5.11 and 5.12; of boxes: own",
-           .look = {"#56B4E9", "<"},
-           .reads = {"diagonal-ratio", "stiffness-form"},
-           .cells = hexahedra,
-           .lattice =
-               LatticeName{"mss-fd", Springs::fd, {"diagonal-ratio", "stiffness-form"}},
-           .seconds = of_lattices,
-           .charted = lattice_models,
-           .omits = {{no_correction, "mss-cf", at_a_quarter}}}),
+          fd, {.name = "mss-fd",
+               .description = "all springs without correction: right at nu = 0.25 only",
+               .source = "Golec 2018, Eq. 5.11 and 5.12; of boxes: own",
+               .look = {"#56B4E9", "<"},
+               .reads = {"diagonal-ratio", "stiffness-form"},
+               .cells = hexahedra,
+               .lattice = LatticeName{.springs = Springs::fd},
+               .seconds = of_lattices,
+               .charted = lattice_models,
+               .omits = {{no_correction, "mss-cf", at_a_quarter}}}),
       of_springs(cf, {.name = "mss-cf",
                       .description = "all springs with volume correction (Golec 2018)",
                       .source = "Golec 2018, Eq. 5.11, 5.12 and 5.36; of boxes: own",
@@ -185,9 +190,8 @@ std::vector<Method> spring_methods() {
                       .cells = hexahedra,
                       .corrects_volume = true,
                       .foremost = 1,
-                      .lattice = LatticeName{"mss-cf",
-                                             Springs::cf,
-                                             {"diagonal-ratio", "stiffness-form"}},
+                      .of_thesis = true,
+                      .lattice = LatticeName{.springs = Springs::cf},
                       .seconds = of_lattices,
                       .charted = lattice_models}),
       of_springs(
@@ -196,7 +200,7 @@ std::vector<Method> spring_methods() {
            .description = "all springs of a cell of one stiffness: Young's modulus along "
                           "the axes, nu = 5/19 whatever is asked for",
            .source = "own",
-           .look = {"#E7298A", "*"},
+           .look = {"#E7298A", "d"},
            .cells = hexahedra,
            .seconds = of_lattices,
            .charted = lattice_models,
@@ -205,19 +209,18 @@ std::vector<Method> spring_methods() {
       // It couples a node with its neighbours' neighbours where its volume correction
       // acts on node stars. Peaks at 10^3 and 20^3 cubes: 221 and 714 MB, mss-cf's 188
       // and 432.
-      of_springs(
-          affine,
-          {.name = "mss-affine",
-           .description = "virtual springs, on any cells of any shape",
-           .source = "own",
-           .look = {"#009E73", "D"},
-           .cells = any_cells,
-           .corrects_volume = true,
-           .foremost = 2,
-           .lattice = LatticeName{"mss-affine", Springs::affine, {"stiffness-form"}},
-           .seconds = of_virtual_springs,
-           .charted = virtual_models},
-          2.8),
+      of_springs(affine,
+                 {.name = "mss-affine",
+                  .description = "virtual springs, on any cells of any shape",
+                  .source = "own",
+                  .look = {"#009E73", "D"},
+                  .cells = any_cells,
+                  .corrects_volume = true,
+                  .foremost = 2,
+                  .lattice = LatticeName{.springs = Springs::affine, .of_cubes = false},
+                  .seconds = of_virtual_springs,
+                  .charted = virtual_models},
+                 2.8),
       of_springs(
           vangelder,
           {.name = "mss-vangelder",

@@ -138,7 +138,7 @@ Method of_thesis(tissue::Elongation elongation, Method own) {
   own.covers =
       "cubes, and boxes that springs of no negative stiffness make isotropic; "
       "the laws of liver, kidney and spleen, to which limits were fitted by hand; "
-      "loads without inertia";
+      "loads without inertia, and no limits of paths";
   own.cells = {CellType::hexahedron};
   own.solvers = {Solver::static_equilibrium};
   own.solve = [elongation](const CaseSettings& settings, const Mesh& mesh,
@@ -171,17 +171,18 @@ std::vector<Method> tissue_methods() {
                  .solve = solve_by_springs,
                  .stepping = stepping_of_springs,
                  .seconds = {.in_motion = 0.03, .in_motion_off_grids = 0.03}}),
-      of_tissue({.name = "fem-tissue",
-                 .description = "finite elements of the same law, with a memory at 2x2x2 "
-                                "points; without inertia",
-                 .source = law,
-                 .family = Family::finite_elements,
-                 .look = {"#4D4D4D", "1"},
-                 .reads = {"branches"},
-                 .covers = "cells of any shape; loads without inertia",
-                 .cells = any_cells,
-                 .solvers = {Solver::static_equilibrium},
-                 .solve = solve_by_elements}),
+      of_tissue(
+          {.name = "fem-tissue",
+           .description = "finite elements of the same law, with a memory at 2x2x2 "
+                          "points; without inertia",
+           .source = law,
+           .family = Family::finite_elements,
+           .look = {"#4D4D4D", "1"},
+           .reads = {"branches"},
+           .covers = "cells of any shape; loads without inertia, and no limits of paths",
+           .cells = any_cells,
+           .solvers = {Solver::static_equilibrium},
+           .solve = solve_by_elements}),
       of_thesis(
           tissue::Elongation::in_metres,
           {.name = "mss-thesis-tissue",

@@ -204,8 +204,7 @@ constexpr Setting table[] = {
      "of that load, also parts of one", {.beside = "angular-frequency"}},
     {"damping", motion, taken, of_dashpots,
      in_motion<not_negative_of, &Dynamics::damping_ratio>, "0.05",
-     "in dynamics, fraction of critical: dashpots of springs, drag of fem-explicit "
-     "methods",
+     "in dynamics, fraction of critical: dashpots of springs, drag of finite elements",
      {.dimension = Dimension::fraction, .label = "damping ratio ζ of each spring",
       .usual_axis = "0,0.01,0.02,0.05,0.1,0.2,0.5,1"}},
     {"precision", motion, chosen, of_dashpots,

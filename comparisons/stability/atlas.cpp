@@ -89,7 +89,8 @@ std::optional<CaseSettings> control_of(const CaseSettings& settings) {
   if (reads(settings.method, "element"))
     return label(control) == label(settings) ? std::nullopt : std::optional(control);
   if (!settings.method.lattice || goes_through_time(settings) ||
-      !is_grid_of_hexahedra(settings.body))
+      !is_grid_of_hexahedra(settings.body) ||
+      (settings.method.lattice->of_cubes && !is_grid_of_cubes(settings.body)))
     return std::nullopt;
   control.method = continuum_of_lattices();
   control.elements.lattice = *settings.method.lattice;

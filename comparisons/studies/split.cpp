@@ -198,6 +198,10 @@ SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
   if (springs.body.shape != BodyShape::block)
     throw InputError("--split", "body", "a block, which regular grids can refine",
                      std::string(name_of(springs.body.shape)));
+  if (springs.method.lattice->of_cubes && !is_grid_of_cubes(springs.body))
+    throw InputError("--split", "cells", "cubes, whose lattice the continuum is of",
+                     fmt::format("{} over {} m", fmt::join(springs.body.block.cells, "x"),
+                                 fmt::join(springs.body.block.size, "x")));
   CaseSettings lattice = springs;
   lattice.body = on_hexahedra(springs.body, springs.body.block.cells);
   lattice.method = continuum_of_lattices();

@@ -83,6 +83,7 @@ def view_data(study, tests):
 
 def _group(study, group, mesh_name, surface):
     bodies = []
+    usual = methods.of_thesis(), f"{methods.reference_law()}:q1-sri"
     for key in group.cases:
         case = study.cases.loc[key]
         bodies.append(
@@ -91,6 +92,7 @@ def _group(study, group, mesh_name, surface):
                 "name": case["name"],
                 "kind": case["kind"],
                 "status": case["status"],
+                "is_usual": case["name"] in usual,
                 "displacement": _packed(study.field(key, "displacement")[surface.nodes], "<f4"),
                 "volume": _packed(study.field(key, "cell_volume_ratio")[surface.cells] - 1, "<f4"),
             }

@@ -24,12 +24,18 @@ def foremost(family):
 
 def of_thesis():
     """The springs that the thesis is of: figures of what it shows of its own are theirs."""
-    return foremost("springs")[0]
+    return _of_thesis("springs")
 
 
 def reference_law():
     """The finite elements that springs are compared with first: the thesis's own reference."""
-    return foremost("finite elements")[0]
+    return _of_thesis("finite elements")
+
+
+def _of_thesis(family):
+    return next(
+        name for name, entry in _methods.items() if entry["family"] == family and entry["of_thesis"]
+    )
 
 
 def continuum_of_lattices():
@@ -45,6 +51,11 @@ def place(method):
 def law(method):
     """Of the material, "" where the method is not known by it."""
     return _methods.get(method, {}).get("law", "")
+
+
+def bar_limit(method):
+    """Compression at which a bar of its law bears most; 0: nowhere."""
+    return _methods.get(method, {}).get("bar_limit", 0)
 
 
 def at_rest(name):

@@ -214,7 +214,7 @@ def is_variant(name):
 
 
 def method_name(case):
-    """"fem-stvk:q1-sri", "mss-cf, E-form", "mss-cf, A = 0.01": as tables call methods."""
+    """As tables call methods: fem-stvk:q1-sri; mss-cf, E-form; mss-cf, A = 0.01."""
     name = case.method
     if case.element:
         name += f":{case.element}"

@@ -201,8 +201,7 @@
       for (const [select, options] of [[springs, fits(false)], [elements, fits(true)]]) {
         const before = select.selectedOptions[0]?.text;
         select.replaceChildren(...options.map(([value, text]) => new Option(text, value)));
-        const usual = select === springs ? "mss-cf" : "fem-hencky:q1-sri";
-        const first = options.findIndex(([, text]) => text === (before ?? usual));
+        const first = options.findIndex(([i, text]) => before ? text === before : bodies[i].is_usual);
         if (first >= 0) select.selectedIndex = first;
         select.parentElement.hidden = options.length === 0;
       }

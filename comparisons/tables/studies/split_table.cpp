@@ -121,7 +121,7 @@ SheetPlan plan_split_table() {
   std::vector<SplitPlan> splits;
   SheetPlan plan;
   for (const CaseSettings& springs : springs_of_the_table()) {
-    splits.push_back(plan_split(springs, *foremost(Family::finite_elements).front()));
+    splits.push_back(plan_split(springs, thesis_law()));
     plan.requests.push_back({.settings = springs});
     const std::vector<Request> grids = split_requests(splits.back());
     plan.requests.insert(plan.requests.end(), grids.begin(), grids.end());

@@ -6,19 +6,12 @@ import methods
 import numpy as np
 from figures.failure_maps import Line
 
-# The force on a compressed bar of St-Venant and Kirchhoff's law is largest at the stretch
-# 1/sqrt(3), where d/dl (l^3 - l) = 0.
-_STVK_STRAIN = 1 - 1 / np.sqrt(3)
 _COLUMNS = {"nu": "nu", "diagonal-ratio": "diagonal_ratio"}  # of the table, by setting
 _LOADS = {"compression": ["compression"], "tension": ["tension"], "uniaxial": ["compression", "tension"]}
 _LATTICE_WORDS = (
     "Infinite lattice: the strain at which the infinite regular lattice in uniaxial stress loses its first "
     "plane wave or its free sides (table lattice-stability); glued plates hold waves off, free "
     "surfaces let them in earlier."
-)
-_STVK_WORDS = (
-    "St-Venant-Kirchhoff's bar: 42.3 %, the stretch 1/√3 at which a bar of St-Venant and Kirchhoff's law "
-    "bears its largest force."
 )
 _STEP = "largest step of linear theory"
 _STEP_WORDS = (
@@ -48,9 +41,12 @@ def theory_on(study, one, method, edges):
     case = _case_of(study, one, method)
     if first["key"] != "deformation" or case is None:
         return []
-    if methods.law(case.method) == "St-Venant-Kirchhoff" and case.test in ("compression", "uniaxial"):
-        strain = _scale(first, case, "compression") * _STVK_STRAIN
-        return _within(first, _level("St-Venant-Kirchhoff's bar", edges, strain, _STVK_WORDS))
+    limit = methods.bar_limit(case.method)
+    if limit and case.test in ("compression", "uniaxial"):
+        name = f"{methods.law(case.method)}'s bar"
+        words = f"{name}: {100 * limit:.1f} %, where a bar of the law bears its largest force."
+        strain = _scale(first, case, "compression") * limit
+        return _within(first, _level(name, edges, strain, words))
     return _lattice(study, one, method, case, edges)
 
 

@@ -134,7 +134,10 @@ def _findings(study):
 def _against_print(study):
     """How many of the thesis's figures are met, by method, and the furthest."""
     items = []
-    for method in (methods.of_thesis(), f"{methods.reference_law()}:q1-sri"):
+    for method, law in (
+        (methods.of_thesis(), ""),
+        (f"{methods.reference_law()}:q1-sri", " (the law that reproduces the thesis's FEM column)"),
+    ):
         judged = []
         for document in study.tables.values():
             if "quantity" not in document or document["table"] in ("deviation", "bending"):
@@ -149,7 +152,6 @@ def _against_print(study):
         labels = ", ".join(
             f"{label} {row[label]}" for label in document["labels"] if label != "method"
         )
-        law = " (the law that reproduces the thesis's FEM column)" if "fem" in method else ""
         notes = f" Its note: {row['notes'][0]}" if row["notes"] else ""
         items.append(
             Markup(

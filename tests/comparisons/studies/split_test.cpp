@@ -55,8 +55,8 @@ std::vector<CaseResult> invented(const SplitPlan& plan, const std::vector<double
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_continua_run_on_nested_grids_with_the_springs_lattice) {
-  const SplitPlan plan =
-      plan_of("tension", {"cells=4,4,6", "method=mss-fd", "diagonal-ratio=2"});
+  const SplitPlan plan = plan_of("tension", {"size=.02,.02,.03", "cells=4,4,6",
+                                             "method=mss-fd", "diagonal-ratio=2"});
   const auto cells = [](const ThreeCases& cases) {
     return std::array{cases[0].body.block.cells, cases[1].body.block.cells,
                       cases[2].body.block.cells};
@@ -93,9 +93,19 @@ BOOST_AUTO_TEST_CASE(springs_without_a_known_continuum_are_not_split) {
                         });
 }
 
+// Springs of mss-cf on a box have another continuum than on a cube; mss-affine has one.
+BOOST_AUTO_TEST_CASE(boxes_are_not_split_by_the_continuum_of_cubes) {
+  BOOST_CHECK_EXCEPTION(plan_of("uniaxial", {"cells=2,2,3", "method=mss-cf"}), InputError,
+                        [](const InputError& error) {
+                          return std::string(error.what()).find("cubes") !=
+                                 std::string::npos;
+                        });
+  BOOST_CHECK_NO_THROW(plan_of("uniaxial", {"cells=2,2,3", "method=mss-affine"}));
+}
+
 BOOST_AUTO_TEST_CASE(odd_counts_are_halved_upwards_and_a_single_cell_is_not) {
   const auto coarsest_check = [](const char* cells) {
-    return plan_of("compression", {"method=mss-cf", std::string("cells=") + cells})
+    return plan_of("compression", {"method=mss-affine", std::string("cells=") + cells})
         .reference_check[0]
         .body.block.cells;
   };
