@@ -43,6 +43,12 @@ struct PathPrecision {
   double of_load = 0;
 };
 
+/// Compression at which a bar of a law bears its largest force, and in words; 0: nowhere.
+struct BarLimit {
+  double strain = 0;
+  std::string_view words{};
+};
+
 /// Of one core: for an equilibrium of 10^3 cells at 5 to 20 %, means over nu from 0 to
 /// .499 of the five tests; and for a simulated second of as many cells, of a regular grid
 /// or of others, at nu = .25 with steps of .9 of the limit.
@@ -94,9 +100,8 @@ struct Method {
   int foremost = 0;               // its place among those of its family that people want
                                   // to see first, from 1; 0: behind them
   bool of_thesis = false;         // Golec's own springs, or the law he compares them with
-  double bar_limit = 0;           // compression at which a bar of its law bears most; 0:
-                                  // nowhere
-  std::string_view at_rest{};     // a method that steps: label of its statics, another's
+  BarLimit bar_limit{};
+  std::string_view at_rest{};  // a method that steps: label of its statics, another's
   std::optional<LatticeName> lattice{};  // whose continuum fem-cauchy-born is
   PathPrecision path{};
 

@@ -38,25 +38,27 @@ Json list_of_methods() {
     std::vector<std::string_view> cells, solvers;
     for (const CellType type : method.cells) cells.push_back(name_of(type));
     for (const Solver solver : method.solvers) solvers.push_back(name_of(solver));
-    entries[method.name] = {{"family", name_of(method.family)},
-                            {"description", method.description},
-                            {"covers", method.covers},
-                            {"source", method.source},
-                            {"cells", cells},
-                            {"solvers", solvers},
-                            {"settings", method.reads},
-                            {"lattice", method.lattice.has_value()},
-                            {"elastic", method.is_elastic},
-                            {"locks", method.locks},
-                            {"law", method.law},
-                            {"corrects_volume", method.corrects_volume},
-                            {"foremost", method.foremost},
-                            {"of_thesis", method.of_thesis},
-                            {"follows_solver", method.follows_solver},
-                            {"bar_limit", method.bar_limit},
-                            {"at_rest", method.at_rest},
-                            {"colour", method.look.colour},
-                            {"mark", method.look.mark}};
+    entries[method.name] = {
+        {"family", name_of(method.family)},
+        {"description", method.description},
+        {"covers", method.covers},
+        {"source", method.source},
+        {"cells", cells},
+        {"solvers", solvers},
+        {"settings", method.reads},
+        {"lattice", method.lattice.has_value()},
+        {"elastic", method.is_elastic},
+        {"locks", method.locks},
+        {"law", method.law},
+        {"corrects_volume", method.corrects_volume},
+        {"foremost", method.foremost},
+        {"of_thesis", method.of_thesis},
+        {"follows_solver", method.follows_solver},
+        {"bar_limit",
+         {{"strain", method.bar_limit.strain}, {"words", method.bar_limit.words}}},
+        {"at_rest", method.at_rest},
+        {"colour", method.look.colour},
+        {"mark", method.look.mark}};
   }
   return entries;
 }

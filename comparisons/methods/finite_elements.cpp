@@ -106,7 +106,9 @@ std::vector<Method> finite_element_methods() {
                    .law = "St-Venant-Kirchhoff",
                    .look = {"#D55E00", "P"},
                    .foremost = 2,
-                   .bar_limit = 1 - std::numbers::inv_sqrt3,  // of l^3 - l, d/dl = 0
+                   .bar_limit = {1 - std::numbers::inv_sqrt3,  // where d/dl (l^3 - l) = 0
+                                 "the stretch 1/√3 at which a bar of St-Venant and "
+                                 "Kirchhoff's law bears its largest force"},
                    .seconds = of_others,
                    .charted = of_all_elements_and_solvers,
                    .omits = {no_small_strain, {"No logarithmic strain", "fem-hencky"}}}),

@@ -54,8 +54,9 @@ def law(method):
 
 
 def bar_limit(method):
-    """Compression at which a bar of its law bears most; 0: nowhere."""
-    return _methods.get(method, {}).get("bar_limit", 0)
+    """Compression at which a bar of its law bears most, 0 where there is none, and in words."""
+    limit = _methods.get(method, {}).get("bar_limit", {"strain": 0, "words": ""})
+    return limit["strain"], limit["words"]
 
 
 def at_rest(name):

@@ -41,12 +41,11 @@ def theory_on(study, one, method, edges):
     case = _case_of(study, one, method)
     if first["key"] != "deformation" or case is None:
         return []
-    limit = methods.bar_limit(case.method)
+    limit, words = methods.bar_limit(case.method)
     if limit and case.test in ("compression", "uniaxial"):
         name = f"{methods.law(case.method)}'s bar"
-        words = f"{name}: {100 * limit:.1f} %, where a bar of the law bears its largest force."
         strain = _scale(first, case, "compression") * limit
-        return _within(first, _level(name, edges, strain, words))
+        return _within(first, _level(name, edges, strain, f"{name}: {100 * limit:.1f} %, {words}."))
     return _lattice(study, one, method, case, edges)
 
 
