@@ -164,8 +164,10 @@ Json run_schema() {
   // Of any case: all tell the same keys.
   const CaseSettings settings =
       case_of_scene("compression", {{"method", "mss-cf"}, {"cells", Cells{1, 1, 1}}});
-  const CaseResult result{
-      .request = {.settings = settings}, .wall_s = 0, .solve_wall_s = 0};
+  const CaseResult result{.request = {.settings = settings},
+                          .status = Status::ok,
+                          .wall_s = 0,
+                          .solve_wall_s = 0};
   Json properties;
   for_each_told(
       result, build_mesh(settings.body),

@@ -41,19 +41,19 @@ std::string words_of(mss::CellShapes shapes) {
     case mss::CellShapes::boxes:
       break;
   }
-  return "cubes, and boxes, of no A, that springs of no negative stiffness make "
-         "isotropic";
+  return "cubes, and boxes that springs of no negative stiffness make isotropic, on "
+         "which "
+         "A has no effect";
 }
 
 /// A method with what all of springs have. Of a solution's systems the coupling is that
 /// above nu = 1/4.
 Method of_springs(mss::Method springs, Method own, double coupling = 1) {
   own.family = Family::springs;
-  if (own.lattice)
-    own.lattice = {.name = own.name,
-                   .springs = own.lattice->springs,
-                   .reads = own.reads,
-                   .of_cubes = own.lattice->of_cubes};
+  if (own.lattice) {
+    own.lattice->name = own.name;
+    own.lattice->reads = own.reads;
+  }
   own.covers = words_of(mss::entry_of(springs).cells) + own.covers +
                "; single precision on hexahedra, by explicit steps";
   own.reads.insert(own.reads.end(), {"damping", "precision", "noise", "seed"});

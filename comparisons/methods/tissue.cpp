@@ -136,7 +136,7 @@ Method of_thesis(tissue::Elongation elongation, Method own) {
   own.family = Family::springs;
   own.source = "Golec 2018, Eq. 4.4 and Table 4.2";
   own.covers =
-      "cubes, and boxes that springs of no negative stiffness make isotropic; "
+      "the cells that mss-cf covers; "
       "the laws of liver, kidney and spleen, to which limits were fitted by hand; "
       "loads without inertia, and no limits of paths";
   own.cells = {CellType::hexahedron};

@@ -84,11 +84,10 @@ StoredChart merged(StoredChart chart, const StoredChart& other);
 ///     IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3
 ///     IDENTITY/points       columns model (its name) and its parts method, element,
 ///                           cell-type, linear-solver, precision, its family, then kind,
-///                           across,
-///                           cells, nodes, threads, key, left_out, repetitions, minimum,
-///                           lower_quartile, median, upper_quartile, maximum, setup,
-///                           simulated, times (all of them, rounds with ';' between, as
-///                           the figures follow from)
+///                           across, cells, nodes, threads, key, left_out, repetitions,
+///                           minimum, lower_quartile, median, upper_quartile, maximum,
+///                           setup, simulated, times (all of them, rounds with ';'
+///                           between, as the figures follow from)
 ///     IDENTITY/comparisons  columns key, law, compared
 ///
 /// Replaces the chart of the same identity.

@@ -13,7 +13,7 @@ namespace springcheck {
 struct CaseResult {
   Request request;
   std::string key{};  // identifies all that determines the result, see case_key
-  Status status{};
+  Status status;
   std::vector<Status> flags{};  // all of wrinkled, indefinite, inverted that apply
   std::string reason{};         // in words, unless status is ok
   Measures measures{};          // all empty when there is no equilibrium to measure

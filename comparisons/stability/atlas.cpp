@@ -338,7 +338,8 @@ Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner) {
   for (const auto& values : places)
     for (const CaseSettings& settings : cases_at(plan, values)) {
       cases.push_back(settings);
-      atlas.points.push_back({.method = label(settings), .values = values});
+      atlas.points.push_back(
+          {.method = label(settings), .values = values, .failure = Failure::none});
     }
   std::vector<Request> requests;
   for (const CaseSettings& settings : cases) requests.push_back({.settings = settings});

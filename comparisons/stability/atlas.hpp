@@ -22,7 +22,7 @@ struct AtlasPoint {
   std::string method;               // its label
   std::vector<std::string> values;  // of the axes
   CaseResult result{};
-  Failure failure{};
+  Failure failure;
   std::optional<std::string> control{};  // key of that by which locking was judged
 };
 
