@@ -19,6 +19,15 @@ bool has_history(const CaseSettings& settings) {
   return goes_through_time(settings) || settings.method.has_history;
 }
 
+mss::NetworkSettings springs_of(const CaseSettings& settings, const FixedSprings& fixed) {
+  const mss::NetworkSettings usual{.method = settings.springs.method};
+  mss::NetworkSettings springs = settings.springs;
+  if (!reads(settings, "spring-strain"))
+    springs.strain_measure = fixed.strain.value_or(usual.strain_measure);
+  if (!reads(settings, "directions")) springs.axes = fixed.axes.value_or(usual.axes);
+  return springs;
+}
+
 std::array<double, 3> element_nodes(const CaseSettings& settings) {
   const int divisions =
       reads(settings.method, "element") ? settings.elements.element.divisions : 1;

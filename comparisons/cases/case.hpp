@@ -65,6 +65,14 @@ template <>
 inline constexpr std::array value_names<mss::VolumeCorrection>{
     Named{mss::VolumeCorrection::on, "on"}, Named{mss::VolumeCorrection::off, "off"}};
 template <>
+inline constexpr std::array value_names<mss::StrainMeasure>{
+    Named{mss::StrainMeasure::engineering, "engineering"},
+    Named{mss::StrainMeasure::green, "green"},
+    Named{mss::StrainMeasure::logarithmic, "logarithmic"}};
+template <>
+inline constexpr std::array value_names<mss::Axes>{Named{mss::Axes::six, "6"},
+                                                   Named{mss::Axes::sixteen, "16"}};
+template <>
 inline constexpr std::array value_names<fem_reference::LatticeDirection>{
     Named{fem_reference::LatticeDirection::d100, "100"},
     Named{fem_reference::LatticeDirection::d110, "110"},
@@ -96,6 +104,9 @@ struct CaseSettings {
   StaticSprings statics;
   Tissue tissue;  // of methods of tissue
 };
+
+/// The case's springs with what is fixed, and without what its method does not read.
+mss::NetworkSettings springs_of(const CaseSettings& settings, const FixedSprings& fixed);
 
 /// The solver given, or else the method's own; static where the method follows none.
 Solver solver_of(const CaseSettings& settings);

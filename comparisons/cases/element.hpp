@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "fem_reference/laws/settings.hpp"
 #include "meshing/scene.hpp"
+#include "mss/networks/method.hpp"
 
 namespace springcheck {
 
@@ -30,11 +32,18 @@ struct ElementName {
   bool locks = false;             // too stiff near nu = 1/2
 };
 
+/// Settings of springs that a method fixes, whatever a case has.
+struct FixedSprings {
+  std::optional<mss::StrainMeasure> strain{};
+  std::optional<mss::Axes> axes{};
+};
+
 /// Springs whose continuum fem-cauchy-born is, by the name of their method.
 struct LatticeName {
   std::string name{};
   fem_reference::Springs springs;
   std::vector<std::string_view> reads{};  // settings of springs that it has too
+  FixedSprings fixed{};                   // those of their method
   bool of_cubes = true;  // springs on other cells have another continuum, or are refused
 };
 

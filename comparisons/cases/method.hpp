@@ -31,7 +31,8 @@ inline constexpr std::array value_names<Family>{
     Named{Family::springs, "springs"}, Named{Family::finite_elements, "finite elements"},
     Named{Family::measured, "measured"}};
 
-/// How figures draw it: colour as HTML, mark as matplotlib names its markers.
+/// How figures draw it: colour as HTML, mark as matplotlib names its markers. The same
+/// springs by another strain have the same mark.
 struct Look {
   std::string_view colour, mark;
 };
@@ -101,6 +102,7 @@ struct Method {
                                   // to see first, from 1; 0: behind them
   bool of_thesis = false;         // Golec's own springs, or the law he compares them with
   BarLimit bar_limit{};
+  FixedSprings fixed{};        // settings of other springs that it has fixed
   std::string_view at_rest{};  // a method that steps: label of its statics, another's
   std::optional<LatticeName> lattice{};  // whose continuum fem-cauchy-born is
   PathPrecision path{};

@@ -125,6 +125,7 @@ Json settings() {
         {"beside", setting.beside},
         {"label", setting.label.empty() ? setting.key : setting.label},
         {"usual_axis", setting.usual_axis},
+        {"variant", setting.variant},
         {"default", setting.otherwise.empty() ? setting.default_text : setting.otherwise},
         {"description", help_of(setting)}};
   return entries;

@@ -49,6 +49,19 @@ Method of_elements(Law law, Method own) {
 
 constexpr Seconds of_linear{.at_rest = 0.1}, of_others{.at_rest = 0.6};  // .3 to .7
 
+fem_reference::SpringStrain strain_of(mss::StrainMeasure measure) {
+  using fem_reference::SpringStrain;
+  switch (measure) {
+    case mss::StrainMeasure::green:
+      return SpringStrain::green;
+    case mss::StrainMeasure::logarithmic:
+      return SpringStrain::logarithmic;
+    case mss::StrainMeasure::engineering:
+      break;
+  }
+  return SpringStrain::engineering;
+}
+
 constexpr Omission no_small_strain{"Not Hooke's law", "fem-hooke"};
 
 }  // namespace
@@ -139,11 +152,15 @@ fem_reference::Lattice lattice_of(const CaseSettings& settings) {
   const bool from_shear_modulus =
       !reads(settings, "stiffness-form") ||
       settings.springs.stiffness_form == mss::StiffnessForm::shear_modulus;
-  return {.springs = settings.elements.lattice.springs,
-          .diagonal_ratio = settings.springs.diagonal_ratio,
+  const LatticeName& lattice = settings.elements.lattice;
+  const mss::NetworkSettings springs = springs_of(settings, lattice.fixed);
+  return {.springs = lattice.springs,
+          .diagonal_ratio = springs.diagonal_ratio,
           .constants = from_shear_modulus ? SpringConstants::from_shear_modulus
                                           : SpringConstants::from_young_modulus,
-          .direction = settings.elements.lattice_direction};
+          .direction = settings.elements.lattice_direction,
+          .strain = strain_of(springs.strain_measure),
+          .axes = springs.axes == mss::Axes::six ? 6 : 16};
 }
 
 }  // namespace springcheck

@@ -16,7 +16,7 @@ const std::vector<CellType> any_cells{all_cell_types.begin(), all_cell_types.end
     hexahedra{CellType::hexahedron}, tetrahedra{CellType::tetrahedron};
 
 mss::NetworkSettings network_settings(const CaseSettings& settings, mss::Method method) {
-  mss::NetworkSettings springs = settings.springs;
+  mss::NetworkSettings springs = springs_of(settings, settings.method.fixed);
   springs.method = method;
   return springs;
 }
@@ -53,6 +53,7 @@ Method of_springs(mss::Method springs, Method own, double coupling = 1) {
   if (own.lattice) {
     own.lattice->name = own.name;
     own.lattice->reads = own.reads;
+    own.lattice->fixed = own.fixed;
   }
   own.covers = words_of(mss::entry_of(springs).cells) + own.covers +
                "; single precision on hexahedra, by explicit steps";
@@ -108,7 +109,7 @@ constexpr double by_kernels = 0.03, by_affine_kernel = 0.1, by_plain_loops = 0.6
 constexpr Seconds of_lattices{.in_motion = by_kernels, .in_motion_off_grids = by_kernels},
     of_virtual_springs{.in_motion = by_affine_kernel,
                        .in_motion_off_grids = by_plain_loops},
-    of_tetrahedra{.in_motion = by_plain_loops, .in_motion_off_grids = by_plain_loops};
+    of_plain_loops{.in_motion = by_plain_loops, .in_motion_off_grids = by_plain_loops};
 
 constexpr auto double_precision = dynamics::Precision::double_precision,
                single_precision = dynamics::Precision::single_precision;
@@ -164,7 +165,7 @@ std::vector<Method> spring_methods() {
                   .description = "edge and inner-diagonal springs with volume correction",
                   .source = "Golec 2018, Eq. 5.12 with A = 0, and 5.36",
                   .look = {"#E69F00", "^"},
-                  .reads = {"stiffness-form"},
+                  .reads = {"stiffness-form", "spring-strain"},
                   .cells = hexahedra,
                   .corrects_volume = true,
                   .lattice = LatticeName{.springs = Springs::nfd},
@@ -176,7 +177,7 @@ std::vector<Method> spring_methods() {
                .description = "all springs without correction: right at nu = 0.25 only",
                .source = "Golec 2018, Eq. 5.11 and 5.12; of boxes: own",
                .look = {"#56B4E9", "<"},
-               .reads = {"diagonal-ratio", "stiffness-form"},
+               .reads = {"diagonal-ratio", "stiffness-form", "spring-strain"},
                .cells = hexahedra,
                .lattice = LatticeName{.springs = Springs::fd},
                .seconds = of_lattices,
@@ -186,7 +187,7 @@ std::vector<Method> spring_methods() {
                       .description = "all springs with volume correction (Golec 2018)",
                       .source = "Golec 2018, Eq. 5.11, 5.12 and 5.36; of boxes: own",
                       .look = {"#0072B2", "o"},
-                      .reads = {"diagonal-ratio", "stiffness-form"},
+                      .reads = {"diagonal-ratio", "stiffness-form", "spring-strain"},
                       .cells = hexahedra,
                       .corrects_volume = true,
                       .foremost = 1,
@@ -194,6 +195,18 @@ std::vector<Method> spring_methods() {
                       .lattice = LatticeName{.springs = Springs::cf},
                       .seconds = of_lattices,
                       .charted = lattice_models}),
+      of_springs(cf, {.name = "mss-stvk",
+                      .description = "mss-cf in squared lengths (spring-strain = green): "
+                                     "St-Venant-Kirchhoff's law",
+                      .source = "own; constants as mss-cf",
+                      .look = {"#FF8C42", "o"},
+                      .reads = {"diagonal-ratio", "stiffness-form"},
+                      .cells = hexahedra,
+                      .corrects_volume = true,
+                      .fixed = {.strain = mss::StrainMeasure::green},
+                      .lattice = LatticeName{.springs = Springs::cf},
+                      .seconds = of_plain_loops,
+                      .charted = models({CellType::hexahedron}, {double_precision})}),
       of_springs(
           uniform,
           {.name = "mss-uniform",
@@ -201,6 +214,7 @@ std::vector<Method> spring_methods() {
                           "the axes, nu = 5/19 whatever is asked for",
            .source = "own",
            .look = {"#E7298A", "d"},
+           .reads = {"spring-strain"},
            .cells = hexahedra,
            .seconds = of_lattices,
            .charted = lattice_models,
@@ -214,12 +228,28 @@ std::vector<Method> spring_methods() {
                   .description = "virtual springs, on any cells of any shape",
                   .source = "own",
                   .look = {"#009E73", "D"},
+                  .reads = {"spring-strain", "directions"},
                   .cells = any_cells,
                   .corrects_volume = true,
                   .foremost = 2,
                   .lattice = LatticeName{.springs = Springs::affine, .of_cubes = false},
                   .seconds = of_virtual_springs,
                   .charted = virtual_models},
+                 2.8),
+      of_springs(affine,
+                 {.name = "mss-affine-stvk",
+                  .description = "mss-affine in squared lengths (spring-strain = green): "
+                                 "St-Venant-Kirchhoff's law, on any cells",
+                  .source = "own",
+                  .look = {"#8F3D00", "D"},
+                  .reads = {"directions"},
+                  .cells = any_cells,
+                  .corrects_volume = true,
+                  .fixed = {.strain = mss::StrainMeasure::green},
+                  .lattice = LatticeName{.springs = Springs::affine, .of_cubes = false},
+                  .seconds = of_plain_loops,
+                  .charted = models({CellType::hexahedron, CellType::tetrahedron},
+                                    {double_precision})},
                  2.8),
       of_springs(
           vangelder,
@@ -230,7 +260,7 @@ std::vector<Method> spring_methods() {
            .look = {"#B8A600", ">"},
            .reads = {"correction"},
            .cells = tetrahedra,
-           .seconds = of_tetrahedra,
+           .seconds = of_plain_loops,
            .charted = models(tetrahedra, {})}),
       of_springs(lloyd,
                  {.name = "mss-lloyd",
@@ -240,7 +270,7 @@ std::vector<Method> spring_methods() {
                   .look = {"#8B5A2B", "p"},
                   .reads = {"correction"},
                   .cells = tetrahedra,
-                  .seconds = of_tetrahedra,
+                  .seconds = of_plain_loops,
                   .charted = models(tetrahedra, {})}),
       of_springs(custom,
                  {.name = "mss-custom",
@@ -248,7 +278,7 @@ std::vector<Method> spring_methods() {
                                  "--stiffness, --kappa)",
                   .source = "the user's constants",
                   .look = {"#5E81AC", "d"},
-                  .reads = {"stiffness", "kappa"},
+                  .reads = {"stiffness", "kappa", "spring-strain"},
                   .cells = hexahedra,
                   .belongs_to_cells = true,
                   .seconds = of_lattices})};

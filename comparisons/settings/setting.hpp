@@ -56,6 +56,8 @@ struct Particulars {
   bool (*has)(Test) = nullptr;    // tests that have it, others refuse it; nullptr: all
   std::string_view needed{};      // what is missing where it is needed and not given
   bool (*is_needed)(const RunSettings&) = nullptr;  // nullptr: where it has readers
+  std::string_view variant{};      // what names of methods get where it is not the default,
+                                   // {} for its value; empty: nothing
   std::string_view default_text{};  // the default in words, where `otherwise` is not all
 };
 

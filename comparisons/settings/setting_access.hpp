@@ -105,6 +105,12 @@ constexpr Access of_type(Access access, const ValueType& type) {
   return access;
 }
 
+/// A value whose names are digits.
+template <class T>
+constexpr Access in_digits(Access access) {
+  return of_type(access, {.kind = ValueType::Kind::integer, .names = all_names<T>});
+}
+
 constexpr ValueType text = type_of<std::string>(),
                     texts = type_of<std::vector<std::string>>(),
                     number = type_of<double>(), numbers = type_of<std::vector<double>>();

@@ -78,6 +78,7 @@ constexpr Readers of_steps{goes_through_time, Unread::refused_as_option, without
 
 /// The methods whose entry lists it.
 constexpr Readers of_methods{.of_methods = true},
+    of_methods_as_option{.unread = Unread::refused_as_option, .of_methods = true},
     of_methods_alone{.unread = Unread::refused, .of_methods = true},
     of_methods_at_rest{.is_one = at_rest, .of_methods = true},
     of_dashpots{goes_through_time, Unread::refused_as_option,

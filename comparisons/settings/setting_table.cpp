@@ -120,11 +120,11 @@ constexpr Setting table[] = {
      in_springs<not_negative_of, &Network::diagonal_ratio>, "1",
      "A = k_f/k_c of springs or of a continuum's lattice",
      {.label = "A = k_f/k_c, face over inner diagonals",
-      .usual_axis = "0.01,0.03,0.1,0.3,1,3,10,30,100"}},
+      .usual_axis = "0.01,0.03,0.1,0.3,1,3,10,30,100", .variant = ", A = {}"}},
     {"stiffness-form", of_lattices, chosen, of_methods,
      in_springs<named<mss::StiffnessForm>, &Network::stiffness_form>, "mu",
      "constants of springs or of a continuum's lattice from mu or, as Eq. 5.12 prints, "
-     "E"},
+     "E", {.variant = ", {}-form"}},
     {"stiffness", of_lattices, chosen, of_methods_alone,
      {read_stiffness, stiffness_told, so_many_numbers<3>}, {},
      "KE,KF,KC: lattice values of edge, face-diagonal and inner-diagonal springs at the "
@@ -133,9 +133,17 @@ constexpr Setting table[] = {
     {"kappa", of_lattices, chosen, of_methods_alone, {read_kappa, kappa_told, number}, "0",
      "modulus of the volume correction [Pa]; 0: none",
      {.dimension = Dimension::pressure}},
+    {"spring-strain", of_lattices, chosen, of_methods_as_option,
+     in_springs<named<mss::StrainMeasure>, &Network::strain_measure>, "engineering",
+     "strain that the energy of springs, or of a continuum's lattice, is quadratic in: "
+     "engineering, green (squared lengths) or logarithmic", {.variant = ", {}"}},
+    {"directions", of_lattices, chosen, of_methods_as_option,
+     in_digits<mss::Axes>(in_springs<numbered<mss::Axes>, &Network::axes>), "6",
+     "of virtual springs in a cell, or in its continuum: 6 or 16",
+     {.counts = true, .variant = ", {} directions"}},
     {"correction", of_lattices, chosen, of_methods_alone,
      in_springs<named<mss::VolumeCorrection>, &Network::volume_correction>, "on",
-     "volume correction: on, off"},
+     "volume correction: on, off", {.variant = ", no correction"}},
 
     {"element", of_elements, chosen, of_methods,
      in_elements<named<ElementName>, &ElementSettings::element>, "q1-sri",
@@ -147,11 +155,11 @@ constexpr Setting table[] = {
     {"lattice", of_elements, chosen, of_methods_alone,
      in_elements<named<LatticeName>, &ElementSettings::lattice>,
      "mss-cf",
-     "springs whose continuum it is:"},
+     "springs whose continuum it is:", {.variant = " ({})"}},
     {"lattice-direction", of_elements, chosen, of_methods_alone,
-     of_type(in_elements<lattice_direction_of, &ElementSettings::lattice_direction>,
-             {.kind = ValueType::Kind::integer,
-              .names = all_names<fem_reference::LatticeDirection>}), "100",
+     in_digits<fem_reference::LatticeDirection>(
+         in_elements<numbered<fem_reference::LatticeDirection>,
+                     &ElementSettings::lattice_direction>), "100",
      "direction of the lattice along z: 100, 110, 111", {.counts = true}},
 
     {"solver", solution, chosen, of_solvers,

@@ -160,13 +160,6 @@ std::vector<Status> statuses_of(const Given& given) {
   return statuses;
 }
 
-fem_reference::LatticeDirection lattice_direction_of(const Given& given) {
-  // Its names are digits, which read as a number where no quotes say otherwise.
-  const std::string text =
-      given.is_text() ? given.text() : std::to_string(given.integer());
-  return value_named<fem_reference::LatticeDirection>(given, text);
-}
-
 Vector3 gravity_of(const Given& given) {
   return vector_of(given, "m/s^2");
 }

@@ -14,7 +14,13 @@ namespace springcheck {
 
 std::vector<Method> methods_of(const Given& given);  // each once
 std::vector<Status> statuses_of(const Given& given);
-fem_reference::LatticeDirection lattice_direction_of(const Given& given);
+
+/// A value whose names are digits, which read as a number where no quotes say otherwise.
+template <class T>
+T numbered(const Given& given) {
+  return value_named<T>(given,
+                        given.is_text() ? given.text() : std::to_string(given.integer()));
+}
 
 std::array<double, 3> size_of(const Given& given);
 std::array<int, 3> cells_of(const Given& given);

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "comparisons/settings/setting.hpp"
+
 namespace springcheck {
 namespace {
 
@@ -32,7 +34,7 @@ const std::vector<Measure>& shown_measures() {
   return measures;
 }
 
-std::string text(const Columns& cases, const char* column, std::size_t row) {
+std::string text(const Columns& cases, const std::string& column, std::size_t row) {
   const auto found = cases.texts.find(column);
   return found == cases.texts.end() ? std::string() : found->second[row];
 }
@@ -51,10 +53,15 @@ std::string method_of(const Columns& cases, std::size_t row) {
   std::string name = text(cases, "method", row);
   if (const auto element = text(cases, "element", row); !element.empty())
     name += ":" + element;
-  if (text(cases, "stiffness-form", row) == "E") name += ", E-form";
-  if (const auto ratio = number(cases, "diagonal-ratio", row); ratio && *ratio != 1)
-    name += fmt::format(", A = {:g}", *ratio);
-  if (text(cases, "correction", row) == "off") name += ", no correction";
+  for (const Setting& setting : all_settings()) {
+    if (setting.variant.empty()) continue;
+    const std::string key(setting.key);
+    const auto value = number(cases, key, row);
+    const std::string words =
+        value ? fmt::format("{:g}", *value) : text(cases, key, row);
+    if (!words.empty() && words != setting.otherwise)
+      name += fmt::format(fmt::runtime(setting.variant), words);
+  }
   return name;
 }
 

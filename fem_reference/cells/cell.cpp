@@ -101,8 +101,10 @@ CellMatrix stiffness(const Law& law, DilatationTaken taken, const Shape& shape,
 
 DilatationTaken dilatation_taken(const Settings& settings) {
   if (settings.element != Element::q1_sri) return DilatationTaken::at_points;
-  return settings.law == Law::cauchy_born ? DilatationTaken::of_mean_gradient
-                                          : DilatationTaken::cell_mean;
+  return settings.law == Law::cauchy_born &&
+                 settings.lattice.strain != SpringStrain::green
+             ? DilatationTaken::of_mean_gradient
+             : DilatationTaken::cell_mean;
 }
 
 CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u) {

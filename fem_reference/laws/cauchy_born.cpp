@@ -8,19 +8,37 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Elongation |d| - 1 of the direction n, from H so that small strains keep their digits.
+/// A direction's strain s and its derivatives by the length.
 struct Stretched {
   Vector3d d;
   double length;
-  double elongation;
+  double strain, first, second;
 };
 
-Stretched stretched(const Vector3d& n, const Matrix3& H) {
+/// From H so that small strains keep their digits.
+Stretched stretched(SpringStrain strain, const Vector3d& n, const Matrix3& H) {
   const Vector3d Hn = H * n, d = n + Hn;
-  const double length = d.norm();
-  return {.d = d,
-          .length = length,
-          .elongation = (2 * n.dot(Hn) + Hn.squaredNorm()) / (length + 1)};
+  const double length = d.norm(), squares = 2 * n.dot(Hn) + Hn.squaredNorm();
+  Stretched now{.d = d,
+                .length = length,
+                .strain = squares / (length + 1),
+                .first = 1,
+                .second = 0};
+  switch (strain) {
+    case SpringStrain::engineering:
+      break;
+    case SpringStrain::green:
+      now.strain = squares / 2 - green_strain_trace(H).value / 3;
+      now.first = length;
+      now.second = 1;
+      break;
+    case SpringStrain::logarithmic:
+      now.strain = std::log1p(now.strain);
+      now.first = 1 / length;
+      now.second = -1 / (length * length);
+      break;
+  }
+  return now;
 }
 
 struct Weights {
@@ -61,15 +79,30 @@ std::vector<SpringDirection> cubic_springs(const Weights& weights) {
   return springs;
 }
 
-std::vector<SpringDirection> icosahedral_springs(double mu) {
+/// Along the icosahedron's axes; of 16 also along the dodecahedron's.
+std::vector<SpringDirection> virtual_springs(double mu, int axes) {
+  using std::numbers::phi;
+  const bool has_both = axes == 16;
   std::vector<SpringDirection> springs;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const double sign : {1., -1.}) {
-      Vector3d n = Vector3d::Zero();
-      n[axis] = std::numbers::phi;
-      n[(axis + 1) % 3] = sign;
-      springs.push_back({.direction = n.normalized(), .weight = 5 * mu / 2});
-    }
+  const auto add = [&](const Vector3d& axis, double weight) {
+    springs.push_back({.direction = axis.normalized(), .weight = weight});
+  };
+  const auto add_cyclic = [&](double first, double second, double third, double weight) {
+    for (int by = 0; by < 3; ++by)
+      for (const double sign : {1., -1.}) {
+        Vector3d axis;
+        axis[by] = first;
+        axis[(by + 1) % 3] = sign * second;
+        axis[(by + 2) % 3] = third;
+        add(axis, weight);
+      }
+  };
+  add_cyclic(phi, 1, 0, has_both ? 25 * mu / 28 : 5 * mu / 2);
+  if (!has_both) return springs;
+  const double weight = 27 * mu / 28;
+  add_cyclic(0, 1 / phi, phi, weight);
+  for (const double x : {1., -1.})
+    for (const double y : {1., -1.}) add({x, y, 1}, weight);
   return springs;
 }
 
@@ -90,11 +123,17 @@ Matrix3 lattice_to_body(LatticeDirection direction) {
   return rows.rowwise().normalized();
 }
 
+double CauchyBorn::springs_bulk_modulus() const {
+  double sum = 0;
+  for (const SpringDirection& spring : springs) sum += spring.weight;
+  return sum / 9;
+}
+
 double CauchyBorn::energy(const Matrix3& displacement_gradient) const {
   double sum = 0;
   for (const auto& [n, w] : springs) {
-    const double elongation = stretched(n, displacement_gradient).elongation;
-    sum += w / 2 * elongation * elongation;
+    const double s = stretched(strain, n, displacement_gradient).strain;
+    sum += w / 2 * s * s;
   }
   return sum;
 }
@@ -102,8 +141,8 @@ double CauchyBorn::energy(const Matrix3& displacement_gradient) const {
 Matrix3 CauchyBorn::stress(const Matrix3& displacement_gradient) const {
   Matrix3 P = Matrix3::Zero();
   for (const auto& [n, w] : springs) {
-    const auto [d, length, elongation] = stretched(n, displacement_gradient);
-    P += w * elongation / length * d * n.transpose();
+    const Stretched now = stretched(strain, n, displacement_gradient);
+    P += w * now.strain * now.first / now.length * now.d * n.transpose();
   }
   return P;
 }
@@ -111,21 +150,35 @@ Matrix3 CauchyBorn::stress(const Matrix3& displacement_gradient) const {
 Matrix9 CauchyBorn::tangent(const Matrix3& displacement_gradient) const {
   Matrix9 A = Matrix9::Zero();
   for (const auto& [n, w] : springs) {
-    const auto [d, length, elongation] = stretched(n, displacement_gradient);
-    const Matrix3 block = w * (elongation / length * Matrix3::Identity() +
-                               d * d.transpose() / (length * length * length));
+    const auto [d, length, s, first, second] =
+        stretched(strain, n, displacement_gradient);
+    const double along = strain == SpringStrain::engineering
+                             ? 1
+                             : length * (first * first + s * second) - s * first;
+    const Matrix3 block = w * (s * first / length * Matrix3::Identity() +
+                               along * d * d.transpose() / (length * length * length));
     for (int L = 0; L < 3; ++L)
       for (int J = 0; J < 3; ++J) A.block<3, 3>(3 * J, 3 * L) += n[J] * n[L] * block;
+  }
+  if (strain == SpringStrain::green) {
+    const Matrix3 F = Matrix3::Identity() + displacement_gradient;
+    A -= springs_bulk_modulus() * F.reshaped() * F.reshaped().transpose();
   }
   return A;
 }
 
-Dilatation CauchyBorn::dilatation(const Matrix3& displacement_gradient) {
-  return volume_change(displacement_gradient);
+Dilatation CauchyBorn::dilatation(const Matrix3& displacement_gradient) const {
+  return strain == SpringStrain::green ? green_strain_trace(displacement_gradient)
+                                       : volume_change(displacement_gradient);
 }
 
 VolumetricEnergy CauchyBorn::volumetric_energy(double dilatation) const {
-  return quadratic(volume_modulus, dilatation);
+  return strain == SpringStrain::logarithmic
+             ? logarithmic(volume_modulus, dilatation)
+             : quadratic(strain == SpringStrain::green
+                             ? volume_modulus + springs_bulk_modulus()
+                             : volume_modulus,
+                         dilatation);
 }
 
 CauchyBorn cauchy_born(const Material& material, const Lattice& lattice) {
@@ -133,7 +186,7 @@ CauchyBorn cauchy_born(const Material& material, const Lattice& lattice) {
   const double spring_mu = lattice.constants == SpringConstants::from_young_modulus
                                ? 0.4 * material.young_modulus
                                : mu;
-  CauchyBorn law{.springs = {}, .volume_modulus = lambda - mu};
+  CauchyBorn law{.springs = {}, .volume_modulus = lambda - mu, .strain = lattice.strain};
   switch (lattice.springs) {
     case Springs::baudet:
       law.springs = cubic_springs(baudet_weights(material));
@@ -152,7 +205,7 @@ CauchyBorn cauchy_born(const Material& material, const Lattice& lattice) {
           cubic_springs(shear_modulus_weights(spring_mu, lattice.diagonal_ratio));
       break;
     case Springs::affine:
-      law.springs = icosahedral_springs(spring_mu);
+      law.springs = virtual_springs(spring_mu, lattice.axes);
       break;
   }
   const Matrix3 turn = lattice_to_body(lattice.direction);

@@ -1,6 +1,7 @@
 #include "fem_reference/laws/dilatation.hpp"
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace springcheck::fem_reference {
 
@@ -45,6 +46,13 @@ VolumetricEnergy quadratic(double modulus, double dilatation) {
   return {.value = modulus / 2 * dilatation * dilatation,
           .first = modulus * dilatation,
           .second = modulus};
+}
+
+VolumetricEnergy logarithmic(double modulus, double dilatation) {
+  const double J = 1 + dilatation, log_J = std::log1p(dilatation);
+  return {.value = modulus / 2 * log_J * log_J,
+          .first = modulus * log_J / J,
+          .second = modulus * (1 - log_J) / (J * J)};
 }
 
 }  // namespace springcheck::fem_reference

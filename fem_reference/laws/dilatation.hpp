@@ -33,4 +33,7 @@ struct VolumetricEnergy {
 /// U = modulus/2 t^2.
 VolumetricEnergy quadratic(double modulus, double dilatation);
 
+/// U = modulus/2 (ln J)^2 of t = J - 1 > -1.
+VolumetricEnergy logarithmic(double modulus, double dilatation);
+
 }  // namespace springcheck::fem_reference

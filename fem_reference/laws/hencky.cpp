@@ -86,10 +86,7 @@ Dilatation Hencky::dilatation(const Matrix3& displacement_gradient) {
 }
 
 VolumetricEnergy Hencky::volumetric_energy(double dilatation) const {
-  const double J = 1 + dilatation, log_J = std::log1p(dilatation);
-  return {.value = bulk_modulus / 2 * log_J * log_J,
-          .first = bulk_modulus * log_J / J,
-          .second = bulk_modulus * (1 - log_J) / (J * J)};
+  return logarithmic(bulk_modulus, dilatation);
 }
 
 Hencky hencky(const LameConstants& lame) {

@@ -14,7 +14,7 @@ Matrix3 uniaxial_stress_state(const CauchyBorn& law, double strain) {
   Matrix3 H = Matrix3::Zero();
   H(2, 2) = strain;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    const Dilatation t = CauchyBorn::dilatation(H);
+    const Dilatation t = law.dilatation(H);
     const VolumetricEnergy U = law.volumetric_energy(t.value);
     const Matrix3 P = law.stress(H) + U.first * t.first;
     const Vector9 gradient = t.first.reshaped();

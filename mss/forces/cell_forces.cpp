@@ -10,7 +10,9 @@ bool cells_act(const Network& network) {
 VirtualSprings law_of(const Network& network) {
   const bool corrects_cells = network.volume_stars.size() == 0;
   return {.shear_modulus = network.spring_modulus,
-          .volume_modulus = corrects_cells ? network.volume_modulus : 0};
+          .volume_modulus = corrects_cells ? network.volume_modulus : 0,
+          .measure = network.strain_measure,
+          .axes = network.axes};
 }
 
 double own_part(const Network& network, std::size_t cell) {
@@ -41,12 +43,16 @@ void update_deformations(const Network& network, std::span<const Vector3> positi
   if (states.star_pressures.empty()) return;
   states.volume_changes.resize(cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
-    states.volume_changes[c] = volume_change(states.displacement_gradients[c]);
+    states.volume_changes[c] =
+        volume_change(network.strain_measure, states.displacement_gradients[c]);
+  states.star_volume_changes.resize(states.star_pressures.size());
   for (std::size_t n = 0; n < states.star_pressures.size(); ++n) {
     double mean = 0;
     for (const auto& [cell, weight] : network.volume_stars[n])
       mean += weight * states.volume_changes[cell];
-    states.star_pressures[n] = network.volume_modulus * mean;
+    states.star_volume_changes[n] = mean;
+    states.star_pressures[n] =
+        network.volume_modulus * volume_pull(network.strain_measure, mean).first;
   }
 }
 
@@ -72,10 +78,10 @@ double cells_energy(const Network& network, const CellStates& states) {
   for (std::size_t n = 0; n < states.star_gradients.size(); ++n)
     energy +=
         star_part * network.shape_stars.volumes[n] * law.energy(states.star_gradients[n]);
-  for (std::size_t n = 0; n < states.star_pressures.size(); ++n) {
-    const double p = states.star_pressures[n];
-    energy += network.volume_stars.volumes[n] * p * p / (2 * network.volume_modulus);
-  }
+  for (std::size_t n = 0; n < states.star_volume_changes.size(); ++n)
+    energy += network.volume_stars.volumes[n] *
+              volume_energy(network.strain_measure, network.volume_modulus,
+                            states.star_volume_changes[n]);
   return energy;
 }
 
@@ -98,15 +104,19 @@ void add_cell_forces(const Network& network, std::span<const Vector3> positions,
       for (const NodeIndex node : nodes)
         stress += star_part * V / 4 * states.star_stresses[node];
     if (!states.star_pressures.empty())
-      stress += V * star_pressure(network, states, c) * cofactor(H);
+      stress += V * star_pressure(network, states, c) *
+                volume_gradient(network.strain_measure, H);
     if (network.cell_springs == RestLength::affine)
       for_each_affine_spring(
           network, states, c, [&](const CellSpring& spring, const AffineSpring& now) {
             const double tension = spring.stiffness * now.elongation;
-            const Vector3 pull = (tension / now.length) * now.d;
+            const auto at = [&](double length) {
+              return tension * slopes_of(network, spring, length).first / length;
+            };
+            const Vector3 pull = at(now.length) * now.d;
             forces[nodes[spring.ends[0]]] += pull;
             forces[nodes[spring.ends[1]]] -= pull;
-            stress -= ((tension / now.rest_length) * now.rest) * spring.rest.transpose();
+            stress -= (at(now.rest_length) * now.rest) * spring.rest.transpose();
           });
     // The gradients' sum is zero, and with them that of the forces: to the bit.
     Vector3 rest = Vector3::Zero();

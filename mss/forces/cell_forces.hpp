@@ -12,10 +12,11 @@ namespace springcheck::mss {
 struct CellStates {
   std::vector<Vector3> displacements;           // u of the nodes [m]
   std::vector<Matrix3> displacement_gradients;  // H = F - I of the cells
-  std::vector<double> volume_changes;           // det F - 1 of the cells
+  std::vector<double> volume_changes;           // t of the cells
   std::vector<Matrix3> star_gradients;          // H_n, mean of H over the shape star
   std::vector<Matrix3> star_stresses;           // P(F_n) [Pa]
-  std::vector<double> star_pressures;           // p_n = kappa (J_n - 1) [Pa]
+  std::vector<double> star_volume_changes;      // t_n, mean of t over the star
+  std::vector<double> star_pressures;           // p_n = U'(t_n) [Pa]
 };
 
 /// Whether the cells do anything beyond springs of constant rest length.
@@ -42,11 +43,12 @@ double cells_energy(const Network& network, const CellStates& states);
 
 /// Adds the cells' forces to `forces`: updates the states, then per cell
 ///
-///     P_e = own part P(F_e) + 3/4 mean of P(F_n) + mean of p_n cof F_e
-///           - (1/V) sum over affine springs k (|d| - |F r|) F r/|F r| (x) r
+///     P_e = own part P(F_e) + 3/4 mean of P(F_n) + mean of p_n dt/dF
+///           - (1/V) sum over affine springs k e e' F r/|F r| (x) r
 ///     f_a -= V P_e G_a
 ///
-/// with means over the cell's nodes, and the springs' own pull.
+/// with means over the cell's nodes, e of elongation and e' of elongation_slopes at
+/// |F r|, and the springs' own pull.
 void add_cell_forces(const Network& network, std::span<const Vector3> positions,
                      CellStates& states, std::span<Vector3> forces);
 
@@ -56,8 +58,14 @@ struct AffineSpring {
   double length;       // |d|
   Vector3 rest;        // F r [m]
   double rest_length;  // |F r|
-  double elongation;   // |d| - |F r|, to the digits of small ones
+  double elongation;   // beyond |F r| by the strain measure, to small ones' digits
 };
+
+/// elongation_slopes of a cell's spring by the network's strain measure.
+inline ElongationSlopes slopes_of(const Network& network, const CellSpring& spring,
+                                  double length) {
+  return elongation_slopes(network.strain_measure, spring.rest.norm(), length);
+}
 
 /// Calls visit(spring, affine spring) for each of the cell's springs of affine rest
 /// length. Leaves out those of zero length.
@@ -78,8 +86,9 @@ void for_each_affine_spring(const Network& network, const CellStates& states,
     now.length = now.d.norm();
     now.rest_length = now.rest.norm();
     if (now.length == 0 || now.rest_length == 0) continue;
-    now.elongation =
-        (move - affine_move).dot(now.d + now.rest) / (now.length + now.rest_length);
+    now.elongation = elongation(network.strain_measure, spring.rest.norm(),
+                                (move - affine_move).dot(now.d + now.rest), now.length,
+                                now.rest_length);
     visit(spring, now);
   }
 }

@@ -10,9 +10,9 @@ namespace springcheck::mss {
 double strain_energy(const Network& network, std::span<const Vector3> positions) {
   double energy = 0;
   for (const Spring& spring : network.springs) {
-    const double elongation =
-        (positions[spring.b] - positions[spring.a]).norm() - spring.rest_length;
-    energy += spring.stiffness / 2 * elongation * elongation;
+    const double length = (positions[spring.b] - positions[spring.a]).norm();
+    energy += spring_energy(network.strain_measure, spring.stiffness, spring.rest_length,
+                            length);
   }
   if (!cells_act(network)) return energy;
   CellStates states;
@@ -27,7 +27,9 @@ void nodal_forces(const Network& network, std::span<const Vector3> positions,
     const Vector3 d = positions[spring.b] - positions[spring.a];
     const double length = d.norm();
     if (length == 0) continue;
-    const Vector3 pull = spring.stiffness * (1 - spring.rest_length / length) * d;
+    const Vector3 pull =
+        spring.stiffness *
+        spring_pull(network.strain_measure, spring.rest_length, length).over_length * d;
     forces[spring.a] += pull;
     forces[spring.b] -= pull;
   }

@@ -9,25 +9,29 @@ namespace springcheck::mss {
 
 /// Energy of springs and cells [J]:
 ///
-///     W = sum over springs k/2 (|d| - L)^2
-///       + sum over cells V psi(F) + sum over their affine springs k/2 (|d| - |F r|)^2
+///     W = sum over springs k/2 L^2 s(|d|/L)^2
+///       + sum over cells V psi(F)
+///       + sum over their affine springs k/2 L^2 [s(|d|/L) - s(|F r|/L)]^2,   L = |r|
 ///
-/// positions [m], one per node; psi of VirtualSprings, with mu and kappa of the network.
-/// For the methods of the thesis mu is 0, and what is left is kappa/2 (V - V0)^2/V0 with
-/// the volume V of the mean edges: on boxes that is V0 det F.
+/// positions [m], one per node; s of the network's strain measure (StrainMeasure), psi of
+/// VirtualSprings, with mu and kappa of the network. By engineering strains these are
+/// k/2 (|d| - L)^2 and k/2 (|d| - |F r|)^2. For the methods of the thesis mu is 0, and
+/// what is left of psi is then kappa/2 (V - V0)^2/V0 with the volume V of the mean edges:
+/// on boxes that is V0 det F.
 ///
 /// With shape stars a tetrahedron has V/4 psi(F), and 3/4 V_n psi(F_n) is at each node;
-/// with volume stars psi is without kappa, and V_n kappa/2 (J_n - 1)^2 is at each node.
-/// F_n and J_n are means of F and det F over the star, V_n = sum V/n over its cells.
+/// with volume stars psi is without kappa, and V_n U(t_n) is at each node. F_n and t_n
+/// are means of F and of the volume change over the star, V_n = sum V/n over its cells.
 ///
 /// Source: Golec 2018, Eq. 3.1, 5.14 (V0 the cell's own) and 5.19; the cells' virtual and
 /// affine springs and the stars are our own.
 double strain_energy(const Network& network, std::span<const Vector3> positions);
 
-/// Forces on the nodes [N], minus the gradient of strain_energy: k (|d| - L) d/|d| along
-/// each spring, and add_cell_forces; from the volume correction of a cell that is
-/// -kappa (V - V0)/V0 dV/dx_i (Golec 2018, Eq. 5.17). Overwrites `forces`. A spring of
-/// zero length pulls nowhere. `states` is room to work in, of any content.
+/// Forces on the nodes [N], minus the gradient of strain_energy: T d/|d| along each
+/// spring, by engineering strains T = k (|d| - L), and add_cell_forces; from the volume
+/// correction of a cell that is -kappa (V - V0)/V0 dV/dx_i (Golec 2018, Eq. 5.17).
+/// Overwrites `forces`. A spring of zero length pulls nowhere. `states` is room to work
+/// in, of any content.
 void nodal_forces(const Network& network, std::span<const Vector3> positions,
                   CellStates& states, std::span<Vector3> forces);
 void nodal_forces(const Network& network, std::span<const Vector3> positions,

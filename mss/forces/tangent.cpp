@@ -34,15 +34,16 @@ void add_constant_springs(Eigen::MatrixXd& tangent, const Network& network,
     const double length = d.norm();
     if (length == 0) continue;
     const Vector3 n = d / length;
-    const double across = 1 - rest.norm() / length;
-    add_between(
-        tangent, ends,
-        stiffness * (across * Matrix3::Identity() + (1 - across) * n * n.transpose()));
+    const auto [across, along] = spring_pull(network.strain_measure, rest.norm(), length);
+    add_between(tangent, ends,
+                stiffness * (across * Matrix3::Identity() +
+                             (along - across) * n * n.transpose()));
   }
 }
 
-/// k [q q^T + e (d2|d| - d2|F r|)] with q the gradient of e = |d| - |F r|; the last term
-/// goes by way of F, into the matrix `by_gradient`.
+/// k [q q^T + e d2e] with q the gradient of the elongation e, the difference of a
+/// function of |d| and the same of |F r|; what is of |F r| in d2e goes by way of F, into
+/// the matrix `by_gradient`.
 void add_affine_springs(Eigen::MatrixXd& tangent, Matrix9& by_gradient,
                         const Network& network, const CellStates& states,
                         std::size_t cell) {
@@ -56,15 +57,22 @@ void add_affine_springs(Eigen::MatrixXd& tangent, Matrix9& by_gradient,
         const double k = spring.stiffness, e = now.elongation;
         const Vector3 n = now.d / now.length, m = now.rest / now.rest_length,
                       &r = spring.rest;
-        q.block<3, 1>(row(spring.ends[0]), column) = -n;
-        q.block<3, 1>(row(spring.ends[1]), column) = n;
+        const ElongationSlopes own = slopes_of(network, spring, now.length),
+                               affine = slopes_of(network, spring, now.rest_length);
+        const Vector3 pull = own.first * n;
+        q.block<3, 1>(row(spring.ends[0]), column) = -pull;
+        q.block<3, 1>(row(spring.ends[1]), column) = pull;
         for (std::size_t a = 0; a < gradients.size(); ++a)
-          q.block<3, 1>(row(a), column) -= gradients[a].dot(r) * m;
+          q.block<3, 1>(row(a), column) -= gradients[a].dot(r) * affine.first * m;
         weights[column++] = k;
-        add_between(tangent, spring.ends,
-                    k * e / now.length * (Matrix3::Identity() - n * n.transpose()));
-        const Matrix3 across =
-            k * e / now.rest_length * (Matrix3::Identity() - m * m.transpose());
+        const auto curvature = [&](const ElongationSlopes& slopes, double length,
+                                   const Vector3& along) -> Matrix3 {
+          const Matrix3 projector = along * along.transpose();
+          return k * e * slopes.first / length * (Matrix3::Identity() - projector) +
+                 k * e * slopes.second * projector;
+        };
+        add_between(tangent, spring.ends, curvature(own, now.length, n));
+        const Matrix3 across = curvature(affine, now.rest_length, m);
         for (Eigen::Index J = 0; J < 3; ++J)
           for (Eigen::Index L = 0; L < 3; ++L)
             by_gradient.block<3, 3>(3 * J, 3 * L) -= r[J] * r[L] * across;
@@ -85,7 +93,8 @@ Eigen::MatrixXd cell_tangent(const Network& network, const CellStates& states,
   const double V = network.cells.volume(cell);
   Matrix9 by_gradient = own_part(network, cell) * V * law_of(network).tangent(H);
   if (!states.star_pressures.empty())
-    by_gradient += V * star_pressure(network, states, cell) * volume_hessian(H);
+    by_gradient += V * star_pressure(network, states, cell) *
+                   volume_hessian(network.strain_measure, H);
   if (network.cell_springs == RestLength::affine)
     add_affine_springs(tangent, by_gradient, network, states, cell);
   const auto D =
@@ -136,8 +145,12 @@ StarTangent star_tangent(const Network& network, const CellStates& states,
   if (network.volume_stars.size() > 0) {
     for (const Stars::Part& part : network.volume_stars[star])
       add_gradients(tangent.volume_gradients, tangent.nodes, network.cells, part,
-                    cofactor(states.displacement_gradients[part.cell]));
-    tangent.volume = network.volume_modulus * network.volume_stars.volumes[star];
+                    volume_gradient(network.strain_measure,
+                                    states.displacement_gradients[part.cell]));
+    tangent.volume =
+        network.volume_modulus *
+        volume_pull(network.strain_measure, states.star_volume_changes[star]).second *
+        network.volume_stars.volumes[star];
   }
   return tangent;
 }
@@ -203,8 +216,10 @@ Tangent tangent_at(const Network& network, std::span<const Vector3> positions) {
 void clamp_to_positive(Tangent& tangent) {
   tbb::parallel_for(std::size_t{0}, tangent.cells.size(),
                     [&](std::size_t c) { clamp(tangent.cells[c]); });
-  tbb::parallel_for(std::size_t{0}, tangent.stars.size(),
-                    [&](std::size_t n) { clamp(tangent.stars[n].shape); });
+  tbb::parallel_for(std::size_t{0}, tangent.stars.size(), [&](std::size_t n) {
+    clamp(tangent.stars[n].shape);
+    tangent.stars[n].volume = std::max(tangent.stars[n].volume, 0.);
+  });
 }
 
 std::vector<Vector3> product(const Network& network, const Tangent& tangent,

@@ -16,8 +16,8 @@ struct StarTangent {
   std::vector<NodeIndex> nodes;         // of all its cells, ascending
   Eigen::Matrix3Xd gradients{};         // G_a of the star's mean F [1/m]
   Matrix9 shape;                        // 3/4 V_n dP/dF [J]
-  Eigen::Matrix3Xd volume_gradients{};  // g_a of its mean det F [1/m]
-  double volume;                        // kappa V_n [J], not negative
+  Eigen::Matrix3Xd volume_gradients{};  // g_a of its mean volume change [1/m]
+  double volume;                        // V_n U''(t_n) [J]
 };
 Eigen::MatrixXd matrix(const StarTangent& star);
 /// Its 3x3 block between two of the star's nodes.
@@ -36,12 +36,12 @@ struct Tangent {
 /// pull on the one by the other's way.
 void add_between(Eigen::MatrixXd& tangent, const LocalEdge& ends, const Matrix3& block);
 
-/// Per spring of constant rest length k [(1 - L/|d|)(I - n n^T) + n n^T] between its two
-/// nodes, per spring of affine rest length the like through |d| - |F r|, and from the law
-/// V D^T (dP/dF) D. In parallel.
+/// Per spring of constant rest length T/|d| (I - n n^T) + dT/d|d| n n^T between its two
+/// nodes, per spring of affine rest length the like through its elongation, and from the
+/// law V D^T (dP/dF) D. In parallel.
 Tangent tangent_at(const Network& network, std::span<const Vector3> positions);
 
-/// Sets the negative eigenvalues of every cell's matrix, and of every star's shape part,
+/// Sets the negative eigenvalues of every cell's matrix, and of both parts of every star,
 /// to zero, in parallel. Assembled, such patches give a descent direction even where the
 /// true tangent is indefinite.
 void clamp_to_positive(Tangent& tangent);

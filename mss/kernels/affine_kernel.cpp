@@ -156,7 +156,9 @@ Correction correction_of(const Network& network) {
 }  // namespace
 
 bool takes_affine_kernel(const Network& network) {
-  if (network.spring_modulus == 0) return false;
+  if (network.spring_modulus == 0 ||
+      network.strain_measure != StrainMeasure::engineering || network.axes != Axes::six)
+    return false;
   for (std::size_t c = 0; c < network.cells.size(); ++c)
     if (network.cells.nodes(c).size() != 8) return false;
   return true;

@@ -98,7 +98,8 @@ struct LatticeKernel {
 }  // namespace
 
 bool takes_lattice_kernel(const Network& network) {
-  return network.cell_springs == RestLength::constant && network.spring_modulus == 0 &&
+  return network.strain_measure == StrainMeasure::engineering &&
+         network.cell_springs == RestLength::constant && network.spring_modulus == 0 &&
          network.volume_stars.size() == 0;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "mss/networks/stiffness.hpp"
+#include "mss/networks/virtual_springs.hpp"
 
 namespace springcheck::mss {
 
@@ -31,6 +32,8 @@ struct NetworkSettings {
   // Without them std::invalid_argument is thrown.
   std::optional<LatticeConstants> constants{};
   VolumeCorrection volume_correction = VolumeCorrection::on;  // of vangelder and lloyd
+  StrainMeasure strain_measure = StrainMeasure::engineering;
+  Axes axes = Axes::six;  // of affine
 };
 
 }  // namespace springcheck::mss

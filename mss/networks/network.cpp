@@ -39,6 +39,8 @@ Network build_network(const Mesh& mesh, const Material& material,
   const double mu = lame_constants(material).mu;
   Network network{.rest_positions = mesh.nodes(),
                   .cell_springs = is_affine ? RestLength::affine : RestLength::constant,
+                  .strain_measure = settings.strain_measure,
+                  .axes = settings.axes,
                   .spring_modulus = is_affine ? mu : 0,
                   .volume_modulus = method.volume_modulus(material, settings),
                   .masses = std::vector<double>(mesh.nodes().size(), 0)};

@@ -10,7 +10,7 @@
 
 namespace springcheck::mss {
 
-/// A linear spring between two nodes, tension k (|d| - L).
+/// A spring between two nodes, its tension by the network's strain measure.
 struct Spring {
   NodeIndex a;
   NodeIndex b;
@@ -31,10 +31,12 @@ struct Network {
   std::vector<Spring> damped_edges{};
   Cells cells{};  // their springs are those above, cell by cell, where those are constant
   RestLength cell_springs = RestLength::constant;
+  StrainMeasure strain_measure = StrainMeasure::engineering;  // of springs and correction
+  Axes axes = Axes::six;                                      // of the virtual springs
   double spring_modulus = 0;     // mu of the virtual springs [Pa]; 0: there are none
   double volume_modulus;         // kappa [Pa]; 0 without correction
   Stars shape_stars{};           // means of F; none: virtual springs act on cells alone
-  Stars volume_stars{};          // means of det F; none: the correction acts on cells
+  Stars volume_stars{};          // means of volume change; none: correction on cells
   std::vector<double> masses{};  // [kg] density times nodal_volumes
 };
 
@@ -62,8 +64,8 @@ std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Material& ma
 /// mss-affine: virtual springs in every cell (VirtualSprings), hourglass_springs where
 /// there are any, and on tetrahedra three quarters of the virtual springs' energy on the
 /// mean deformation of the tetrahedra around each node, a quarter on their own. Above
-/// nu = 1/4 the volume correction acts on the mean of det F over the cells around each
-/// node; at or below, where kappa is not positive, wherever the virtual springs do.
+/// nu = 1/4 the volume correction acts on the mean volume change over the cells around
+/// each node; at or below, where kappa is not positive, wherever the virtual springs do.
 /// Its dashpots lie on the edges, where springs of sum k l^2 = 15 mu V, as in the virtual
 /// springs of a cell, would be shared equally among them: k = 15 mu V/(n_edges l^2).
 Network build_network(const Mesh& mesh, const Material& material,

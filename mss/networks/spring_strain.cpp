@@ -28,7 +28,8 @@ std::vector<double> largest_spring_strains(const Network& network,
         consider(strain(spring.rest, displacements[nodes[spring.ends[1]]] -
                                          displacements[nodes[spring.ends[0]]]));
     if (network.spring_modulus > 0)
-      for (const double e : axis_strains(cells.displacement_gradient(c, displacements)))
+      for (const double e :
+           axis_strains(network.axes, cells.displacement_gradient(c, displacements)))
         consider(e);
   }
   return largest;

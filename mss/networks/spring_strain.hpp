@@ -10,7 +10,7 @@ namespace springcheck::mss {
 /// sign [-]:
 ///
 ///     e = l/L - 1      springs of constant rest length L
-///     e = |F n| - 1    virtual springs, along the icosahedron's axes n in the cell's F
+///     e = |F n| - 1    virtual springs, along their axes n in the cell's F
 ///
 /// Springs of affine rest length do not count: they are at rest in every affine state.
 /// displacements [m], one per node.

@@ -89,6 +89,11 @@ def default(setting):
     return _settings[setting]["default"]
 
 
+def variants():
+    """Settings that names of methods tell where they are not the default, and how."""
+    return {name: entry["variant"] for name, entry in _settings.items() if entry["variant"]}
+
+
 def locks(method, element):
     """Whether it stiffens near nu = 1/2, by itself or by its element."""
     return _methods.get(method, {}).get("locks", False) or _elements.get(element, {}).get("locks", False)

@@ -218,23 +218,24 @@ def method_name(case):
     name = case.method
     if case.element:
         name += f":{case.element}"
-    if case["stiffness-form"] == "E":
-        name += ", E-form"
-    ratio = case["diagonal-ratio"]
-    if ratio is not None and np.isfinite(ratio) and ratio != 1:
-        name += f", A = {ratio:g}"
-    lattice = case.get("lattice")
-    if lattice and lattice != methods.default("lattice"):
-        name += f" ({lattice})"
+    for setting, words in methods.variants().items():
+        value = _setting_text(case.get(setting))
+        if value and value != methods.default(setting):
+            name += words.format(value)
     stiffness = [case.get(f"stiffness.{axis}", np.nan) for axis in "xyz"]
     if np.isfinite(stiffness).all():
         name += ", k = " + "/".join(f"{k:.4g}" for k in stiffness)
     solver = case.get("solver")
     if solver and solver != methods.own_solver(case.method):
         name += f", {solver}"
-    if case.get("correction") == "off":
-        name += ", no correction"
     return name
+
+
+def _setting_text(value):
+    """As it is written on the command line; "" of what a case lacks."""
+    if value is None or isinstance(value, str):
+        return value or ""
+    return f"{value:g}" if np.isfinite(value) else ""
 
 
 def load_text(case):

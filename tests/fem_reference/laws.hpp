@@ -33,7 +33,7 @@ inline NamedLaw named(const std::string& name, double nu, const Settings& settin
 }
 
 /// Hooke, St-Venant-Kirchhoff, Hencky, and the continua of all lattices with their
-/// diagonal ratios and directions.
+/// diagonal ratios and directions; of two also in other strains, and along 16 axes.
 inline std::vector<NamedLaw> laws_at(double nu) {
   std::vector<NamedLaw> all{
       named("hooke", nu, {.law = Law::hooke, .element = Element::q1}),
@@ -62,6 +62,21 @@ inline std::vector<NamedLaw> laws_at(double nu) {
              .lattice = {
                  .springs = springs, .diagonal_ratio = ratio, .direction = direction}}));
   }
+  for (const Springs springs : {Springs::cf, Springs::affine})
+    for (const SpringStrain strain : {SpringStrain::green, SpringStrain::logarithmic})
+      for (const int axes : {6, 16}) {
+        if (axes == 16 && springs == Springs::cf) continue;
+        all.push_back(named("cauchy-born " + std::to_string(static_cast<int>(springs)) +
+                                ", strain " + std::to_string(static_cast<int>(strain)) +
+                                ", axes " + std::to_string(axes),
+                            nu,
+                            {.law = Law::cauchy_born,
+                             .element = Element::q1,
+                             .lattice = {.springs = springs,
+                                         .direction = LatticeDirection::d110,
+                                         .strain = strain,
+                                         .axes = axes}}));
+      }
   return all;
 }
 

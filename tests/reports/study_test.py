@@ -101,13 +101,18 @@ class Words(unittest.TestCase):
             {"stiffness-form": "E"},
             {"diagonal-ratio": 0.5},
             {"diagonal-ratio": 1.0},
+            {"spring-strain": "green"},
+            {"spring-strain": "engineering"},
             {"solver": "explicit"},
             fem("cauchy-born", "q2", lattice="mss-affine"),
             {"method": "mine", "source": "measured"},
         )
-        names = ["mss-cf, E-form", "mss-cf, A = 0.5", "mss-cf", "mss-cf, explicit"]
-        self.assertEqual(list(cases["name"]), [*names, "fem-cauchy-born:q2 (mss-affine)", "mine"])
-        self.assertEqual(cases.kind.iloc[5], "measured")
+        names = [
+            *("mss-cf, E-form", "mss-cf, A = 0.5", "mss-cf", "mss-cf, green", "mss-cf"),
+            *("mss-cf, explicit", "fem-cauchy-born:q2 (mss-affine)", "mine"),
+        ]
+        self.assertEqual(list(cases["name"]), names)
+        self.assertEqual(cases.kind.iloc[-1], "measured")
 
     def test_loads(self):
         cases = cases_of({}, {"test": "torsion", "deformation": np.pi / 4}, {"test": "bending"})

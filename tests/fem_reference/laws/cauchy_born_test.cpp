@@ -215,4 +215,109 @@ BOOST_AUTO_TEST_CASE(bar_of_mss_cf_depends_on_its_direction_at_finite_strain) {
   }
 }
 
+namespace {
+
+Constitution in_strain(Springs springs, double nu, SpringStrain strain, int axes = 6,
+                       LatticeDirection direction = LatticeDirection::d100) {
+  return constitution(
+      of_poisson_ratio(nu),
+      {.law = Law::cauchy_born,
+       .element = Element::q1,
+       .lattice = {
+           .springs = springs, .direction = direction, .strain = strain, .axes = axes}});
+}
+
+constexpr LatticeDirection all_directions[] = {
+    LatticeDirection::d100, LatticeDirection::d110, LatticeDirection::d111};
+
+}  // namespace
+
+// Exact on paper: the springs' energy is linear in squared lengths, and those in Green's
+// strain. 1e-13 of the largest modulus is round-off.
+BOOST_AUTO_TEST_CASE(springs_in_squared_lengths_are_st_venant_kirchhoff) {
+  for (const double nu : {0., 0.1, 0.25, 0.4, 0.499}) {
+    const Constitution law = constitution(
+        of_poisson_ratio(nu), {.law = Law::st_venant_kirchhoff, .element = Element::q1});
+    const double scale = stiffness_scale(of_poisson_ratio(nu));
+    for (const LatticeDirection direction : all_directions)
+      for (const auto& [springs, axes] : {std::pair{Springs::cf, 6},
+                                          {Springs::nfd, 6},
+                                          {Springs::affine, 6},
+                                          {Springs::affine, 16}}) {
+        const Constitution own =
+            in_strain(springs, nu, SpringStrain::green, axes, direction);
+        for (const Matrix3& F : deformations) {
+          const Matrix3 H = F - I;
+          BOOST_TEST(std::abs(energy(own, H) - energy(law, H)) < 1e-13 * scale);
+          BOOST_TEST(largest(stress(own, H) - stress(law, H)) < 1e-13 * scale);
+          BOOST_TEST(largest(tangent(own, H) - tangent(law, H)) < 1e-13 * scale);
+        }
+      }
+  }
+}
+
+// The parts, which elements integrate by different rules, are the same too.
+BOOST_AUTO_TEST_CASE(their_shape_part_is_that_of_the_deviator) {
+  const Material material = of_poisson_ratio(0.4);
+  const double scale = stiffness_scale(material);
+  const CauchyBorn own =
+      cauchy_born(material, {.springs = Springs::cf, .strain = SpringStrain::green});
+  const StVenantKirchhoff law = st_venant_kirchhoff(lame_constants(material));
+  for (const Matrix3& F : deformations) {
+    const Matrix3 H = F - I;
+    BOOST_TEST(std::abs(own.energy(H) - law.energy(H)) < 1e-13 * scale);
+    BOOST_TEST(largest(own.stress(H) - law.stress(H)) < 1e-13 * scale);
+    BOOST_TEST(largest(own.tangent(H) - law.tangent(H)) < 1e-13 * scale);
+    BOOST_TEST(std::abs(own.volumetric_energy(0.3).value -
+                        law.volumetric_energy(0.3).value) < 1e-13 * scale);
+  }
+}
+
+// Written out from the formula: every spring's ln^2, and ln^2 J. Round-off.
+BOOST_AUTO_TEST_CASE(logarithmic_springs_have_the_energy_of_their_logarithms,
+                     *boost::unit_test::tolerance(1e-12)) {
+  const double nu = 0.4;
+  const auto [lambda, mu] = lame_constants(of_poisson_ratio(nu));
+  for (const Matrix3& F : deformations) {
+    double psi = (lambda - mu) / 2 * std::pow(std::log(F.determinant()), 2);
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z) {  // each axis twice; A = 1: weights of 11, 6, 9
+          const int steps = std::abs(x) + std::abs(y) + std::abs(z);
+          const double w = mu / 7 * (steps == 1 ? 11 : steps == 2 ? 6 : 9);
+          if (steps > 0)
+            psi += w / 4 *
+                   std::pow(std::log((F * Vector3d(x, y, z).normalized()).norm()), 2);
+        }
+    BOOST_TEST(energy(in_strain(Springs::cf, nu, SpringStrain::logarithmic), F - I) ==
+               psi);
+  }
+}
+
+// The largest component's spread of the springs' stress over turns of the body, over the
+// largest: figures of an independent prototype in simple shear by 5 and 20 %, over turns
+// of its own. Ours are fewer: its spread is not reached, and not passed.
+BOOST_AUTO_TEST_CASE(sixteen_axes_hardly_know_a_direction) {
+  struct {
+    int axes;
+    double shear, figure;
+  } const rows[]{{6, 0.05, .038}, {6, 0.2, .151}, {16, 0.2, .0007}, {16, 0.5, .0094}};
+  for (const auto& [axes, shear, figure] : rows) {
+    const Constitution law =
+        in_strain(Springs::affine, 0.25, SpringStrain::engineering, axes);
+    const Matrix3 F = I + shear * Vector3d::UnitX() * Vector3d::UnitZ().transpose();
+    Matrix3 least = Matrix3::Constant(1e300), most = -least;
+    for (int turn = 0; turn < 300; ++turn) {
+      const Vector3d axis(std::sin(turn), std::sin(2 * turn + 1), std::cos(3 * turn));
+      const Matrix3 Q = rotation(0.7 * turn, axis);
+      const Matrix3 P = stress(law, F * Q - I) * Q.transpose();
+      least = least.cwiseMin(P);
+      most = most.cwiseMax(P);
+    }
+    const double spread = (most - least).maxCoeff() / most.cwiseAbs().maxCoeff();
+    BOOST_TEST(spread < 1.1 * figure);
+    BOOST_TEST(spread > 0.7 * figure);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -17,7 +17,7 @@ CauchyBorn law_of(double nu, LatticeDirection direction) {
 }
 
 Matrix3 stress(const CauchyBorn& law, const Matrix3& H) {
-  const Dilatation t = CauchyBorn::dilatation(H);
+  const Dilatation t = law.dilatation(H);
   return law.stress(H) + law.volumetric_energy(t.value).first * t.first;
 }
 
