@@ -106,10 +106,12 @@ int main(int count, char** arguments) {
     body.loops = Loops::kernel;
     for (const auto& [method, damping_ratio, distortion] :
          {Variant{"mss-cf"}, Variant{"mss-cf", zeta}, Variant{"mss-nfd"},
-          Variant{"mss-fd"}, Variant{"mss-baudet"}, Variant{"mss-affine"},
-          Variant{"mss-affine", zeta}, Variant{"mss-affine", 0, 0.2},
-          Variant{"mss-tissue"}, Variant{"mss-tissue", 0, 0.2},
-          Variant{"fem-explicit-1p"}, Variant{"fem-explicit-8p"}}) {
+          Variant{"mss-fd"}, Variant{"mss-baudet"}, Variant{"mss-stvk"},
+          Variant{"mss-affine"}, Variant{"mss-affine", zeta},
+          Variant{"mss-affine", 0, 0.2}, Variant{"mss-affine-stvk"},
+          Variant{"mss-affine-stvk", 0, 0.2}, Variant{"mss-tissue"},
+          Variant{"mss-tissue", 0, 0.2}, Variant{"fem-explicit-1p"},
+          Variant{"fem-explicit-8p"}}) {
       body.method = method;
       body.damping_ratio = damping_ratio;
       body.distortion = distortion;

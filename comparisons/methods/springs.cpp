@@ -205,8 +205,8 @@ std::vector<Method> spring_methods() {
                       .corrects_volume = true,
                       .fixed = {.strain = mss::StrainMeasure::green},
                       .lattice = LatticeName{.springs = Springs::cf},
-                      .seconds = of_plain_loops,
-                      .charted = models({CellType::hexahedron}, {double_precision})}),
+                      .seconds = of_lattices,
+                      .charted = lattice_models}),
       of_springs(
           uniform,
           {.name = "mss-uniform",
@@ -247,9 +247,8 @@ std::vector<Method> spring_methods() {
                   .corrects_volume = true,
                   .fixed = {.strain = mss::StrainMeasure::green},
                   .lattice = LatticeName{.springs = Springs::affine, .of_cubes = false},
-                  .seconds = of_plain_loops,
-                  .charted = models({CellType::hexahedron, CellType::tetrahedron},
-                                    {double_precision})},
+                  .seconds = of_virtual_springs,
+                  .charted = virtual_models},
                  2.8),
       of_springs(
           vangelder,

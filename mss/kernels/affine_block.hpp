@@ -37,6 +37,7 @@ inline constexpr std::array<std::array<std::size_t, 2>, 24> affine_springs = [] 
 ///               one number for those along the same vector
 ///     else      V; G_a of corners 1 to 7; X_a - X_0 of corners 1 to 7; k of the springs
 ///
+/// in squared lengths k/(2 L^2) in place of k, and
 /// all of them 0 where there is no cell, but for alike ones.
 template <class Real>
 struct AffineBlock {
@@ -45,7 +46,7 @@ struct AffineBlock {
   // constants[n cells.count + number of the cell].
   std::vector<Real> constants{};
   std::vector<std::uint8_t> is_cell{};  // where cells are alike
-  Real axis_modulus;                    // 5 mu/2 [Pa]
+  Real axis_modulus;                    // 5 mu/2, in squared lengths mu [Pa]
   Real volume_modulus;                  // kappa [Pa]
   // With the volume correction on stars, of each element: what makes of the nodal sum of
   // V (det F - 1) over cells the node's part, an eighth of p_n, of a cell's pressure.
@@ -61,6 +62,7 @@ struct AffineKind {
   bool in_grid;
   bool alike;  // all cells the same parallelepiped of a grid
   Correction correction;
+  bool squared;  // by Green's strain, else by engineering strain
   bool dashpots;
 };
 

@@ -232,6 +232,27 @@ template <class Real>
   }
 }
 
+/// The same in squared lengths: adds F S, S = modulus (2 E + tr E I), which is what their
+/// sum is along the axes of any isotropic rule.
+template <class Real>
+[[gnu::always_inline]] inline void add_st_venant_stress(const PackMatrix<Real>& h,
+                                                        Pack<Real> modulus,
+                                                        PackMatrix<Real>& stress) {
+  PackMatrix<Real> s;  // modulus 2 E, then S
+  Pack<Real> twice_trace{};
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t i = 0; i <= j; ++i) {
+      const Pack<Real> twice = h[j][i] + h[i][j] + dot<Real>(h[i], h[j]);
+      if (i == j) twice_trace += twice;
+      s[j][i] = s[i][j] = modulus * twice;
+    }
+  for (std::size_t i = 0; i < 3; ++i) s[i][i] += modulus * (Real(.5) * twice_trace);
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t i = 0; i < 3; ++i)
+      stress[j][i] +=
+          s[j][i] + (h[0][i] * s[j][0] + h[1][i] * s[j][1] + h[2][i] * s[j][2]);
+}
+
 template <class Real, AffineKind kind>
 class CellForces {
   using P = Pack<Real>;
@@ -255,9 +276,13 @@ class CellForces {
     const PackMatrix<Real> h = shapes_.displacement_gradient(cell, u);
     PackMatrix<Real> stress{};  // V P
     const P volume = shapes_.volume(cell);
-    add_axis_stress<Real>(h, volume * block_.axis_modulus, stress);
+    if constexpr (kind.squared)
+      add_st_venant_stress<Real>(h, volume * block_.axis_modulus, stress);
+    else
+      add_axis_stress<Real>(h, volume * block_.axis_modulus, stress);
     if constexpr (kind.correction != Correction::none) {
-      const auto [cofactor, change] = volume_of<Real>(h);
+      const auto [cofactor, change] =
+          kind.squared ? trace_of<Real>(h) : volume_of<Real>(h);
       P push{};
       if constexpr (kind.correction == Correction::of_stars) {
         for (const P part : cells.at_corners(pressure)) push += part;
@@ -279,8 +304,9 @@ class CellForces {
 
  private:
   /// With the lengths l and L = |F r|: adds k (l - L) d/l to the forces and returns
-  /// k (l - L)/L. l - L = w.(d + F r)/(l + L), w = d - F r, keeps the digits of small
-  /// ones; 1/(l^2 + l L) and 1/(L^2 + l L) come of one reciprocal.
+  /// k (l - L)/L; in squared lengths adds t d and returns t = k/(2 r^2) (l^2 - L^2). l -
+  /// L = w.(d + F r)/(l + L), w = d - F r, keeps the digits of small ones; 1/(l^2 + l L)
+  /// and 1/(L^2 + l L) come of one reciprocal.
   [[gnu::always_inline]] P pull(std::size_t cell, std::size_t s, const P& stiffness,
                                 const AffineRest<Real>& rest, const Corners<Real>& u,
                                 const Corners<Real>& v, Corners<Real>& f) const {
@@ -294,12 +320,18 @@ class CellForces {
     }
     constexpr Real least = std::numeric_limits<Real>::min();
     const P square = dot<Real>(d, d) + tiny_square<Real>;
-    const P squares = square * rest.square;
-    const P both = squares * reciprocal_root<Real>(larger<Real>(squares, all(least)));
-    const P first = square + both, second = rest.square + both;
-    const P tension =
-        stiffness * excess * reciprocal<Real>(larger<Real>(first * second, all(least)));
-    P factor = tension * second;
+    P factor, taken;
+    if constexpr (kind.squared) {
+      factor = taken = stiffness * excess;
+    } else {
+      const P squares = square * rest.square;
+      const P both = squares * reciprocal_root<Real>(larger<Real>(squares, all(least)));
+      const P first = square + both, second = rest.square + both;
+      const P tension =
+          stiffness * excess * reciprocal<Real>(larger<Real>(first * second, all(least)));
+      factor = tension * second;
+      taken = tension * first;
+    }
     if constexpr (kind.dashpots)
       if (s < 12) {
         P approach{};
@@ -312,7 +344,7 @@ class CellForces {
       f[i][a] += along;
       f[i][b] -= along;
     }
-    return tension * first;
+    return taken;
   }
 
   const AffineBlock<Real>& block_;
@@ -336,8 +368,8 @@ void forces(const AffineBlock<Real>& block, const dynamics::BlockArrays<Real>& a
   for_each_cell_pack<kind.in_grid>(block.cells, arrays, fields, Cells(block));
 }
 
-/// The sums over cells of V (det F - 1).
-template <class Real, bool in_grid, bool alike>
+/// The sums over cells of V t, t the change of volume.
+template <class Real, bool in_grid, bool alike, bool squared>
 void volume_sums(const AffineBlock<Real>& block,
                  const dynamics::BlockArrays<Real>& arrays) {
   const CellFields<Real, 3, 1> fields{.from = arrays.displacement,
@@ -346,34 +378,42 @@ void volume_sums(const AffineBlock<Real>& block,
   for_each_cell_pack<
       in_grid>(block.cells, arrays, fields, [&](std::size_t cell, auto& cells) {
     const Corners<Real> u{cells.at_corners(0), cells.at_corners(1), cells.at_corners(2)};
+    const PackMatrix<Real> h = shapes.displacement_gradient(cell, u);
     CornerPacks<Real> change;
     change.fill(shapes.volume(cell) *
-                volume_of<Real>(shapes.displacement_gradient(cell, u)).change);
+                (squared ? trace_of<Real>(h) : volume_of<Real>(h)).change);
     cells.add_at_corners(0, change);
   });
 }
 
-template <class Real, bool in_grid, bool alike, Correction correction>
+template <class Real, bool in_grid, bool alike, Correction correction, bool squared>
 AffineFunctions<Real> chosen(bool dashpots) {
-  return {.forces = dashpots
-                        ? forces<Real, AffineKind{in_grid, alike, correction, true}>
-                        : forces<Real, AffineKind{in_grid, alike, correction, false}>,
+  return {.forces =
+              dashpots
+                  ? forces<Real, AffineKind{in_grid, alike, correction, squared, true}>
+                  : forces<Real, AffineKind{in_grid, alike, correction, squared, false}>,
           .volume_sums = correction == Correction::of_stars
-                             ? volume_sums<Real, in_grid, alike>
+                             ? volume_sums<Real, in_grid, alike, squared>
                              : nullptr};
+}
+
+template <class Real, bool in_grid, bool alike, Correction correction>
+AffineFunctions<Real> chosen(const AffineKind& kind) {
+  return kind.squared ? chosen<Real, in_grid, alike, correction, true>(kind.dashpots)
+                      : chosen<Real, in_grid, alike, correction, false>(kind.dashpots);
 }
 
 template <class Real, bool in_grid, bool alike>
 AffineFunctions<Real> chosen(const AffineKind& kind) {
   switch (kind.correction) {
     case Correction::none:
-      return chosen<Real, in_grid, alike, Correction::none>(kind.dashpots);
+      return chosen<Real, in_grid, alike, Correction::none>(kind);
     case Correction::of_cells:
-      return chosen<Real, in_grid, alike, Correction::of_cells>(kind.dashpots);
+      return chosen<Real, in_grid, alike, Correction::of_cells>(kind);
     case Correction::of_stars:
       break;
   }
-  return chosen<Real, in_grid, alike, Correction::of_stars>(kind.dashpots);
+  return chosen<Real, in_grid, alike, Correction::of_stars>(kind);
 }
 
 template <class Real>

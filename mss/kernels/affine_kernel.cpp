@@ -25,12 +25,14 @@ std::size_t place_of(std::size_t first, std::size_t second) {
   return static_cast<std::size_t>(found - affine_springs.begin());
 }
 
-/// k of a cell's springs, in the order of affine_springs.
+/// k of a cell's springs, in squared lengths k/(2 L^2), in the order of affine_springs.
 std::array<double, 24> stiffnesses(const Network& network, std::uint32_t cell,
                                    const std::array<std::size_t, 8>& corner) {
   std::array<double, 24> k{};
   for (const CellSpring& spring : network.cells.springs(cell))
-    k[place_of(corner[spring.ends[0]], corner[spring.ends[1]])] = spring.stiffness;
+    k[place_of(corner[spring.ends[0]], corner[spring.ends[1]])] =
+        is_squared(network) ? spring.stiffness / (2 * spring.rest.squaredNorm())
+                            : spring.stiffness;
   return k;
 }
 
@@ -156,9 +158,10 @@ Correction correction_of(const Network& network) {
 }  // namespace
 
 bool takes_affine_kernel(const Network& network) {
-  if (network.spring_modulus == 0 ||
-      network.strain_measure != StrainMeasure::engineering || network.axes != Axes::six)
-    return false;
+  const bool has_law =
+      is_squared(network) ||
+      (network.strain_measure == StrainMeasure::engineering && network.axes == Axes::six);
+  if (network.spring_modulus == 0 || !has_law) return false;
   for (std::size_t c = 0; c < network.cells.size(); ++c)
     if (network.cells.nodes(c).size() != 8) return false;
   return true;
@@ -177,7 +180,8 @@ dynamics::BlockForces<Real> affine_kernel(const Network& network,
   for (const Block& block : blocks) {
     AffineBlock<Real> affine{
         .cells = dynamics::cells_in_arrays(block, lanes),
-        .axis_modulus = static_cast<Real>(2.5 * network.spring_modulus),
+        .axis_modulus =
+            static_cast<Real>((is_squared(network) ? 1 : 2.5) * network.spring_modulus),
         .volume_modulus = static_cast<Real>(network.volume_modulus)};
     const auto edges = dynamics::common_edges(block, network.rest_positions, rounding);
     add_constants(affine, network, block, edges, lanes);
@@ -186,6 +190,7 @@ dynamics::BlockForces<Real> affine_kernel(const Network& network,
     const AffineKind kind{.in_grid = block.is_grid(),
                           .alike = edges.has_value(),
                           .correction = correction,
+                          .squared = is_squared(network),
                           .dashpots = damping_ratio > 0};
     kernels->push_back(
         {std::move(affine), SPRINGCHECK_ON_PATH(set, affine_functions(kind, Real{}))});

@@ -16,8 +16,8 @@ dynamics::BlockForces<Real> affine_kernel(const Network& network,
                                           double damping_ratio,
                                           dynamics::InstructionSet set);
 
-/// Whether the network has virtual springs along six axes, by engineering strains, and
-/// hexahedra alone.
+/// Whether the network has virtual springs in squared lengths, or along six axes by
+/// engineering strains, and hexahedra alone.
 bool takes_affine_kernel(const Network& network);
 
 }  // namespace springcheck::mss

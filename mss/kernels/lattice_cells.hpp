@@ -9,6 +9,11 @@
 // Where the cells and springs of a network are in blocks.
 namespace springcheck::mss {
 
+/// By Green's strain: in squared lengths.
+inline bool is_squared(const Network& network) {
+  return network.strain_measure == StrainMeasure::green;
+}
+
 /// A cell's spring where the grid has it: leaves `slot` by lattice_steps[step].
 struct PlacedSpring {
   std::size_t slot;

@@ -11,6 +11,11 @@ namespace {
 
 using dynamics::Block;
 
+SpringNumbers numbers_of(const Network& network, double k, double L) {
+  if (is_squared(network)) return {.stiffness = k / (2 * L * L), .tension = k / 2};
+  return {.stiffness = k, .tension = k * L};
+}
+
 template <class Real>
 LatticeBlock<Real> with_common(const Block& block, const CommonShape& common,
                                const Network& network, std::size_t lanes) {
@@ -28,13 +33,19 @@ LatticeBlock<Real> with_common(const Block& block, const CommonShape& common,
   if (common.alike) {
     for (std::size_t i = 0; i < 13; ++i) {
       lattice.rest[i] = rounded(common.rest[i]);
-      lattice.stiffness[i] = static_cast<Real>(common.share[i]);
-      lattice.tension[i] = static_cast<Real>(common.share[i] * common.rest[i].norm());
+      const SpringNumbers share =
+          numbers_of(network, common.share[i], common.rest[i].norm());
+      lattice.stiffness[i] = static_cast<Real>(share.stiffness);
+      lattice.tension[i] = static_cast<Real>(share.tension);
       lattice.shares[i].resize(slots);
     }
-    for (std::size_t i = 0; i < 3; ++i)
-      lattice.fourfold_edges[i] =
-          rounded(4 * common.edges.col(static_cast<Eigen::Index>(i)));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector3 edge = common.edges.col(static_cast<Eigen::Index>(i));
+      lattice.fourfold_edges[i] = rounded(4 * edge);
+      lattice.trace_per_square[i] = static_cast<Real>(1 / (32 * edge.squaredNorm()));
+      lattice.push_per_trace[i] =
+          static_cast<Real>(-kappa * common.volume / (16 * edge.squaredNorm()));
+    }
     lattice.sixteenfold_area =
         rounded(16 * common.edges.col(0).cross(common.edges.col(1)));
     lattice.push_per_change = static_cast<Real>(-kappa / common.volume / (4. * 16 * 64));
@@ -79,14 +90,15 @@ LatticeBlock<Real> with_common(const Block& block, const CommonShape& common,
 
 template <class Real>
 void add_spring(LatticeBlock<Real>& lattice, bool alike, std::size_t step,
-                std::size_t slot, std::uint8_t shares, double stiffness, double length) {
+                std::size_t slot, std::uint8_t shares, const SpringNumbers& numbers) {
   if (alike) {
     std::uint8_t& count = lattice.shares[step][lattice.element(slot)];
     count = static_cast<std::uint8_t>(count + shares);
     return;
   }
-  lattice.stiffnesses[step][lattice.element(slot)] += static_cast<Real>(stiffness);
-  lattice.tensions[step][lattice.element(slot)] += static_cast<Real>(stiffness * length);
+  lattice.stiffnesses[step][lattice.element(slot)] +=
+      static_cast<Real>(numbers.stiffness);
+  lattice.tensions[step][lattice.element(slot)] += static_cast<Real>(numbers.tension);
 }
 
 template <class Real>
@@ -98,7 +110,7 @@ struct LatticeKernel {
 }  // namespace
 
 bool takes_lattice_kernel(const Network& network) {
-  return network.strain_measure == StrainMeasure::engineering &&
+  return (network.strain_measure == StrainMeasure::engineering || is_squared(network)) &&
          network.cell_springs == RestLength::constant && network.spring_modulus == 0 &&
          network.volume_stars.size() == 0;
 }
@@ -124,9 +136,10 @@ dynamics::BlockForces<Real> lattice_kernel(const Network& network,
         has_face_diagonals = true;
       if (!border.has(spring))
         add_spring(lattice, common[b].alike, spring.step, spring.slot, 1,
-                   spring.stiffness, spring.rest.norm());
+                   numbers_of(network, spring.stiffness, spring.rest.norm()));
     });
     const LatticeKind kind{.alike = common[b].alike,
+                           .squared = is_squared(network),
                            .face_diagonals = has_face_diagonals,
                            .correction = network.volume_modulus != 0,
                            .dashpots = damping_ratio > 0};
@@ -135,7 +148,7 @@ dynamics::BlockForces<Real> lattice_kernel(const Network& network,
   }
   border.for_each([&](const BorderSprings::Sum& sum) {
     add_spring((*kernels)[sum.block].block, common[sum.block].alike, sum.step, sum.slot,
-               sum.shares, sum.stiffness, sum.length);
+               sum.shares, numbers_of(network, sum.stiffness, sum.length));
   });
   return {.lanes = lanes,
           .add = [kernels](std::size_t b, const dynamics::BlockArrays<Real>& arrays) {

@@ -21,6 +21,17 @@ struct PackVolume {
   dynamics::SPRINGCHECK_PATH::Pack<Real> change;  // det F - 1
 };
 
+/// The same of squared lengths: F in place of cof F, and tr E = tr H + |H|^2/2.
+template <class Real>
+[[gnu::always_inline]] inline PackVolume<Real> trace_of(const PackMatrix<Real>& h) {
+  using dynamics::SPRINGCHECK_PATH::dot;
+  PackMatrix<Real> f = h;
+  for (std::size_t i = 0; i < 3; ++i) f[i][i] += Real(1);
+  return {f, h[0][0] + h[1][1] + h[2][2] +
+                 Real(0.5) * (dot<Real>(h[0], h[0]) + dot<Real>(h[1], h[1]) +
+                              dot<Real>(h[2], h[2]))};
+}
+
 /// Of F = I + H. With its columns f and those of H, h: det F - 1 = h1.(f2 x f3) +
 /// h2.(f3 x e1) + h3.(e1 x e2), which keeps the digits of small changes.
 template <class Real>

@@ -125,10 +125,9 @@ std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Network& net
   if (settings.precision == Precision::double_precision) return std::nullopt;
   if (settings.protocol.integrator == dynamics::Integrator::implicit_euler)
     return "implicit Euler's equations are solved in double precision";
-  if (network.strain_measure != StrainMeasure::engineering || network.axes != Axes::six)
-    return "single precision is for springs by engineering strains, virtual ones along 6 "
-           "axes";
-  if (!blocks_for_kernel(mesh, network)) return "single precision is for hexahedra";
+  if (!blocks_for_kernel(mesh, network))
+    return "single precision is for hexahedra, springs by engineering or Green's strain, "
+           "virtual ones by the former along 6 axes";
   return std::nullopt;
 }
 

@@ -22,6 +22,12 @@ inline NetworkSettings in_shear_modulus_form(Method method) {
           .diagonal_ratio = 1};
 }
 
+inline NetworkSettings springs_in(StrainMeasure measure, Method method = Method::cf) {
+  NetworkSettings settings = in_shear_modulus_form(method);
+  settings.strain_measure = measure;
+  return settings;
+}
+
 /// Springs of these lattice values [N/m], and kappa [Pa].
 inline NetworkSettings custom(const LatticeStiffness& stiffness, double volume_modulus) {
   NetworkSettings settings = in_shear_modulus_form(Method::custom);

@@ -33,8 +33,7 @@ constexpr Springs usual{}, all_springs[] = {usual,
                                             {StrainMeasure::logarithmic, Axes::sixteen}};
 
 Network affine_network(const Mesh& mesh, double nu, const Springs& springs = usual) {
-  NetworkSettings settings = in_shear_modulus_form(Method::affine);
-  settings.strain_measure = springs.measure;
+  NetworkSettings settings = springs_in(springs.measure, Method::affine);
   settings.axes = springs.axes;
   return build_network(mesh, soft(nu), settings);
 }

@@ -18,10 +18,9 @@ namespace {
 /// order of 1.
 Network soft_block(Method method, double nu,
                    StrainMeasure measure = StrainMeasure::engineering) {
-  NetworkSettings settings = in_shear_modulus_form(method);
-  settings.strain_measure = measure;
   return build_network(cube(2, 2),
-                       {.young_modulus = 1, .poisson_ratio = nu, .density = 1}, settings);
+                       {.young_modulus = 1, .poisson_ratio = nu, .density = 1},
+                       springs_in(measure, method));
 }
 
 std::vector<Vector3> deformed(const Network& network, unsigned seed) {

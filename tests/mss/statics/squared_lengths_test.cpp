@@ -20,12 +20,6 @@ namespace {
 
 constexpr double side = 0.05;
 
-NetworkSettings springs_in(StrainMeasure measure, Method method = Method::cf) {
-  NetworkSettings settings = in_shear_modulus_form(method);
-  settings.strain_measure = measure;
-  return settings;
-}
-
 struct Answer {
   Vector3 force;         // of the upper plate [N]
   double torque;         // [mN m]
