@@ -179,12 +179,19 @@ class ExplicitMotion final : public Motion {
     }
   }
 
-  /// Sums what all blocks have on them.
+  /// Sums what all blocks have on them, in the order of the blocks. Of two the order
+  /// makes no difference, and most nodes have two.
   template <std::size_t n>
   void collect(std::size_t b, const Outbox<n>& outbox,
                const std::array<Real*, n>& field) const {
     const std::vector<std::uint32_t>& elements = shared_.slots[b];
+    const auto others = std::span(shared_.only_other).subspan(shared_.first_entry[b]);
     for (std::size_t node = 0; node < elements.size(); ++node) {
+      if (others[node] != SharedNodes::many) {
+        const std::array<Real, n>& other = outbox[others[node]];
+        for (std::size_t i = 0; i < n; ++i) field[i][elements[node]] += other[i];
+        continue;
+      }
       std::array<Real, n> sum{};
       for (const std::uint32_t entry : shared_.copies(b, node))
         for (std::size_t i = 0; i < n; ++i) sum[i] += outbox[entry][i];

@@ -71,6 +71,24 @@ inline Pack<Real> from_bytes(const std::uint8_t* from) {
 #endif
 }
 
+/// Numbers of a table {0, c, 2 c, ...} of largest_look_up by their places, one byte each,
+/// below 8. With AVX-512 they are looked up, else c is multiplied.
+template <class Real>
+inline Pack<Real> looked_up(const Real* table, const std::uint8_t* places) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  if constexpr (sizeof(Real) == 8)
+    return (Pack<Real>)_mm512_permutexvar_pd(
+        _mm512_cvtepu8_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(places))),
+        _mm512_loadu_pd(table));
+  else
+    return (Pack<Real>)_mm512_permutexvar_ps(
+        _mm512_cvtepu8_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(places))),
+        _mm512_loadu_ps(table));
+#else
+  return from_bytes<Real>(places) * table[1];
+#endif
+}
+
 template <class Real>
 inline Pack<Real> larger(Pack<Real> a, Pack<Real> b) {
   return a > b ? a : b;

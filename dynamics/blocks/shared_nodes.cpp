@@ -29,6 +29,11 @@ SharedNodes shared_nodes(const std::vector<Block>& blocks) {
     }
   }
   shared.entries = node_of.size();
+  for (std::uint32_t entry = 0; entry < node_of.size(); ++entry) {
+    const std::vector<std::uint32_t>& all = entries_of[node_of[entry]];
+    shared.only_other.push_back(all.size() == 2 ? all[all[0] == entry ? 1 : 0]
+                                                : SharedNodes::many);
+  }
   for (const NodeIndex node : node_of) {
     shared.first_copy.push_back(static_cast<std::uint32_t>(shared.copy_entries.size()));
     shared.copy_entries.insert(shared.copy_entries.end(), entries_of[node].begin(),

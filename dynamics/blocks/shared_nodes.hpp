@@ -21,6 +21,8 @@ struct SharedNodes {
         .subspan(first_copy[entry], first_copy[entry + 1] - first_copy[entry]);
   }
 
+  static constexpr std::uint32_t many = ~std::uint32_t{0};
+  std::vector<std::uint32_t> only_other;  // of each entry the other copy; many
   std::vector<std::uint32_t> first_copy;  // of each entry, and the end
   std::vector<std::uint32_t> copy_entries;
 };

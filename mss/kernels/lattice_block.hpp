@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dynamics/blocks/block_state.hpp"
+#include "dynamics/blocks/look_up.hpp"
 
 namespace springcheck::mss {
 
@@ -40,22 +41,28 @@ struct LatticeBlock {
   std::size_t row, layer;   // of dynamics::Block
   std::size_t rows, lanes;  // of dynamics::BlockArrays
 
-  // Where all cells are alike: of each step the rest vector [m] and a share's numbers
-  // (SpringNumbers); of a cell its mean edges.
+  // Where all cells are alike: of each step the rest vector [m], the stiffness k of one
+  // share [N/m] and k L [N]; of a cell its mean edges.
   std::array<std::array<Real, 3>, 13> rest{};
   std::array<Real, 13> stiffness{}, tension{};
   std::array<std::array<Real, 3>, 3> fourfold_edges{};  // 4 X, 4 Y, 4 Z
   std::array<Real, 3> sixteenfold_area{};               // 16 X x Y [m^2]
   Real push_per_change{};  // -kappa/V0/4/16/64: force over 16-fold areas and 64-fold V
-  // In squared lengths, of each of 4 X, 4 Y, 4 Z: 1/(32 X^2), the trace over changes of
-  // squares; and -kappa V0/(16 X^2), force over fourfold edges and trace.
-  std::array<Real, 3> trace_per_square{}, push_per_trace{};
+  // In squared lengths, where their edges also lie along the axes: the component that is
+  // along each direction of the block; of a cell its edges there, with their sign; of
+  // each 1/(32 X^2), trace over squares of fourfold edges, and -kappa V0/(16 X^2), force
+  // over those edges and trace; of each step L^2, and k/(2 L^2) times 0, 1, 2 ...
+  std::array<std::size_t, 3> along{};
+  std::array<Real, 3> box{}, trace_per_square{}, push_per_trace{};
+  std::array<Real, 13> rest_square{};
+  std::array<std::array<Real, dynamics::largest_look_up>, 13> stiffness_of{};
   // How many shares the spring that leaves a slot has; whether a cell is there:
   std::array<std::vector<std::uint8_t>, 13> shares{};
   std::vector<std::uint8_t> is_cell{};
 
-  // Where they are not: X of each slot, with ghosts, the numbers of each spring, and of
-  // each cell V0 and by component and corner the gradients of F. 0 where there is none.
+  // Where they are not: X of each slot, with ghosts, k and k L of each spring, in squared
+  // lengths k/(2 L^2) and k/2, and of each cell V0 and by component and corner the
+  // gradients of F. 0 where there is none.
   std::array<std::vector<Real>, 3> position{};
   std::array<std::vector<Real>, 13> stiffnesses{}, tensions{};
   std::vector<Real> cell_volumes{};
@@ -68,13 +75,6 @@ struct LatticeBlock {
   [[nodiscard]] std::size_t element(std::size_t slot) const {
     return slot % rows * lanes + slot / rows;
   }
-};
-
-/// What a spring's tension over its length is made of: k - k L/l; in squared lengths
-/// k/(2 L^2) l^2 - k/2.
-struct SpringNumbers {
-  double stiffness;  // k [N/m] or k/(2 L^2) [N/m^3]
-  double tension;    // k L [N] or k/2 [N/m]
 };
 
 /// What a kernel is compiled for, so that it does nothing a method has no need of.

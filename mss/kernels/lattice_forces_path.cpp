@@ -1,6 +1,4 @@
 // Compiled once per instruction set.
-#include <limits>
-
 #include "dynamics/blocks/ghosts.hpp"
 #include "dynamics/blocks/pack_vectors.hpp"
 #include "mss/kernels/lattice_forces_paths.hpp"
@@ -17,7 +15,8 @@ template <class Real>
   return {load(field[0] + at), load(field[1] + at), load(field[2] + at)};
 }
 
-/// The forces on a block, a row of its lanes at a time. Springs and cells lead from a row
+/// The forces on a block, but for alike boxes in squared lengths, a row of its lanes at a
+/// time. Springs and cells lead from a row
 /// to the next one and to those about a row, a layer and their sum of the grid further
 /// on. What they do to three neighbouring rows there is kept in registers until the last
 /// of their sources is reached, and then written once.
@@ -41,7 +40,6 @@ class Stencil {
     }
     const std::size_t end = block_.rows * lanes;
     for (std::size_t at = 0; at < end; at += lanes) forces_from(at);
-    if constexpr (plane_by_plane) add_last_plane();
     subtract(end, next_[0]);
     for (std::size_t r = 1; r < 5; ++r) {
       subtract(end + far_[r] - lanes, now_[r]);
@@ -52,7 +50,6 @@ class Stencil {
 
  private:
   static constexpr std::size_t lanes = width<Real>;
-  static constexpr bool plane_by_plane = kind.squared && kind.alike && kind.correction;
 
   [[gnu::always_inline]] void subtract(std::size_t at, const P3& forces) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -82,16 +79,11 @@ class Stencil {
       P inverse_length;
       if constexpr (!kind.squared || kind.dashpots)
         inverse_length = reciprocal_root<Real>(square);
-      P k, factor;  // k with dashpots alone
+      P k, factor;
       if constexpr (kind.alike) {
         const P shares = from_bytes<Real>(block_.shares[s].data() + at);
-        if constexpr (kind.squared) {
-          k = shares * (2 * block_.tension[s]);
-          factor = shares * (block_.stiffness[s] * square - block_.tension[s]);
-        } else {
-          k = shares * block_.stiffness[s];
-          factor = shares * (block_.stiffness[s] - block_.tension[s] * inverse_length);
-        }
+        k = shares * block_.stiffness[s];
+        factor = shares * (block_.stiffness[s] - block_.tension[s] * inverse_length);
       } else if constexpr (kind.squared) {
         const P half = load(block_.tensions[s].data() + at);
         k = 2 * half;
@@ -104,12 +96,9 @@ class Stencil {
         const P3 v = load3(arrays_.velocity, to);
         P approach{};
         for (std::size_t i = 0; i < 3; ++i) approach += (v[i] - moving_[i]) * d[i];
-        // c = 2 zeta sqrt(k/(1/m_a + 1/m_b)), written so that k = 0 is no division by 0.
         const P inverse =
             load(arrays_.inverse_mass + at) + load(arrays_.inverse_mass + to);
-        const P c = block_.twice_damping_ratio * k *
-                    reciprocal_root<Real>(
-                        larger<Real>(k * inverse, all(std::numeric_limits<Real>::min())));
+        const P c = dashpot<Real>(k, inverse, block_.twice_damping_ratio);
         factor += c * approach * inverse_length * inverse_length;
       }
       for (std::size_t i = 0; i < 3; ++i) {
@@ -128,10 +117,7 @@ class Stencil {
         position_[i] = load(block_.position[i].data() + at);
     own_ = {};
     std::array<P3, 4> near{}, far{};  // of the cells: corners without, with a step in x
-    if constexpr (plane_by_plane)
-      correct_squared(at, near);
-    else if constexpr (kind.correction)
-      correct(at, near, far);
+    if constexpr (kind.correction) correct(at, near, far);
 
     const P3 forward = pull<0>(at, at + lanes);
     around<1>(at, near[1], far[1]);
@@ -175,87 +161,6 @@ class Stencil {
       correct_alike(at, u, w, near, far);
     else
       correct_varied(at, u, w, near, far);
-  }
-
-  /// What all four nodes of a cell's face across x have: sums of their displacements, as
-  /// they enter fourfold mean edges.
-  struct Plane {
-    P3 all, along_y, along_z;
-  };
-
-  [[gnu::always_inline]] Plane plane_at(std::size_t at) const {
-    const std::array<P3, 4> u{load3(arrays_.displacement, at),
-                              load3(arrays_.displacement, at + far_[1]),
-                              load3(arrays_.displacement, at + far_[3]),
-                              load3(arrays_.displacement, at + far_[4])};
-    Plane plane;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const P low = u[0][i] + u[1][i], high = u[2][i] + u[3][i];
-      plane.all[i] = low + high;
-      plane.along_y[i] = (u[1][i] - u[0][i]) + (u[3][i] - u[2][i]);
-      plane.along_z[i] = high - low;
-    }
-    return plane;
-  }
-
-  /// Of alike boxes in squared lengths. With the mean edges P_s, X_s at rest, tr E = sum
-  /// (P_s^2 - X_s^2)/(2 X_s^2), and f_a = -kappa V0 tr E/4 sum +-P_s/X_s^2. A face across
-  /// x is met by two cells one after the other, and their forces on it go to its nodes
-  /// together.
-  [[gnu::always_inline]] void correct_squared(std::size_t at, std::array<P3, 4>& near) {
-    if (at == 0) plane_ = plane_at(0);
-    const Plane next = plane_at(at + lanes);
-    P3 x, y, z;  // changes of the fourfold mean edges, then their pulls
-    P trace{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      x[i] = next.all[i] - plane_.all[i];
-      y[i] = next.along_y[i] + plane_.along_y[i];
-      z[i] = next.along_z[i] + plane_.along_z[i];
-    }
-    plane_ = next;
-    const auto add_edge = [&](std::size_t s, P3& edge) {
-      P squares{};
-      for (std::size_t i = 0; i < 3; ++i) {
-        const P change = edge[i];
-        edge[i] += block_.fourfold_edges[s][i];
-        squares += change * (edge[i] + block_.fourfold_edges[s][i]);
-      }
-      trace += block_.trace_per_square[s] * squares;
-    };
-    add_edge(0, x);
-    add_edge(1, y);
-    add_edge(2, z);
-    const P push = from_bytes<Real>(block_.is_cell.data() + at) * trace;
-    const P push_x = push * block_.push_per_trace[0],
-            push_y = push * block_.push_per_trace[1],
-            push_z = push * block_.push_per_trace[2];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const P along_x = push_x * x[i], along_y = push_y * y[i], along_z = push_z * z[i],
-              sum = along_y + along_z, difference = along_y - along_z;
-      spread(pushed_.all[i] - along_x, pushed_.along_y[i] + sum,
-             pushed_.along_z[i] + difference, i, near);
-      pushed_.all[i] = along_x;
-      pushed_.along_y[i] = sum;
-      pushed_.along_z[i] = difference;
-    }
-  }
-
-  /// What the last cells push on the face behind them.
-  void add_last_plane() {
-    std::array<P3, 4> near;
-    for (std::size_t i = 0; i < 3; ++i)
-      spread(pushed_.all[i], pushed_.along_y[i], pushed_.along_z[i], i, near);
-    constexpr std::array<std::size_t, 4> rows{0, 1, 3, 4};
-    for (std::size_t r = 0; r < 4; ++r)
-      for (std::size_t i = 0; i < 3; ++i) next_[rows[r]][i] -= near[r][i];
-  }
-
-  [[gnu::always_inline]] static void spread(const P& x, const P& sum, const P& difference,
-                                            std::size_t i, std::array<P3, 4>& forces) {
-    forces[0][i] = x - sum;
-    forces[1][i] = x + difference;
-    forces[2][i] = x - difference;
-    forces[3][i] = x + sum;
   }
 
   /// With the mean edges x, y, z = rest + change: V - V0 = dx.(y x z) + dy.(z x X) +
@@ -330,9 +235,6 @@ class Stencil {
   P3 here_, moving_, position_, own_;
   // Not yet written: of the rows just before `at` + far_ and of those there.
   std::array<P3, 5> now_{}, next_{};
-  // Of the face at the row, in squared lengths; and what the cell before it pushes there:
-  // along x, and the sum and difference of y and z.
-  Plane plane_, pushed_{};
 };
 
 template <class Real, LatticeKind kind>
@@ -346,8 +248,12 @@ LatticeForces<Real> choose(const LatticeKind& kind) {
   constexpr std::size_t count = sizeof...(flags);
   if constexpr (count == 5) {
     constexpr std::array<bool, 5> all_flags{flags...};
-    return forces<Real, LatticeKind{all_flags[0], all_flags[1], all_flags[2],
-                                    all_flags[3], all_flags[4]}>;
+    constexpr LatticeKind known{all_flags[0], all_flags[1], all_flags[2], all_flags[3],
+                                all_flags[4]};
+    if constexpr (known.alike && known.squared)
+      return squared_lattice_forces(kind, Real{});
+    else
+      return forces<Real, known>;
   } else {
     const std::array<bool, 5> wanted{kind.alike, kind.squared, kind.face_diagonals,
                                      kind.correction, kind.dashpots};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "mss/kernels/border_springs.hpp"
 #include "mss/kernels/lattice_forces_paths.hpp"
@@ -11,9 +12,50 @@ namespace {
 
 using dynamics::Block;
 
+/// What a spring's tension over its length is made of: k - k L/l, in squared lengths
+/// k/(2 L^2) l^2 - k/2.
+struct SpringNumbers {
+  double stiffness, tension;
+};
+
 SpringNumbers numbers_of(const Network& network, double k, double L) {
   if (is_squared(network)) return {.stiffness = k / (2 * L * L), .tension = k / 2};
   return {.stiffness = k, .tension = k * L};
+}
+
+/// The component that each edge has alone, if all have but one.
+std::optional<std::array<std::size_t, 3>> along_axes(const CommonShape& shape) {
+  std::array<std::size_t, 3> along{};
+  for (std::size_t s = 0; s < 3; ++s) {
+    Vector3 edge = shape.edges.col(static_cast<Eigen::Index>(s)).cwiseAbs();
+    Eigen::Index component = 0;
+    const double length = edge.maxCoeff(&component);
+    edge[component] = 0;
+    if (edge.maxCoeff() > shape.relative_rounding * length) return std::nullopt;
+    along[s] = static_cast<std::size_t>(component);
+  }
+  return along;
+}
+
+/// What the kernel of alike boxes in squared lengths needs.
+template <class Real>
+void add_squares(LatticeBlock<Real>& lattice, const CommonShape& common, double kappa) {
+  lattice.along = along_axes(common).value();
+  for (std::size_t s = 0; s < 3; ++s) {
+    const double edge = common.edges(static_cast<Eigen::Index>(lattice.along[s]),
+                                     static_cast<Eigen::Index>(s));
+    lattice.box[s] = static_cast<Real>(edge);
+    lattice.trace_per_square[s] = static_cast<Real>(1 / (32 * edge * edge));
+    lattice.push_per_trace[s] =
+        static_cast<Real>(-kappa * common.volume / (16 * edge * edge));
+  }
+  for (std::size_t i = 0; i < 13; ++i) {
+    const double square = common.rest[i].squaredNorm();
+    lattice.rest_square[i] = static_cast<Real>(square);
+    for (std::size_t shares = 0; shares < dynamics::largest_look_up; ++shares)
+      lattice.stiffness_of[i][shares] =
+          static_cast<Real>(static_cast<double>(shares) * common.share[i] / (2 * square));
+  }
 }
 
 template <class Real>
@@ -33,19 +75,14 @@ LatticeBlock<Real> with_common(const Block& block, const CommonShape& common,
   if (common.alike) {
     for (std::size_t i = 0; i < 13; ++i) {
       lattice.rest[i] = rounded(common.rest[i]);
-      const SpringNumbers share =
-          numbers_of(network, common.share[i], common.rest[i].norm());
-      lattice.stiffness[i] = static_cast<Real>(share.stiffness);
-      lattice.tension[i] = static_cast<Real>(share.tension);
+      lattice.stiffness[i] = static_cast<Real>(common.share[i]);
+      lattice.tension[i] = static_cast<Real>(common.share[i] * common.rest[i].norm());
       lattice.shares[i].resize(slots);
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vector3 edge = common.edges.col(static_cast<Eigen::Index>(i));
-      lattice.fourfold_edges[i] = rounded(4 * edge);
-      lattice.trace_per_square[i] = static_cast<Real>(1 / (32 * edge.squaredNorm()));
-      lattice.push_per_trace[i] =
-          static_cast<Real>(-kappa * common.volume / (16 * edge.squaredNorm()));
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      lattice.fourfold_edges[i] =
+          rounded(4 * common.edges.col(static_cast<Eigen::Index>(i)));
+    if (is_squared(network)) add_squares(lattice, common, kappa);
     lattice.sixteenfold_area =
         rounded(16 * common.edges.col(0).cross(common.edges.col(1)));
     lattice.push_per_change = static_cast<Real>(-kappa / common.volume / (4. * 16 * 64));
@@ -122,8 +159,11 @@ dynamics::BlockForces<Real> lattice_kernel(const Network& network,
                                            dynamics::InstructionSet set) {
   const double rounding = dynamics::rounding_of(network.rest_positions);
   std::vector<CommonShape> common;
-  for (const Block& block : blocks)
+  for (const Block& block : blocks) {
     common.push_back(common_shape(network, block, rounding));
+    // Boxes turned otherwise go by the kernel of those that are not alike.
+    if (is_squared(network) && !along_axes(common.back())) common.back().alike = false;
+  }
   const BorderSprings border(network, blocks, common);
   const std::size_t lanes = dynamics::lane_count<Real>(set);
   const auto kernels = std::make_shared<std::vector<LatticeKernel<Real>>>();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "dynamics/blocks/pack_vectors.hpp"
 
 // What the kernels of springs share: included, like pack.hpp, by files compiled once per
@@ -10,6 +12,19 @@ namespace springcheck::mss::SPRINGCHECK_PATH {
 /// division by zero and pulls nowhere [m^2].
 template <class Real>
 inline constexpr Real tiny_square = Real(1e-36);
+
+/// c = 2 zeta sqrt(k/inverse_masses), inverse_masses the sum 1/m_a + 1/m_b, written so
+/// that k = 0 is no division by 0.
+template <class Real>
+[[gnu::always_inline]] inline dynamics::SPRINGCHECK_PATH::Pack<Real> dashpot(
+    const dynamics::SPRINGCHECK_PATH::Pack<Real>& k,
+    const dynamics::SPRINGCHECK_PATH::Pack<Real>& inverse_masses,
+    Real twice_damping_ratio) {
+  using namespace dynamics::SPRINGCHECK_PATH;
+  return twice_damping_ratio * k *
+         reciprocal_root<Real>(
+             larger<Real>(k * inverse_masses, all(std::numeric_limits<Real>::min())));
+}
 
 /// By columns, as everywhere in kernels.
 template <class Real>

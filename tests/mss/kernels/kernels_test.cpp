@@ -112,13 +112,23 @@ struct NamedMesh {
   Mesh mesh;
 };
 
+/// About an axis that is none of its own.
+Mesh turned(const Mesh& mesh) {
+  const Matrix3 turn =
+      Eigen::AngleAxisd(.7, Vector3(1, 2, 2).normalized()).toRotationMatrix();
+  std::vector<Vector3> nodes;
+  for (const Vector3& x : mesh.nodes()) nodes.emplace_back(turn * x);
+  return Mesh("turned", std::move(nodes), mesh.cells(), {});
+}
+
 /// A regular cube, loose random cells, and boxes of all sizes.
 std::vector<NamedMesh> meshes_of_boxes() {
   return {
       {"cube", cube(10, h)},
       {"random cells", shuffled_cells({even(13, h), even(12, h), even(11, h)}, .6, 1)},
       {"plate", shuffled_cells({even(21, h), even(2, h), even(1, h)}, .9, 2)},
-      {"boxes", shuffled_cells({graded(9, h), even(10, h), graded(12, h)}, .8, 3)}};
+      {"boxes", shuffled_cells({graded(9, h), even(10, h), graded(12, h)}, .8, 3)},
+      {"turned cube", turned(cube(6, h))}};
 }
 
 Mesh block_of(CellPattern pattern, int cells, double distortion) {
