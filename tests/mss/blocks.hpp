@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <random>
 #include <string>
@@ -55,6 +56,23 @@ inline std::vector<Vector3> random_field(std::size_t nodes, double size, unsigne
   std::vector<Vector3> field(nodes);
   for (Vector3& v : field) v = {component(random), component(random), component(random)};
   return field;
+}
+
+/// Entries uniform in [-size, size].
+inline Matrix3 random_gradient(unsigned seed, double size) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> entry(-size, size);
+  Matrix3 H;
+  for (double& value : H.reshaped()) value = entry(random);
+  return H;
+}
+
+inline Matrix3 random_turn(unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> component;
+  Eigen::Quaterniond q;
+  for (double& value : q.coeffs()) value = component(random);
+  return q.normalized().toRotationMatrix();
 }
 
 inline std::vector<Vector3> sum(std::vector<Vector3> a, const std::vector<Vector3>& b) {

@@ -3,26 +3,14 @@
 #include <Eigen/Dense>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <random>
 
 #include "meshing/cell_geometry.hpp"
+#include "tests/mss/blocks.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;
 
 BOOST_AUTO_TEST_SUITE(deformation_test)
-
-namespace {
-
-Matrix3 random_gradient(unsigned seed, double size) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> entry(-size, size);
-  Matrix3 H;
-  for (double& value : H.reshaped()) value = entry(random);
-  return H;
-}
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(volume_change_is_the_determinant_less_one,
                      *boost::unit_test::tolerance(1e-13)) {

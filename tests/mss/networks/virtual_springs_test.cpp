@@ -4,7 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
-#include <random>
+
+#include "tests/mss/blocks.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;
@@ -12,22 +13,6 @@ using namespace springcheck::mss;
 BOOST_AUTO_TEST_SUITE(virtual_springs_test)
 
 namespace {
-
-Matrix3 random_gradient(unsigned seed, double size) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> entry(-size, size);
-  Matrix3 H;
-  for (double& value : H.reshaped()) value = entry(random);
-  return H;
-}
-
-Matrix3 random_turn(unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> component;
-  Eigen::Quaterniond q;
-  for (double& value : q.coeffs()) value = component(random);
-  return q.normalized().toRotationMatrix();
-}
 
 constexpr VirtualSprings law{.shear_modulus = 0.7, .volume_modulus = 1.3};
 
