@@ -111,7 +111,9 @@ void add_cell_forces(const Network& network, std::span<const Vector3> positions,
           network, states, c, [&](const CellSpring& spring, const AffineSpring& now) {
             const double tension = spring.stiffness * now.elongation;
             const auto at = [&](double length) {
-              return tension * slopes_of(network, spring, length).first / length;
+              return tension *
+                     elongation_slopes(network.strain_measure, now.unit, length).first /
+                     length;
             };
             const Vector3 pull = at(now.length) * now.d;
             forces[nodes[spring.ends[0]]] += pull;

@@ -58,14 +58,9 @@ struct AffineSpring {
   double length;       // |d|
   Vector3 rest;        // F r [m]
   double rest_length;  // |F r|
+  double unit;         // |r|; 1 by engineering strain, which has no use for it [m]
   double elongation;   // beyond |F r| by the strain measure, to small ones' digits
 };
-
-/// elongation_slopes of a cell's spring by the network's strain measure.
-inline ElongationSlopes slopes_of(const Network& network, const CellSpring& spring,
-                                  double length) {
-  return elongation_slopes(network.strain_measure, spring.rest.norm(), length);
-}
 
 /// Calls visit(spring, affine spring) for each of the cell's springs of affine rest
 /// length. Leaves out those of zero length.
@@ -82,11 +77,14 @@ void for_each_affine_spring(const Network& network, const CellStates& states,
                      .length = 0,
                      .rest = spring.rest + affine_move,
                      .rest_length = 0,
+                     .unit = 1,
                      .elongation = 0};
+    if (network.strain_measure != StrainMeasure::engineering)
+      now.unit = spring.rest.norm();
     now.length = now.d.norm();
     now.rest_length = now.rest.norm();
     if (now.length == 0 || now.rest_length == 0) continue;
-    now.elongation = elongation(network.strain_measure, spring.rest.norm(),
+    now.elongation = elongation(network.strain_measure, now.unit,
                                 (move - affine_move).dot(now.d + now.rest), now.length,
                                 now.rest_length);
     visit(spring, now);

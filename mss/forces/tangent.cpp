@@ -57,8 +57,10 @@ void add_affine_springs(Eigen::MatrixXd& tangent, Matrix9& by_gradient,
         const double k = spring.stiffness, e = now.elongation;
         const Vector3 n = now.d / now.length, m = now.rest / now.rest_length,
                       &r = spring.rest;
-        const ElongationSlopes own = slopes_of(network, spring, now.length),
-                               affine = slopes_of(network, spring, now.rest_length);
+        const ElongationSlopes own = elongation_slopes(network.strain_measure, now.unit,
+                                                       now.length),
+                               affine = elongation_slopes(network.strain_measure,
+                                                          now.unit, now.rest_length);
         const Vector3 pull = own.first * n;
         q.block<3, 1>(row(spring.ends[0]), column) = -pull;
         q.block<3, 1>(row(spring.ends[1]), column) = pull;

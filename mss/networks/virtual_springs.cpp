@@ -52,23 +52,20 @@ struct StretchedAxis {
   double weight;
   Vector3 d;  // F n
   double length;
-  double difference_of_squares;  // |d|^2 - 1, from H to keep the digits of small strains
+  double strain;  // s, from H to keep the digits of small strains
 };
 
 template <class Visit>
-void for_each_axis(Axes which, const Matrix3& H, Visit&& visit) {
+void for_each_axis(Axes which, StrainMeasure measure, const Matrix3& H, Visit&& visit) {
   for (const auto& [n, weight] : all_of(which)) {
     const Vector3 move = H * n, d = n + move;
+    const double length = d.norm();
     visit(StretchedAxis{.n = n,
                         .weight = weight,
                         .d = d,
-                        .length = d.norm(),
-                        .difference_of_squares = (n + d).dot(move)});
+                        .length = length,
+                        .strain = elongation(measure, 1, (n + d).dot(move), length, 1)});
   }
-}
-
-double strain_of(StrainMeasure measure, const StretchedAxis& axis) {
-  return elongation(measure, 1, axis.difference_of_squares, axis.length, 1);
 }
 
 /// The factor of d d^T/|d|^3 in the tangent of one axis: |d| (b - a).
@@ -83,17 +80,16 @@ double along_factor(StrainMeasure measure, double strain, double length) {
 AxisValues axis_strains(Axes axes, const Matrix3& H) {
   AxisValues strains(static_cast<Eigen::Index>(all_of(axes).size()));
   Eigen::Index next = 0;
-  for_each_axis(axes, H, [&](const StretchedAxis& axis) {
-    strains[next++] = strain_of(StrainMeasure::engineering, axis);
-  });
+  for_each_axis(axes, StrainMeasure::engineering, H,
+                [&](const StretchedAxis& axis) { strains[next++] = axis.strain; });
   return strains;
 }
 
 double VirtualSprings::energy(const Matrix3& H) const {
   double energy = 0;
   if (shear_modulus != 0)
-    for_each_axis(axes, H, [&](const StretchedAxis& axis) {
-      const double s = strain_of(measure, axis);
+    for_each_axis(axes, measure, H, [&](const StretchedAxis& axis) {
+      const double s = axis.strain;
       energy += axis.weight * shear_modulus / 2 * s * s;
     });
   if (volume_modulus != 0)
@@ -104,9 +100,9 @@ double VirtualSprings::energy(const Matrix3& H) const {
 Matrix3 VirtualSprings::stress(const Matrix3& H) const {
   Matrix3 P = Matrix3::Zero();
   if (shear_modulus != 0)
-    for_each_axis(axes, H, [&](const StretchedAxis& axis) {
+    for_each_axis(axes, measure, H, [&](const StretchedAxis& axis) {
       if (axis.length == 0) return;
-      const double s = strain_of(measure, axis),
+      const double s = axis.strain,
                    slope = elongation_slopes(measure, 1, axis.length).first;
       P += (axis.weight * shear_modulus * s * slope / axis.length * axis.d) *
            axis.n.transpose();
@@ -120,9 +116,9 @@ Matrix3 VirtualSprings::stress(const Matrix3& H) const {
 Matrix9 VirtualSprings::tangent(const Matrix3& H) const {
   Matrix9 A = Matrix9::Zero();
   if (shear_modulus != 0)
-    for_each_axis(axes, H, [&](const StretchedAxis& axis) {
+    for_each_axis(axes, measure, H, [&](const StretchedAxis& axis) {
       if (axis.length == 0) return;
-      const double s = strain_of(measure, axis),
+      const double s = axis.strain,
                    slope = elongation_slopes(measure, 1, axis.length).first;
       const Matrix3 block =
           axis.weight * shear_modulus *
