@@ -68,10 +68,12 @@ template <>
 inline constexpr std::array value_names<mss::StrainMeasure>{
     Named{mss::StrainMeasure::engineering, "engineering"},
     Named{mss::StrainMeasure::green, "green"},
-    Named{mss::StrainMeasure::logarithmic, "logarithmic"}};
+    Named{mss::StrainMeasure::logarithmic, "logarithmic"},
+    Named{mss::StrainMeasure::hencky, "hencky"}};
 template <>
 inline constexpr std::array value_names<mss::Axes>{Named{mss::Axes::six, "6"},
-                                                   Named{mss::Axes::sixteen, "16"}};
+                                                   Named{mss::Axes::sixteen, "16"},
+                                                   Named{mss::Axes::twenty_five, "25"}};
 template <>
 inline constexpr std::array value_names<fem_reference::LatticeDirection>{
     Named{fem_reference::LatticeDirection::d100, "100"},

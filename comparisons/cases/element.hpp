@@ -36,6 +36,7 @@ struct ElementName {
 struct FixedSprings {
   std::optional<mss::StrainMeasure> strain{};
   std::optional<mss::Axes> axes{};
+  std::optional<double> diagonal_ratio{};
 };
 
 /// Springs whose continuum fem-cauchy-born is, by the name of their method.

@@ -56,6 +56,8 @@ fem_reference::SpringStrain strain_of(mss::StrainMeasure measure) {
       return SpringStrain::green;
     case mss::StrainMeasure::logarithmic:
       return SpringStrain::logarithmic;
+    case mss::StrainMeasure::hencky:
+      return SpringStrain::hencky;
     case mss::StrainMeasure::engineering:
       break;
   }
@@ -160,7 +162,7 @@ fem_reference::Lattice lattice_of(const CaseSettings& settings) {
                                           : SpringConstants::from_young_modulus,
           .direction = settings.elements.lattice_direction,
           .strain = strain_of(springs.strain_measure),
-          .axes = springs.axes == mss::Axes::six ? 6 : 16};
+          .axes = static_cast<int>(mss::all_of(springs.axes).size())};
 }
 
 }  // namespace springcheck

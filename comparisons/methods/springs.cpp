@@ -208,6 +208,19 @@ std::vector<Method> spring_methods() {
                       .seconds = of_lattices,
                       .charted = lattice_models}),
       of_springs(
+          cf, {.name = "mss-hencky",
+               .description = "mss-cf of springs that follow Hencky's law as far as a "
+                              "lattice's can (spring-strain = hencky), A = 16/9",
+               .source = "own; constants as mss-cf",
+               .look = {"#46327E", "o"},
+               .reads = {"stiffness-form"},
+               .cells = hexahedra,
+               .corrects_volume = true,
+               .fixed = {.strain = mss::StrainMeasure::hencky, .diagonal_ratio = 16. / 9},
+               .lattice = LatticeName{.springs = Springs::cf},
+               .seconds = of_plain_loops,
+               .charted = models({CellType::hexahedron}, {})}),
+      of_springs(
           uniform,
           {.name = "mss-uniform",
            .description = "all springs of a cell of one stiffness: Young's modulus along "
@@ -250,6 +263,23 @@ std::vector<Method> spring_methods() {
                   .seconds = of_virtual_springs,
                   .charted = virtual_models},
                  2.8),
+      of_springs(
+          affine,
+          {.name = "mss-affine-hencky",
+           .description = "mss-affine of springs that see a cell's shape alone "
+                          "(spring-strain = hencky, 25 directions): Hencky's law "
+                          "to third order, on any cells",
+           .source = "own",
+           .look = {"#5D3A6B", "D"},
+           .cells = any_cells,
+           .corrects_volume = true,
+           .fixed = {.strain = mss::StrainMeasure::hencky,
+                     .axes = mss::Axes::twenty_five},
+           .lattice = LatticeName{.springs = Springs::affine, .of_cubes = false},
+           .seconds = of_plain_loops,
+           .charted = models(
+               {CellType::hexahedron, CellType::tetrahedron, CellType::prism}, {})},
+          2.8),
       of_springs(
           vangelder,
           {.name = "mss-vangelder",

@@ -19,7 +19,7 @@ NaiveSprings::NaiveSprings(const mss::Network& network,
                            const std::vector<Vector3>& displacements)
     : springs_(network.springs),
       masses_(network.masses),
-      volume_modulus_(network.volume_modulus),
+      volume_modulus_(network.volume_moduli.kappa),
       positions_(displacements.size()),
       velocities_(displacements.size()),
       forces_(displacements.size()) {

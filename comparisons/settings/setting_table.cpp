@@ -136,10 +136,11 @@ constexpr Setting table[] = {
     {"spring-strain", of_lattices, chosen, of_methods_as_option,
      in_springs<named<mss::StrainMeasure>, &Network::strain_measure>, "engineering",
      "strain that the energy of springs, or of a continuum's lattice, is quadratic in: "
-     "engineering, green (squared lengths) or logarithmic", {.variant = ", {}"}},
+     "engineering, green (squared lengths) or logarithmic; or hencky, a function that "
+     "follows Hencky's law", {.variant = ", {}"}},
     {"directions", of_lattices, chosen, of_methods_as_option,
      in_digits<mss::Axes>(in_springs<numbered<mss::Axes>, &Network::axes>), "6",
-     "of virtual springs in a cell, or in its continuum: 6 or 16",
+     "of virtual springs in a cell, or in its continuum: 6, 16 or 25",
      {.counts = true, .variant = ", {} directions"}},
     {"correction", of_lattices, chosen, of_methods_alone,
      in_springs<named<mss::VolumeCorrection>, &Network::volume_correction>, "on",

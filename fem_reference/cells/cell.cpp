@@ -101,10 +101,13 @@ CellMatrix stiffness(const Law& law, DilatationTaken taken, const Shape& shape,
 
 DilatationTaken dilatation_taken(const Settings& settings) {
   if (settings.element != Element::q1_sri) return DilatationTaken::at_points;
-  return settings.law == Law::cauchy_born &&
-                 settings.lattice.strain != SpringStrain::green
-             ? DilatationTaken::of_mean_gradient
-             : DilatationTaken::cell_mean;
+  const bool has_shape_part_apart =  // as with the other laws
+      settings.law != Law::cauchy_born ||
+      settings.lattice.strain == SpringStrain::green ||
+      (settings.lattice.strain == SpringStrain::hencky &&
+       settings.lattice.springs == Springs::affine);
+  return has_shape_part_apart ? DilatationTaken::cell_mean
+                              : DilatationTaken::of_mean_gradient;
 }
 
 CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u) {

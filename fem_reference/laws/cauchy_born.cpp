@@ -1,5 +1,6 @@
 #include "fem_reference/laws/cauchy_born.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,6 +27,7 @@ Stretched stretched(SpringStrain strain, const Vector3d& n, const Matrix3& H) {
                 .second = 0};
   switch (strain) {
     case SpringStrain::engineering:
+    case SpringStrain::hencky:
       break;
     case SpringStrain::green:
       now.strain = squares / 2 - green_strain_trace(H).value / 3;
@@ -79,8 +81,23 @@ std::vector<SpringDirection> cubic_springs(const Weights& weights) {
   return springs;
 }
 
+std::vector<SpringDirection> springs_of_25_axes(double mu) {
+  auto springs = cubic_springs({.edge = 8 * mu / 21,
+                                .face_diagonal = 128 * mu / 189,
+                                .inner_diagonal = 81 * mu / 128});
+  for (int along = 0; along < 3; ++along)
+    for (const double x : {1., -1.})
+      for (const double y : {1., -1.}) {
+        Vector3d axis(x, y, 3);
+        std::rotate(axis.begin(), axis.begin() + along, axis.end());
+        springs.push_back({.direction = axis.normalized(), .weight = 14641 * mu / 24192});
+      }
+  return springs;
+}
+
 /// Along the icosahedron's axes; of 16 also along the dodecahedron's.
 std::vector<SpringDirection> virtual_springs(double mu, int axes) {
+  if (axes == 25) return springs_of_25_axes(mu);
   using std::numbers::phi;
   const bool has_both = axes == 16;
   std::vector<SpringDirection> springs;
@@ -130,6 +147,8 @@ double CauchyBorn::springs_bulk_modulus() const {
 }
 
 double CauchyBorn::energy(const Matrix3& displacement_gradient) const {
+  if (strain == SpringStrain::hencky)
+    return HenckySprings{springs, stretch}.energy(displacement_gradient);
   double sum = 0;
   for (const auto& [n, w] : springs) {
     const double s = stretched(strain, n, displacement_gradient).strain;
@@ -139,6 +158,8 @@ double CauchyBorn::energy(const Matrix3& displacement_gradient) const {
 }
 
 Matrix3 CauchyBorn::stress(const Matrix3& displacement_gradient) const {
+  if (strain == SpringStrain::hencky)
+    return HenckySprings{springs, stretch}.stress(displacement_gradient);
   Matrix3 P = Matrix3::Zero();
   for (const auto& [n, w] : springs) {
     const Stretched now = stretched(strain, n, displacement_gradient);
@@ -148,6 +169,8 @@ Matrix3 CauchyBorn::stress(const Matrix3& displacement_gradient) const {
 }
 
 Matrix9 CauchyBorn::tangent(const Matrix3& displacement_gradient) const {
+  if (strain == SpringStrain::hencky)
+    return HenckySprings{springs, stretch}.tangent(displacement_gradient);
   Matrix9 A = Matrix9::Zero();
   for (const auto& [n, w] : springs) {
     const auto [d, length, s, first, second] =
@@ -173,6 +196,15 @@ Dilatation CauchyBorn::dilatation(const Matrix3& displacement_gradient) const {
 }
 
 VolumetricEnergy CauchyBorn::volumetric_energy(double dilatation) const {
+  if (strain == SpringStrain::hencky) {
+    const bool is_whole = stretch == SpringStretch::whole;
+    const auto square = logarithmic(
+                   volume_modulus + (is_whole ? 0 : springs_bulk_modulus()), dilatation),
+               cube = cubic_logarithmic(cubic_modulus, dilatation);
+    return {.value = square.value + cube.value,
+            .first = square.first + cube.first,
+            .second = square.second + cube.second};
+  }
   return strain == SpringStrain::logarithmic
              ? logarithmic(volume_modulus, dilatation)
              : quadratic(strain == SpringStrain::green
@@ -208,6 +240,10 @@ CauchyBorn cauchy_born(const Material& material, const Lattice& lattice) {
       law.springs = virtual_springs(spring_mu, lattice.axes);
       break;
   }
+  if (lattice.springs == Springs::affine)
+    law.stretch = SpringStretch::isochoric;
+  else if (lattice.strain == SpringStrain::hencky && lattice.springs != Springs::fd)
+    law.cubic_modulus = law.springs_bulk_modulus() * 9 / 15;
   const Matrix3 turn = lattice_to_body(lattice.direction);
   for (SpringDirection& spring : law.springs) spring.direction = turn * spring.direction;
   return law;

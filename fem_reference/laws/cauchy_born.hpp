@@ -3,17 +3,11 @@
 #include <vector>
 
 #include "fem_reference/laws/dilatation.hpp"
+#include "fem_reference/laws/hencky_springs.hpp"
 #include "fem_reference/laws/settings.hpp"
 #include "meshing/scene.hpp"
 
 namespace springcheck::fem_reference {
-
-/// A direction of a lattice's springs: all springs of stiffness k and rest length l along
-/// n, one in each volume V, weigh w = k l^2/V.
-struct SpringDirection {
-  Eigen::Vector3d direction;  // n, a unit vector
-  double weight;              // w [Pa]
-};
 
 /// The continuum that a spring lattice with volume correction converges to (the
 /// Cauchy-Born rule: springs follow F). By the springs' strain s, with l = |d|, d = F n:
@@ -36,13 +30,19 @@ struct SpringDirection {
 /// F_iJ F_kL. Lattices whose small-strain tensor is isotropic are St-Venant-Kirchhoff's
 /// law.
 ///
-/// Validity: any F with no spring of zero length; logarithmic: det F > 0.
+/// With hencky the springs are HenckySprings; U = kappa/2 ln^2 J + h/3 ln^3 J with
+/// h = sum w/15, and of virtual springs, whose shape part alone they are,
+/// U = (kappa + sum w/9)/2 ln^2 J.
+///
+/// Validity: any F with no spring of zero length; logarithmic and hencky: det F > 0.
 /// Source: Born and Huang, Dynamical Theory of Crystal Lattices (1954); the
 /// energy is the mss-cf cell's (Golec 2018, chapter 5) with lattice values of k over h^3.
 struct CauchyBorn {
   std::vector<SpringDirection> springs{};
   double volume_modulus;  // kappa [Pa]
   SpringStrain strain = SpringStrain::engineering;
+  SpringStretch stretch = SpringStretch::whole;  // read with hencky
+  double cubic_modulus = 0;                      // h of hencky's U [Pa]
 
   /// The springs' part of psi [Pa], its stress and its tangent dP/dF.
   [[nodiscard]] double energy(const Matrix3& displacement_gradient) const;
@@ -70,11 +70,14 @@ Matrix3 lattice_to_body(LatticeDirection direction);
 ///               inner diagonals (4)   9 E/(8 (1 + nu))
 ///     affine    icosahedron's axes (6), (phi, +-1, 0) and cyclic   5 mu/2; of 16 axes
 ///               25/28 mu, and 27/28 mu of the dodecahedron's (10) dual to it, (0,
-///               +-1/phi, phi) and cyclic, (+-1, +-1, 1)
+///               +-1/phi, phi) and cyclic, (+-1, +-1, 1); of 25 axes 8/21 mu for edges
+///               (3), 128/189 mu for face diagonals (6), 81/128 mu for inner diagonals
+///               (4) of a cube, 14641/24192 mu for (1, 1, 3) and those like it (12)
 ///
-/// kappa = lambda - mu; 0 for baudet and fd. With SpringConstants::from_young_modulus mu
-/// is 2E/5 in the weights, as Golec 2018, Eq. 5.12 prints them.
-/// Source: Golec 2018, Eq. 5.11 and 5.12 (k over h^3, times the squared length).
+/// kappa = lambda - mu; 0 for baudet and fd, and with it h. With
+/// SpringConstants::from_young_modulus mu is 2E/5 in the weights, as Golec 2018, Eq. 5.12
+/// prints them. Source: Golec 2018, Eq. 5.11 and 5.12 (k over h^3, times the squared
+/// length).
 CauchyBorn cauchy_born(const Material& material, const Lattice& lattice);
 
 }  // namespace springcheck::fem_reference

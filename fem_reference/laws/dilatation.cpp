@@ -55,4 +55,11 @@ VolumetricEnergy logarithmic(double modulus, double dilatation) {
           .second = modulus * (1 - log_J) / (J * J)};
 }
 
+VolumetricEnergy cubic_logarithmic(double cubic_modulus, double dilatation) {
+  const double J = 1 + dilatation, log_J = std::log1p(dilatation);
+  return {.value = cubic_modulus / 3 * log_J * log_J * log_J,
+          .first = cubic_modulus * log_J * log_J / J,
+          .second = cubic_modulus * log_J * (2 - log_J) / (J * J)};
+}
+
 }  // namespace springcheck::fem_reference

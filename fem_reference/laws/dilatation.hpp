@@ -36,4 +36,7 @@ VolumetricEnergy quadratic(double modulus, double dilatation);
 /// U = modulus/2 (ln J)^2 of t = J - 1 > -1.
 VolumetricEnergy logarithmic(double modulus, double dilatation);
 
+/// U = cubic_modulus/3 (ln J)^3 of t = J - 1 > -1.
+VolumetricEnergy cubic_logarithmic(double cubic_modulus, double dilatation);
+
 }  // namespace springcheck::fem_reference

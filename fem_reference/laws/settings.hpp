@@ -20,9 +20,9 @@ enum class Springs { baudet, nfd, fd, cf, affine };
 /// Modulus that the spring constants are computed from, as in the network they mirror.
 enum class SpringConstants { from_shear_modulus, from_young_modulus };
 
-/// Strain that the springs' energy is quadratic in, and with it their volume correction's
-/// (cauchy_born.hpp).
-enum class SpringStrain { engineering, green, logarithmic };
+/// Strain that the springs' energy is quadratic in, and with it their volume
+/// correction's; hencky is a function of another kind (cauchy_born.hpp).
+enum class SpringStrain { engineering, green, logarithmic, hencky };
 
 /// Direction of the lattice that lies along the body's z axis.
 enum class LatticeDirection { d100, d110, d111 };
@@ -33,7 +33,7 @@ struct Lattice {
   SpringConstants constants = SpringConstants::from_shear_modulus;
   LatticeDirection direction = LatticeDirection::d100;
   SpringStrain strain = SpringStrain::engineering;
-  int axes = 6;  // of affine: 6 or 16
+  int axes = 6;  // of affine: 6, 16 or 25
 };
 
 /// Solver of the linear systems: a Cholesky factor, or conjugate gradients with algebraic

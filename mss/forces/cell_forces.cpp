@@ -3,14 +3,14 @@
 namespace springcheck::mss {
 
 bool cells_act(const Network& network) {
-  return network.spring_modulus != 0 || network.volume_modulus != 0 ||
+  return network.spring_modulus != 0 || network.volume_moduli.act() ||
          network.cell_springs == RestLength::affine;
 }
 
 VirtualSprings law_of(const Network& network) {
   const bool corrects_cells = network.volume_stars.size() == 0;
   return {.shear_modulus = network.spring_modulus,
-          .volume_modulus = corrects_cells ? network.volume_modulus : 0,
+          .volume_moduli = corrects_cells ? network.volume_moduli : VolumeModuli{},
           .measure = network.strain_measure,
           .axes = network.axes};
 }
@@ -51,8 +51,9 @@ void update_deformations(const Network& network, std::span<const Vector3> positi
     for (const auto& [cell, weight] : network.volume_stars[n])
       mean += weight * states.volume_changes[cell];
     states.star_volume_changes[n] = mean;
-    states.star_pressures[n] =
-        network.volume_modulus * volume_pull(network.strain_measure, mean).first;
+    const VolumePull pull =
+        volume_pull(network.strain_measure, network.volume_moduli, mean);
+    states.star_pressures[n] = pull.modulus * pull.first;
   }
 }
 
@@ -80,7 +81,7 @@ double cells_energy(const Network& network, const CellStates& states) {
         star_part * network.shape_stars.volumes[n] * law.energy(states.star_gradients[n]);
   for (std::size_t n = 0; n < states.star_volume_changes.size(); ++n)
     energy += network.volume_stars.volumes[n] *
-              volume_energy(network.strain_measure, network.volume_modulus,
+              volume_energy(network.strain_measure, network.volume_moduli,
                             states.star_volume_changes[n]);
   return energy;
 }

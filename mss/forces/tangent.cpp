@@ -149,10 +149,9 @@ StarTangent star_tangent(const Network& network, const CellStates& states,
       add_gradients(tangent.volume_gradients, tangent.nodes, network.cells, part,
                     volume_gradient(network.strain_measure,
                                     states.displacement_gradients[part.cell]));
-    tangent.volume =
-        network.volume_modulus *
-        volume_pull(network.strain_measure, states.star_volume_changes[star]).second *
-        network.volume_stars.volumes[star];
+    const VolumePull pull = volume_pull(network.strain_measure, network.volume_moduli,
+                                        states.star_volume_changes[star]);
+    tangent.volume = pull.modulus * pull.second * network.volume_stars.volumes[star];
   }
   return tangent;
 }

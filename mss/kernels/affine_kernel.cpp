@@ -100,7 +100,7 @@ void add_pressures(AffineBlock<Real>& affine, const Network& network, const Bloc
   for (std::size_t slot = 0; slot < block.nodes.size(); ++slot)
     if (block.nodes[slot] != dynamics::no_node)
       affine.pressure_per_sum[dynamics::element_of(block, slot, lanes)] =
-          static_cast<Real>(network.volume_modulus / 64 /
+          static_cast<Real>(network.volume_moduli.kappa / 64 /
                             network.volume_stars.volumes[block.nodes[slot]]);
 }
 
@@ -151,7 +151,7 @@ struct AffineKernel {
 };
 
 Correction correction_of(const Network& network) {
-  if (network.volume_modulus == 0) return Correction::none;
+  if (network.volume_moduli.kappa == 0) return Correction::none;
   return network.volume_stars.size() > 0 ? Correction::of_stars : Correction::of_cells;
 }
 
@@ -182,7 +182,7 @@ dynamics::BlockForces<Real> affine_kernel(const Network& network,
         .cells = dynamics::cells_in_arrays(block, lanes),
         .axis_modulus =
             static_cast<Real>((is_squared(network) ? 1 : 2.5) * network.spring_modulus),
-        .volume_modulus = static_cast<Real>(network.volume_modulus)};
+        .volume_modulus = static_cast<Real>(network.volume_moduli.kappa)};
     const auto edges = dynamics::common_edges(block, network.rest_positions, rounding);
     add_constants(affine, network, block, edges, lanes);
     if (correction == Correction::of_stars) add_pressures(affine, network, block, lanes);

@@ -69,7 +69,7 @@ LatticeBlock<Real> with_common(const Block& block, const CommonShape& common,
     return std::array{static_cast<Real>(v[0]), static_cast<Real>(v[1]),
                       static_cast<Real>(v[2])};
   };
-  const double kappa = network.volume_modulus;
+  const double kappa = network.volume_moduli.kappa;
   lattice.volume_modulus = static_cast<Real>(kappa);
   const std::size_t slots = block.nodes.size();
   if (common.alike) {
@@ -181,7 +181,7 @@ dynamics::BlockForces<Real> lattice_kernel(const Network& network,
     const LatticeKind kind{.alike = common[b].alike,
                            .squared = is_squared(network),
                            .face_diagonals = has_face_diagonals,
-                           .correction = network.volume_modulus != 0,
+                           .correction = network.volume_moduli.kappa != 0,
                            .dashpots = damping_ratio > 0};
     kernels->push_back(
         {std::move(lattice), SPRINGCHECK_ON_PATH(set, lattice_forces(kind, Real{}))});

@@ -93,18 +93,20 @@ std::vector<CellSpring> on_tetrahedron(const SpringCell& cell,
   return springs;
 }
 
-double uncorrected(const Material& /*material*/, const NetworkSettings& /*settings*/) {
-  return 0;
+std::optional<double> uncorrected(const Material& /*material*/,
+                                  const NetworkSettings& /*settings*/) {
+  return std::nullopt;
 }
 
-double corrected(const Material& material, const NetworkSettings& /*settings*/) {
+std::optional<double> corrected(const Material& material,
+                                const NetworkSettings& /*settings*/) {
   return volume_correction_modulus(material);
 }
 
-double corrected_if_on(const Material& material, const NetworkSettings& settings) {
-  return settings.volume_correction == VolumeCorrection::on
-             ? volume_correction_modulus(material)
-             : 0;
+std::optional<double> corrected_if_on(const Material& material,
+                                      const NetworkSettings& settings) {
+  if (settings.volume_correction == VolumeCorrection::off) return std::nullopt;
+  return volume_correction_modulus(material);
 }
 
 std::optional<std::string> with_negative_edges(const Material& material) {
@@ -158,7 +160,7 @@ constexpr std::array table{
                     },
                 .volume_modulus =
                     [](const Material& /*material*/, const NetworkSettings& settings) {
-                      return constants_of(settings).volume_modulus;
+                      return std::optional(constants_of(settings).volume_modulus);
                     }},
     MethodEntry{.method = Method::affine,
                 .cells = CellShapes::any,

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "meshing/cell_geometry.hpp"
-#include "mss/networks/cell_springs.hpp"
+#include "mss/networks/cells.hpp"
 #include "mss/networks/method.hpp"
 
 namespace springcheck::mss {
@@ -27,8 +27,8 @@ struct MethodEntry {
   CellShapes cells;
   /// Springs of one cell of its shapes.
   std::vector<CellSpring> (*springs)(const SpringCell&);
-  /// kappa of the volume correction [Pa]; 0 without.
-  double (*volume_modulus)(const Material&, const NetworkSettings&);
+  /// kappa of the volume correction [Pa]; nothing without.
+  std::optional<double> (*volume_modulus)(const Material&, const NetworkSettings&);
   /// Virtual springs in every cell (VirtualSprings), beside which its own resist
   /// hourglasses alone.
   bool has_virtual_springs = false;

@@ -42,9 +42,9 @@ Network build_network(const Mesh& mesh, const Material& material,
                   .strain_measure = settings.strain_measure,
                   .axes = settings.axes,
                   .spring_modulus = is_affine ? mu : 0,
-                  .volume_modulus = method.volume_modulus(material, settings),
                   .masses = std::vector<double>(mesh.nodes().size(), 0)};
   std::vector<Spring> springs, damped_edges;
+  double springs_shear_modulus = 0;  // means over the cells' volumes
   for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
     const CellNodes& nodes = mesh.cells()[c];
     const CornerPositions x = corners(nodes, mesh.nodes());
@@ -62,8 +62,10 @@ Network build_network(const Mesh& mesh, const Material& material,
       network.masses[nodes[i]] += material.density * shares[i];
 
     if (!is_affine) {
-      for (const auto& [ends, stiffness, rest] : own)
+      for (const auto& [ends, stiffness, rest] : own) {
         springs.push_back(between(nodes, ends, stiffness, rest.norm()));
+        springs_shear_modulus += stiffness * rest.squaredNorm() / (15 * mesh.volume());
+      }
       continue;
     }
     const auto cell_edges = edges(type_of(nodes));
@@ -75,10 +77,15 @@ Network build_network(const Mesh& mesh, const Material& material,
   }
   network.springs = merged(std::move(springs));
   network.damped_edges = merged(std::move(damped_edges));
+  if (const auto kappa = method.volume_modulus(material, settings))
+    network.volume_moduli = {.kappa = *kappa,
+                             .cubic = settings.strain_measure == StrainMeasure::hencky
+                                          ? springs_shear_modulus
+                                          : 0};
   if (is_affine) {
     const std::size_t count = mesh.nodes().size();
     network.shape_stars = stars(network.cells, count, StarCells::tetrahedra);
-    if (network.volume_modulus > 0)
+    if (network.volume_moduli.kappa > 0)
       network.volume_stars = stars(network.cells, count, StarCells::all);
   }
   return network;

@@ -34,7 +34,7 @@ struct Network {
   StrainMeasure strain_measure = StrainMeasure::engineering;  // of springs and correction
   Axes axes = Axes::six;                                      // of the virtual springs
   double spring_modulus = 0;     // mu of the virtual springs [Pa]; 0: there are none
-  double volume_modulus;         // kappa [Pa]; 0 without correction
+  VolumeModuli volume_moduli{};  // 0 without correction
   Stars shape_stars{};           // means of F; none: virtual springs act on cells alone
   Stars volume_stars{};          // means of volume change; none: correction on cells
   std::vector<double> masses{};  // [kg] density times nodal_volumes

@@ -1,51 +1,9 @@
 #include "mss/networks/virtual_springs.hpp"
 
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <span>
+#include "mss/networks/isochoric_springs.hpp"
 
 namespace springcheck::mss {
 namespace {
-
-using std::numbers::phi;
-
-struct Axis {
-  Vector3 n;
-  double weight;  // w/mu
-};
-
-/// The icosahedron's axes: (phi, 1, 0), (phi, -1, 0) and cyclic, normalised. Then the
-/// dodecahedron's: (0, 1/phi, phi), (0, -1/phi, phi) and cyclic, (1, 1, 1) and its
-/// reflections.
-std::array<Axis, 16> axes_with(double of_icosahedron, double of_dodecahedron) {
-  std::array<Axis, 16> axes;
-  std::size_t next = 0;
-  const auto add = [&](const Vector3& along, double weight) {
-    axes[next++] = {.n = along.normalized(), .weight = weight};
-  };
-  const auto turned = [](Eigen::Index by, double first, double second, double third) {
-    Vector3 v;
-    v[by] = first;
-    v[(by + 1) % 3] = second;
-    v[(by + 2) % 3] = third;
-    return v;
-  };
-  for (Eigen::Index by = 0; by < 3; ++by)
-    for (const double side : {1., -1.}) add(turned(by, phi, side, 0), of_icosahedron);
-  for (Eigen::Index by = 0; by < 3; ++by)
-    for (const double side : {1., -1.})
-      add(turned(by, 0, side / phi, phi), of_dodecahedron);
-  for (const double x : {1., -1.})
-    for (const double y : {1., -1.}) add({x, y, 1}, of_dodecahedron);
-  return axes;
-}
-
-std::span<const Axis> all_of(Axes which) {
-  static const std::array six = axes_with(15. / 6, 0),
-                          sixteen = axes_with(15. * 25 / 420, 15. * 27 / 420);
-  return which == Axes::six ? std::span(six).first<6>() : std::span<const Axis>(sixteen);
-}
 
 struct StretchedAxis {
   Vector3 n;
@@ -85,21 +43,31 @@ AxisValues axis_strains(Axes axes, const Matrix3& H) {
   return strains;
 }
 
+VolumeModuli VirtualSprings::moduli_of_volume() const {
+  VolumeModuli moduli = volume_moduli;
+  if (measure == StrainMeasure::hencky) moduli.kappa += 5 * shear_modulus / 3;
+  return moduli;
+}
+
 double VirtualSprings::energy(const Matrix3& H) const {
   double energy = 0;
-  if (shear_modulus != 0)
+  if (shear_modulus != 0 && measure == StrainMeasure::hencky)
+    energy = IsochoricSprings{shear_modulus, axes}.energy(H);
+  else if (shear_modulus != 0)
     for_each_axis(axes, measure, H, [&](const StretchedAxis& axis) {
       const double s = axis.strain;
       energy += axis.weight * shear_modulus / 2 * s * s;
     });
-  if (volume_modulus != 0)
-    energy += volume_energy(measure, volume_modulus, volume_change(measure, H));
+  if (const VolumeModuli moduli = moduli_of_volume(); moduli.act())
+    energy += volume_energy(measure, moduli, volume_change(measure, H));
   return energy;
 }
 
 Matrix3 VirtualSprings::stress(const Matrix3& H) const {
   Matrix3 P = Matrix3::Zero();
-  if (shear_modulus != 0)
+  if (shear_modulus != 0 && measure == StrainMeasure::hencky)
+    P = IsochoricSprings{shear_modulus, axes}.stress(H);
+  else if (shear_modulus != 0)
     for_each_axis(axes, measure, H, [&](const StretchedAxis& axis) {
       if (axis.length == 0) return;
       const double s = axis.strain,
@@ -107,15 +75,18 @@ Matrix3 VirtualSprings::stress(const Matrix3& H) const {
       P += (axis.weight * shear_modulus * s * slope / axis.length * axis.d) *
            axis.n.transpose();
     });
-  if (volume_modulus != 0)
-    P += volume_modulus * volume_pull(measure, volume_change(measure, H)).first *
-         volume_gradient(measure, H);
+  if (const VolumeModuli moduli = moduli_of_volume(); moduli.act()) {
+    const VolumePull pull = volume_pull(measure, moduli, volume_change(measure, H));
+    P += pull.modulus * pull.first * volume_gradient(measure, H);
+  }
   return P;
 }
 
 Matrix9 VirtualSprings::tangent(const Matrix3& H) const {
   Matrix9 A = Matrix9::Zero();
-  if (shear_modulus != 0)
+  if (shear_modulus != 0 && measure == StrainMeasure::hencky)
+    A = IsochoricSprings{shear_modulus, axes}.tangent(H);
+  else if (shear_modulus != 0)
     for_each_axis(axes, measure, H, [&](const StretchedAxis& axis) {
       if (axis.length == 0) return;
       const double s = axis.strain,
@@ -129,12 +100,12 @@ Matrix9 VirtualSprings::tangent(const Matrix3& H) const {
         for (Eigen::Index L = 0; L < 3; ++L)
           A.block<3, 3>(3 * J, 3 * L) += axis.n[J] * axis.n[L] * block;
     });
-  if (volume_modulus != 0) {
-    const auto [first, second] = volume_pull(measure, volume_change(measure, H));
+  if (const VolumeModuli moduli = moduli_of_volume(); moduli.act()) {
+    const auto [modulus, first, second] =
+        volume_pull(measure, moduli, volume_change(measure, H));
     const Matrix3 gradient = volume_gradient(measure, H);
-    A +=
-        volume_modulus * (second * gradient.reshaped() * gradient.reshaped().transpose() +
-                          first * volume_hessian(measure, H));
+    A += modulus * (second * gradient.reshaped() * gradient.reshaped().transpose() +
+                    first * volume_hessian(measure, H));
   }
   return A;
 }

@@ -1,15 +1,9 @@
 #pragma once
 
+#include "mss/networks/axes.hpp"
 #include "mss/networks/deformation.hpp"
 
 namespace springcheck::mss {
-
-/// Axes of virtual springs: the 6 of the icosahedron, or those and the 10 of the
-/// dodecahedron dual to it.
-enum class Axes { six, sixteen };
-
-/// One number for each axis.
-using AxisValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 16, 1>;
 
 /// |F n| - 1 along the axes n, to the digits of small strains.
 AxisValues axis_strains(Axes axes, const Matrix3& displacement_gradient);
@@ -22,24 +16,27 @@ AxisValues axis_strains(Axes axes, const Matrix3& displacement_gradient);
 ///     dP_iJ/dF_kL = sum w [a delta_ik + (b - a) d_i d_k/|d|^2] n_J n_L + ...,
 ///                   a = s s'/|d|,  b = s'^2 + s s''
 ///
-/// w is 15 mu times the axis's weight in a mean over directions: 1/6 of each of six; of
-/// sixteen 25/420 of each of the icosahedron's, 27/420 of the dodecahedron's. With six,
-/// means of polynomials in n up to degree 5 are exact, with sixteen up to degree 9. At
-/// small strain both are Hooke's law with the shear modulus mu and lambda = mu + kappa,
-/// and with green both are St-Venant-Kirchhoff's.
+/// w is mu times the axis's weight. At small strain it is Hooke's law with the shear
+/// modulus mu and lambda = mu + kappa, along whatever axes; with green it is
+/// St-Venant-Kirchhoff's. With hencky the springs are IsochoricSprings, and what springs
+/// oppose to a change of all lengths stands beside kappa: U = (kappa + 5 mu/3)/2 ln^2 J,
+/// of Hencky's K = lambda + 2 mu/3.
 /// Every function takes the displacement gradient H = F - I. A direction pressed to a
 /// point pulls nowhere.
 ///
 /// Source: own; kappa as in Golec 2018, Eq. 5.36.
 struct VirtualSprings {
-  double shear_modulus;   // mu [Pa]; 0: no springs
-  double volume_modulus;  // kappa [Pa]; 0: no correction
+  double shear_modulus;        // mu [Pa]; 0: no springs
+  VolumeModuli volume_moduli;  // of the correction
   StrainMeasure measure = StrainMeasure::engineering;
   Axes axes = Axes::six;
 
   [[nodiscard]] double energy(const Matrix3& displacement_gradient) const;
   [[nodiscard]] Matrix3 stress(const Matrix3& displacement_gradient) const;
   [[nodiscard]] Matrix9 tangent(const Matrix3& displacement_gradient) const;
+
+  /// Of U: the correction's, and with hencky the springs' share.
+  [[nodiscard]] VolumeModuli moduli_of_volume() const;
 };
 
 }  // namespace springcheck::mss

@@ -34,7 +34,7 @@ double last_place(double from, double to, double tolerance, const Holds& holds) 
 
 Network network_of(const FourSprings& system) {
   const double k = system.stiffness, l = system.length;
-  Network network{.rest_positions = positions(system, 0, 1), .volume_modulus = 0};
+  Network network{.rest_positions = positions(system, 0, 1)};
   std::vector<CellSpring> springs;
   for (const Node end : {A, B, D, E}) {
     network.springs.push_back({.a = end, .b = C, .stiffness = k, .rest_length = l});

@@ -14,7 +14,7 @@ using Eigen::Index;
 /// The cells as patches of a tangent, without anything that acts.
 Network patches_of(const TissueBody& body) {
   Network network{
-      .rest_positions = body.rest_positions, .volume_modulus = 0, .masses = body.masses};
+      .rest_positions = body.rest_positions, .masses = body.masses};
   for (std::size_t c = 0; c < body.cells.size(); ++c) {
     const CellNodes& cell = body.cells[c];
     const std::vector<Vector3> no_gradients(cell.size(), Vector3::Zero());

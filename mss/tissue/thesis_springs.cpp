@@ -14,7 +14,7 @@ namespace {
 /// The network's cells with the volume correction alone.
 Network without_springs(const Network& network) {
   Network left{.rest_positions = network.rest_positions,
-               .volume_modulus = network.volume_modulus,
+               .volume_moduli = network.volume_moduli,
                .masses = network.masses};
   for (std::size_t c = 0; c < network.cells.size(); ++c)
     left.cells.add(network.cells.nodes(c), network.cells.gradients(c),

@@ -260,7 +260,8 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
   expect_bad_input("run traction --deformation 0.1", "no deformation in traction");
   expect_bad_input("run affine --gradient -1,0,0,0,0,0,0,0,0", "inside out");
   expect_bad_input("run uniaxial --deformation -1", "above -1");
-  expect_bad_input("run compression --lattice cubic", "mss-cf, mss-stvk, mss-affine");
+  expect_bad_input("run compression --lattice cubic",
+                   "mss-cf, mss-stvk, mss-hencky, mss-affine");
   expect_bad_input("run compression --method fem-stvk --spring-strain green",
                    "no spring-strain without");
   expect_bad_input("run compression --method mss-cf --directions 16",

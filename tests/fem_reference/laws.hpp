@@ -33,7 +33,8 @@ inline NamedLaw named(const std::string& name, double nu, const Settings& settin
 }
 
 /// Hooke, St-Venant-Kirchhoff, Hencky, and the continua of all lattices with their
-/// diagonal ratios and directions; of two also in other strains, and along 16 axes.
+/// diagonal ratios and directions; of two also in other strains, and along 16 and 25
+/// axes.
 inline std::vector<NamedLaw> laws_at(double nu) {
   std::vector<NamedLaw> all{
       named("hooke", nu, {.law = Law::hooke, .element = Element::q1}),
@@ -63,9 +64,10 @@ inline std::vector<NamedLaw> laws_at(double nu) {
                  .springs = springs, .diagonal_ratio = ratio, .direction = direction}}));
   }
   for (const Springs springs : {Springs::cf, Springs::affine})
-    for (const SpringStrain strain : {SpringStrain::green, SpringStrain::logarithmic})
-      for (const int axes : {6, 16}) {
-        if (axes == 16 && springs == Springs::cf) continue;
+    for (const SpringStrain strain :
+         {SpringStrain::green, SpringStrain::logarithmic, SpringStrain::hencky})
+      for (const int axes : {6, 16, 25}) {
+        if (axes != 6 && springs == Springs::cf) continue;
         all.push_back(named("cauchy-born " + std::to_string(static_cast<int>(springs)) +
                                 ", strain " + std::to_string(static_cast<int>(strain)) +
                                 ", axes " + std::to_string(axes),

@@ -23,6 +23,12 @@ inline NetworkSettings in_shear_modulus_form(Method method) {
           .diagonal_ratio = 1};
 }
 
+inline constexpr StrainMeasure all_measures[] = {
+    StrainMeasure::engineering, StrainMeasure::green, StrainMeasure::logarithmic,
+    StrainMeasure::hencky};
+
+inline constexpr Axes all_axes[] = {Axes::six, Axes::sixteen, Axes::twenty_five};
+
 inline NetworkSettings springs_in(StrainMeasure measure, Method method = Method::cf) {
   NetworkSettings settings = in_shear_modulus_form(method);
   settings.strain_measure = measure;

@@ -172,7 +172,8 @@ const std::vector<Bad> bad_scenes{
      "scene.toml:9:10: plates: expected no plates but in traction"},
     {good + "lattice = \"fem-hooke\"\n",
      "scene.toml:9:11: lattice: unknown value 'fem-hooke', expected one of "
-     "mss-baudet, mss-nfd, mss-fd, mss-cf, mss-stvk, mss-affine, mss-affine-stvk"},
+     "mss-baudet, mss-nfd, mss-fd, mss-cf, mss-stvk, mss-hencky, mss-affine, "
+     "mss-affine-stvk, mss-affine-hencky"},
     {good + "lattice = \"mss-fd\"\n",
      "scene.toml:9:11: lattice: expected no lattice without fem-cauchy-born"},
     {good + "spring-strain = \"grean\"\n",

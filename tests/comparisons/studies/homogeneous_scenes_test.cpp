@@ -83,7 +83,8 @@ BOOST_AUTO_TEST_CASE(every_law_and_element_has_its_closed_form_in_uniaxial_stres
 // mss-nfd and mss-baudet wrinkle when pressed: pulled here.
 BOOST_AUTO_TEST_CASE(springs_are_the_continuum_that_cauchy_born_takes_them_for,
                      *boost::unit_test::tolerance(1e-8)) {
-  for (const char* springs : {"mss-baudet", "mss-nfd", "mss-fd", "mss-cf"})
+  for (const char* springs : {"mss-baudet", "mss-nfd", "mss-fd", "mss-cf", "mss-stvk",
+                              "mss-hencky", "mss-affine-hencky"})
     for (const double nu : {0.1, 0.25, 0.45}) {
       const auto measured = [&](const std::string& method) {
         return result_of("uniaxial", {"method=" + method, "reference=fem-cauchy-born",

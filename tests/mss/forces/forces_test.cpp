@@ -44,7 +44,6 @@ Network one_spring() {
   return {.rest_positions = {Vector3(0, 0, 0), Vector3(2, 0, 0)},
           .springs = {{.a = 0, .b = 1, .stiffness = 12, .rest_length = 2}},
           .cells = {},
-          .volume_modulus = 0,
           .masses = {1, 3}};
 }
 

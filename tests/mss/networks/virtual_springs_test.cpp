@@ -14,7 +14,7 @@ BOOST_AUTO_TEST_SUITE(virtual_springs_test)
 
 namespace {
 
-constexpr VirtualSprings law{.shear_modulus = 0.7, .volume_modulus = 1.3};
+constexpr VirtualSprings law{.shear_modulus = 0.7, .volume_moduli = {.kappa = 1.3}};
 
 /// The axes of an icosahedron by another way: its vertices at latitude atan(1/2).
 double energy_by_hand(const Matrix3& F) {
@@ -25,17 +25,14 @@ double energy_by_hand(const Matrix3& F) {
     sum += std::pow((F * n).norm() / std::sqrt(5.) - 1, 2);
   }
   return 5 * law.shear_modulus / 4 * sum +
-         law.volume_modulus / 2 * std::pow(F.determinant() - 1, 2);
+         law.volume_moduli.kappa / 2 * std::pow(F.determinant() - 1, 2);
 }
 
-constexpr StrainMeasure measures[] = {StrainMeasure::engineering, StrainMeasure::green,
-                                      StrainMeasure::logarithmic};
-
-/// In all measures, along 6 and 16 axes.
+/// In all measures, along all axes.
 template <class Visit>
 void for_each_law(const Visit& visit) {
-  for (const StrainMeasure measure : measures)
-    for (const Axes axes : {Axes::six, Axes::sixteen})
+  for (const StrainMeasure measure : all_measures)
+    for (const Axes axes : all_axes)
       BOOST_TEST_CONTEXT("measure " << static_cast<int>(measure) << ", axes "
                                     << static_cast<int>(axes)) {
         VirtualSprings own = law;
@@ -69,7 +66,7 @@ BOOST_AUTO_TEST_CASE(energy_is_that_of_an_icosahedron_s_axes) {
 BOOST_AUTO_TEST_CASE(tangent_at_rest_is_that_of_hooke) {
   for_each_law([](const VirtualSprings& own) {
     const Matrix9 A = own.tangent(Matrix3::Zero());
-    const double mu = own.shear_modulus, lambda = mu + own.volume_modulus;
+    const double mu = own.shear_modulus, lambda = mu + own.volume_moduli.kappa;
     for (unsigned seed = 0; seed < 5; ++seed) {
       const Matrix3 H = random_gradient(seed, 1), strain = (H + H.transpose()) / 2;
       const Matrix3 hooke =
@@ -79,8 +76,8 @@ BOOST_AUTO_TEST_CASE(tangent_at_rest_is_that_of_hooke) {
   });
 }
 
-// Central differences with a step of 1e-5: truncation of the order of its square, round-
-// off 1e-16/1e-5.
+// Central differences with a step of 1e-5: truncation of its square times the third
+// derivative, which reaches some hundreds; round-off 1e-16/1e-5.
 BOOST_AUTO_TEST_CASE(stress_and_tangent_are_slopes) {
   constexpr double step = 1e-5;
   for_each_law([&](const VirtualSprings& own) {
@@ -95,7 +92,7 @@ BOOST_AUTO_TEST_CASE(stress_and_tangent_are_slopes) {
                             (own.energy(ahead) - own.energy(behind)) / (2 * step)) <
                    1e-8);
         const Matrix3 slope = (own.stress(ahead) - own.stress(behind)) / (2 * step);
-        BOOST_TEST((A.col(entry) - slope.reshaped()).norm() < 1e-8);
+        BOOST_TEST((A.col(entry) - slope.reshaped()).norm() < 5e-8);
       }
     }
   });
@@ -115,9 +112,9 @@ BOOST_AUTO_TEST_CASE(squared_lengths_are_st_venant_kirchhoff_in_every_direction,
                      *boost::unit_test::tolerance(1e-13)) {
   const Matrix3 F = Matrix3::Identity() + random_gradient(1, 0.5);
   const Matrix3 E = (F.transpose() * F - Matrix3::Identity()) / 2;
-  const double mu = law.shear_modulus, lambda = mu + law.volume_modulus,
+  const double mu = law.shear_modulus, lambda = mu + law.volume_moduli.kappa,
                psi = mu * E.squaredNorm() + lambda / 2 * E.trace() * E.trace();
-  for (const Axes axes : {Axes::six, Axes::sixteen})
+  for (const Axes axes : all_axes)
     for (unsigned seed = 0; seed < 100; ++seed) {
       VirtualSprings own = law;
       own.measure = StrainMeasure::green;
@@ -126,17 +123,17 @@ BOOST_AUTO_TEST_CASE(squared_lengths_are_st_venant_kirchhoff_in_every_direction,
     }
 }
 
-// The mean of (n . a)^(2 p) over directions is 1/(2 p + 1). By degree 8 with sixteen
-// axes, 4 with six; ln^2 of a stretch is none of these. Energies of the springs that
-// follow a stretch along a unit vector a, |F n|^2 = 1 + c (n . a)^2, are by their series
-// in c means of such powers; the quartic alone is green's: checked with the logarithms'
-// terms up to c^4.
-BOOST_AUTO_TEST_CASE(sixteen_axes_are_a_mean_over_directions_to_degree_9) {
+// The mean of (n . a)^(2 p) over directions is 1/(2 p + 1). By degree 10 with twenty-
+// five axes, 8 with sixteen, 4 with six; ln^2 of a stretch is none of these. Energies of
+// the springs that follow a stretch along a unit vector a, |F n|^2 = 1 + c (n . a)^2, are
+// by their series in c means of such powers; the quartic alone is green's: checked with
+// the logarithms' terms up to c^4 and c^5.
+BOOST_AUTO_TEST_CASE(axes_are_a_mean_over_directions_to_their_degree) {
   constexpr double c = 1e-2;
   // ln^2(1 + x)/4 = x^2/4 - x^3/4 + 11 x^4/48 - ..., x = c (n . a)^2.
   const double mean = c * c / 4 / 5 - c * c * c / 4 / 7 + 11 * c * c * c * c / 48 / 9;
   VirtualSprings own{.shear_modulus = 1,
-                     .volume_modulus = 0,
+                     .volume_moduli = {},
                      .measure = StrainMeasure::logarithmic,
                      .axes = Axes::sixteen};
   for (unsigned seed = 0; seed < 20; ++seed) {
@@ -147,6 +144,10 @@ BOOST_AUTO_TEST_CASE(sixteen_axes_are_a_mean_over_directions_to_degree_9) {
                15. / 2 * c * c * c * c * c / 40);
     own.axes = Axes::six;
     BOOST_TEST(std::abs(own.energy(H) - 15. / 2 * mean) < 15. / 2 * c * c * c);
+    own.axes = Axes::twenty_five;
+    const double to_fifth = mean - 5. / 24 * c * c * c * c * c / 11;
+    BOOST_TEST(std::abs(own.energy(H) - 15. / 2 * to_fifth) <
+               15. / 2 * c * c * c * c * c * c / 40);
     own.axes = Axes::sixteen;
   }
 }
