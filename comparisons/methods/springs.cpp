@@ -212,7 +212,7 @@ std::vector<Method> spring_methods() {
                .description = "mss-cf of springs that follow Hencky's law as far as a "
                               "lattice's can (spring-strain = hencky), A = 16/9",
                .source = "own; constants as mss-cf",
-               .look = {"#46327E", "o"},
+               .look = {"#7B2CBF", "o"},
                .reads = {"stiffness-form"},
                .cells = hexahedra,
                .corrects_volume = true,
@@ -270,7 +270,7 @@ std::vector<Method> spring_methods() {
                           "(spring-strain = hencky, 25 directions): Hencky's law "
                           "to third order, on any cells",
            .source = "own",
-           .look = {"#5D3A6B", "D"},
+           .look = {"#0B6623", "D"},
            .cells = any_cells,
            .corrects_volume = true,
            .fixed = {.strain = mss::StrainMeasure::hencky,
