@@ -25,7 +25,8 @@ mss::NetworkSettings springs_of(const CaseSettings& settings, const FixedSprings
   if (!reads(settings, "spring-strain"))
     springs.strain_measure = fixed.strain.value_or(usual.strain_measure);
   if (!reads(settings, "directions")) springs.axes = fixed.axes.value_or(usual.axes);
-  if (fixed.diagonal_ratio) springs.diagonal_ratio = *fixed.diagonal_ratio;
+  if (!reads(settings, "diagonal-ratio"))
+    springs.diagonal_ratio = fixed.diagonal_ratio.value_or(usual.diagonal_ratio);
   return springs;
 }
 

@@ -27,7 +27,7 @@ Stretched stretched(SpringStrain strain, const Vector3d& n, const Matrix3& H) {
                 .second = 0};
   switch (strain) {
     case SpringStrain::engineering:
-    case SpringStrain::hencky:
+    case SpringStrain::hencky:  // HenckySprings
       break;
     case SpringStrain::green:
       now.strain = squares / 2 - green_strain_trace(H).value / 3;
@@ -242,7 +242,8 @@ CauchyBorn cauchy_born(const Material& material, const Lattice& lattice) {
   }
   if (lattice.springs == Springs::affine)
     law.stretch = SpringStretch::isochoric;
-  else if (lattice.strain == SpringStrain::hencky && lattice.springs != Springs::fd)
+  else if (lattice.strain == SpringStrain::hencky && lattice.springs != Springs::fd &&
+           lattice.springs != Springs::baudet)
     law.cubic_modulus = law.springs_bulk_modulus() * 9 / 15;
   const Matrix3 turn = lattice_to_body(lattice.direction);
   for (SpringDirection& spring : law.springs) spring.direction = turn * spring.direction;

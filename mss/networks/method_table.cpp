@@ -150,18 +150,21 @@ constexpr std::array table{
                       });
                     },
                 .volume_modulus = uncorrected},
-    MethodEntry{.method = Method::custom,
-                .cells = CellShapes::cubes,
-                .springs =
-                    [](const SpringCell& cell) {
-                      return on_cube(cell, [&](double /*h*/) {
-                        return constants_of(cell.settings).stiffness;
-                      });
-                    },
-                .volume_modulus =
-                    [](const Material& /*material*/, const NetworkSettings& settings) {
-                      return std::optional(constants_of(settings).volume_modulus);
-                    }},
+    MethodEntry{
+        .method = Method::custom,
+        .cells = CellShapes::cubes,
+        .springs =
+            [](const SpringCell& cell) {
+              return on_cube(cell, [&](double /*h*/) {
+                return constants_of(cell.settings).stiffness;
+              });
+            },
+        .volume_modulus = [](const Material& /*material*/,
+                             const NetworkSettings& settings) -> std::optional<double> {
+          const double kappa = constants_of(settings).volume_modulus;
+          if (kappa == 0) return std::nullopt;
+          return kappa;
+        }},
     MethodEntry{.method = Method::affine,
                 .cells = CellShapes::any,
                 .springs =

@@ -30,6 +30,20 @@ Spring between(const CellNodes& nodes, const LocalEdge& ends, double stiffness,
   return {.a = a, .b = b, .stiffness = stiffness, .rest_length = rest_length};
 }
 
+/// h of hencky's volume correction [Pa]: sum k L^2/(15 V) of springs that are not
+/// virtual.
+double cubic_modulus(const Network& network) {
+  if (network.strain_measure != StrainMeasure::hencky ||
+      network.cell_springs == RestLength::affine)
+    return 0;
+  double sum = 0, volume = 0;
+  for (std::size_t c = 0; c < network.cells.size(); ++c)
+    volume += network.cells.volume(c);
+  for (const Spring& spring : network.springs)
+    sum += spring.stiffness * spring.rest_length * spring.rest_length;
+  return sum / (15 * volume);
+}
+
 }  // namespace
 
 Network build_network(const Mesh& mesh, const Material& material,
@@ -44,7 +58,6 @@ Network build_network(const Mesh& mesh, const Material& material,
                   .spring_modulus = is_affine ? mu : 0,
                   .masses = std::vector<double>(mesh.nodes().size(), 0)};
   std::vector<Spring> springs, damped_edges;
-  double springs_shear_modulus = 0;  // means over the cells' volumes
   for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
     const CellNodes& nodes = mesh.cells()[c];
     const CornerPositions x = corners(nodes, mesh.nodes());
@@ -62,10 +75,8 @@ Network build_network(const Mesh& mesh, const Material& material,
       network.masses[nodes[i]] += material.density * shares[i];
 
     if (!is_affine) {
-      for (const auto& [ends, stiffness, rest] : own) {
+      for (const auto& [ends, stiffness, rest] : own)
         springs.push_back(between(nodes, ends, stiffness, rest.norm()));
-        springs_shear_modulus += stiffness * rest.squaredNorm() / (15 * mesh.volume());
-      }
       continue;
     }
     const auto cell_edges = edges(type_of(nodes));
@@ -78,10 +89,7 @@ Network build_network(const Mesh& mesh, const Material& material,
   network.springs = merged(std::move(springs));
   network.damped_edges = merged(std::move(damped_edges));
   if (const auto kappa = method.volume_modulus(material, settings))
-    network.volume_moduli = {.kappa = *kappa,
-                             .cubic = settings.strain_measure == StrainMeasure::hencky
-                                          ? springs_shear_modulus
-                                          : 0};
+    network.volume_moduli = {.kappa = *kappa, .cubic = cubic_modulus(network)};
   if (is_affine) {
     const std::size_t count = mesh.nodes().size();
     network.shape_stars = stars(network.cells, count, StarCells::tetrahedra);
