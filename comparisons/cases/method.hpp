@@ -83,7 +83,9 @@ struct Method {
   std::string description{};
   std::string_view source{};
   Family family{};
-  std::string_view law{};  // of the material, where the method is known by it
+  std::string_view law{};          // of the material, where the method is known by it
+  std::string_view same_law_as{};  // finite elements whose law its springs follow as far
+                                   // as they can
   Look look{};
 
   /// Settings of its own, by their keys in the table of settings. A lattice of finite

@@ -35,6 +35,7 @@ Json described(const Range& range) {
 Json list_of_methods() {
   Json entries;
   for (const Method& method : methods()) {
+    const Method& of_law = of_the_same_law(method);
     std::vector<std::string_view> cells, solvers;
     for (const CellType type : method.cells) cells.push_back(name_of(type));
     for (const Solver solver : method.solvers) solvers.push_back(name_of(solver));
@@ -49,13 +50,13 @@ Json list_of_methods() {
         {"lattice", method.lattice.has_value()},
         {"elastic", method.is_elastic},
         {"locks", method.locks},
-        {"law", method.law},
+        {"law", of_law.law},
         {"corrects_volume", method.corrects_volume},
         {"foremost", method.foremost},
         {"of_thesis", method.of_thesis},
         {"follows_solver", method.follows_solver},
         {"bar_limit",
-         {{"strain", method.bar_limit.strain}, {"words", method.bar_limit.words}}},
+         {{"strain", of_law.bar_limit.strain}, {"words", of_law.bar_limit.words}}},
         {"at_rest", method.at_rest},
         {"colour", method.look.colour},
         {"mark", method.look.mark}};

@@ -84,6 +84,10 @@ const Method& thesis_law() {
   return **std::ranges::find_if(all, &Method::of_thesis);
 }
 
+const Method& of_the_same_law(const Method& method) {
+  return method.same_law_as.empty() ? method : *find_method(method.same_law_as);
+}
+
 const Method& continuum_of_lattices() {
   return *find_method("fem-cauchy-born");
 }

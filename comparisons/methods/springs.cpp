@@ -202,6 +202,7 @@ std::vector<Method> spring_methods() {
                       .description = "mss-cf in squared lengths (spring-strain = green): "
                                      "St-Venant-Kirchhoff's law",
                       .source = "own; constants as mss-cf",
+                      .same_law_as = "fem-stvk",
                       .look = {"#FF8C42", "o"},
                       .reads = {"diagonal-ratio", "stiffness-form"},
                       .cells = hexahedra,
@@ -215,6 +216,7 @@ std::vector<Method> spring_methods() {
                .description = "mss-cf of springs that follow Hencky's law as far as a "
                               "lattice's can (spring-strain = hencky), A = 16/9",
                .source = "own; constants as mss-cf",
+               .same_law_as = "fem-hencky",
                .look = {"#7B2CBF", "o"},
                .reads = {"stiffness-form"},
                .cells = hexahedra,
@@ -257,6 +259,7 @@ std::vector<Method> spring_methods() {
                   .description = "mss-affine in squared lengths (spring-strain = green): "
                                  "St-Venant-Kirchhoff's law, on any cells",
                   .source = "own",
+                  .same_law_as = "fem-stvk",
                   .look = {"#8F3D00", "D"},
                   .reads = {"directions"},
                   .cells = any_cells,
@@ -273,6 +276,7 @@ std::vector<Method> spring_methods() {
                           "(spring-strain = hencky, 25 directions): Hencky's law "
                           "to third order, on any cells",
            .source = "own",
+           .same_law_as = "fem-hencky",
            .look = {"#0B6623", "D"},
            .cells = any_cells,
            .corrects_volume = true,

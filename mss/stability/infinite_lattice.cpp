@@ -9,7 +9,6 @@
 #include <numbers>
 #include <vector>
 
-#include "meshing/generators/generate_block.hpp"
 #include "mss/forces/tangent.hpp"
 
 namespace springcheck::mss {
@@ -96,16 +95,8 @@ LatticeWave softest_below(const Couplings& lattice, std::vector<LatticeWave> wav
 
 }  // namespace
 
-Network lattice_cell(const Material& material, const NetworkSettings& settings,
-                     double cell_edge) {
-  const Mesh mesh =
-      generate_block({.size = {cell_edge, cell_edge, cell_edge}, .cells = {1, 1, 1}});
-  Network cell = build_network(mesh, material, settings);
-  assert(cell.volume_stars.size() == 0 && cell.shape_stars.size() == 0);
-  return cell;
-}
-
 Couplings couplings(const Network& cell, const Matrix3& deformation_gradient) {
+  assert(cell.volume_stars.size() == 0 && cell.shape_stars.size() == 0);
   std::vector<Vector3> positions;
   for (const Vector3& X : cell.rest_positions)
     positions.push_back(deformation_gradient * X);

@@ -8,19 +8,16 @@ namespace springcheck::mss {
 
 using Matrix3c = Eigen::Matrix3cd;
 
-/// One cell of the cubic lattice as a network of its own: its springs are what the cell
-/// adds to the lattice's. For methods whose cells share nothing but nodes; not for
-/// mss-affine above nu = 1/4, whose volume correction reaches over the neighbours.
-/// cell_edge: h [m]
-Network lattice_cell(const Material& material, const NetworkSettings& settings,
-                     double cell_edge);
-
 /// How a node of the infinite lattice is coupled with those n cells away, n in
 /// {-1, 0, 1}^3, in the homogeneous state x = F X:
 ///
 ///     C_n = sum of K_ab over the corners a, b of a cell with X_b - X_a = h n   [N/m]
 ///
 /// K the second derivatives of a cell's energy (tangent_at). C_-n = C_n^T.
+///
+/// cell: one cube of the lattice as a network of its own, whose springs are what it adds
+/// to the lattice's. For methods whose cells share nothing but nodes; not for mss-affine
+/// above nu = 1/4, whose volume correction reaches over the neighbours.
 struct Couplings {
   std::array<Matrix3, 27> blocks{};  // C_n at 9 (n_z + 1) + 3 (n_y + 1) + n_x + 1
   double edge;                       // h [m]

@@ -15,6 +15,8 @@ constexpr double path_residual = 1e-9;
 constexpr int most_corrections = 12;    // quadratic convergence takes five or six
 constexpr double longest_move = 0.5;    // of a node in one correction, in cell edges
 constexpr double first_step = 1. / 16;  // of the load
+constexpr double finest = 1e-6;         // difference of loads, of the load
+constexpr double small = 0.1;           // a curvature over that at rest
 constexpr unsigned seed = 1;  // of where iterations start that end at the same place
 
 /// Newton's method with the true tangent, as long as that is positive definite. True when
@@ -38,8 +40,8 @@ bool correct(Landscape& landscape, Positions& x, std::mt19937_64& random) {
 }
 
 struct Mode {
-  Eigen::VectorXd shape;
-  double curvature;
+  Eigen::VectorXd shape{};
+  double curvature = 0;
 };
 
 /// The least curvature of the tangent taken last, positive definite, by inverse
@@ -76,7 +78,6 @@ double part_along(Landscape& landscape, const Positions& x, double load,
 PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& network,
                           double resolution, const AcceptState& accept,
                           LinearSolver linear_solver) {
-  constexpr double small = 0.1;  // a curvature over that at rest
   constexpr double half = 0.5;
   Landscape landscape(mesh, scene, network, linear_solver);
   std::mt19937_64 random(seed);
@@ -103,6 +104,12 @@ PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& n
   const double whole =
       landscape.gradient(limit.positions, landscape.predicted(limit.positions, 1));
   const double longest_step = std::min(first_step, gradient_per_step / whole);
+  Mode mode;
+  const auto softest = [&] {
+    landscape.set_load(limit.load_fraction);
+    landscape.linearise(limit.positions);
+    return least_curvature(landscape, random);
+  };
   bool was_rejected = false;
   constexpr double none = 2;
   double failed = none;  // the lowest load that was tried and not reached
@@ -128,12 +135,17 @@ PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& n
       continue;
     }
     failed = limit.next_load_fraction = to;
-    if (to - limit.load_fraction <= resolution * to || to < 1e-6) break;
-    step = (to - limit.load_fraction) / 2;
+    const double gap = to - limit.load_fraction;
+    const bool is_finest = to < finest || gap <= finest * to;
+    if (is_finest || gap <= resolution * to) {
+      mode = softest();
+      // A mode of few nodes may be stiff until shortly before it is lost.
+      if (is_finest || was_rejected || mode.curvature <= small * limit.rest_curvature)
+        break;
+    }
+    step = gap / 2;
   }
-  landscape.set_load(limit.load_fraction);
-  landscape.linearise(limit.positions);
-  const Mode mode = least_curvature(landscape, random);
+  if (limit.load_fraction == 1) mode = softest();
   limit.curvature = mode.curvature;
   limit.force_evaluations = landscape.evaluations();
   limit.critical_mode =

@@ -41,12 +41,17 @@ def theory_on(study, one, method, edges):
     case = _case_of(study, one, method)
     if first["key"] != "deformation" or case is None:
         return []
+    return _bar(first, case, edges) + _lattice(study, one, method, case, edges)
+
+
+def _bar(first, case, edges):
+    """Where a bar of the method's law bears its largest force."""
     limit, words = methods.bar_limit(case.method)
-    if limit and case.test in ("compression", "uniaxial"):
-        name = f"{methods.law(case.method)}'s bar"
-        strain = _scale(first, case, "compression") * limit
-        return _within(first, _level(name, edges, strain, f"{name}: {100 * limit:.1f} %, {words}."))
-    return _lattice(study, one, method, case, edges)
+    if not limit or case.test not in ("compression", "uniaxial"):
+        return []
+    name = f"{methods.law(case.method)}'s bar"
+    strain = _scale(first, case, "compression") * limit
+    return _within(first, _level(name, edges, strain, f"{name}: {100 * limit:.1f} %, {words}."))
 
 
 def _case_of(study, one, method):
@@ -80,8 +85,9 @@ def _lattice(study, one, method, case, edges):
     if document is None or case["cell-type"] != "hexahedron":
         return []
     first, second = one["axes"]
-    has_ratio = methods.reads(method, "diagonal-ratio")
-    own = {"nu": case.nu, "diagonal-ratio": case["diagonal-ratio"] if has_ratio else 0}
+    own = {"nu": case.nu}
+    if methods.reads(method, "diagonal-ratio"):  # others have one
+        own["diagonal-ratio"] = case["diagonal-ratio"]
     along = second["key"] if second["key"] in own else None
     if along and second["numbers"] is None:
         return []  # its values do not stand where they are

@@ -5,7 +5,7 @@ from markupsafe import Markup
 from numbers_shown import data, formatted, with_bar
 
 
-def sheet_blocks(document, limit=80):
+def sheet_blocks(document, limit=100):
     """Blocks of one table: rows, notes, files. A number with an error bar in a column of
     its own is shown with it, to the bar's digits."""
     columns = document["columns"]
@@ -16,7 +16,7 @@ def sheet_blocks(document, limit=80):
     return document_blocks(document, headings, rows, limit)
 
 
-def titled_sheet(document, limit=80):
+def titled_sheet(document, limit=100):
     """The same below its title, where there is a table."""
     if document is None:
         return []

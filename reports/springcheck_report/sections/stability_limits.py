@@ -77,9 +77,10 @@ def _theory(study, names):
         return []
     found = []
     for method in sorted(names):
-        ratio = float(methods.default("diagonal-ratio")) if methods.reads(method, "diagonal-ratio") else 0
-        rows = [row for row in document["rows"] if (row["method"], row["diagonal_ratio"]) == (method, ratio)]
-        rows = [row for row in rows if row["compression_strain"] is not None]
+        rows = [row for row in document["rows"] if row["method"] == method and row["compression_strain"] is not None]
+        if methods.reads(method, "diagonal-ratio"):  # others have one
+            usual = float(methods.default("diagonal-ratio"))
+            rows = [row for row in rows if row["diagonal_ratio"] == usual]
         if not rows:
             continue
         style = line(method) | {"linestyle": "--", "marker": ""}

@@ -24,7 +24,7 @@ Material soft(double nu) {
 }
 
 Network cell_of(const NetworkSettings& settings, double nu) {
-  return lattice_cell(soft(nu), settings, h);
+  return build_network(cube(1, h), soft(nu), settings);
 }
 
 Matrix3 some_gradient(unsigned seed) {
@@ -124,6 +124,32 @@ BOOST_AUTO_TEST_CASE(waves_and_their_mirror_images_are_conjugate_and_periodic) {
     BOOST_TEST((dynamical_matrix(lattice, same) - D).norm() < 10 * tiny, name);
     BOOST_TEST(dynamical_matrix(lattice, Vector3::Zero()).norm() < tiny, name);
   }
+}
+
+// Springs in squared lengths are St-Venant and Kirchhoff's law whatever their ratio A: of
+// its second derivatives,
+//     Q = (m . S m) I + mu F F^T + (lambda + mu) F m (x) F m,  S the stress to E,
+// and no ratio is left. Round-off.
+BOOST_AUTO_TEST_CASE(in_squared_lengths_long_waves_are_those_of_st_venant_and_kirchhoff) {
+  const Matrix3 F = some_gradient(13), I = Matrix3::Identity();
+  const Matrix3 strain = (F.transpose() * F - I) / 2;
+  for (const double A : {0., 1., 10.})
+    for (const double nu : {0., 0.25, 0.45}) {
+      NetworkSettings settings = in_shear_modulus_form(A == 0 ? Method::nfd : Method::cf);
+      settings.diagonal_ratio = A;
+      settings.strain_measure = StrainMeasure::green;
+      const Couplings lattice = couplings(cell_of(settings, nu), F);
+      const auto [lambda, mu] = lame_constants(soft(nu));
+      const Matrix3 stress = lambda * strain.trace() * I + 2 * mu * strain;
+      for (const unsigned seed : {14U, 15U}) {
+        const Vector3 m = some_phases(seed).normalized(), along = F * m;
+        const Matrix3 Q = m.dot(stress * m) * I + mu * F * F.transpose() +
+                          (lambda + mu) * along * along.transpose();
+        BOOST_TEST(
+            (acoustic_tensor(lattice, m) - Q).norm() < 1e-13 * largest_modulus(lattice),
+            "A " << A << ", nu " << nu);
+      }
+    }
 }
 
 // D(R F) = R D(F) R^T: springs and volumes know nothing of a rotation. Round-off.

@@ -24,9 +24,11 @@ NetworkSettings ratio(double A) {
   return settings;
 }
 
-Network cell_of(double A, double nu) {
-  return lattice_cell({.young_modulus = E, .poisson_ratio = nu, .density = 1000},
-                      ratio(A), h);
+Network cell_of(double A, double nu, StrainMeasure measure = StrainMeasure::engineering) {
+  NetworkSettings settings = ratio(A);
+  settings.strain_measure = measure;
+  return build_network(
+      cube(1, h), {.young_modulus = E, .poisson_ratio = nu, .density = 1000}, settings);
 }
 
 /// The lattice stretched by l, l, z on paper, whole springs; forces over k_c h.
@@ -142,6 +144,25 @@ BOOST_AUTO_TEST_CASE(many_face_diagonals_lose_long_waves_first) {
   const double most =
       uniaxial_limit(cell_of(10, 0.499), UniaxialLoad::compression, 0.9).strain;
   BOOST_TEST(std::ceil(100 * most) == 62);
+}
+
+// At nu = 0 St-Venant and Kirchhoff's law loses its first long wave at a stretch of
+// 2 - sqrt(2), and never in tension; the lattice in squared lengths then, for any A of 1
+// or more. The bisection's 1e-7, twice.
+BOOST_AUTO_TEST_CASE(in_squared_lengths_the_lattice_holds_as_far_as_its_law) {
+  for (const double A : {1., 10.}) {
+    const Network cell = cell_of(A, 0, StrainMeasure::green);
+    const LatticeLimit limit = uniaxial_limit(cell, UniaxialLoad::compression, 0.9);
+    BOOST_TEST(std::isinf(wavelength(limit.wave.value())), "A " << A);
+    BOOST_TEST(std::abs(limit.strain - (std::numbers::sqrt2 - 1)) < 2e-7, "A " << A);
+    BOOST_TEST((uniaxial_limit(cell, UniaxialLoad::tension, 1).loss == LatticeLoss::none),
+               "A " << A);
+  }
+  // Few diagonals fold first.
+  const LatticeLimit folded = uniaxial_limit(cell_of(0.1, 0, StrainMeasure::green),
+                                             UniaxialLoad::compression, 0.9);
+  BOOST_TEST((folded.wave.value().phases - Vector3(pi, 0, pi)).norm() < 1e-3);
+  BOOST_TEST(folded.strain < 0.08);
 }
 
 // Waves of no energy at rest turn negative with the first compression.

@@ -100,6 +100,24 @@ BOOST_AUTO_TEST_CASE(mss_cf_in_torsion_holds_as_far_as_its_prototype) {
   }
 }
 
+// Isochoric springs lose a mode of few nodes whose curvature is a third of that at rest
+// until within .2 % of the load.
+BOOST_AUTO_TEST_CASE(
+    a_mode_of_few_nodes_is_found_where_it_is_stiff_until_shortly_before) {
+  NetworkSettings settings = in_shear_modulus_form(Method::affine);
+  settings.strain_measure = StrainMeasure::hencky;
+  settings.axes = Axes::twenty_five;
+  const Mesh mesh = cube(6, h);
+  const Network network = build_network(mesh, tissue_of(.4), settings);
+  const PathLimit limit =
+      follow_to_limit(mesh, between_plates(tissue_of(.4), {0, 0, -.6 * 6 * h}), network,
+                      .002, [](auto) { return true; });
+  BOOST_TEST((limit.end == PathEnd::bifurcation));
+  BOOST_TEST(limit.curvature < .1 * limit.rest_curvature);
+  BOOST_TEST(limit.next_load_fraction - limit.load_fraction < .001 * limit.load_fraction);
+  BOOST_TEST(shortest_wavelength(mesh, limit.critical_mode) < 4);
+}
+
 BOOST_AUTO_TEST_CASE(a_path_without_a_limit_reaches_the_full_load) {
   const Mesh mesh = cube(3, h);
   const Network network =
