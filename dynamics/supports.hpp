@@ -14,6 +14,9 @@ struct AffineDisplacement {
   [[nodiscard]] double component(const Vector3& point, int i) const {
     return gradient.row(i).dot(point) + shift[i];
   }
+  [[nodiscard]] bool is_equal_everywhere(int i) const {
+    return gradient(i, 0) == 0 && gradient(i, 1) == 0 && gradient(i, 2) == 0;
+  }
 };
 
 /// A component of a node that moves as the scene prescribes.

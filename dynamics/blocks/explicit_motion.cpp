@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "dynamics/blocks/nodal_update.hpp"
 #include "dynamics/blocks/shared_nodes.hpp"
@@ -10,12 +11,13 @@
 namespace springcheck::dynamics {
 namespace {
 
-/// A support of one element of a block's arrays.
+/// What one component of a motion moves of a block's arrays: elements, and their points
+/// at rest [m].
 struct Held {
-  std::uint32_t element;
   std::uint32_t motion;
   std::uint8_t component;
-  Vector3 point;  // [m] at rest
+  std::vector<std::uint32_t> elements{};
+  std::vector<Vector3> points{};
 };
 
 template <class Real>
@@ -125,12 +127,21 @@ class ExplicitMotion final : public Motion {
     for (std::size_t b = 0; b < states_.size(); ++b)
       for_each_node(b, [&](std::size_t at, NodeIndex node) {
         for (const Support& support :
-             std::ranges::equal_range(supports, node, {}, &Support::node))
-          held_[b].push_back({.element = static_cast<std::uint32_t>(at),
-                              .motion = support.motion,
-                              .component = support.component,
-                              .point = rest[node]});
+             std::ranges::equal_range(supports, node, {}, &Support::node)) {
+          Held& held = held_by(b, support);
+          held.elements.push_back(static_cast<std::uint32_t>(at));
+          held.points.push_back(rest[node]);
+        }
       });
+  }
+
+  Held& held_by(std::size_t b, const Support& support) {
+    const auto found = std::ranges::find_if(held_[b], [&](const Held& held) {
+      return held.motion == support.motion && held.component == support.component;
+    });
+    if (found != held_[b].end()) return *found;
+    held_[b].push_back({.motion = support.motion, .component = support.component});
+    return held_[b].back();
   }
 
   void compute_all_forces() {
@@ -201,11 +212,27 @@ class ExplicitMotion final : public Motion {
 
   void move_supports(std::size_t b, const StepTo& step) {
     const BlockArrays<Real>& arrays = states_[b].arrays();
-    for (const auto& [at, motion, component, point] : held_[b]) {
-      const double now = step.motions[motion].component(point, component);
-      const double before = step.motions_before[motion].component(point, component);
-      arrays.displacement[component][at] = static_cast<Real>(now);
-      arrays.velocity[component][at] = static_cast<Real>((now - before) / step.dt);
+    for (const auto& [motion, component, elements, points] : held_[b]) {
+      const AffineDisplacement &before = step.motions_before[motion],
+                               &now = step.motions[motion];
+      Real* const displacement = arrays.displacement[component];
+      Real* const velocity = arrays.velocity[component];
+      // Of the n-th element as far as elements differ; plates mostly do not turn.
+      const auto at_point = [&](std::size_t n) {
+        const double to = now.component(points[n], component),
+                     from = before.component(points[n], component);
+        return std::pair(static_cast<Real>(to), static_cast<Real>((to - from) / step.dt));
+      };
+      if (now.is_equal_everywhere(component) && before.is_equal_everywhere(component)) {
+        const auto [u, v] = at_point(0);
+        for (const std::uint32_t at : elements) {
+          displacement[at] = u;
+          velocity[at] = v;
+        }
+        continue;
+      }
+      for (std::size_t n = 0; n < elements.size(); ++n)
+        std::tie(displacement[elements[n]], velocity[elements[n]]) = at_point(n);
     }
   }
 

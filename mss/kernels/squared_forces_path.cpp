@@ -43,7 +43,7 @@ class SquaredStencil {
       fill_ghosts(arrays_, arrays_.velocity);
       fill_ghosts(arrays_, std::array{arrays_.inverse_mass});
     }
-    if constexpr (correction) plane_ = plane_at(0);
+    if constexpr (correction) plane_ = plane_at(arrays_.displacement, corner_rows(), 0);
     const std::size_t end = block_.rows * lanes;
     for (std::size_t first = 0; first < end; first += rows_at_a_time * lanes) {
       const std::size_t last = std::min(first + rows_at_a_time * lanes, end);
@@ -59,7 +59,7 @@ class SquaredStencil {
       subtract(end + far_[r] - lanes, there_[r]);
       subtract(end + far_[r], ahead_[r]);
     }
-    if constexpr (correction) add_to_plane(end, pushed_);
+    if constexpr (correction) add_to_plane(arrays_.force, corner_rows(), end, pushed_);
     fold_ghosts(arrays_, arrays_.force);
   }
 
@@ -80,18 +80,8 @@ class SquaredStencil {
     return own;
   }
 
-  [[gnu::always_inline]] P3 displacement(std::size_t at) const {
-    return of(arrays_.displacement, at);
-  }
   [[gnu::always_inline]] static P3 of(const std::array<Real*, 3>& field, std::size_t at) {
     return {load(field[0] + at), load(field[1] + at), load(field[2] + at)};
-  }
-
-  [[gnu::always_inline]] void add_to(std::size_t at, const P3& forces) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      Real* const to = arrays_.force[i] + at;
-      store(to, load(to) + forces[i]);
-    }
   }
 
   [[gnu::always_inline]] void subtract(std::size_t at, const P3& forces) {
@@ -101,6 +91,25 @@ class SquaredStencil {
     }
   }
 
+  /// What all springs of one step have, and the passes' boxes and arrays: copied before a
+  /// pass, since for all the compiler knows its stores might change what a reference
+  /// leads to, and it would read that again in every row.
+  struct Springs {
+    const std::uint8_t* shares;
+    std::array<Real, dynamics::largest_look_up> stiffness_of;
+    Real rest_square;
+  };
+  Springs springs(std::size_t s) const {
+    return {block_.shares[s].data(), block_.stiffness_of[s], block_.rest_square[s]};
+  }
+
+  struct Pass {
+    dynamics::BlockArrays<Real> arrays;
+    std::array<Real, 3> box;
+    Real twice_damping_ratio;
+  };
+  Pass pass() const { return {arrays_, block_.box, block_.twice_damping_ratio}; }
+
   /// The other end of a spring that leaves the row `at` by step s to the row `to`, where
   /// the displacement is u: d and, in proportion to it, the pull factor d on the first
   /// end.
@@ -109,8 +118,9 @@ class SquaredStencil {
     P3 d;
   };
   template <std::size_t s>
-  [[gnu::always_inline]] Pull pull(std::size_t at, const P3& here, std::size_t to,
-                                   const P3& u) const {
+  [[gnu::always_inline]] static Pull pull(const Pass& pass, const Springs& springs,
+                                          std::size_t at, const P3& here, std::size_t to,
+                                          const P3& u) {
     if constexpr (!face_diagonals &&
                   kind_of(lattice_steps[s]) == SpringKind::face_diagonal) {
       return {P{}, P3{}};
@@ -118,20 +128,21 @@ class SquaredStencil {
       P3 d;
       for (std::size_t i = 0; i < 3; ++i)
         d[i] = u[i] - (lattice_steps[s][i] == 0   ? here[i]
-                       : lattice_steps[s][i] == 1 ? here[i] - block_.box[i]
-                                                  : here[i] + block_.box[i]);
-      const P excess = (d[0] * d[0] - block_.rest_square[s]) + d[1] * d[1] + d[2] * d[2];
+                       : lattice_steps[s][i] == 1 ? here[i] - pass.box[i]
+                                                  : here[i] + pass.box[i]);
+      const P excess = (d[0] * d[0] - springs.rest_square) + d[1] * d[1] + d[2] * d[2];
       const P stiffness =
-          looked_up<Real>(block_.stiffness_of[s].data(), block_.shares[s].data() + at);
+          looked_up<Real>(springs.stiffness_of.data(), springs.shares + at);
       P factor = stiffness * excess;
       if constexpr (dashpots) {
-        const P3 moving = of(arrays_.velocity, at), v = of(arrays_.velocity, to);
+        const auto& velocity = pass.arrays.velocity;
+        const Real* const inverse_mass = pass.arrays.inverse_mass;
+        const P3 moving = of(velocity, at), v = of(velocity, to);
         P approach{};
         for (std::size_t i = 0; i < 3; ++i) approach += (v[i] - moving[i]) * d[i];
-        const P inverse =
-            load(arrays_.inverse_mass + at) + load(arrays_.inverse_mass + to);
-        factor += dashpot<Real>(stiffness * (2 * block_.rest_square[s]), inverse,
-                                block_.twice_damping_ratio) *
+        const P inverse = load(inverse_mass + at) + load(inverse_mass + to);
+        factor += dashpot<Real>(stiffness * (2 * springs.rest_square), inverse,
+                                pass.twice_damping_ratio) *
                   approach * reciprocal<Real>(dot<Real>(d, d) + tiny_square<Real>);
       }
       return {factor, d};
@@ -140,16 +151,18 @@ class SquaredStencil {
 
   /// The springs to the next rows.
   void forward(std::size_t first, std::size_t last) {
-    P3 here = displacement(first), behind = ahead_[0];
+    const Pass pass = this->pass();
+    const Springs springs = this->springs(0);
+    P3 here = of(pass.arrays.displacement, first), behind = ahead_[0];
     for (std::size_t at = first; at < last; at += lanes) {
-      const P3 next = displacement(at + lanes);
-      const auto [factor, d] = pull<0>(at, here, at + lanes, next);
-      P3 own;
+      const P3 next = of(pass.arrays.displacement, at + lanes);
+      const auto [factor, d] = pull<0>(pass, springs, at, here, at + lanes, next);
       for (std::size_t i = 0; i < 3; ++i) {
-        own[i] = factor * d[i] - behind[i];
-        behind[i] = factor * d[i];
+        Real* const force = pass.arrays.force[i] + at;
+        const P pulled = factor * d[i];
+        store(force, load(force) - behind[i] + pulled);
+        behind[i] = pulled;
       }
-      add_to(at, own);
       here = next;
     }
     ahead_[0] = behind;
@@ -158,24 +171,30 @@ class SquaredStencil {
   /// The three springs to the rows about the r-th of far_.
   template <std::size_t r>
   void around(std::size_t first, std::size_t last) {
-    P3 back = displacement(first + far_[r] - lanes), mid = displacement(first + far_[r]);
+    const Pass pass = this->pass();
+    const std::array<Springs, 3> springs{this->springs(3 * r - 2),
+                                         this->springs(3 * r - 1), this->springs(3 * r)};
+    const std::size_t far = far_[r];
+    const auto& u = pass.arrays.displacement;
+    P3 back = of(u, first + far - lanes), mid = of(u, first + far);
     P3 there = there_[r], ahead = ahead_[r];
     for (std::size_t at = first; at < last; at += lanes) {
-      const std::size_t to = at + far_[r];
-      const P3 here = displacement(at), front = displacement(to + lanes);
-      const Pull backward = pull<3 * r - 2>(at, here, to - lanes, back),
-                 straight = pull<3 * r - 1>(at, here, to, mid),
-                 forward = pull<3 * r>(at, here, to + lanes, front);
-      P3 own, done;
+      const std::size_t to = at + far;
+      const P3 here = of(u, at), front = of(u, to + lanes);
+      const Pull backward = pull<3 * r - 2>(pass, springs[0], at, here, to - lanes, back),
+                 straight = pull<3 * r - 1>(pass, springs[1], at, here, to, mid),
+                 forward = pull<3 * r>(pass, springs[2], at, here, to + lanes, front);
+      // Summed so that a product and its sum are one instruction.
       for (std::size_t i = 0; i < 3; ++i) {
-        own[i] = backward.factor * backward.d[i] + straight.factor * straight.d[i] +
-                 forward.factor * forward.d[i];
-        done[i] = backward.factor * backward.d[i] + there[i];
+        Real* const force = pass.arrays.force[i];
+        const P pulled = forward.factor * forward.d[i];
+        store(force + at, load(force + at) + backward.factor * backward.d[i] +
+                              straight.factor * straight.d[i] + pulled);
+        store(force + to - lanes,
+              load(force + to - lanes) - there[i] - backward.factor * backward.d[i]);
         there[i] = straight.factor * straight.d[i] + ahead[i];
-        ahead[i] = forward.factor * forward.d[i];
+        ahead[i] = pulled;
       }
-      add_to(at, own);
-      subtract(to - lanes, done);
       back = mid;
       mid = front;
     }
@@ -183,9 +202,16 @@ class SquaredStencil {
     ahead_[r] = ahead;
   }
 
-  [[gnu::always_inline]] Plane<Real> plane_at(std::size_t at) const {
+  /// Elements to the rows of a face's corners.
+  std::array<std::size_t, 4> corner_rows() const {
+    return {far_[0], far_[1], far_[3], far_[4]};
+  }
+
+  [[gnu::always_inline]] static Plane<Real> plane_at(
+      const std::array<Real*, 3>& displacement, const std::array<std::size_t, 4>& corners,
+      std::size_t at) {
     std::array<P3, 4> u;
-    for (std::size_t c = 0; c < 4; ++c) u[c] = displacement(at + far_[corner_rows[c]]);
+    for (std::size_t c = 0; c < 4; ++c) u[c] = of(displacement, at + corners[c]);
     Plane<Real> plane;
     for (std::size_t i = 0; i < 3; ++i) {
       const P low = u[0][i] + u[1][i], high = u[2][i] + u[3][i];
@@ -197,26 +223,38 @@ class SquaredStencil {
   }
 
   /// Of a plane's forces those on its corners: +-x, +-y and +-z of the same size.
-  [[gnu::always_inline]] void add_to_plane(std::size_t at, const Plane<Real>& forces) {
-    std::array<P3, 4> of_corner;
+  [[gnu::always_inline]] static void add_to_plane(
+      const std::array<Real*, 3>& force, const std::array<std::size_t, 4>& corners,
+      std::size_t at, const Plane<Real>& forces) {
     for (std::size_t i = 0; i < 3; ++i) {
       const P sum = forces.along_y[i] + forces.along_z[i],
               difference = forces.along_y[i] - forces.along_z[i];
-      of_corner[0][i] = forces.all[i] - sum;
-      of_corner[1][i] = forces.all[i] + difference;
-      of_corner[2][i] = forces.all[i] - difference;
-      of_corner[3][i] = forces.all[i] + sum;
+      const std::array<P, 4> of_corner{forces.all[i] - sum, forces.all[i] + difference,
+                                       forces.all[i] - difference, forces.all[i] + sum};
+      for (std::size_t c = 0; c < 4; ++c) {
+        Real* const to = force[i] + at + corners[c];
+        store(to, load(to) + of_corner[c]);
+      }
     }
-    for (std::size_t c = 0; c < 4; ++c) add_to(at + far_[corner_rows[c]], of_corner[c]);
   }
 
   /// The cells. With the mean edges P_s, X_s at rest: tr E = sum (P_s^2 - X_s^2)/(2
   /// X_s^2) and f_a = -kappa V0 tr E/4 sum +-P_s/X_s^2. On each face across x what both
   /// cells do that meet there is added at once.
   void correct(std::size_t first, std::size_t last) {
+    const auto displacement = arrays_.displacement, force = arrays_.force;
+    const auto corners = corner_rows();
+    const std::uint8_t* const is_cell = block_.is_cell.data();
+    const auto trace_per_square = block_.trace_per_square,
+               push_per_trace = block_.push_per_trace;
+    std::array<Real, 3> fourfold_box, eightfold_box;
+    for (std::size_t s = 0; s < 3; ++s) {
+      fourfold_box[s] = 4 * block_.box[s];
+      eightfold_box[s] = 8 * block_.box[s];
+    }
     Plane<Real> plane = plane_, pushed = pushed_;
     for (std::size_t at = first; at < last; at += lanes) {
-      const Plane<Real> next = plane_at(at + lanes);
+      const Plane<Real> next = plane_at(displacement, corners, at + lanes);
       std::array<P3, 3> edges;  // changes of the fourfold mean edges
       for (std::size_t i = 0; i < 3; ++i) {
         edges[0][i] = next.all[i] - plane.all[i];
@@ -226,15 +264,13 @@ class SquaredStencil {
       plane = next;
       P trace{};
       for (std::size_t s = 0; s < 3; ++s) {
-        const P squares =
-            dot<Real>(edges[s], edges[s]) + (8 * block_.box[s]) * edges[s][s];
-        trace += block_.trace_per_square[s] * squares;
-        edges[s][s] += 4 * block_.box[s];
+        const P squares = dot<Real>(edges[s], edges[s]) + eightfold_box[s] * edges[s][s];
+        trace += trace_per_square[s] * squares;
+        edges[s][s] += fourfold_box[s];
       }
-      const P push = from_bytes<Real>(block_.is_cell.data() + at) * trace;
-      const P along_x = push * block_.push_per_trace[0],
-              along_y = push * block_.push_per_trace[1],
-              along_z = push * block_.push_per_trace[2];
+      const P push = from_bytes<Real>(is_cell + at) * trace;
+      const P along_x = push * push_per_trace[0], along_y = push * push_per_trace[1],
+              along_z = push * push_per_trace[2];
       Plane<Real> here;
       for (std::size_t i = 0; i < 3; ++i) {
         const P x = along_x * edges[0][i], y = along_y * edges[1][i],
@@ -246,14 +282,11 @@ class SquaredStencil {
         pushed.along_y[i] = y;
         pushed.along_z[i] = z;
       }
-      add_to_plane(at, here);
+      add_to_plane(force, corners, at, here);
     }
     plane_ = plane;
     pushed_ = pushed;
   }
-
-  // Of the four corners of a face across x the rows among far_.
-  static constexpr std::array<std::size_t, 4> corner_rows{0, 1, 3, 4};
 
   const LatticeBlock<Real>& block_;
   const dynamics::BlockArrays<Real> arrays_;
