@@ -210,7 +210,8 @@ std::vector<Method> spring_methods() {
                       .fixed = {.strain = mss::StrainMeasure::green},
                       .lattice = LatticeName{.springs = Springs::cf},
                       .seconds = of_lattices,
-                      .charted = lattice_models}),
+                      .charted = lattice_models,
+                      .beside_printed = true}),
       of_springs(
           cf, {.name = "mss-hencky",
                .description = "mss-cf of springs that follow Hencky's law as far as a "
@@ -224,7 +225,8 @@ std::vector<Method> spring_methods() {
                .fixed = {.strain = mss::StrainMeasure::hencky, .diagonal_ratio = 16. / 9},
                .lattice = LatticeName{.springs = Springs::cf},
                .seconds = of_plain_loops,
-               .charted = models({CellType::hexahedron}, {})}),
+               .charted = models({CellType::hexahedron}, {}),
+               .beside_printed = true}),
       of_springs(
           uniform,
           {.name = "mss-uniform",
@@ -267,26 +269,27 @@ std::vector<Method> spring_methods() {
                   .fixed = {.strain = mss::StrainMeasure::green},
                   .lattice = LatticeName{.springs = Springs::affine, .of_cubes = false},
                   .seconds = of_virtual_springs,
-                  .charted = virtual_models},
+                  .charted = virtual_models,
+                  .beside_printed = true},
                  2.8),
-      of_springs(
-          affine,
-          {.name = "mss-affine-hencky",
-           .description = "mss-affine of springs that see a cell's shape alone "
-                          "(spring-strain = hencky, 25 directions): Hencky's law "
-                          "to third order, on any cells",
-           .source = "own",
-           .same_law_as = "fem-hencky",
-           .look = {"#0B6623", "D"},
-           .cells = any_cells,
-           .corrects_volume = true,
-           .fixed = {.strain = mss::StrainMeasure::hencky,
-                     .axes = mss::Axes::twenty_five},
-           .lattice = LatticeName{.springs = Springs::affine, .of_cubes = false},
-           .seconds = of_isochoric_springs,
-           .charted = models(
-               {CellType::hexahedron, CellType::tetrahedron, CellType::prism}, {})},
-          2.8),
+      of_springs(affine,
+                 {.name = "mss-affine-hencky",
+                  .description = "mss-affine of springs that see a cell's shape alone "
+                                 "(spring-strain = hencky, 25 directions): Hencky's law "
+                                 "to third order, on any cells",
+                  .source = "own",
+                  .same_law_as = "fem-hencky",
+                  .look = {"#0B6623", "D"},
+                  .cells = any_cells,
+                  .corrects_volume = true,
+                  .fixed = {.strain = mss::StrainMeasure::hencky,
+                            .axes = mss::Axes::twenty_five},
+                  .lattice = LatticeName{.springs = Springs::affine, .of_cubes = false},
+                  .seconds = of_isochoric_springs,
+                  .charted = models(
+                      {CellType::hexahedron, CellType::tetrahedron, CellType::prism}, {}),
+                  .beside_printed = true},
+                 2.8),
       of_springs(
           vangelder,
           {.name = "mss-vangelder",

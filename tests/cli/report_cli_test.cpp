@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(a_report_has_the_rows_whose_cases_are_in_the_file) {
   BOOST_TEST(table["rows"][0]["reference"] == "fem-stvk:q1-sri");
   BOOST_TEST(table["rows"][0]["reference_value"] == table["rows"][1]["ours"]);
   const std::string note =
-      "2 of 14 rows: the result file lacks the cases of the others; `springcheck table "
+      "2 of 26 rows: the result file lacks the cases of the others; `springcheck table "
       "5.3 --from some.h5` computes them.";
   BOOST_TEST(table["notes"].back() == note);
   BOOST_TEST(text_of(folder / "some/tables/5.3.md").find(note) != std::string::npos);

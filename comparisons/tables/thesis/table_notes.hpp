@@ -52,6 +52,12 @@ inline constexpr const char* dynamics =
     "5 %).";
 inline constexpr const char* small_strain =
     "A small-strain law at 45 degrees, its lever arms undeformed: outside its range.";
+inline constexpr const char* st_venants_volume =
+    "St-Venant and Kirchhoff's law changes the volume here, springs or elements: near "
+    "nu = 1/2 it is incompressible in small strain alone.";
+inline constexpr const char* law_of_springs =
+    "Springs that follow another law than the thesis's have two rows: beside elements of "
+    "their own law and beside those of the thesis's.";
 inline constexpr const char* deviation =
     "Printed against LS-DYNA's large-rotation law, ours against the reference named: at "
     "this "

@@ -87,6 +87,8 @@ struct NoteRule {
 
 // The laws beside the FEM column.
 const std::vector<std::string_view> printed_laws{"fem-hencky", "fem-hooke", "fem-stvk"};
+const std::vector<std::string_view> of_st_venants_law{"fem-stvk", "mss-stvk",
+                                                      "mss-affine-stvk"};
 
 const std::vector<NoteRule>& note_rules() {
   using namespace table_notes;
@@ -94,6 +96,7 @@ const std::vector<NoteRule>& note_rules() {
       {fem_column, printed_laws},
       {tension_mesh, printed_laws, {"5.2"}},
       {small_strain, {"fem-hooke"}, {"5.4"}, {}, true},
+      {st_venants_volume, of_st_venants_law, {"5.1", "5.2"}, 0.499},
       {table_notes::dynamics, {"mss-baudet", "mss-nfd", "mss-cf"}, {"5.3", "5.4"}},
       {baudet, {"mss-baudet"}, {"5.3", "5.4"}},
       {same_network, {"mss-baudet", "mss-nfd"}, {"5.1", "5.2"}, 0.25},
@@ -105,37 +108,66 @@ const std::vector<NoteRule>& note_rules() {
   return all;
 }
 
+std::vector<std::string> notes_of(const std::string& table, const PrintedFigure& figure,
+                                  const std::string& method) {
+  std::vector<std::string> notes;
+  for (const NoteRule& rule : note_rules())
+    if (rule.holds(table, figure, method)) notes.emplace_back(rule.note);
+  return notes;
+}
+
 /// The row of a method, and that of its E-form where the printed value needs it.
 void add_rows(std::vector<PlannedRow>& rows, const std::string& table,
               const PrintedFigure& figure, const std::string& method,
               const Reference& reference) {
   rows.push_back(row_of(figure, method, {}, reference));
-  const std::size_t own = rows.size() - 1;
+  rows.back().notes = notes_of(table, figure, method);
   for (const NoteRule& rule : note_rules()) {
-    if (!rule.holds(table, figure, method)) continue;
-    rows[own].notes.emplace_back(rule.note);
-    if (!rule.has_young_form_too) continue;
+    if (!rule.has_young_form_too || !rule.holds(table, figure, method)) continue;
     rows.push_back(row_of(figure, method, {{"stiffness-form", "E"}}, reference));
     rows.back().labels.back() += ", E-form";
     rows.back().notes.emplace_back(rule.note);
   }
 }
 
+/// What rows of a method that is not in the thesis are compared with: what was asked for,
+/// or the law that it follows and, where that is another, the thesis's.
+std::vector<Reference> references_of(const Method& method, const Reference& asked) {
+  if (asked || method.same_law_as.empty()) return {asked};
+  const auto elements_of = [](const Method& law) {
+    return ReferenceMethod{law, *find_element("q1-sri")};
+  };
+  std::vector<Reference> all{elements_of(of_the_same_law(method))};
+  if (method.same_law_as != thesis_law().name) all.push_back(elements_of(thesis_law()));
+  return all;
+}
+
 /// Of methods that are not in the thesis, under the load of a printed figure.
-void add_unprinted(std::vector<PlannedRow>& rows, const PrintedFigure& figure,
-                   const Reference& reference) {
-  for (const Method& method : methods())
-    if (method.beside_printed) {
-      rows.push_back(row_of(figure, method.name, {}, reference));
-      rows.back().printed.reset();
-      rows.back().printed_text.clear();
-      rows.back().verdict.clear();
+void add_unprinted(std::vector<PlannedRow>& rows, const std::string& table,
+                   const PrintedFigure& figure, const Reference& asked) {
+  for (const Method& method : methods()) {
+    if (!method.beside_printed) continue;
+    for (const Reference& reference : references_of(method, asked)) {
+      PlannedRow row = row_of(figure, method.name, {}, reference);
+      row.printed.reset();
+      row.printed_text.clear();
+      row.verdict.clear();
+      row.notes = notes_of(table, figure, method.name);
+      rows.push_back(std::move(row));
     }
+  }
+}
+
+/// Whether the figures print another load after the i-th; those of one follow each other.
+bool is_last_of_load(const std::vector<PrintedFigure>& figures, std::size_t i) {
+  return i + 1 == figures.size() || figures[i + 1].test != figures[i].test ||
+         figures[i + 1].nu != figures[i].nu ||
+         figures[i + 1].deformation != figures[i].deformation;
 }
 
 /// Rows of tables 5.1 to 5.4: one per printed figure, but three laws for the FEM column
-/// and the E-form beside the mu-form where the printed value needs it; and of each load,
-/// whose figures the thesis prints one after the other, methods that are not in it.
+/// and the E-form beside the mu-form where the printed value needs it; and of each load
+/// methods that are not in the thesis.
 std::vector<PlannedRow> rows_of(const std::string& table, const Reference& reference) {
   std::vector<PlannedRow> rows;
   const std::vector<PrintedFigure> figures = printed_figures(table);
@@ -146,10 +178,7 @@ std::vector<PlannedRow> rows_of(const std::string& table, const Reference& refer
         add_rows(rows, table, figure, std::string(law), reference);
     else
       add_rows(rows, table, figure, figure.method, reference);
-    const bool is_last_of_load = i + 1 == figures.size() ||
-                                 figures[i + 1].nu != figure.nu ||
-                                 figures[i + 1].deformation != figure.deformation;
-    if (is_last_of_load) add_unprinted(rows, figure, reference);
+    if (is_last_of_load(figures, i)) add_unprinted(rows, table, figure, reference);
   }
   return rows;
 }
@@ -166,7 +195,7 @@ TablePlan volume_table(const std::string& name, const std::string& title,
                              &Measures::cell_volume_ratio_max, 1),
                       scaled("plate force", "N", "{:.6g}", &Measures::plate_force, 1)},
           .rows = rows_of(name, reference),
-          .notes = {table_notes::exact_volume}};
+          .notes = {table_notes::exact_volume, table_notes::law_of_springs}};
 }
 
 TablePlan shear_table(const Reference& reference) {
@@ -178,7 +207,7 @@ TablePlan shear_table(const Reference& reference) {
           .further = {scaled("sideways force", "1e-4 N", "{:.0f}", &Measures::plate_force,
                              1e4)},
           .rows = rows_of("5.3", reference),
-          .notes = {table_notes::units}};
+          .notes = {table_notes::units, table_notes::law_of_springs}};
 }
 
 TablePlan torsion_table(const Reference& reference) {
@@ -188,13 +217,14 @@ TablePlan torsion_table(const Reference& reference) {
       .label_headings = {"nu", "deformation", "method"},
       .quantity = scaled("torque", "1e-6 N m", "{:.0f}", &Measures::plate_torque, 1e6),
       .rows = rows_of("5.4", reference),
-      .notes = {table_notes::units, table_notes::torsion_angle}};
+      .notes = {table_notes::units, table_notes::torsion_angle,
+                table_notes::law_of_springs}};
 }
 
 TablePlan deviation_table(const Reference& reference) {
   TablePlan plan{
       .name = "deviation",
-      .title = "Distance of mss-cf's points from the reference's, section 5.6.2",
+      .title = "Distance of springs' points from the reference's, section 5.6.2",
       .label_headings = {"test", "nu", "deformation", "method"},
       .quantity = scaled("mean on the middle layer", "cm", "{:.4f}",
                          &Measures::middle_layer_deviation, 100),
@@ -210,12 +240,16 @@ TablePlan deviation_table(const Reference& reference) {
       .notes = {
           "The relative measures are volume-weighted over the free nodes and divided "
           "by the largest imposed displacement.",
-          table_notes::layer, table_notes::torsion_angle}};
-  for (const PrintedFigure& figure : printed_figures("deviation")) {
-    PlannedRow row = row_of(figure, figure.method, {}, reference);
-    row.labels.insert(row.labels.begin(), std::string(name_of(figure.test)));
-    row.notes.emplace_back(table_notes::deviation);
-    plan.rows.push_back(std::move(row));
+          table_notes::layer, table_notes::torsion_angle, table_notes::law_of_springs}};
+  const std::vector<PrintedFigure> figures = printed_figures(plan.name);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    std::vector<PlannedRow> rows{row_of(figures[i], figures[i].method, {}, reference)};
+    rows.front().notes.emplace_back(table_notes::deviation);
+    if (is_last_of_load(figures, i))
+      add_unprinted(rows, plan.name, figures[i], reference);
+    for (PlannedRow& row : rows)
+      row.labels.insert(row.labels.begin(), std::string(name_of(figures[i].test)));
+    plan.rows.insert(plan.rows.end(), rows.begin(), rows.end());
   }
   return plan;
 }

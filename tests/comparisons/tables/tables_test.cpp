@@ -1,15 +1,18 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/sheets/sheet.hpp"
 #include "comparisons/sheets/text_table.hpp"
 #include "comparisons/studies/study.hpp"
 #include "comparisons/tables/catalogue.hpp"
 #include "comparisons/tables/thesis/format_table.hpp"
 #include "comparisons/tables/thesis/printed_figures.hpp"
+#include "comparisons/tables/thesis/table_notes.hpp"
 #include "meshing/input_error.hpp"
 
 using namespace springcheck;
@@ -99,16 +102,58 @@ BOOST_AUTO_TEST_CASE(
     std::set<Load> printed;
     for (const PrintedFigure& figure : printed_figures(name))
       printed.insert({figure.nu, figure.deformation});
-    std::multiset<Load> planned;
+    std::map<std::pair<std::string, std::string>, std::multiset<Load>> planned;
     for (const PlannedRow& row : plan_table(name, std::nullopt).rows) {
       const CaseSettings& settings = row.request.settings;
       BOOST_TEST(row.printed.has_value() != settings.method.beside_printed);
       if (row.printed) continue;
       BOOST_TEST(row.printed_text.empty());
       BOOST_TEST(row.verdict.empty());
-      planned.insert({settings.material.poisson_ratio, *settings.deformation});
+      const std::string_view law = settings.method.same_law_as;
+      planned[{settings.method.name,
+               law.empty() ? "" : row.request.reference->method.name}]
+          .insert({settings.material.poisson_ratio, *settings.deformation});
     }
-    BOOST_TEST((planned == std::multiset<Load>(printed.begin(), printed.end())), name);
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (const auto& [method_and_law, loads] : planned) {
+      rows.push_back(method_and_law);
+      BOOST_TEST((loads == std::multiset<Load>(printed.begin(), printed.end())),
+                 name << " " << method_and_law.first);
+    }
+    // Beside their own law and the thesis's.
+    const std::vector<std::pair<std::string, std::string>> expected{
+        {"mss-affine-hencky", "fem-hencky"},
+        {"mss-affine-stvk", "fem-hencky"},
+        {"mss-affine-stvk", "fem-stvk"},
+        {"mss-hencky", "fem-hencky"},
+        {"mss-stvk", "fem-hencky"},
+        {"mss-stvk", "fem-stvk"},
+        {"mss-uniform", ""}};
+    BOOST_TEST((rows == expected), name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_reference_that_was_asked_for_is_that_of_every_row) {
+  const ReferenceMethod hooke{*find_method("fem-hooke"), *find_element("q1")};
+  std::size_t of_stvk = 0;
+  for (const PlannedRow& row : plan_table("5.3", hooke).rows) {
+    BOOST_TEST(reference_label(row.request) == "fem-hooke:q1");
+    if (row.request.settings.method.name == "mss-stvk") ++of_stvk;
+  }
+  BOOST_TEST(of_stvk == 2U);  // one per load
+}
+
+// In compression and tension at nu = .499, of elements and of springs.
+BOOST_AUTO_TEST_CASE(st_venants_change_of_volume_is_said_where_it_shows) {
+  for (const auto& [name, expected] : {std::pair("5.1", 10), std::pair("5.3", 0)}) {
+    int noted = 0;
+    for (const PlannedRow& row : plan_table(name, std::nullopt).rows)
+      if (std::ranges::count(row.notes, std::string(table_notes::st_venants_volume)) >
+          0) {
+        ++noted;
+        BOOST_TEST(row.request.settings.material.poisson_ratio == 0.499);
+      }
+    BOOST_TEST(noted == expected, name);
   }
 }
 
