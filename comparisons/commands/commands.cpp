@@ -28,8 +28,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The splits of errors, of methods whose continuum is known, against the law of the
-/// named reference, or against Hencky's; others have none. Throws InputError where
-/// nothing can be split as asked.
+/// named reference, or that which the springs follow, or Hencky's; others have none.
+/// Throws InputError where nothing can be split as asked.
 std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
                                                   const std::vector<Request>& requests) {
   const auto has_continuum = [](const Method& method) {
@@ -40,7 +40,6 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
                      "at least one of springs whose continuum fem-cauchy-born is: " +
                          names_of(lattices()),
                      names_of(run.methods));
-  const Method law = run.reference ? run.reference->method : thesis_law();
   if (run.reference &&
       (run.reference->grid == ReferenceGrid::converged || !run.reference->cells.empty() ||
        run.reference->element.name != "q1-sri"))
@@ -55,6 +54,9 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
       throw InputError("--split", "solver",
                        "static: the end of dynamics and a limit have errors of their own",
                        std::string(name_of(solver)));
+    const Method& law = run.reference
+                            ? run.reference->method
+                            : followed_law(request.settings.method, thesis_law());
     plans.push_back(is_split ? std::optional(plan_split(request.settings, law))
                              : std::nullopt);
   }

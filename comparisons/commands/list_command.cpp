@@ -35,7 +35,7 @@ Json described(const Range& range) {
 Json list_of_methods() {
   Json entries;
   for (const Method& method : methods()) {
-    const Method& of_law = of_the_same_law(method);
+    const Method& of_law = followed_law(method, method);
     std::vector<std::string_view> cells, solvers;
     for (const CellType type : method.cells) cells.push_back(name_of(type));
     for (const Solver solver : method.solvers) solvers.push_back(name_of(solver));

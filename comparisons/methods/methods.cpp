@@ -84,8 +84,8 @@ const Method& thesis_law() {
   return **std::ranges::find_if(all, &Method::of_thesis);
 }
 
-const Method& of_the_same_law(const Method& method) {
-  return method.same_law_as.empty() ? method : *find_method(method.same_law_as);
+const Method& followed_law(const Method& method, const Method& otherwise) {
+  return method.same_law_as.empty() ? otherwise : *find_method(method.same_law_as);
 }
 
 const Method& continuum_of_lattices() {

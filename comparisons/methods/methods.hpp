@@ -35,9 +35,9 @@ const Method& usual_law(bool is_small);
 /// The law that the thesis compares springs with, as errors that are split do.
 const Method& thesis_law();
 
-/// The method that is known by the law of this one: finite elements where its springs
-/// follow theirs, itself otherwise.
-const Method& of_the_same_law(const Method& method);
+/// Finite elements of the law that a method's springs follow; `otherwise` of a method
+/// that is not known to follow any.
+const Method& followed_law(const Method& method, const Method& otherwise);
 
 /// The continuum of a lattice of springs, by the Cauchy-Born rule.
 const Method& continuum_of_lattices();

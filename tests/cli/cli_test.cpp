@@ -511,6 +511,14 @@ BOOST_AUTO_TEST_CASE(split_is_an_object_for_springs_and_null_for_finite_elements
   BOOST_TEST(
       json_of("run shearing --method mss-cf --cells 2,2,2 --json")["results"][0]["split"]
           .is_null());
+  // Springs in squared lengths follow St-Venant and Kirchhoff's law: nothing is left of
+  // the law's part but rounding of forces of 4 N.
+  const Json squared = json_of(
+      "run compression --method mss-stvk --cells 2,2,2 --deformation 20% --split "
+      "--json")["results"][0]["split"];
+  BOOST_TEST(squared["reference"] == "fem-stvk:q1-sri");
+  const double law_part = squared["quantities"]["plate_force"]["law"]["value"];
+  BOOST_TEST(std::abs(law_part) < 1e-11);
   expect_bad_input("run shearing --method mss-cf --split --reference mss-fd",
                    "a law of finite elements");
   expect_bad_input("run shearing --method mss-cf --split --reference fem-stvk:q2",

@@ -137,7 +137,7 @@ std::vector<Reference> references_of(const Method& method, const Reference& aske
   const auto elements_of = [](const Method& law) {
     return ReferenceMethod{law, *find_element("q1-sri")};
   };
-  std::vector<Reference> all{elements_of(of_the_same_law(method))};
+  std::vector<Reference> all{elements_of(*find_method(method.same_law_as))};
   if (method.same_law_as != thesis_law().name) all.push_back(elements_of(thesis_law()));
   return all;
 }
