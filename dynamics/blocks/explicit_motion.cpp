@@ -217,7 +217,8 @@ class ExplicitMotion final : public Motion {
                                &now = step.motions[motion];
       Real* const displacement = arrays.displacement[component];
       Real* const velocity = arrays.velocity[component];
-      // Of the n-th element as far as elements differ; plates mostly do not turn.
+      // Displacement and velocity of the n-th element; where the plate does not turn, of
+      // all of them.
       const auto at_point = [&](std::size_t n) {
         const double to = now.component(points[n], component),
                      from = before.component(points[n], component);

@@ -41,10 +41,12 @@ using AcceptState = std::function<bool(std::span<const Vector3> positions)>;
 ///
 /// At the limit the least curvature is below a tenth of that at rest. Where it is not to
 /// the resolution, the load is bisected further, to 1e-6 of it: a mode of few nodes may
-/// lose its curvature at once. Beyond that the solver is to blame. The path's direction du/ds then tells a limit point
-/// from a bifurcation: it grows without bound along the critical mode at the one, and has
-/// no part of it at the other (imperfections aside). Where more than half of du/ds is
-/// along the mode it is called a limit point.
+/// lose its curvature at once. Beyond that the solver is to blame.
+///
+/// The path's direction du/ds then tells a limit point from a bifurcation: it grows
+/// without bound along the critical mode at the one, and has no part of it at the other
+/// (imperfections aside). Where more than half of du/ds is along the mode it is called a
+/// limit point.
 PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& network,
                           double resolution, const AcceptState& accept,
                           LinearSolver linear_solver = LinearSolver::by_size);

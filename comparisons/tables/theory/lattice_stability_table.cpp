@@ -127,8 +127,8 @@ Sheet lattice_stability_sheet(MeshStore& meshes) {
           "The continuum of St-Venant and Kirchhoff has a limit of its own: the force on "
           "a compressed bar is largest at a stretch of 1/sqrt(3), a strain of 42.3 %. "
           "Its long waves are lost before, from 40.7 %: those of mss-stvk, whose "
-          "homogeneous states are that law's whatever A. With few diagonals wrinkles are "
-          "lost earlier."}};
+          "homogeneous states are that law's whatever A. With few face diagonals, or "
+          "hardly anything else, it wrinkles earlier."}};
   for (const char* load : {"compression", "tension"})
     for (const auto& [key, heading, format] :
          {std::tuple{"strain", "strain [%]", "{:.2f}"},

@@ -115,6 +115,17 @@ BOOST_AUTO_TEST_CASE(the_foremost_are_in_order) {
   BOOST_TEST(names_of(laws()) == "fem-hooke, fem-stvk, fem-hencky, fem-cauchy-born");
 }
 
+// Springs follow laws that finite elements are known by.
+BOOST_AUTO_TEST_CASE(a_law_that_springs_follow_is_one_of_finite_elements) {
+  for (const Method& method : methods()) {
+    const Method& law = followed_law(method, thesis_law());
+    BOOST_TEST(std::ranges::count(laws(), &law) == 1, method.name);
+    BOOST_TEST((method.law.empty() || method.same_law_as.empty()), method.name);
+  }
+  BOOST_TEST(followed_law(*find_method("mss-stvk"), thesis_law()).name == "fem-stvk");
+  BOOST_TEST(followed_law(*find_method("mss-cf"), thesis_law()).name == "fem-hencky");
+}
+
 // Where a user may turn the correction off it is not there always.
 BOOST_AUTO_TEST_CASE(a_volume_correction_is_in_the_network) {
   for (const Method& method : methods()) {
@@ -125,7 +136,8 @@ BOOST_AUTO_TEST_CASE(a_volume_correction_is_in_the_network) {
     settings.springs.volume_correction = mss::VolumeCorrection::off;
     const auto network = method.network(settings, build_mesh(settings.body));
     BOOST_TEST_REQUIRE(network.has_value(), method.name);
-    BOOST_TEST((network->volume_moduli.kappa != 0) == method.corrects_volume, method.name);
+    BOOST_TEST((network->volume_moduli.kappa != 0) == method.corrects_volume,
+               method.name);
   }
 }
 

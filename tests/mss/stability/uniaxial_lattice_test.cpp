@@ -147,8 +147,8 @@ BOOST_AUTO_TEST_CASE(many_face_diagonals_lose_long_waves_first) {
 }
 
 // At nu = 0 St-Venant and Kirchhoff's law loses its first long wave at a stretch of
-// 2 - sqrt(2), and never in tension; the lattice in squared lengths then, for any A of 1
-// or more. The bisection's 1e-7, twice.
+// 2 - sqrt(2), and none in tension up to 100 %; the lattice in squared lengths then, for
+// A from 1 to 10. The bisection's 1e-7, twice.
 BOOST_AUTO_TEST_CASE(in_squared_lengths_the_lattice_holds_as_far_as_its_law) {
   for (const double A : {1., 10.}) {
     const Network cell = cell_of(A, 0, StrainMeasure::green);
