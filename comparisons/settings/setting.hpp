@@ -56,8 +56,8 @@ struct Particulars {
   bool (*has)(Test) = nullptr;    // tests that have it, others refuse it; nullptr: all
   std::string_view needed{};      // what is missing where it is needed and not given
   bool (*is_needed)(const RunSettings&) = nullptr;  // nullptr: where it has readers
-  std::string_view variant{};      // what names of methods get where it is not the default,
-                                   // {} for its value; empty: nothing
+  std::string_view variant{};  // what names of methods get where it is not the default,
+                               // {} for its value; empty: nothing
   std::string_view default_text{};  // the default in words, where `otherwise` is not all
 };
 
@@ -103,6 +103,13 @@ std::string without_readers(const Setting& setting);
 
 /// What it is, and its default: "Poisson ratio, in (-1, 0.5)".
 std::string help_of(const Setting& setting);
+
+/// What names of methods get where the setting has that value: ", E-form", " (mss-cf)";
+/// nothing of a default, and of settings that are in no name.
+std::string variant_of(const Setting& setting, const std::string& value);
+
+/// The case's method with its variants: "fem-stvk:q1-sri", "mss-cf, E-form, A = 0.5".
+std::string variant_label(const CaseSettings& settings);
 
 /// Their keys; those that are options alone.
 std::vector<std::string_view> setting_keys();

@@ -294,6 +294,24 @@ std::string help_of(const Setting& setting) {
              : fmt::format("{} (default {})", help, usual);
 }
 
+std::string variant_of(const Setting& setting, const std::string& value) {
+  if (setting.variant.empty() || value.empty() || value == setting.otherwise) return {};
+  return fmt::format(fmt::runtime(setting.variant), value);
+}
+
+std::string variant_label(const CaseSettings& settings) {
+  std::string name = label(settings);
+  for (const Setting& setting : all_settings()) {
+    if (setting.variant.empty() || !reads(settings, setting)) continue;
+    const nlohmann::json value = setting.access.told(settings);
+    if (value.is_string())
+      name += variant_of(setting, value.get<std::string>());
+    else if (value.is_number())
+      name += variant_of(setting, fmt::format("{:g}", value.get<double>()));
+  }
+  return name;
+}
+
 std::vector<std::string_view> setting_keys() {
   std::vector<std::string_view> keys;
   for (const Setting& setting : table) keys.push_back(setting.key);

@@ -41,19 +41,27 @@ std::vector<GridValue> on_grids(Runs runs, Of&& of) {
   return grids;
 }
 
-/// A scalar measure; changes below `noise` times its unit are the solvers'.
+/// The values of all three grids; none where a run failed.
+std::optional<std::array<double, 3>> values_of(const ConvergedValue& value) {
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!value.grids[i].value) return std::nullopt;
+    values[i] = *value.grids[i].value;
+  }
+  return values;
+}
+
+/// A scalar measure; changes below solver_noise times its unit, or times its own value,
+/// are the solvers'.
 ConvergedValue converged_measure(Runs runs, const SplitMeasure& measure,
                                  const std::optional<double>& unit) {
   ConvergedValue value{.grids = on_grids(runs, [&](const CaseResult& run) {
                          return measure.of(run.measures);
                        })};
-  std::array<double, 3> values{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!value.grids[i].value) return value;
-    values[i] = *value.grids[i].value;
-  }
+  const auto values = values_of(value);
+  if (!values) return value;
   const ConvergedNumber limit = converged_number(
-      cases_of(runs), values, solver_noise * unit.value_or(std::abs(values[2])));
+      cases_of(runs), *values, solver_noise * unit.value_or(std::abs((*values)[2])));
   value.value = limit.value;
   value.order = limit.order;
   value.bar = limit.bar;
@@ -138,6 +146,35 @@ struct ContinuumRuns {
   Runs runs, check;
 };
 
+/// What the difference of two continua converges to, grid by grid, in the law's cases.
+std::optional<ConvergedNumber> converged_difference(const ConvergedValue& lattice,
+                                                    const ConvergedValue& law, Runs runs,
+                                                    const std::optional<double>& unit) {
+  const auto springs = values_of(lattice), elements = values_of(law);
+  if (!springs || !elements) return std::nullopt;
+  std::array<double, 3> differences{};
+  for (std::size_t i = 0; i < 3; ++i) differences[i] = (*springs)[i] - (*elements)[i];
+  return converged_number(cases_of(runs), differences,
+                          solver_noise * unit.value_or(std::abs((*elements)[2])));
+}
+
+/// The law part with its bar (ErrorPart).
+ErrorPart law_part(const SplitQuantity& quantity, const ContinuumRuns& reference,
+                   const std::optional<double>& unit) {
+  const auto of = [&](auto which, Runs runs) {
+    return converged_difference(quantity.cauchy_born.*which, quantity.reference.*which,
+                                runs, unit);
+  };
+  ErrorPart part{difference(quantity.cauchy_born.converged.value,
+                            quantity.reference.converged.value)};
+  const auto by_grids = of(&ContinuumValue::converged, reference.runs),
+             by_check = of(&ContinuumValue::check, reference.check);
+  if (part.value && by_grids && by_check)
+    part.bar = std::max(by_grids->bar + std::abs(by_grids->value - *part.value),
+                        std::abs(by_check->value - *part.value));
+  return part;
+}
+
 SplitQuantity split_measure(const SplitMeasure& measure,
                             const std::optional<double>& unit, const CaseResult& springs,
                             const ContinuumRuns& cauchy_born,
@@ -149,8 +186,7 @@ SplitQuantity split_measure(const SplitMeasure& measure,
           continuum_measure(cauchy_born.runs, cauchy_born.check, measure, unit),
       .reference = continuum_measure(reference.runs, reference.check, measure, unit)};
   const ConvergedValue& lattice = quantity.cauchy_born.converged;
-  const ConvergedValue& law = quantity.reference.converged;
-  quantity.law = {difference(lattice.value, law.value), sum(lattice.bar, law.bar)};
+  quantity.law = law_part(quantity, reference, unit);
   quantity.discretisation = {difference(quantity.springs, lattice.value), lattice.bar};
   return quantity;
 }

@@ -57,10 +57,8 @@ std::string method_of(const Columns& cases, std::size_t row) {
     if (setting.variant.empty()) continue;
     const std::string key(setting.key);
     const auto value = number(cases, key, row);
-    const std::string words =
-        value ? fmt::format("{:g}", *value) : text(cases, key, row);
-    if (!words.empty() && words != setting.otherwise)
-      name += fmt::format(fmt::runtime(setting.variant), words);
+    const std::string words = value ? fmt::format("{:g}", *value) : text(cases, key, row);
+    name += variant_of(setting, words);
   }
   return name;
 }

@@ -37,7 +37,8 @@ constexpr std::array entries{
         "simulation",
         plan_meshes_table},
     Entry{"split",
-          "where mss-cf's error comes from in the five tests: law or discretisation",
+          "where springs' error comes from, law or discretisation: mss-cf in the five "
+          "tests, and in large deformation springs of all laws",
           plan_split_table, Takes::many_minutes},
     Entry{"elements",
           "springs and finite elements on cubes, distorted mixed cells and gmsh's "

@@ -12,10 +12,12 @@ import methods  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 from content import file_name, paragraph, table  # noqa: E402
+from figures import error_parts  # noqa: E402
 from figures.cost import pareto_front  # noqa: E402
 from matplotlib.colors import to_rgb  # noqa: E402
 from numbers_shown import data, formatted, significant, with_bar  # noqa: E402
 from program import springcheck  # noqa: E402
+from sections import laws  # noqa: E402
 from study import method_name  # noqa: E402
 from surface import edges_in_plane, outside  # noqa: E402
 
@@ -50,6 +52,45 @@ class Numbers(unittest.TestCase):
         self.assertIn('data-case="a&lt;b"', html)
         self.assertIn('data-measure="volume_error"', html)
         self.assertTrue(html.endswith(">3.167</data>"))
+
+
+def split_row(method, reference_law, nu, law_percent, bar, cells="5x5x5"):
+    return {
+        "scene": "compression",
+        "load": "20 %",
+        "cells": cells,
+        "nu": nu,
+        "method": method,
+        "reference_law": reference_law,
+        "quantity": "plate force",
+        "law_percent": law_percent,
+        "law_percent_bar": bar,
+    }
+
+
+class LawParts(unittest.TestCase):
+    def test_springs_stand_beside_each_other_on_one_mesh(self):
+        rows = [
+            split_row("mss-cf", "fem-hencky", 0.25, -36, 0.1, cells="10x10x10"),
+            split_row("mss-cf", "fem-hencky", 0, -39, 0.1),
+            split_row("mss-cf", "fem-hencky", 0.25, -36.3, 0.1),
+            split_row("mss-stvk", "fem-stvk", 0.25, -1e-13, 1e-6),
+            split_row("mss-stvk", "fem-hencky", 0.25, None, None),
+            {**split_row("mss-stvk", "fem-stvk", 0.25, 1, 1), "quantity": "volume change"},
+        ]
+        (figure,) = laws._law_parts({"rows": rows})
+        names, panels = figure.arguments
+        self.assertEqual(names, ["mss-cf from fem-hencky", "mss-stvk from fem-stvk"])
+        ((title, dots),) = panels
+        self.assertEqual(title, "compression 20 %")
+        self.assertEqual(dots, [(0, 0, 39, 0.1), (0, 0.25, 36.3, 0.1), (1, 0.25, 1e-13, 1e-6)])
+        drawn = error_parts.draw_law_parts(names, panels).axes[0].lines[:3]
+        self.assertEqual([line.get_xdata()[0] for line in drawn], [39, 36.3, 1e-3])
+        self.assertEqual(drawn[2].get_markerfacecolor(), "white")
+        self.assertNotEqual(drawn[1].get_markerfacecolor(), "white")
+
+    def test_one_method_alone_has_no_figure(self):
+        self.assertEqual(laws._law_parts({"rows": [split_row("mss-cf", "fem-hencky", 0, -39, 0.1)]}), [])
 
 
 class Html(unittest.TestCase):

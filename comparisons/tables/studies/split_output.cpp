@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/settings/setting.hpp"
 #include "comparisons/sheets/text_table.hpp"
 
 namespace springcheck {
@@ -88,8 +89,9 @@ Json split_json(const Split& split) {
 std::string split_text(const Split& split) {
   const SplitPlan& plan = split.plan;
   std::vector<std::vector<std::string>> rows{
-      {"", label(plan.springs), "Cauchy-Born", std::string(plan.reference[0].method.name),
-       "law", "discretisation", "converged values"}};
+      {"", variant_label(plan.springs), "Cauchy-Born",
+       std::string(plan.reference[0].method.name), "law", "discretisation",
+       "converged values"}};
   for (const SplitQuantity& quantity : split.quantities) {
     const auto [name, unit, factor] = shown_measure(quantity.name);
     rows.push_back(
@@ -104,7 +106,7 @@ std::string split_text(const Split& split) {
   std::string text = fmt::format(
       "Error of {} split: law = Cauchy-Born - {}, discretisation = springs - "
       "Cauchy-Born.\n{}",
-      label(plan.springs), plan.reference[0].method.name, in_columns(rows));
+      variant_label(plan.springs), plan.reference[0].method.name, in_columns(rows));
   text += fmt::format(
       "Converged from {} on {} cells, +- error bar (order observed); checked with {} on "
       "{}.\nDeviations are mean distances from the converged {}; the springs' from "

@@ -7,7 +7,8 @@
 
 namespace springcheck {
 
-/// Where mss-cf's error comes from in the five tests: law or discretisation.
+/// Where springs' error comes from, law or discretisation: mss-cf's in the five tests,
+/// and in large deformation that of springs of all laws.
 SheetPlan plan_split_table();
 
 /// The sheet of splits that are computed already.

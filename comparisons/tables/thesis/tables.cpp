@@ -12,6 +12,7 @@
 #include "comparisons/cases/grids.hpp"
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/scene_file.hpp"
+#include "comparisons/settings/setting.hpp"
 #include "comparisons/studies/converged_number.hpp"
 #include "comparisons/tables/thesis/printed_figures.hpp"
 #include "comparisons/tables/thesis/table_notes.hpp"
@@ -60,7 +61,7 @@ PlannedRow row_of(const PrintedFigure& figure, const std::string& method,
                  .printed = figure.value,
                  .printed_text = figure.text,
                  .verdict = figure.verdict};
-  row.labels.back() = label(row.request.settings);
+  row.labels.back() = variant_label(row.request.settings);
   return row;
 }
 
@@ -125,7 +126,6 @@ void add_rows(std::vector<PlannedRow>& rows, const std::string& table,
   for (const NoteRule& rule : note_rules()) {
     if (!rule.has_young_form_too || !rule.holds(table, figure, method)) continue;
     rows.push_back(row_of(figure, method, {{"stiffness-form", "E"}}, reference));
-    rows.back().labels.back() += ", E-form";
     rows.back().notes.emplace_back(rule.note);
   }
 }

@@ -92,9 +92,12 @@ def error_parts(study):
             row
             for row in document["rows"]
             if (row["quantity"] == quantity if quantity else row["quantity"] in _ANSWER_NAMES)
-            and row["scene"] != "uniaxial"
+            and row["method"] == methods.of_thesis()
+            and row["nu"] == 0.25
         ]
-        by_label = {f"{row['scene']} {row['load']}": row for row in rows}
+        by_label = {}
+        for row in rows:  # those on the scenes' own cells come first
+            by_label.setdefault(f"{row['scene']} {row['load']}", row)
         labels = labels or list(by_label)
         percent = quantity is None
         columns = []
@@ -104,18 +107,55 @@ def error_parts(study):
     section = Section("error-parts", "Where the errors come from")
     section.blocks.append(
         paragraph(
-            "Law: what the springs' own continuum (Cauchy-Born) does otherwise than Hencky's law. "
-            "Discretisation: what springs on this mesh do otherwise than that continuum. Converged "
-            "values carry error bars and are shown to their digits."
+            "Law: what the springs' own continuum (Cauchy-Born) does otherwise than a law of finite "
+            "elements. Discretisation: what springs on this mesh do otherwise than that continuum. "
+            "Converged values carry error bars and are shown to their digits."
         )
     )
     if labels:
-        caption = "The two parts of mss-cf's error, with the bars of the converged values."
+        caption = (
+            "The two parts of mss-cf's error against Hencky's law at nu = 0.25, with the bars of "
+            "the converged values."
+        )
         section.blocks.append(
             Figure("error_parts", caption, error_figures.draw, (labels, panels))
         )
+    section.blocks += _law_parts(document)
     section.blocks += sheet_blocks(document)
     return section
+
+
+def _law_parts(document):
+    """The law parts of the answers, where several methods bear one load on one mesh."""
+    by_load = {}
+    for row in document["rows"]:
+        if row["quantity"] in _ANSWER_NAMES and row["law_percent"] is not None:
+            by_load.setdefault((row["scene"], row["load"], row["cells"]), []).append(row)
+    loads = {key: rows for key, rows in by_load.items() if len({row["method"] for row in rows}) > 1}
+    if not loads:
+        return []
+    springs = []
+    for rows in loads.values():
+        springs += [(row["method"], row["reference_law"]) for row in rows]
+    springs = list(dict.fromkeys(springs))
+    panels = [
+        (
+            f"{scene} {load}",
+            [
+                (springs.index((row["method"], row["reference_law"])), row["nu"])
+                + (abs(row["law_percent"]), row["law_percent_bar"])
+                for row in rows
+            ],
+        )
+        for (scene, load, _), rows in loads.items()
+    ]
+    names = [f"{method} from {reference}" for method, reference in springs]
+    caption = (
+        "How far the continuum of springs is from a law of finite elements, in large deformation: "
+        "the law part of plate force, resultant or torque. Hollow: within its bar, and drawn there; "
+        "at the left edge what is smaller."
+    )
+    return [Figure("law_parts", caption, error_figures.draw_law_parts, (names, panels))]
 
 
 _ANSWER_NAMES = {"plate force", "resultant", "torque", "tip drop", "face displacement"}

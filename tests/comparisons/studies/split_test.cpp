@@ -139,8 +139,9 @@ BOOST_AUTO_TEST_CASE(a_homogeneous_state_has_no_discretisation_part,
              *force.cauchy_born.converged.value - *force.reference.converged.value);
 }
 
-// The parts are differences of what is shown, and bars add up. Coarse, and far from the
-// thesis's mesh: the arithmetic is tested, not the figures.
+// The parts are differences of what is shown. Both continua err alike on equal grids, so
+// their difference is known better than either. Coarse, and far from the thesis's mesh:
+// the arithmetic is tested, not the figures.
 BOOST_AUTO_TEST_CASE(parts_are_the_differences_of_what_is_shown) {
   const Split split =
       split_of(plan_of("shearing", {"cells=2,2,2", "method=mss-cf", "deformation=.2"}));
@@ -149,7 +150,7 @@ BOOST_AUTO_TEST_CASE(parts_are_the_differences_of_what_is_shown) {
     const auto &lattice = q.cauchy_born.converged, &law = q.reference.converged;
     BOOST_TEST(*q.law.value == *lattice.value - *law.value, tolerance(1e-12));
     BOOST_TEST(*q.discretisation.value == *q.springs - *lattice.value, tolerance(1e-12));
-    BOOST_TEST(*q.law.bar == *lattice.bar + *law.bar, tolerance(1e-12));
+    BOOST_TEST(*q.law.bar < *lattice.bar + *law.bar);
     BOOST_TEST(*q.discretisation.bar == *lattice.bar);
     BOOST_TEST(lattice.grids.size() == 3U);
     BOOST_TEST(lattice.grids[2].key.size() == 64U);
@@ -184,6 +185,9 @@ BOOST_AUTO_TEST_CASE(discretisations_that_disagree_beyond_their_bars_are_unresol
   BOOST_TEST(*volume.cauchy_born.converged.order == 2.);
   BOOST_TEST(*volume.cauchy_born.converged.bar == 1.25 * 0.005);
   BOOST_TEST(*volume.discretisation.value == 0.01);
+  // By q1-sri no difference between the laws, by q2 one of -.1: so much is not known.
+  BOOST_TEST(*volume.law.value == 0.);
+  BOOST_TEST(*volume.law.bar == 0.1);
   BOOST_TEST(*volume.cauchy_born.disagreement == 0.);
   BOOST_TEST(volume.cauchy_born.is_resolved());
   BOOST_TEST(*volume.reference.disagreement == 0.1);
@@ -203,6 +207,25 @@ BOOST_AUTO_TEST_CASE(discretisations_that_disagree_beyond_their_bars_are_unresol
   const std::string table =
       format_sheet(split_sheet({split}, {springs}), TableFormat::markdown);
   BOOST_TEST(table.find("| unresolved |") != std::string::npos);
+}
+
+// Cauchy-Born .1 + .08/4^k and law .05 + .05/4^k by both elements: their difference is
+// .05 + .03/4^k, with a bar of 1.25 * .001875. Round-off.
+BOOST_AUTO_TEST_CASE(the_bar_of_a_law_part_is_that_of_the_difference,
+                     *boost::unit_test::tolerance(1e-9)) {
+  const SplitPlan plan = plan_of("compression", {"cells=2,2,2", "method=mss-cf"});
+  MeshStore meshes;
+  CaseResult springs{};
+  springs.request = {.settings = plan.springs, .reference = std::nullopt};
+  const Split split = split_error(plan, springs,
+                                  invented(plan,
+                                           {0.18, 0.12, 0.105, 0.18, 0.12, 0.105, 0.1,
+                                            0.0625, 0.053125, 0.1, 0.0625, 0.053125},
+                                           meshes),
+                                  meshes);
+  const SplitQuantity& volume = quantity(split, "volume_change");
+  BOOST_TEST(*volume.law.value == 0.05);
+  BOOST_TEST(*volume.law.bar == 1.25 * 0.001875);
 }
 
 // The lattice of mss-baudet does not exist at nu = -0.3: neither springs nor Cauchy-Born,
