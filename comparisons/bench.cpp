@@ -5,7 +5,8 @@
 //
 // Names are method/cells/precision/instruction set/threads, the method with -damped for
 // dashpots of zeta = .05 and -distorted for cells of all shapes. Baselines: "naive", of
-// mss-cf's springs, and mss-affine-plain. The time per_cell_step is what counts;
+// mss-cf's springs, and mss-affine-plain. Springs of Hencky's law have plain loops alone.
+// The time per_cell_step is what counts;
 // bytes_per_cell is the memory of what moves, without mesh and network. Sizes up to 10^6
 // cells: the largest take minutes to prepare.
 #include <benchmark/benchmark.h>
@@ -100,14 +101,16 @@ int main(int count, char** arguments) {
                      .threads = 1,
                      .loops = Loops::naive};
     add(body);
-    body.method = "mss-affine";
     body.loops = Loops::plain;
-    add(body);
+    for (const char* method : {"mss-affine", "mss-hencky", "mss-affine-hencky"}) {
+      body.method = method;
+      add(body);
+    }
     body.loops = Loops::kernel;
     for (const auto& [method, damping_ratio, distortion] :
          {Variant{"mss-cf"}, Variant{"mss-cf", zeta}, Variant{"mss-nfd"},
           Variant{"mss-fd"}, Variant{"mss-baudet"}, Variant{"mss-stvk"},
-          Variant{"mss-affine"}, Variant{"mss-affine", zeta},
+          Variant{"mss-stvk", zeta}, Variant{"mss-affine"}, Variant{"mss-affine", zeta},
           Variant{"mss-affine", 0, 0.2}, Variant{"mss-affine-stvk"},
           Variant{"mss-affine-stvk", 0, 0.2}, Variant{"mss-tissue"},
           Variant{"mss-tissue", 0, 0.2}, Variant{"fem-explicit-1p"},

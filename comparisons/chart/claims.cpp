@@ -122,6 +122,8 @@ std::vector<Claim> claims(const Chart& chart) {
   constexpr auto precision = dynamics::Precision::double_precision;
   std::vector<Pair> pairs;
   for (const Method* springs : foremost(Family::springs)) {
+    if (!springs->same_law_as.empty() && springs->same_law_as != chart.stored.law)
+      continue;
     pairs.push_back({ChartKind::equilibrium,
                      {.method = springs->name},
                      {.method = chart.stored.law, .element = "q1-sri"}});

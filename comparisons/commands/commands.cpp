@@ -56,7 +56,7 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
                        std::string(name_of(solver)));
     const Method& law = run.reference
                             ? run.reference->method
-                            : followed_law(request.settings.method, thesis_law());
+                            : followed_law(request.settings, thesis_law());
     plans.push_back(is_split ? std::optional(plan_split(request.settings, law))
                              : std::nullopt);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "comparisons/cases/case.hpp"
 #include "comparisons/methods/families.hpp"
 
 namespace springcheck {
@@ -86,6 +87,18 @@ const Method& thesis_law() {
 
 const Method& followed_law(const Method& method, const Method& otherwise) {
   return method.same_law_as.empty() ? otherwise : *find_method(method.same_law_as);
+}
+
+const Method& followed_law(const CaseSettings& settings, const Method& otherwise) {
+  const Method& method = settings.method;
+  if (method.same_law_as.empty() && method.corrects_volume &&
+      reads(method, "spring-strain")) {
+    const auto strain = springs_of(settings, method.fixed).strain_measure;
+    for (const Method& other : methods())
+      if (!other.same_law_as.empty() && other.fixed.strain == strain)
+        return followed_law(other, otherwise);
+  }
+  return followed_law(method, otherwise);
 }
 
 const Method& continuum_of_lattices() {

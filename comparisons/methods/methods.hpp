@@ -39,6 +39,10 @@ const Method& thesis_law();
 /// that is not known to follow any.
 const Method& followed_law(const Method& method, const Method& otherwise);
 
+/// The same of a case, whose setting may make a method's springs those of another one
+/// that follows a law.
+const Method& followed_law(const CaseSettings& settings, const Method& otherwise);
+
 /// The continuum of a lattice of springs, by the Cauchy-Born rule.
 const Method& continuum_of_lattices();
 

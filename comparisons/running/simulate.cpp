@@ -125,6 +125,9 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
       measures.hourglass_amplitude = seen->amplitude;
     }
     inverted = *measures.corner_jacobian_ratio_min < 0;
+    // Springs that take the logarithm of a cell's volume have no finite energy there.
+    if (inverted && measures.strain_energy && !std::isfinite(*measures.strain_energy))
+      measures.strain_energy.reset();
     if (const auto name = not_finite(measures)) {
       measures = {};
       solved = SolveStatus::not_converged;

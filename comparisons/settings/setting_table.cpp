@@ -265,11 +265,17 @@ bool reads(const CaseSettings& settings, const Setting& setting) {
          is_reader(settings, setting);
 }
 
-/// Methods whose entries list the setting.
+/// Methods whose entries list the setting, and the continuum of lattices that do.
 static std::vector<std::string_view> own_readers(const Setting& setting) {
   std::vector<std::string_view> names;
   for (const Method& method : methods())
     if (reads(method, setting.key)) names.push_back(method.name);
+  const Method& continuum = continuum_of_lattices();
+  if (!reads(continuum, setting.key) &&
+      std::ranges::any_of(lattices(), [&](const LatticeName& lattice) {
+        return std::ranges::count(lattice.reads, setting.key) > 0;
+      }))
+    names.push_back(continuum.name);
   return names;
 }
 

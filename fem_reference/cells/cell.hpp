@@ -54,7 +54,8 @@ enum class DilatationTaken { at_points, cell_mean, of_mean_gradient };
 
 /// q1 and q2: at the points. q1_sri: cell mean, for Cauchy-Born of the mean gradient,
 /// which is how the springs' volume correction sees a cell (Golec 2018, Eq. 5.19), but
-/// with green, as St-Venant's law has it, the cell mean.
+/// with green and for isochoric springs, as the laws that they follow have it, the cell
+/// mean.
 DilatationTaken dilatation_taken(const Settings& settings);
 
 /// A law as the cells integrate it.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 namespace springcheck::fem_reference {
 
@@ -57,9 +58,13 @@ VolumetricEnergy logarithmic(double modulus, double dilatation) {
 
 VolumetricEnergy cubic_logarithmic(double cubic_modulus, double dilatation) {
   const double J = 1 + dilatation, log_J = std::log1p(dilatation);
-  return {.value = cubic_modulus / 3 * log_J * log_J * log_J,
-          .first = cubic_modulus * log_J * log_J / J,
-          .second = cubic_modulus * log_J * (2 - log_J) / (J * J)};
+  constexpr double p = std::numbers::ln2;
+  const double q = log_J >= -p ? log_J : log_J + 2 * p;  // from the parabola's middle
+  const double sign = log_J >= -p ? 1 : -1, level = log_J >= -p ? 0 : 2 * p * p;
+  const double first = level + sign * q * q;
+  return {.value = cubic_modulus * (level * (log_J + p) + sign * q * q * q / 3),
+          .first = cubic_modulus * first / J,
+          .second = cubic_modulus * (sign * 2 * q - first) / (J * J)};
 }
 
 }  // namespace springcheck::fem_reference

@@ -12,7 +12,7 @@ namespace springcheck::mss {
 /// k L, times kappa/(50 mu) where that is above 1, from nu = .49 on. Springs that blocks
 /// share belong to the first of them.
 ///
-/// The network has engineering strains, and no virtual springs, affine springs or stars:
+/// The network has engineering or Green's strain, and no virtual springs, affine springs or stars:
 /// takes_lattice_kernel.
 template <class Real>
 dynamics::BlockForces<Real> lattice_kernel(const Network& network,

@@ -113,8 +113,9 @@ std::string what_is_undamped(const Network& network, double damping_ratio) {
   if (!(damping_ratio > 0))
     return "without dashpots (--damping) every motion is undamped";
   if (network.spring_modulus != 0)
-    return "mss-affine has its dashpots along the cells' edges, which leave their shear "
-           "undamped";
+    return "virtual springs have their dashpots along the cells' edges, which leave "
+           "their "
+           "shear undamped";
   return "a motion that stretches no dashpot is undamped";
 }
 
@@ -126,8 +127,8 @@ std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Network& net
   if (settings.protocol.integrator == dynamics::Integrator::implicit_euler)
     return "implicit Euler's equations are solved in double precision";
   if (!blocks_for_kernel(mesh, network))
-    return "single precision is for hexahedra, springs by engineering or Green's strain, "
-           "virtual ones by the former along 6 axes";
+    return "single precision is for hexahedra and springs by engineering or Green's "
+           "strain; virtual ones by engineering strain along 6 axes alone";
   return std::nullopt;
 }
 

@@ -162,7 +162,9 @@ constexpr std::array table{
         .volume_modulus = [](const Material& /*material*/,
                              const NetworkSettings& settings) -> std::optional<double> {
           const double kappa = constants_of(settings).volume_modulus;
-          if (kappa == 0) return std::nullopt;
+          // hencky's volume term belongs to its springs, with any kappa.
+          if (kappa == 0 && settings.strain_measure != StrainMeasure::hencky)
+            return std::nullopt;
           return kappa;
         }},
     MethodEntry{.method = Method::affine,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace springcheck::mss {
 
@@ -19,7 +20,8 @@ namespace springcheck::mss {
 ///
 ///     hencky       lambda dW/dlambda = k L^2 (u - 1)/(2 u (a + b u)), u = lambda^2
 ///                  a = .7, b = .3; d2W/dlambda^2 > 0 to lambda = 1.42
-///                  t = det F - 1   U = kappa/2 ln^2(1 + t) + h/3 ln^3(1 + t)
+///                  t = det F - 1   U = kappa/2 ln^2(1 + t) + h C(ln(1 + t))
+///                  C(q) = q^3/3 down to J = 1/2 (CubicVolume)
 ///
 /// is of another kind: springs that make lattices follow Hencky's law in large strain.
 /// With h = sum k L^2/(15 V), the shear modulus of an isotropic lattice, a lattice's
@@ -132,15 +134,36 @@ struct VolumeModuli {
   [[nodiscard]] bool act() const { return kappa != 0 || cubic != 0; }
 };
 
-/// U [Pa] of a volume change t. Infinite with logarithmic and hencky for t <= -1, of a
-/// cell pressed to nothing or turned inside out.
+/// C of hencky's volume term, of q = ln J, and its derivatives:
+///
+///     C' = q^2, q >= -p;   2 p^2 - (q + 2 p)^2 below,   p = ln 2
+///
+/// q^3/3 alone would fall without bound, and pull cells to nothing, as J goes to 0. Below
+/// J = 1/2 the parabola of C' is turned round: with any kappa, U grows there without
+/// bound, as Hencky's does.
+struct CubicVolume {
+  double value, first, second;
+};
+inline CubicVolume cubic_volume(double q) {
+  constexpr double p = std::numbers::ln2;
+  if (q >= -p) return {.value = q * q * q / 3, .first = q * q, .second = 2 * q};
+  const double turned = q + 2 * p;
+  return {.value = 2 * p * p * (q + p) - turned * turned * turned / 3,
+          .first = 2 * p * p - turned * turned,
+          .second = -2 * turned};
+}
+
+/// U [Pa] of a volume change t. With logarithmic and hencky infinite for t <= -1, of a
+/// cell pressed to nothing or turned inside out; with logarithmic and kappa < 0 (nu <
+/// 1/4) it falls without bound before.
 inline double volume_energy(StrainMeasure measure, const VolumeModuli& moduli,
                             double change) {
   if (measure == StrainMeasure::engineering || measure == StrainMeasure::green)
     return moduli.kappa / 2 * change * change;
   if (!(change > -1)) return std::numeric_limits<double>::infinity();
   const double logarithm = std::log1p(change);
-  return (moduli.kappa / 2 + moduli.cubic / 3 * logarithm) * logarithm * logarithm;
+  return moduli.kappa / 2 * logarithm * logarithm +
+         moduli.cubic * cubic_volume(logarithm).value;
 }
 
 /// U' = modulus first, U'' = modulus second [Pa]; both 0 where U is infinite.
@@ -155,8 +178,9 @@ inline VolumePull volume_pull(StrainMeasure measure, const VolumeModuli& moduli,
     return {.modulus = moduli.kappa, .first = change, .second = 1};
   if (!(change > -1)) return {.modulus = 0, .first = 0, .second = 0};
   const double J = 1 + change, logarithm = std::log1p(change);
-  const double first = (moduli.kappa + moduli.cubic * logarithm) * logarithm,
-               second = moduli.kappa + 2 * moduli.cubic * logarithm;
+  const CubicVolume cube = cubic_volume(logarithm);
+  const double first = moduli.kappa * logarithm + moduli.cubic * cube.first,
+               second = moduli.kappa + moduli.cubic * cube.second;
   return {.modulus = 1, .first = first / J, .second = (second - first) / (J * J)};
 }
 

@@ -290,22 +290,22 @@ def _answer(case):
 
 
 def _counterparts(cases):
-    """(keys of the finite elements on the same problem, for each case that is none itself;
-    whether they are good enough to judge by)."""
+    """(keys of the finite elements on the same problem, for each case that is none itself, those of
+    its own law before others; whether they are good enough to judge by)."""
     reference = cases[(cases.kind == "finite elements") & (cases.status == USABLE)]
     laws = methods.foremost("finite elements")
-    best = {}
+    others = {}
     for key, case in reference.iterrows():
         if not methods.law(case.method) or case.method not in laws:
             continue
         rank = laws.index(case.method), methods.locks(case.method, case.element), case.element
-        if case.problem not in best or rank < best[case.problem][0]:
-            best[case.problem] = rank, key
-    keys = [
-        None if case.kind == "finite elements" else best.get(case.problem, (None, None))[1]
-        for _, case in cases.iterrows()
-    ]
-    judges = {key for _, key in best.values() if _is_judge(cases.loc[key])}
+        others.setdefault(case.problem, []).append((rank, key, methods.law(case.method)))
+    keys = []
+    for _, case in cases.iterrows():
+        known = others.get(case.problem, []) if case.kind != "finite elements" else []
+        own = [one for one in known if one[2] == methods.law(case.method)]
+        keys.append(min(own or known)[1] if known else None)
+    judges = {key for key in keys if key is not None and _is_judge(cases.loc[key])}
     return keys, [key in judges for key in keys]
 
 

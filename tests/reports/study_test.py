@@ -60,6 +60,13 @@ class Counterparts(unittest.TestCase):
         self.assertEqual(list(cases.counterpart), ["key3", None, None, None])
         self.assertTrue(cases.is_judged.iloc[0])
 
+    def test_springs_that_follow_a_law_are_judged_by_it(self):
+        springs = {"method": "mss-stvk"}
+        cases = cases_of(springs, fem("stvk", "q1"), fem("stvk", "q1-sri"), fem("hencky", "q1-sri"))
+        self.assertEqual(cases.counterpart.iloc[0], "key2")
+        self.assertTrue(cases.is_judged.iloc[0])
+        self.assertEqual(cases_of(springs, fem("hencky", "q1-sri")).counterpart.iloc[0], "key1")
+
     def test_problems_differ_by_any_setting(self):
         for change in ({"nu": 0.3}, {"deformation": 0.2}, {"mesh": "n"}, {"young": 2e4}):
             cases = cases_of({}, fem("hencky", "q1-sri", **change))

@@ -208,8 +208,7 @@ Sheet elements_sheet(const std::vector<PlannedElementsRow>& rows,
           "5 x 5 cubes, and off what Hooke q2 converges to on 4, 8 and 16 cells across.",
           "Volumes in points, at 5 % (torsion: 1 degree): volume change off that of the "
           "same law with q2 on 5 x 5 x 5 cubes: of mss-cf and mss-affine that of their "
-          "own "
-          "continuum, of springs that follow a law of finite elements that law. Van "
+          "own continuum, of springs that follow a law of finite elements that law. Van "
           "Gelder's and Lloyd's springs have no law."}};
   for (const LoadCase& test : tests)
     sheet.columns.push_back(

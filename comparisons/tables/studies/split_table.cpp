@@ -165,8 +165,8 @@ Sheet split_sheet(const std::vector<Split>& splits,
           "Law part: converged Cauchy-Born (the continuum of the springs' lattice) minus "
           "the converged reference. Discretisation part: the springs on this mesh minus "
           "converged Cauchy-Born. The bar of a law part is that of the difference of "
-          "both "
-          "continua, extrapolated grid by grid, and at least the distance from the part "
+          "both continua, extrapolated grid by grid, and at least the distance from the "
+          "part "
           "by q2; of mean deviations both bars together. The bar of the discretisation "
           "part is Cauchy-Born's. The sign of a part within its bar is not known.",
           "Volume errors e are the absolute values of the volume changes.",

@@ -140,6 +140,18 @@ BOOST_AUTO_TEST_CASE(rivals_may_take_a_place_on_the_front) {
   BOOST_TEST((three.rivals(0, measure, 0).empty()));
 }
 
+BOOST_AUTO_TEST_CASE(claims_are_of_springs_that_follow_no_other_law) {
+  ExampleChart example;
+  for (const char* springs : {"mss-hencky", "mss-stvk", "mss-cf"})
+    example.add(springs, 4, 1, 14, 0.002);
+  example.add("fem-stvk:q1-sri", 4, 2, 13, 0.002);
+  example.add("fem-hencky:q1-sri", 4, 2, 13, 0.002);
+  const Chart chart = evaluated(example.chart, example.cases);
+  std::set<std::size_t> claimed;
+  for (const Claim& claim : claims(chart)) claimed.insert(claim.springs);
+  BOOST_TEST((claimed == std::set<std::size_t>{1, 2}));
+}
+
 BOOST_AUTO_TEST_CASE(claims_are_answered_by_quartiles_and_bars) {
   ExampleChart example;
   example.add("mss-cf", 4, 1, 14, 0.002);           // 40 % off

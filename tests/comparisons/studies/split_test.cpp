@@ -85,6 +85,20 @@ BOOST_AUTO_TEST_CASE(a_reference_keeps_its_lattice) {
   BOOST_TEST(settings_json(plan.reference[0])["lattice"] == "mss-fd");
 }
 
+// The springs of mss-stvk by another name; mss-fd has St-Venant's law at nu = 1/4 alone.
+BOOST_AUTO_TEST_CASE(springs_in_squared_lengths_follow_a_law_under_any_name) {
+  const auto law_of = [](const char* method, const char* strain) {
+    return followed_law(case_of("compression", {std::string("method=") + method,
+                                                std::string("spring-strain=") + strain}),
+                        thesis_law())
+        .name;
+  };
+  BOOST_TEST(law_of("mss-cf", "green") == "fem-stvk");
+  BOOST_TEST(law_of("mss-affine", "green") == "fem-stvk");
+  BOOST_TEST(law_of("mss-cf", "engineering") == "fem-hencky");
+  BOOST_TEST(law_of("mss-fd", "green") == "fem-hencky");
+}
+
 BOOST_AUTO_TEST_CASE(springs_without_a_known_continuum_are_not_split) {
   BOOST_CHECK_EXCEPTION(plan_of("compression", {"method=mss-custom", "stiffness=1,2,3"}),
                         InputError, [](const InputError& error) {

@@ -1,7 +1,6 @@
 #include "fem_reference/laws/hencky_springs.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <numbers>
 #include <random>
 
 #include "tests/fem_reference/laws.hpp"

@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(stress_is_henckys_within_printed_errors) {
   struct {
     Axes axes;
     double strain, figures[4];
-  } const rows[]{{Axes::six, 0.2, {.26, .16, .067, .038}},
+  } const rows[]{{Axes::six, 0.2, {.276, .166, .067, .038}},
                  {Axes::sixteen, 0.1, {.0017, .0010, .0004, .0001}},
                  {Axes::sixteen, 0.2, {.0132, .0081, .0032, .0019}},
                  {Axes::twenty_five, 0.2, {.0029, .0017, .0007, .0004}}};

@@ -193,6 +193,14 @@ BOOST_AUTO_TEST_CASE(custom_with_the_constants_of_cf_is_cf) {
                       custom(shear_modulus_form(lame_constants(material).mu, 0.005, 1),
                              volume_correction_modulus(material)));
     BOOST_TEST(own.volume_moduli.kappa == cf.volume_moduli.kappa);
+    NetworkSettings hencky = in_shear_modulus_form(Method::cf);
+    NetworkSettings own_hencky =
+        custom(shear_modulus_form(lame_constants(material).mu, 0.005, 1),
+               volume_correction_modulus(material));
+    hencky.strain_measure = own_hencky.strain_measure = StrainMeasure::hencky;
+    BOOST_TEST(build_network(mesh, material, own_hencky).volume_moduli.cubic ==
+                   build_network(mesh, material, hencky).volume_moduli.cubic,
+               boost::test_tools::tolerance(1e-14));
     BOOST_TEST(own.masses == cf.masses, boost::test_tools::per_element());
     BOOST_TEST_REQUIRE(own.springs.size() == cf.springs.size());
     for (std::size_t s = 0; s < cf.springs.size(); ++s) {
