@@ -15,7 +15,8 @@ namespace springcheck {
 namespace {
 
 /// The five tests of mss-cf at nu = 1/4, small and large, on the scenes' own cells.
-void add_five_tests(std::vector<SplitPlan>& splits) {
+std::vector<SplitPlan> five_tests() {
+  std::vector<SplitPlan> splits;
   const auto add = [&](const std::string& scene, const Change& load) {
     splits.push_back(plan_split(
         case_of_scene(scene, {{"method", "mss-cf"}, {"nu", 0.25}, load}), thesis_law()));
@@ -24,6 +25,7 @@ void add_five_tests(std::vector<SplitPlan>& splits) {
     for (const char* strain : {"5%", "20%"}) add(scene, {"deformation", strain});
   for (const char* angle : {"1deg", "45deg"}) add("torsion", {"deformation", angle});
   add("bending", {"young", 10e6});
+  return splits;
 }
 
 struct Springs {
@@ -48,7 +50,8 @@ std::vector<Springs> springs_of_all_laws() {
 }
 
 /// Large deformation of a cube of 5 x 5 x 5 cells by springs of all laws.
-void add_large_deformation(std::vector<SplitPlan>& splits) {
+std::vector<SplitPlan> large_deformation() {
+  std::vector<SplitPlan> splits;
   const std::array<std::pair<const char*, Change>, 4> tests{
       {{"compression", {"deformation", "20%"}},
        {"tension", {"deformation", "20%"}},
@@ -63,6 +66,7 @@ void add_large_deformation(std::vector<SplitPlan>& splits) {
           splits.push_back(plan_split(
               case_of_scene(scene, cube + springs.changes + Changes{{"nu", nu}, load}),
               *law));
+  return splits;
 }
 
 std::string load_of(const CaseSettings& settings) {
@@ -126,13 +130,11 @@ SheetRow row_of(const SplitQuantity& quantity, const Split& split,
           .cases = keys_of(quantity, springs)};
 }
 
-}  // namespace
-
-Sheet split_sheet(const std::vector<Split>& splits,
-                  const std::vector<CaseResult>& springs) {
+Sheet sheet_of(const char* name, const char* title, const std::vector<Split>& splits,
+               const std::vector<CaseResult>& springs) {
   Sheet sheet{
-      .name = "split",
-      .title = "Where springs' error comes from: law and discretisation",
+      .name = name,
+      .title = title,
       .columns = {{"scene", "scene"},
                   {"load", "load"},
                   {"cells", "cells"},
@@ -158,10 +160,6 @@ Sheet split_sheet(const std::vector<Split>& splits,
                    "{:+.2f}"},
                   {"state", "converged values"}},
       .notes = {
-          "mss-cf in the five tests at nu = 0.25 on the scenes' own cells; then, on a "
-          "cube of 5x5x5 cells at nu = 0, 0.25 and 0.4, large deformation by mss-cf, by "
-          "its springs in logarithms, and by springs that follow a law of finite "
-          "elements, against their own law and against Hencky's, which is the thesis's.",
           "Law part: converged Cauchy-Born (the continuum of the springs' lattice) minus "
           "the converged reference. Discretisation part: the springs on this mesh minus "
           "converged Cauchy-Born. The bar of a law part is that of the difference of "
@@ -184,17 +182,16 @@ Sheet split_sheet(const std::vector<Split>& splits,
   return sheet;
 }
 
-SheetPlan plan_split_table() {
-  std::vector<SplitPlan> splits;
-  add_five_tests(splits);
-  add_large_deformation(splits);
+SheetPlan plan_of(const std::vector<SplitPlan>& splits,
+                  Sheet (*sheet)(const std::vector<Split>&,
+                                 const std::vector<CaseResult>&)) {
   SheetPlan plan;
   for (const SplitPlan& split : splits) {
     plan.requests.push_back({.settings = split.springs});
     const std::vector<Request> grids = split_requests(split);
     plan.requests.insert(plan.requests.end(), grids.begin(), grids.end());
   }
-  plan.make = [splits](std::span<const CaseResult> results, MeshStore& meshes) {
+  plan.make = [splits, sheet](std::span<const CaseResult> results, MeshStore& meshes) {
     std::vector<Split> computed;
     std::vector<CaseResult> springs;
     for (const SplitPlan& split : splits) {
@@ -204,9 +201,33 @@ SheetPlan plan_split_table() {
           split_error(split, results.front(), results.subspan(1, grids), meshes));
       results = results.subspan(1 + grids);
     }
-    return split_sheet(computed, springs);
+    return sheet(computed, springs);
   };
   return plan;
+}
+
+Sheet laws_sheet(const std::vector<Split>& splits,
+                 const std::vector<CaseResult>& springs) {
+  return sheet_of("laws",
+                  "Springs of all laws in large deformation: law and discretisation",
+                  splits, springs);
+}
+
+}  // namespace
+
+Sheet split_sheet(const std::vector<Split>& splits,
+                  const std::vector<CaseResult>& springs) {
+  return sheet_of("split",
+                  "Where mss-cf's error comes from, nu = 0.25: law and discretisation",
+                  splits, springs);
+}
+
+SheetPlan plan_split_table() {
+  return plan_of(five_tests(), split_sheet);
+}
+
+SheetPlan plan_laws_table() {
+  return plan_of(large_deformation(), laws_sheet);
 }
 
 }  // namespace springcheck

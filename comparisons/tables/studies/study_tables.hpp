@@ -7,11 +7,15 @@
 
 namespace springcheck {
 
-/// Where springs' error comes from, law or discretisation: mss-cf's in the five tests,
-/// and in large deformation that of springs of all laws.
+/// Where mss-cf's error comes from in the five tests: law or discretisation.
 SheetPlan plan_split_table();
 
-/// The sheet of splits that are computed already.
+/// The same in large deformation, at nu = 0, 1/4 and .4 on a cube of 5 x 5 x 5 cells, of
+/// mss-cf, of its springs in logarithms, and of springs that follow a law of finite
+/// elements, against their own law and the thesis's.
+SheetPlan plan_laws_table();
+
+/// Table split of splits that are computed already.
 Sheet split_sheet(const std::vector<Split>& splits,
                   const std::vector<CaseResult>& springs);
 

@@ -82,28 +82,10 @@ def _diagonal_ratio(study):
 
 
 def error_parts(study):
-    """Law and discretisation, from the table split."""
-    document = study.tables.get("split")
-    if document is None:
+    """Law and discretisation, from the tables split and laws."""
+    split, laws = study.tables.get("split"), study.tables.get("laws")
+    if split is None and laws is None:
         return None
-    panels, labels = [], []
-    for quantity, title in (("volume change", "Volume change"), (None, "Answer")):
-        rows = [
-            row
-            for row in document["rows"]
-            if (row["quantity"] == quantity if quantity else row["quantity"] in _ANSWER_NAMES)
-            and row["method"] == methods.of_thesis()
-            and row["nu"] == 0.25
-        ]
-        by_label = {}
-        for row in rows:  # those on the scenes' own cells come first
-            by_label.setdefault(f"{row['scene']} {row['load']}", row)
-        labels = labels or list(by_label)
-        percent = quantity is None
-        columns = []
-        for part in ("law", "discretisation"):
-            columns += _parts(by_label, labels, part, percent)
-        panels.append((title, "% of Hencky" if percent else _unit(rows), *columns))
     section = Section("error-parts", "Where the errors come from")
     section.blocks.append(
         paragraph(
@@ -112,17 +94,33 @@ def error_parts(study):
             "Converged values carry error bars and are shown to their digits."
         )
     )
-    if labels:
-        caption = (
-            "The two parts of mss-cf's error against Hencky's law at nu = 0.25, with the bars of "
-            "the converged values."
-        )
-        section.blocks.append(
-            Figure("error_parts", caption, error_figures.draw, (labels, panels))
-        )
-    section.blocks += _law_parts(document)
-    section.blocks += sheet_blocks(document)
+    if split is not None:
+        section.blocks += _both_parts(split) + sheet_blocks(split)
+    if laws is not None:
+        section.blocks += _law_parts(laws) + sheet_blocks(laws)
     return section
+
+
+def _both_parts(document):
+    panels, labels = [], []
+    for quantity, title in (("volume change", "Volume change"), (None, "Answer")):
+        rows = [
+            row
+            for row in document["rows"]
+            if (row["quantity"] == quantity if quantity else row["quantity"] in _ANSWER_NAMES)
+            and row["scene"] != "uniaxial"
+        ]
+        by_label = {f"{row['scene']} {row['load']}": row for row in rows}
+        labels = labels or list(by_label)
+        percent = quantity is None
+        columns = []
+        for part in ("law", "discretisation"):
+            columns += _parts(by_label, labels, part, percent)
+        panels.append((title, "% of Hencky" if percent else _unit(rows), *columns))
+    if not labels:
+        return []
+    caption = "The two parts of mss-cf's error, with the bars of the converged values."
+    return [Figure("error_parts", caption, error_figures.draw, (labels, panels))]
 
 
 def _law_parts(document):

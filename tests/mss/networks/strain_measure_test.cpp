@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(small_elongations_are_the_same_and_keep_their_digits) {
 BOOST_AUTO_TEST_CASE(volume_pulls_are_slopes_of_the_energy) {
   constexpr VolumeModuli moduli{.kappa = -3, .cubic = 2};
   for (const StrainMeasure measure : all_measures)
-    for (const double t : {-0.7, -0.5, -0.1, 1e-9, 0.3, 4.}) {
+    for (const double t : {-0.7, -0.4, -0.1, 1e-9, 0.3, 4.}) {
       const auto first = [&](double change) {
         const VolumePull pull = volume_pull(measure, moduli, change);
         return pull.modulus * pull.first;
