@@ -59,12 +59,16 @@ VolumetricEnergy logarithmic(double modulus, double dilatation) {
 VolumetricEnergy cubic_logarithmic(double cubic_modulus, double dilatation) {
   const double J = 1 + dilatation, log_J = std::log1p(dilatation);
   constexpr double p = std::numbers::ln2;
-  const double q = log_J >= -p ? log_J : log_J + 2 * p;  // from the parabola's middle
-  const double sign = log_J >= -p ? 1 : -1, level = log_J >= -p ? 0 : 2 * p * p;
-  const double first = level + sign * q * q;
-  return {.value = cubic_modulus * (level * (log_J + p) + sign * q * q * q / 3),
-          .first = cubic_modulus * first / J,
-          .second = cubic_modulus * (sign * 2 * q - first) / (J * J)};
+  const double turned = log_J + 2 * p;
+  double C = log_J * log_J * log_J / 3, slope = log_J * log_J, curvature = 2 * log_J;
+  if (log_J < -p) {
+    C = 2 * p * p * (log_J + p) - turned * turned * turned / 3;
+    slope = 2 * p * p - turned * turned;
+    curvature = -2 * turned;
+  }
+  return {.value = cubic_modulus * C,
+          .first = cubic_modulus * slope / J,
+          .second = cubic_modulus * (curvature - slope) / (J * J)};
 }
 
 }  // namespace springcheck::fem_reference

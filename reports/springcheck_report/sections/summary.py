@@ -67,7 +67,7 @@ def _agreement(study):
         "difference, in points of the body's volume. Points: median deviation, over the largest "
         "displacement, from each case's own reference. Methods with their usual settings; judges "
         "are finite elements on hexahedra that do not lock{}, of the law that springs follow where they "
-        "follow one, else of Hencky's. At large deformation the law of other springs is none of finite "
+        "follow one, else of Hencky's if it was computed. At large deformation the law of other springs is none of finite "
         "elements, which is part of the difference.</p>"
     )
     unjudged = cases.counterpart.notna() & ~cases.is_judged
