@@ -165,8 +165,8 @@ Sheet sheet_of(const char* name, const char* title, const std::vector<Split>& sp
           "converged Cauchy-Born. The bar of a law part is that of the difference of "
           "both continua, extrapolated grid by grid, and at least the distance from the "
           "part by q2; of mean deviations both bars together. The bar of the "
-          "discretisation part is Cauchy-Born's. The sign of a part within its bar is not "
-          "known.",
+          "discretisation part is Cauchy-Born's. The sign of a part within its bar is "
+          "not known.",
           "Volume errors e are the absolute values of the volume changes.",
           "Mean deviations are mean distances over the nodes from the converged "
           "reference, the discretisation part from converged Cauchy-Born.",
