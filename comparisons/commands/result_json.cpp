@@ -6,6 +6,7 @@
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/settings/case_json.hpp"
 #include "comparisons/settings/scene_file.hpp"
+#include "comparisons/settings/setting.hpp"
 #include "comparisons/settings/setting_schema.hpp"
 #include "comparisons/tables/studies/split_output.hpp"
 
@@ -114,6 +115,7 @@ void for_each_told(const CaseResult& result, const Mesh& mesh, const Visit& visi
   constexpr std::optional<std::array<double, 3>> three_numbers;
   for (const char* name : {"method", "element", "source", "solver"})
     visit_setting(name, text);
+  visit("variant", variant_label(settings));
   for (const char* name : {"nu", "young", "density", "deformation"})
     visit_setting(name, number);
   visit_setting("traction", three_numbers);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "comparisons/settings/setting.hpp"
 #include "comparisons/sheets/text_table.hpp"
 
 namespace springcheck {
@@ -41,7 +42,7 @@ std::string dynamics_text(const CaseResult& result) {
   return fmt::format(
       "{}: {} {} of {:.4g} s to {:g} s{}, {}kinetic energy {:.2g} of the strain "
       "energy{}.\n",
-      label(settings), solution.steps, solution.steps == 1 ? "step" : "steps",
+      variant_label(settings), solution.steps, solution.steps == 1 ? "step" : "steps",
       *solution.dt, settings.dynamics.duration, stable_up_to(solution), inertia,
       *m.kinetic_energy / m.strain_energy.value_or(0), lacking_samples(result));
 }
@@ -60,7 +61,7 @@ std::string results_text(const std::vector<CaseResult>& results) {
                    "{:.6g}");
     };
     rows.push_back(
-        {label(result.request.settings), std::string(name_of(result.status)),
+        {variant_label(result.request.settings), std::string(name_of(result.status)),
          shown(m.volume_error, "{:.4f}", 100), shown(m.plate_force, "{:.6g}"),
          shown(m.plate_force_norm, "{:.6g}"), shown(m.plate_torque, "{:.6g}"),
          shown(m.tip_deflection, "{:.6g}"),
@@ -74,7 +75,8 @@ std::string results_text(const std::vector<CaseResult>& results) {
   std::string text = in_columns(without_empty_columns(std::move(rows), "-"));
   for (const CaseResult& result : results)
     if (!result.reason.empty())
-      text += fmt::format("{}: {}\n", label(result.request.settings), result.reason);
+      text +=
+          fmt::format("{}: {}\n", variant_label(result.request.settings), result.reason);
   for (const CaseResult& result : results) text += dynamics_text(result);
   for (const CaseResult& result : results)
     if (result.request.reference) {

@@ -229,7 +229,7 @@ std::vector<Method> spring_methods() {
                .fixed = {.strain = mss::StrainMeasure::hencky, .diagonal_ratio = 16. / 9},
                .lattice = LatticeName{.springs = Springs::cf},
                .seconds = of_plain_loops,
-               .charted = models({CellType::hexahedron}, {}),
+               .charted = models({CellType::hexahedron}, {double_precision}),
                .beside_printed = true}),
       of_springs(
           uniform,
@@ -293,7 +293,8 @@ std::vector<Method> spring_methods() {
                   .lattice = LatticeName{.springs = Springs::affine, .of_cubes = false},
                   .seconds = of_isochoric_springs,
                   .charted = models(
-                      {CellType::hexahedron, CellType::tetrahedron, CellType::prism}, {}),
+                      {CellType::hexahedron, CellType::tetrahedron, CellType::prism},
+                      {double_precision}),
                   .beside_printed = true},
                  2.8),
       of_springs(

@@ -166,6 +166,17 @@ BOOST_AUTO_TEST_CASE(springs_of_one_s_own_with_the_constants_of_mss_cf_are_mss_c
           .status == 0);
 }
 
+BOOST_AUTO_TEST_CASE(text_and_json_tell_how_springs_differ_from_their_method_s_defaults) {
+  const std::string call =
+      "run compression --method mss-cf,mss-stvk --spring-strain logarithmic " + small;
+  const Json results = json_of(call + " --json")["results"];
+  BOOST_TEST(results[0]["method"] == "mss-cf");
+  BOOST_TEST(results[0]["variant"] == "mss-cf, logarithmic");
+  BOOST_TEST(results[1]["variant"] == "mss-stvk");
+  BOOST_TEST(run_springcheck(call).out.find("\nmss-cf, logarithmic  ok") !=
+             std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(a_table_shows_the_columns_that_have_values) {
   const std::string affine = run_springcheck("run affine").out,
                     traction = run_springcheck("run traction").out;
