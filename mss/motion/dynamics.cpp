@@ -127,8 +127,9 @@ std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Network& net
   if (settings.protocol.integrator == dynamics::Integrator::implicit_euler)
     return "implicit Euler's equations are solved in double precision";
   if (!blocks_for_kernel(mesh, network))
-    return "single precision is for hexahedra and springs by engineering or Green's "
-           "strain; virtual ones by engineering strain along 6 axes alone";
+    return "single precision is for hexahedra with springs by engineering strain "
+           "(virtual "
+           "ones along 6 axes) or by Green's";
   return std::nullopt;
 }
 
