@@ -6,9 +6,8 @@
 // Names are method/cells/precision/instruction set/threads, the method with -damped for
 // dashpots of zeta = .05 and -distorted for cells of all shapes. Baselines: "naive", of
 // mss-cf's springs, and mss-affine-plain. Springs of Hencky's law have plain loops alone.
-// The time per_cell_step is what counts;
-// bytes_per_cell is the memory of what moves, without mesh and network. Sizes up to 10^6
-// cells: the largest take minutes to prepare.
+// The time per_cell_step is what counts; bytes_per_cell is the memory of what moves,
+// without mesh and network. Sizes up to 10^6 cells: the largest take minutes to prepare.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
