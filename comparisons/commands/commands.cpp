@@ -11,6 +11,7 @@
 #include "comparisons/commands/result_json.hpp"
 #include "comparisons/commands/result_text.hpp"
 #include "comparisons/methods/methods.hpp"
+#include "comparisons/results/kept_results.hpp"
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
@@ -54,9 +55,8 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
       throw InputError("--split", "solver",
                        "static: the end of dynamics and a limit have errors of their own",
                        std::string(name_of(solver)));
-    const Method& law = run.reference
-                            ? run.reference->method
-                            : followed_law(request.settings, thesis_law());
+    const Method& law = run.reference ? run.reference->method
+                                      : followed_law(request.settings, thesis_law());
     plans.push_back(is_split ? std::optional(plan_split(request.settings, law))
                              : std::nullopt);
   }
@@ -112,18 +112,23 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
   // One at a time, unless the grids of a split make it long.
   const int at_once = all.size() > asked ? parallel : 1;
   check_memory(run.cells_place, all);
-  if (result_file) check_results_writable(*result_file);
 
   MeshStore meshes;
-  std::vector<CaseResult> results;
+  std::optional<KeptResults> kept;
+  if (result_file) kept.emplace(*result_file, meshes);
+  std::vector<CaseResult> results(all.size());
   {
     Progress progress("simulations");
     const Finished show = [&](std::size_t done, std::size_t of) {
       if (all.size() > 1) progress.show(done, of);
     };
-    results = run_study(all, meshes, at_once, show, {}, watch);
+    const Deliver take = [&](std::size_t request, CaseResult&& result) {
+      if (kept) kept->keep(result);
+      results[request] = std::move(result);
+    };
+    run_study(all, meshes, at_once, show, {}, take, watch);
   }
-  if (result_file) write_results(*result_file, results, meshes);
+  if (kept) kept->finish(results);
   std::vector<std::optional<Split>> splits(asked);
   std::span<const CaseResult> grids = std::span(results).subspan(asked);
   for (std::size_t i = 0; i < asked; ++i)
@@ -151,7 +156,6 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
   const auto& [from, out] = files;
   const StoredCases stored = stored_cases(from);
   warn_of_other_commits(stored);
-  if (out) check_results_writable(*out);
   std::optional<ReferenceMethod> chosen;
   if (!reference.empty())
     chosen = reference_named(Given::from_text("--reference", reference));
@@ -159,9 +163,14 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
     throw InputError(chosen->place, "", "a method without constants of its own",
                      "'" + chosen->method.name + "'");
   MeshStore meshes;
+  std::optional<KeptResults> kept;
+  if (out) kept.emplace(*out, meshes);
   const ComputedTables computed =
-      compute_tables({name}, chosen, meshes, parallel, known_from(stored, meshes));
-  if (out) write_results(*out, computed.results, meshes);
+      compute_tables({name}, chosen, meshes, parallel, known_from(stored, meshes),
+                     [&](const CaseResult& result) {
+                       if (kept) kept->keep(result);
+                     });
+  if (kept) kept->finish(computed.results);
   for (const Table& table : computed.set.tables)
     fmt::print("{}", format_table(table, format));
   for (const Sheet& sheet : computed.set.sheets)

@@ -79,6 +79,25 @@ BOOST_AUTO_TEST_CASE(a_result_file_feeds_a_table_without_computing) {
   BOOST_TEST(text_of(folder / "one.h5") == before);
 }
 
+// An end in the middle, by what no program can catch, as soon as the file has a case.
+BOOST_AUTO_TEST_CASE(what_was_computed_is_kept_when_a_run_or_a_table_is_ended) {
+  const auto kept_cases = [](const std::string& arguments, const std::string& name) {
+    run_springcheck(arguments + " --out " + name,
+                    "sh -c '\"$@\" & until grep -qs mss- " + name +
+                        " || ! kill -0 $!; do sleep .01; done; kill -9 $!' sh ");
+    const Run merged = run_springcheck("merge merged-" + name + " " + name);
+    BOOST_TEST_REQUIRE(merged.out.starts_with(name + ": "), merged.err);
+    return std::stoi(merged.out.substr(name.size() + 2));
+  };
+  const int of_run =
+      kept_cases("run shearing --method mss-cf --cells 4,4,4 --split", "ended-run.h5");
+  BOOST_TEST(of_run >= 1);
+  BOOST_TEST(of_run < 13);  // itself, and six grids of two laws
+  const int of_table = kept_cases("table 5.1", "ended-table.h5");
+  BOOST_TEST(of_table >= 1);
+  BOOST_TEST(of_table < 88);
+}
+
 BOOST_AUTO_TEST_CASE(a_sweep_resumes_what_a_file_holds) {
   std::ofstream(folder / "small.toml")
       << "scene = ['compression', 'shearing']\nmethod = 'fem-hooke'\nelement = ['q1', "
