@@ -128,7 +128,7 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
     };
     run_study(all, meshes, at_once, show, {}, take, watch);
   }
-  if (kept) kept->finish(results);
+  if (kept) kept->finish(results, {});
   std::vector<std::optional<Split>> splits(asked);
   std::span<const CaseResult> grids = std::span(results).subspan(asked);
   for (std::size_t i = 0; i < asked; ++i)
@@ -170,7 +170,7 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
                      [&](const CaseResult& result) {
                        if (kept) kept->keep(result);
                      });
-  if (kept) kept->finish(computed.results);
+  if (kept) kept->finish(computed.results, from);
   for (const Table& table : computed.set.tables)
     fmt::print("{}", format_table(table, format));
   for (const Sheet& sheet : computed.set.sheets)

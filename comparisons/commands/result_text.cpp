@@ -39,12 +39,15 @@ std::string dynamics_text(const CaseResult& result) {
                 "{:.3g} runs of a pressure wave through the height, damping {:g}, ",
                 m.transit_count.value_or(0), settings.dynamics.damping_ratio)
           : "";  // no modulus for a pressure wave, nor that damping
-  return fmt::format(
-      "{}: {} {} of {:.4g} s to {:g} s{}, {}kinetic energy {:.2g} of the strain "
-      "energy{}.\n",
-      variant_label(settings), solution.steps, solution.steps == 1 ? "step" : "steps",
-      *solution.dt, settings.dynamics.duration, stable_up_to(solution), inertia,
-      *m.kinetic_energy / m.strain_energy.value_or(0), lacking_samples(result));
+  const std::string energies =
+      m.strain_energy ? fmt::format("kinetic energy {:.2g} of the strain energy",
+                                    *m.kinetic_energy / *m.strain_energy)
+                      : "strain energy infinite";
+  return fmt::format("{}: {} {} of {:.4g} s to {:g} s{}, {}{}{}.\n",
+                     variant_label(settings), solution.steps,
+                     solution.steps == 1 ? "step" : "steps", *solution.dt,
+                     settings.dynamics.duration, stable_up_to(solution), inertia,
+                     energies, lacking_samples(result));
 }
 
 }  // namespace

@@ -58,7 +58,10 @@ Method of_springs(mss::Method springs, Method own, double coupling = 1) {
   own.covers = words_of(mss::entry_of(springs).cells) + own.covers;
   if (own.fixed.strain != mss::StrainMeasure::hencky &&
       std::ranges::count(own.cells, CellType::hexahedron) > 0)
-    own.covers += "; single precision on hexahedra, by explicit steps";
+    own.covers += std::string("; single precision on hexahedra, by explicit steps") +
+                  (std::ranges::count(own.reads, "spring-strain") > 0
+                       ? ", of engineering and green strain"
+                       : "");
   own.reads.insert(own.reads.end(), {"damping", "precision", "noise", "seed"});
   own.solvers = {Solver::static_equilibrium,  Solver::path_limit, Solver::explicit_euler,
                  Solver::semi_implicit_euler, Solver::verlet,     Solver::implicit_euler};

@@ -19,8 +19,10 @@ class KeptResults {
   /// Adds a result, unless one of its key was added.
   void keep(const CaseResult& result);
 
-  /// Adds those of the results that were not, and writes the .xdmf.
-  void finish(std::span<const CaseResult> results);
+  /// Adds those of the results that were not, out of the files they were taken from, with
+  /// who computed them; and writes the .xdmf.
+  void finish(std::span<const CaseResult> results,
+              std::span<const std::filesystem::path> from);
 
  private:
   std::filesystem::path path_;

@@ -180,7 +180,8 @@ void ResultFile::put_map(const StoredMap& map, MapState state) {
   change([&](hid_t root) { write_map(group_of(root, "maps"), map, state); });
 }
 
-ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
+ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from,
+                                        const std::set<std::string>* keys) {
   constexpr std::size_t at_once = 500;  // bounds what a commit keeps in memory
   if (std::error_code none; std::filesystem::equivalent(from, file_, none))
     return {.added = 0, .already_there = stored_.rows.size()};
@@ -191,6 +192,7 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
   std::vector<std::string> without_fields;  // here, of cases that both have
   for (std::size_t i = 0; i < theirs.rows; ++i) {
     const std::string& key = theirs.texts.at("key")[i];
+    if (keys != nullptr && !keys->contains(key)) continue;
     const auto known = stored_.rows.find(key);
     if (known == stored_.rows.end()) {
       lacking.push_back(i);
@@ -255,11 +257,11 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from) {
       }
       absorbed.added += added.size();
     }
-    if (hdf5::has_link(source, "maps"))
+    if (keys == nullptr && hdf5::has_link(source, "maps"))
       change([&](hid_t root) {
         copy_maps(hdf5::open_group(source, "maps"), group_of(root, "maps"));
       });
-    if (hdf5::has_link(source, "charts"))
+    if (keys == nullptr && hdf5::has_link(source, "charts"))
       change([&](hid_t root) {
         merge_charts(hdf5::open_group(source, "charts"), group_of(root, "charts"));
       });

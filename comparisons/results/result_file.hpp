@@ -54,12 +54,14 @@ class ResultFile {
 
   /// Adds what another result file has and this one lacks: cases with their provenance,
   /// meshes, fields, maps, points of charts (see merged). Cases that both have stay as
-  /// they are here, but get fields they lack.
+  /// they are here, but get fields they lack. With `keys`: of cases those alone, and no
+  /// maps or charts.
   struct Absorbed {
     std::size_t added = 0, already_there = 0;
     std::vector<std::string> conflicts{};  // cases of other figures, in words
   };
-  Absorbed absorb(const std::filesystem::path& from);
+  Absorbed absorb(const std::filesystem::path& from,
+                  const std::set<std::string>* keys = nullptr);
 
  private:
   void create();

@@ -116,12 +116,12 @@ constexpr Setting table[] = {
      {.has = in_tests<Test::affine>,
       .needed = "nine numbers, row by row"}},
 
-    {"diagonal-ratio", of_lattices, chosen, of_methods,
+    {"diagonal-ratio", of_lattices, chosen, of_methods_as_option,
      in_springs<not_negative_of, &Network::diagonal_ratio>, "1",
      "A = k_f/k_c of springs or of a continuum's lattice",
      {.label = "A = k_f/k_c, face over inner diagonals",
       .usual_axis = "0.01,0.03,0.1,0.3,1,3,10,30,100", .variant = ", A = {}"}},
-    {"stiffness-form", of_lattices, chosen, of_methods,
+    {"stiffness-form", of_lattices, chosen, of_methods_as_option,
      in_springs<named<mss::StiffnessForm>, &Network::stiffness_form>, "mu",
      "constants of springs or of a continuum's lattice from mu or, as Eq. 5.12 prints, "
      "E", {.variant = ", {}-form"}},
@@ -266,8 +266,8 @@ bool reads(const CaseSettings& settings, const Setting& setting) {
 }
 
 /// Methods whose entries list the setting, and the continuum of lattices that do.
-static std::vector<std::string_view> own_readers(const Setting& setting) {
-  std::vector<std::string_view> names;
+static std::vector<std::string> own_readers(const Setting& setting) {
+  std::vector<std::string> names;
   for (const Method& method : methods())
     if (reads(method, setting.key)) names.push_back(method.name);
   const Method& continuum = continuum_of_lattices();
@@ -275,7 +275,7 @@ static std::vector<std::string_view> own_readers(const Setting& setting) {
       std::ranges::any_of(lattices(), [&](const LatticeName& lattice) {
         return std::ranges::count(lattice.reads, setting.key) > 0;
       }))
-    names.push_back(continuum.name);
+    names.push_back(continuum.name + " of such a lattice");
   return names;
 }
 

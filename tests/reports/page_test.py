@@ -31,6 +31,12 @@ method = ["mss-cf", "mss-nfd", "fem-hencky"]
 cells = [4, 4, 4]
 nu = [0, 0.1, 0.25, 0.4, 0.499]
 [[cases]]
+scene = "torsion"
+method = ["mss-cf", "fem-hencky"]
+cells = [4, 4, 4]
+nu = 0.25
+reference = "fem-hencky"
+[[cases]]
 scene = "compression"
 method = ["mss-cf", "mss-nfd", "fem-stvk"]
 cells = [4, 4, 4]

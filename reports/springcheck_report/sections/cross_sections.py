@@ -63,7 +63,8 @@ def _pairs_of_bodies(study, test):
     )
     laws = elements[elements.problem.isin(springs.problem)].groupby("name").problem.nunique()
     law = max(laws.index, key=lambda name: (laws[name], name.startswith(methods.reference_law()), name))
-    keys = elements[elements["name"] == law].reset_index().set_index("problem").key
+    elements = elements[elements["name"] == law].drop_duplicates("problem")  # beside any reference
+    keys = elements.reset_index().set_index("problem").key
     springs = springs[springs.problem.isin(keys.index)].drop_duplicates("nu").sort_values("nu")
     if len(springs) > 3:
         springs = springs.iloc[[0, len(springs) // 2, -1]]

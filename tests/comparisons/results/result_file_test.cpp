@@ -5,6 +5,7 @@
 #include <regex>
 #include <sstream>
 
+#include "comparisons/results/kept_results.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/overlay_file.hpp"
@@ -306,6 +307,37 @@ BOOST_AUTO_TEST_CASE(merging_with_an_older_file_finds_no_conflict) {
     BOOST_TEST(absorbed.conflicts.empty());
     BOOST_TEST(absorbed.already_there == results.size());
   }
+}
+
+// As two programs write a file: the second adds to it.
+BOOST_AUTO_TEST_CASE(cases_taken_from_a_file_keep_who_computed_them) {
+  const OwnFolder own;
+  const auto theirs = own.path / "theirs.h5", ours = own.path / "ours.h5";
+  MeshStore meshes;
+  const auto results = study(requests(run_of("compression", small)), meshes);
+  const auto session = [](const fs::path& file) {
+    return read_cases(file).numbers.at("provenance").values;
+  };
+  write_results(theirs, std::span(results).first(1), meshes);
+  write_results(theirs, std::span(results).last(1), meshes);
+  const std::vector<double> both{0, 1};
+  BOOST_TEST(session(theirs) == both);
+  const auto bytes = [](const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+  };
+  const std::string before = bytes(theirs);
+  KeptResults(theirs, meshes).finish(results, std::array{theirs});
+  BOOST_TEST((bytes(theirs) == before));
+  KeptResults(ours, meshes).finish(results, std::array{theirs});
+  BOOST_TEST(session(ours) == both);
+  BOOST_TEST(ResultFile(ours).stored().with_fields.size() == 2U);
+  // What was computed replaces what there is, once.
+  KeptResults kept(ours, meshes);
+  kept.keep(results[0]);
+  kept.finish(results, std::array{theirs});
+  BOOST_TEST(session(ours) == (std::vector<double>{2, 1}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
