@@ -6,6 +6,5 @@ add_library(deal.II INTERFACE)
 target_include_directories(deal.II SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
 target_compile_definitions(deal.II INTERFACE ${DEAL_II_USER_DEFINITIONS}
   $<$<CONFIG:Debug>:${DEAL_II_USER_DEFINITIONS_DEBUG}>)
-target_link_options(deal.II INTERFACE -fuse-ld=gold)  # bfd is very slow on it
 target_link_libraries(deal.II INTERFACE
   $<IF:$<CONFIG:Debug>,${DEAL_II_TARGET_DEBUG},${DEAL_II_TARGET_RELEASE}>)

@@ -9,7 +9,8 @@ set(SPRINGCHECK_PYTHON_DIR lib/python3/dist-packages CACHE STRING
   "Where the Python module that reads results is installed; of Debian's /usr unless set")
 install(FILES reports/springcheck_results.py DESTINATION ${SPRINGCHECK_PYTHON_DIR}
   COMPONENT program)
-install(FILES README.md NOTICE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR}
+install(FILES README.md NOTICE reports/springcheck_report/page_licences.txt CITATION.cff
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}
   COMPONENT program)
 install(DIRECTORY comparisons/shipped/scenes comparisons/shipped/sweeps
   comparisons/shipped/gates DESTINATION ${CMAKE_INSTALL_DATADIR}/springcheck

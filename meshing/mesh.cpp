@@ -11,6 +11,7 @@
 #include "meshing/cell_geometry.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/sha256.hpp"
+#include "meshing/text.hpp"
 
 namespace springcheck {
 namespace {
@@ -128,8 +129,26 @@ Region boundary_of(const std::vector<CellNodes>& cells, const FaceUses& uses) {
   return boundary;
 }
 
+/// Names are links in result files, words in JSON and on command lines, lines in
+/// messages.
+void check_region_name(const std::string& source, const std::string& name) {
+  constexpr std::size_t longest = 1000;
+  const bool has_control = std::ranges::any_of(
+      name, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; });
+  if (name.empty() || name.size() > longest || has_control || !is_utf8(name))
+    throw InputError(source, fmt::format("region {}", quotation(name)),
+                     fmt::format("a name of 1 to {} bytes of UTF-8, none of them a "
+                                 "control character",
+                                 longest),
+                     name.empty()            ? "an empty one"
+                     : name.size() > longest ? fmt::format("{} bytes", name.size())
+                     : has_control           ? "one with a control character"
+                                             : "bytes that are no UTF-8");
+}
+
 Region checked_region(const std::string& source, const std::string& name,
                       std::vector<FaceNodes> faces, const FaceUses& uses) {
+  check_region_name(source, name);
   if (faces.empty())
     throw InputError(source, fmt::format("region '{}'", name), "at least 1 face", "0");
   Region region{.faces = std::move(faces)};

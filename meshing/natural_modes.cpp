@@ -1,13 +1,12 @@
 #include "meshing/natural_modes.hpp"
 
-#include <Eigen/CholmodSupport>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 
-#include "meshing/random_numbers.hpp"
+#include "meshing/sparse_cholesky.hpp"
 
 namespace springcheck {
 namespace {
@@ -22,24 +21,20 @@ constexpr double shift_of_largest = 1e-6, zero_of_largest = 1e-9;
 class ShiftedInverse {
  public:
   ShiftedInverse(const SparseMatrix& stiffness, const SparseMatrix& masses, double shift)
-      : masses_(masses) {
-    factor_.cholmod().print = 0;  // a failure is an answer, not a warning
-    const SparseMatrix shifted = stiffness + shift * masses;
-    const std::lock_guard lock(random_numbers());  // the ordering is METIS's
-    factor_.compute(shifted);
-  }
+      : masses_(masses), exists_(cholesky_.factor(stiffness + shift * masses)) {}
 
-  [[nodiscard]] bool exists() const { return factor_.info() == Eigen::Success; }
+  [[nodiscard]] bool exists() const { return exists_; }
   [[nodiscard]] MatrixXd weighed(const MatrixXd& x) const {
     return masses_.selfadjointView<Eigen::Lower>() * x;
   }
   [[nodiscard]] MatrixXd apply(const MatrixXd& x) const {
-    return factor_.solve(weighed(x));
+    return cholesky_.solve(weighed(x));
   }
 
  private:
   const SparseMatrix& masses_;
-  Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> factor_;
+  SparseCholesky cholesky_;
+  bool exists_;
 };
 
 /// An M-orthonormal basis of what the block adds to the basis; directions that are

@@ -15,6 +15,10 @@ bool goes_through_time(const CaseSettings& settings) {
   return solver != Solver::static_equilibrium && solver != Solver::path_limit;
 }
 
+bool needs_tangents(const CaseSettings& settings) {
+  return !goes_through_time(settings) || solver_of(settings) == Solver::implicit_euler;
+}
+
 bool has_history(const CaseSettings& settings) {
   return goes_through_time(settings) || settings.method.has_history;
 }

@@ -113,6 +113,9 @@ mss::NetworkSettings springs_of(const CaseSettings& settings, const FixedSprings
 /// The solver given, or else the method's own; static where the method follows none.
 Solver solver_of(const CaseSettings& settings);
 
+/// Whether it solves with tangents: without inertia, or by implicit steps.
+bool needs_tangents(const CaseSettings& settings);
+
 /// With inertia. Some methods have a history without, by the static solver.
 bool goes_through_time(const CaseSettings& settings);
 bool has_history(const CaseSettings& settings);

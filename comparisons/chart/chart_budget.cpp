@@ -9,6 +9,7 @@
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
 #include "comparisons/settings/case_json.hpp"
+#include "comparisons/system/memory.hpp"
 
 namespace springcheck {
 namespace {

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -27,7 +28,9 @@
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/settings/suggestion.hpp"
 #include "comparisons/system/blas.hpp"
+#include "comparisons/system/memory.hpp"
 #include "meshing/input_error.hpp"
+#include "meshing/text.hpp"
 
 namespace springcheck {
 namespace {
@@ -83,6 +86,11 @@ TableFormat table_format(const std::string& name) {
   throw InputError("--format", "", "one of md, csv, json, latex", "'" + name + "'");
 }
 
+FailOn fail_on_named(const std::string& name) {
+  if (const auto* found = find_value<FailOn>(name)) return found->value;
+  throw InputError("--fail-on", "", "one of any, all, none", "'" + name + "'");
+}
+
 std::optional<std::filesystem::path> path_or_none(const std::string& text) {
   if (text.empty()) return std::nullopt;
   return text;
@@ -103,6 +111,14 @@ std::string check_seconds(const std::string& text) {
 std::string check_positive_seconds(const std::string& text) {
   if (check_seconds(text).empty() && std::strtod(text.c_str(), nullptr) > 0) return "";
   return "expected a number of seconds above 0, got '" + text + "'";
+}
+
+/// All of them may come to stand in JSON and HDF5.
+void check_utf8(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    if (!is_utf8(argv[i]))
+      throw InputError("springcheck", fmt::format("argument {}", i), "text in UTF-8",
+                       fmt::format("other bytes: {}", quotation(argv[i])));
 }
 
 /// The command that the first word names; nullptr where it is an option or nothing.
@@ -133,6 +149,21 @@ void check_options(const CLI::App& command, int argc, char** argv) {
   }
 }
 
+/// Where the address space is limited (ulimit -v): refuses what OpenBLAS could not work
+/// in, and takes what it needs.
+void check_address_space(int threads) {
+  constexpr double for_all_else = 50e6;
+  const double room = room_of_address_space();
+  if (std::isinf(room)) return;
+  const double needed = threads * blas_buffer_bytes + for_all_else;
+  if (room < needed)
+    throw InputError("springcheck", "address space (ulimit -v)",
+                     fmt::format("{:.2g} GB more for {} threads (see --help for fewer)",
+                                 needed / 1e9, threads),
+                     fmt::format("{:.2g} GB", room / 1e9));
+  reserve_blas_buffers(threads);
+}
+
 /// What was printed must have arrived: a full disk or a closed pipe is a failure.
 void flush_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
@@ -140,6 +171,7 @@ void flush_output() {
 }
 
 int run_arguments(int argc, char** argv) {
+  check_utf8(argc, argv);
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   CLI::App app("Cross-validates mass-spring soft-tissue models against finite elements.");
   app.require_subcommand(1);
@@ -150,7 +182,7 @@ int run_arguments(int argc, char** argv) {
 
   std::vector<std::filesystem::path> from;
   std::string scene, out, name, reference, format = "md", what, results, junit;
-  std::string displacements, forces, checkpoint;
+  std::string displacements, forces, checkpoint, fail_on;
   Watch watch{.shows_progress = true};
   std::string shard = "1/1";
   SweepOptions sweep_options{.jobs = cores};
@@ -172,6 +204,10 @@ int run_arguments(int argc, char** argv) {
                 "split the errors of spring methods into law and discretisation; runs "
                 "finite elements on up to 4 times as many cells along each axis");
   run->add_flag("--json", json, "print one JSON document");
+  run->add_option("--fail-on", fail_on,
+                  "exit with 3 when a status is not one that the scene expects: of any "
+                  "method, of all, or none (default any with one method; none with "
+                  "several: they may all fail, and the exit status is 0)");
   CLI::Option* const checkpoint_file =
       run->add_option(
              "--checkpoint", checkpoint,
@@ -402,8 +438,10 @@ int run_arguments(int argc, char** argv) {
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("springcheck"));
   spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
-  if (*run || *table || *sweep || *stability || *chart || *advise || *everything)
+  if (*run || *table || *sweep || *stability || *chart || *advise || *everything) {
     restart_with_fitting_blas(argv);
+    check_address_space(threads);
+  }
   use_one_blas_thread();
   const tbb::global_control limit(
       tbb::global_control::max_allowed_parallelism,
@@ -412,8 +450,14 @@ int run_arguments(int argc, char** argv) {
   if (*run) {
     watch.checkpoint = path_or_none(checkpoint);
     status =
-        run_command(scene, run_options.given(), path_or_none(out), output(),
-                    split ? ErrorSplit::wanted : ErrorSplit::not_wanted, threads, watch);
+        run_command(scene, run_options.given(),
+                    {.out = path_or_none(out),
+                     .output = output(),
+                     .error_split = split ? ErrorSplit::wanted : ErrorSplit::not_wanted,
+                     .fail_on = fail_on.empty() ? std::nullopt
+                                                : std::optional(fail_on_named(fail_on)),
+                     .parallel = threads},
+                    watch);
   } else if (*measure)
     status = measure_command(scene, measure_options.given(),
                              {displacements, path_or_none(forces), name},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/commands/quality_text.hpp"
@@ -92,30 +93,45 @@ void check_checkpoint(const RunSettings& run, const std::filesystem::path& file,
   check_writable(file);
 }
 
+bool has_failed(const std::vector<CaseResult>& results,
+                const std::vector<Status>& expected, FailOn fail_on) {
+  const auto failed = static_cast<std::size_t>(
+      std::ranges::count_if(results, [&](const CaseResult& result) {
+        return std::ranges::count(expected, result.status) == 0;
+      }));
+  switch (fail_on) {
+    case FailOn::any:
+      return failed > 0;
+    case FailOn::all:
+      return failed == results.size();
+    case FailOn::none:
+      return false;
+  }
+  throw std::logic_error("a FailOn that is none");
+}
+
 }  // namespace
 
-ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
-                       const std::optional<std::filesystem::path>& result_file,
-                       Output output, ErrorSplit error_split, int parallel,
-                       const Watch& watch) {
-  const RunSettings run = read_run(scene, options);
-  if (watch.checkpoint) check_checkpoint(run, *watch.checkpoint, result_file);
+ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& given,
+                       const RunOptions& options, const Watch& watch) {
+  const RunSettings run = read_run(scene, given);
+  if (watch.checkpoint) check_checkpoint(run, *watch.checkpoint, options.out);
   std::vector<Request> all = requests(run);
   const std::size_t asked = all.size();
   std::vector<std::optional<SplitPlan>> plans(asked);
-  if (error_split == ErrorSplit::wanted) plans = split_plans(run, all);
+  if (options.error_split == ErrorSplit::wanted) plans = split_plans(run, all);
   for (const auto& plan : plans)
     if (plan) {
       const std::vector<Request> needed = split_requests(*plan);
       all.insert(all.end(), needed.begin(), needed.end());
     }
   // One at a time, unless the grids of a split make it long.
-  const int at_once = all.size() > asked ? parallel : 1;
+  const int at_once = all.size() > asked ? options.parallel : 1;
   check_memory(run.cells_place, all);
 
   MeshStore meshes;
   std::optional<KeptResults> kept;
-  if (result_file) kept.emplace(*result_file, meshes);
+  if (options.out) kept.emplace(*options.out, meshes);
   std::vector<CaseResult> results(all.size());
   {
     Progress progress("simulations");
@@ -138,7 +154,7 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
       grids = grids.subspan(count);
     }
   results.resize(asked);
-  if (output == Output::json) {
+  if (options.output == Output::json) {
     fmt::print("{}\n", run_json(run.common.scene, results, splits, meshes).dump(2));
   } else {
     fmt::print("{}", results_text(results));
@@ -146,9 +162,10 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
       if (split) fmt::print("\n{}", split_text(*split));
   }
 
-  const bool as_expected =
-      results.size() > 1 || std::ranges::count(run.expect, results.front().status) > 0;
-  return as_expected ? ExitStatus::done : ExitStatus::unexpected_status;
+  const FailOn fail_on =
+      options.fail_on.value_or(asked == 1 ? FailOn::any : FailOn::none);
+  return has_failed(results, run.expect, fail_on) ? ExitStatus::unexpected_status
+                                                  : ExitStatus::done;
 }
 
 ExitStatus table_command(const std::string& name, const TableFiles& files,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/cases/named.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/settings/run_settings.hpp"
 #include "comparisons/sheets/table_format.hpp"
@@ -19,13 +20,26 @@ enum class Output { text, json };
 
 enum class ErrorSplit { not_wanted, wanted };
 
-/// `springcheck run`: prints the results, writes them to `result_file` when given. The
-/// simulations that split the error are run `parallel` at a time. A checkpoint is of one
-/// method in dynamics, or InputError is thrown.
-ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& options,
-                       const std::optional<std::filesystem::path>& result_file,
-                       Output output, ErrorSplit error_split, int parallel,
-                       const Watch& watch);
+/// When a run is no success: where one of its cases ends in a status that the scene does
+/// not expect, where all of them do, or never.
+enum class FailOn { any, all, none };
+
+template <>
+inline constexpr std::array value_names<FailOn>{
+    Named{FailOn::any, "any"}, Named{FailOn::all, "all"}, Named{FailOn::none, "none"}};
+
+struct RunOptions {
+  std::optional<std::filesystem::path> out;  // result file
+  Output output;
+  ErrorSplit error_split;
+  std::optional<FailOn> fail_on;  // none given: any of one case, none of several
+  int parallel;                   // simulations that split the error
+};
+
+/// `springcheck run`: prints the results, and writes them to a file. A checkpoint is of
+/// one method in dynamics, or InputError is thrown.
+ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>& given,
+                       const RunOptions& options, const Watch& watch);
 
 /// Result files of a table: what to take cases from, where to write all of them.
 struct TableFiles {

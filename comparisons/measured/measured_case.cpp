@@ -9,9 +9,9 @@
 #include "comparisons/measured/node_finder.hpp"
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/running/simulate.hpp"
-#include "comparisons/settings/utf8.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/sha256.hpp"
+#include "meshing/text.hpp"
 
 namespace springcheck {
 namespace {

@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <fstream>
 #include <limits>
+#include <sstream>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "comparisons/measured/nodal_vectors.hpp"
 #include "comparisons/measured/vtk_numbers.hpp"
@@ -21,14 +25,59 @@ std::string attribute(const Tree& element, const std::string& name) {
   return element.get("<xmlattr>." + name, "");
 }
 
+/// The last character of what begins with "<" at that place; npos where there is none.
+std::size_t end_of_markup(std::string_view text, std::size_t at) {
+  for (const auto& [start, end] :
+       {std::pair<std::string_view, std::string_view>{"<!--", "-->"},
+        {"<![CDATA[", "]]>"}})
+    if (text.substr(at).starts_with(start)) {
+      const std::size_t found = text.find(end, at);
+      return found == std::string_view::npos ? found : found + end.size() - 1;
+    }
+  for (char quote = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (quote == 0 && c == '>') return at;
+    if (quote == 0 && (c == '"' || c == '\''))
+      quote = c;
+    else if (c == quote)
+      quote = 0;
+  }
+  return std::string_view::npos;
+}
+
+/// Throws InputError for elements in elements in elements ...: Boost's parser calls
+/// itself for each, and some 10,000 overrun the stack. VTK's formats have 6.
+void check_nesting(const std::string& name, std::string_view text) {
+  constexpr int deepest = 100;
+  int depth = 0;
+  std::size_t end = 0;
+  for (std::size_t at = text.find('<'); at != std::string_view::npos;
+       at = text.find('<', end)) {
+    end = end_of_markup(text, at);
+    if (end == std::string_view::npos) return;  // the parser will say so
+    const char first = text[at + 1];
+    if (first == '/')
+      --depth;
+    else if (first != '?' && first != '!' && text[end - 1] != '/')
+      ++depth;
+    if (depth > deepest)
+      throw InputError(
+          fmt::format("{}:{}", name, 1 + std::ranges::count(text.substr(0, at), '\n')),
+          "", fmt::format("elements in each other, up to {} deep", deepest), "more");
+  }
+}
+
 /// A vtu file: its name for messages, the element that all is in, and what that says.
 class VtuFile {
  public:
   explicit VtuFile(const std::filesystem::path& file) : name_(file.string()) {
-    std::ifstream in(file);
+    std::ifstream in(file, std::ios::binary);
     if (!in || std::filesystem::is_directory(file)) refuse("", "a readable file", "none");
+    std::stringstream content;
+    content << in.rdbuf();
+    check_nesting(name_, content.view());
     try {
-      read_xml(in, tree_);
+      read_xml(content, tree_);
     } catch (const boost::property_tree::xml_parser_error& error) {
       throw InputError(fmt::format("{}:{}", name_, error.line()), "",
                        "XML; binary data inline as base64, not appended raw",

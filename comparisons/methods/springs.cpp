@@ -101,7 +101,7 @@ Method of_springs(mss::Method springs, Method own, double coupling = 1) {
     };
   };
   own.linear_systems = [coupling](const CaseSettings& settings) -> LinearSystems {
-    if (goes_through_time(settings)) return {};
+    if (!needs_tangents(settings)) return {};
     return {.kind = LinearSystems::Kind::cholesky,
             .coupling = settings.material.poisson_ratio > 0.25 ? coupling : 1};
   };

@@ -126,7 +126,7 @@ Method of_tissue(Method own) {
   own.has_history = true;
   own.seconds.at_rest = 0.5;
   own.linear_systems = [](const CaseSettings& settings) -> LinearSystems {
-    if (goes_through_time(settings)) return {};
+    if (!needs_tangents(settings)) return {};
     return {.kind = LinearSystems::Kind::cholesky};
   };
   return own;

@@ -15,7 +15,8 @@ const std::vector<Described>& file_layout() {
       {"/meshes/SHA256",
        "nodes [m]; tetrahedra, pyramids, prisms, hexahedra, those there are (gmsh's "
        "order, from 0; fields of cells follow in this order); regions/NAME (outward "
-       "faces, of triangles the last node twice); with prisms or several types "
+       "faces, of triangles the last node twice; in names '/' and '%' are %2F and %25); "
+       "with prisms or several types "
        "xdmf_topology, the same cells for ParaView"},
       {"/maps/SHA256",
        "maps of `springcheck stability`: attributes scene, first, second (settings); "

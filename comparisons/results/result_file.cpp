@@ -49,42 +49,8 @@ void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
     hdf5::write_table(group, "deviation", flat(result.deviation), 3);
 }
 
-/// A group, made where the file has none.
-hdf5::Handle group_of(hid_t root, const char* name) {
-  return hdf5::has_link(root, name) ? hdf5::open_group(root, name)
-                                    : hdf5::create_group(root, name);
-}
-
-/// Copies the maps that a file lacks, or has without their limits.
-void copy_maps(hid_t from, hid_t to) {
-  for (const std::string& name : hdf5::links(from)) {
-    const auto has_limits = [&](hid_t maps) {
-      const auto map = hdf5::open_group(maps, name);
-      return row_count(hdf5::open_group(map, "limits")) > 0;
-    };
-    if (hdf5::has_link(to, name)) {
-      if (has_limits(to) || !has_limits(from)) continue;
-      hdf5::remove_link(to, name);
-    }
-    hdf5::copy_link(from, to, name);
-  }
-}
-
 std::filesystem::path xdmf_beside(std::filesystem::path file) {
   return file.replace_extension(".xdmf");
-}
-
-/// The first column in which two rows of a key differ, but for times, provenance, and the
-/// family, which follows from the method and which files of before 0.3.0 lack.
-std::optional<std::string> differing_figure(Row a, Row b) {
-  for (const char* free : {"wall_s", "solve_wall_s", "provenance", "family"}) {
-    a.erase(free);
-    b.erase(free);
-  }
-  for (const Row* row : {&a, &b})
-    for (const auto& [name, value] : *row)
-      if (!a.contains(name) || !b.contains(name) || a.at(name) != b.at(name)) return name;
-  return std::nullopt;
 }
 
 /// The path, unless that of the .xdmf beside a result file.
@@ -119,9 +85,7 @@ void ResultFile::create() {
   });
 }
 
-/// One commit: what `change` does to the open file, wholly or not at all.
-template <class Change>
-void ResultFile::change(Change&& change) {
+void ResultFile::change(const std::function<void(hid_t root)>& change) {
   if (!std::filesystem::exists(file_)) create();
   OverlayFile overlay(file_);
   {
@@ -129,6 +93,20 @@ void ResultFile::change(Change&& change) {
     change(root);
   }
   write_pages(file_, overlay.writes());
+}
+
+void ResultFile::change_from(
+    const std::filesystem::path& from,
+    const std::function<void(hid_t source, hid_t root)>& change) {
+  if (!std::filesystem::exists(file_)) create();
+  std::optional<OverlayFile> overlay;
+  reading(from, [&](hid_t source) {
+    overlay.emplace(file_);
+    const hdf5::Handle root(overlay->open(), H5Fclose, file_.string());
+    change(source, root);
+    return 0;
+  });
+  write_pages(file_, overlay->writes());
 }
 
 void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
@@ -173,101 +151,11 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
 }
 
 void ResultFile::put_chart(const StoredChart& chart) {
-  change([&](hid_t root) { write_chart(group_of(root, "charts"), chart); });
+  change([&](hid_t root) { write_chart(hdf5::group_made_in(root, "charts"), chart); });
 }
 
 void ResultFile::put_map(const StoredMap& map, MapState state) {
-  change([&](hid_t root) { write_map(group_of(root, "maps"), map, state); });
-}
-
-ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from,
-                                        const std::set<std::string>* keys) {
-  constexpr std::size_t at_once = 500;  // bounds what a commit keeps in memory
-  if (std::error_code none; std::filesystem::equivalent(from, file_, none))
-    return {.added = 0, .already_there = stored_.rows.size()};
-  const Columns theirs = read_cases(from);
-  const Columns ours = std::filesystem::exists(file_) ? read_cases(file_) : Columns{};
-  Absorbed absorbed;
-  std::vector<std::size_t> lacking;
-  std::vector<std::string> without_fields;  // here, of cases that both have
-  for (std::size_t i = 0; i < theirs.rows; ++i) {
-    const std::string& key = theirs.texts.at("key")[i];
-    if (keys != nullptr && !keys->contains(key)) continue;
-    const auto known = stored_.rows.find(key);
-    if (known == stored_.rows.end()) {
-      lacking.push_back(i);
-      continue;
-    }
-    ++absorbed.already_there;
-    if (const auto column =
-            differing_figure(row_at(ours, known->second), row_at(theirs, i)))
-      absorbed.conflicts.push_back(
-          fmt::format("case {}: {} differs in {}", key, *column, from.string()));
-    else if (!stored_.with_fields.contains(key))
-      without_fields.push_back(key);
-  }
-  read_once(from, [&](hid_t source) {
-    const auto their_meshes = hdf5::open_group(source, "meshes"),
-               their_fields = hdf5::open_group(source, "fields");
-    const Columns sessions = read_columns(hdf5::open_group(source, "provenance"));
-    std::erase_if(without_fields, [&](const std::string& key) {
-      return !hdf5::has_link(their_fields, key);
-    });
-    if (!without_fields.empty())
-      change([&](hid_t root) {
-        const auto fields = hdf5::open_group(root, "fields");
-        for (const std::string& key : without_fields)
-          hdf5::copy_link(their_fields, fields, key);
-      });
-    stored_.with_fields.insert(without_fields.begin(), without_fields.end());
-    std::map<double, double> session_of;  // theirs to ours
-    for (std::size_t first = 0; first < lacking.size(); first += at_once) {
-      const std::span<const std::size_t> part =
-          std::span(lacking).subspan(first, std::min(at_once, lacking.size() - first));
-      std::vector<Row> added;
-      change([&](hid_t root) {
-        const auto meshes = hdf5::open_group(root, "meshes"),
-                   fields = hdf5::open_group(root, "fields"),
-                   provenance = hdf5::open_group(root, "provenance");
-        for (const std::size_t i : part) {
-          Row row = row_at(theirs, i);
-          const auto& key = std::get<std::string>(row.at("key"));
-          const auto& mesh = std::get<std::string>(row.at("mesh"));
-          double& session = std::get<std::vector<double>>(row.at("provenance")).front();
-          const auto [place, is_new] =
-              session_of.try_emplace(session, static_cast<double>(row_count(provenance)));
-          if (is_new)
-            append_rows(provenance,
-                        {{row_at(sessions, static_cast<std::size_t>(session))}});
-          session = place->second;
-          if (!hdf5::has_link(meshes, mesh)) hdf5::copy_link(their_meshes, meshes, mesh);
-          if (hdf5::has_link(their_fields, key)) {
-            hdf5::copy_link(their_fields, fields, key);
-            stored_.with_fields.insert(key);
-          }
-          added.push_back(std::move(row));
-        }
-        append_rows(hdf5::open_group(root, "cases"), added);
-      });
-      for (const Row& row : added) {
-        const auto& key = std::get<std::string>(row.at("key"));
-        stored_.rows.emplace(key, stored_.rows.size());
-        stored_.statuses.emplace(
-            key, status_named(std::get<std::string>(row.at("status")), from.string()));
-      }
-      absorbed.added += added.size();
-    }
-    if (keys == nullptr && hdf5::has_link(source, "maps"))
-      change([&](hid_t root) {
-        copy_maps(hdf5::open_group(source, "maps"), group_of(root, "maps"));
-      });
-    if (keys == nullptr && hdf5::has_link(source, "charts"))
-      change([&](hid_t root) {
-        merge_charts(hdf5::open_group(source, "charts"), group_of(root, "charts"));
-      });
-    return 0;
-  });
-  return absorbed;
+  change([&](hid_t root) { write_map(hdf5::group_made_in(root, "maps"), map, state); });
 }
 
 void write_xdmf_for(const std::filesystem::path& file,

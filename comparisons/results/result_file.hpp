@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "comparisons/results/case_rows.hpp"
 #include "comparisons/store/lock_file.hpp"
@@ -65,8 +67,19 @@ class ResultFile {
 
  private:
   void create();
-  template <class Change>
-  void change(Change&& change);
+
+  /// One commit: what `change` does to the open file, wholly or not at all.
+  void change(const std::function<void(hid_t root)>& change);
+
+  /// The same with another result file open, which its writer may change meanwhile:
+  /// `change` may be called again, and is committed when it saw one state of it.
+  void change_from(const std::filesystem::path& from,
+                   const std::function<void(hid_t source, hid_t root)>& change);
+
+  // Parts of absorb: fields of cases that both have, and cases that this file lacks.
+  void copy_fields(const std::filesystem::path& from, std::vector<std::string> keys);
+  void copy_cases(const std::filesystem::path& from, const Columns& theirs,
+                  std::span<const std::size_t> rows, std::map<double, double>& sessions);
 
   std::filesystem::path file_;
   LockFile lock_;

@@ -45,7 +45,7 @@ void ResultWriter::write_until_stopped() {
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [&] { return stopping_ || !waiting_.empty(); });
-    if (stopping_) return;
+    if (waiting_.empty()) return;
     const std::vector<CaseResult> results = std::exchange(waiting_, {});
     writing_ = true;
     lock.unlock();

@@ -4,7 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <sstream>
+#include <charconv>
+#include <cmath>
 #include <stdexcept>
 #include <tuple>
 
@@ -27,15 +28,19 @@ std::string text_of(const TimedRounds& times) {
 }
 
 TimedRounds times_in(const std::string& text) {
-  TimedRounds times;
-  std::istringstream rounds(text);
-  for (std::string round; std::getline(rounds, round, ';');) {
-    std::istringstream numbers(round);
-    times.emplace_back();
-    for (std::string number; std::getline(numbers, number, ',');)
-      times.back().push_back(std::stod(number));
+  TimedRounds times{{}};
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data();; ++at) {
+    double time = 0;
+    const auto [stop, error] = std::from_chars(at, end, time);
+    if (error != std::errc{} || !std::isfinite(time) ||
+        (stop != end && *stop != ',' && *stop != ';'))
+      throw std::runtime_error("a chart has a point of times '" + text + "'");
+    times.back().push_back(time);
+    if (stop == end) return times;
+    if (*stop == ';') times.emplace_back();
+    at = stop;
   }
-  return times;
 }
 
 Row row_of(const StoredChart::Truth& truth) {

@@ -48,6 +48,16 @@ std::vector<std::uint32_t> face_table(const std::vector<FaceNodes>& faces) {
   return values;
 }
 
+/// A region's name as HDF5 takes it for one link: "/" leads into groups, and "." is the
+/// group itself. Such bytes as in URLs (RFC 3986, section 2.1), "%" with them.
+std::string link_name(const std::string& region) {
+  std::string name;
+  for (const char c : region)
+    name += c == '/' || c == '%' || region == "." ? fmt::format("%{:02X}", c)
+                                                  : std::string(1, c);
+  return name;
+}
+
 }  // namespace
 
 void write_stored_mesh(hid_t meshes, const Mesh& mesh) {
@@ -70,7 +80,7 @@ void write_stored_mesh(hid_t meshes, const Mesh& mesh) {
     hdf5::write_table(group, xdmf_topology, mixed_topology(mesh.cells()), 1);
   const auto regions = hdf5::create_group(group, "regions");
   for (const auto& [name, region] : mesh.regions())
-    hdf5::write_table(regions, name, face_table(region.faces), 4);
+    hdf5::write_table(regions, link_name(name), face_table(region.faces), 4);
 }
 
 std::size_t stored_cell_count(hid_t mesh) {

@@ -5,9 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
+#include "comparisons/system/memory.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -19,25 +18,13 @@ double estimated_mesh_memory(const Body& body) {
   return program + per_cell * estimated_cells(body);
 }
 
-/// A number of kilobytes that Linux tells under a name; none elsewhere.
-std::optional<double> bytes_in(const char* file, const char* name) {
-  std::ifstream info(file);
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with(name)) {
-      double kilobytes = 0;
-      std::istringstream(line.substr(line.find(':') + 1)) >> kilobytes;
-      return 1024 * kilobytes;
-    }
-  return std::nullopt;
-}
-
 void refuse_if_too_large(const std::string& place, const std::string& what,
                          double bytes) {
   const double available = available_memory();
   if (bytes > available)
     throw InputError(
         place, what,
-        fmt::format("cells for at most {:.3g} GB, which this machine has left",
+        fmt::format("cells for at most {:.3g} GB, which this process may still take",
                     available / 1e9),
         fmt::format("an estimate of {:.3g} GB", bytes / 1e9));
 }
@@ -69,22 +56,6 @@ double estimated_memory(const CaseSettings& settings) {
     }
   }
   return bytes;
-}
-
-double available_memory() {
-  return bytes_in("/proc/meminfo", "MemAvailable:").value_or(INFINITY);
-}
-
-double resident_memory() {
-  return bytes_in("/proc/self/status", "VmRSS:").value_or(0);
-}
-
-double peak_memory() {
-  return bytes_in("/proc/self/status", "VmHWM:").value_or(0);
-}
-
-void reset_peak_memory() {
-  std::ofstream("/proc/self/clear_refs") << "5";
 }
 
 void check_mesh_memory(const std::string& place, const Body& body) {

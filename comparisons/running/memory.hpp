@@ -4,21 +4,12 @@
 
 namespace springcheck {
 
-/// What this machine has left, as Linux estimates it [bytes]; infinite elsewhere.
-double available_memory();
-
-/// What this process has of the machine's memory, and the most since the last reset
-/// [bytes], as Linux counts it; 0 elsewhere.
-double resident_memory();
-double peak_memory();
-void reset_peak_memory();
-
 /// Peak memory of the program while it runs one simulation [bytes], fitted to measured
 /// ones (memory.cpp).
 double estimated_memory(const CaseSettings& settings);
 
 /// Throws InputError when the mesh alone would not fit into the memory that is available
-/// (what Linux calls so).
+/// (available_memory).
 /// `place` says where the cell counts were given.
 void check_mesh_memory(const std::string& place, const Body& body);
 

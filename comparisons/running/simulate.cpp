@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "comparisons/cases/mechanical_scene.hpp"
@@ -16,21 +15,22 @@
 #include "comparisons/running/checkpoint_file.hpp"
 #include "comparisons/running/progress.hpp"
 #include "comparisons/settings/case_json.hpp"
-#include "meshing/input_error.hpp"
+#include "comparisons/store/lock_file.hpp"
+#include "meshing/breakdown.hpp"
+#include "meshing/output_file.hpp"
 #include "meshing/stopwatch.hpp"
 
 namespace springcheck {
 namespace {
 
-/// A breakdown is a result: one case must not end a study of thousands.
+/// A breakdown is a result. What else is thrown says nothing about the case, and must not
+/// be stored as if it did.
 Solution solve_or_break_down(const CaseSettings& settings, const Mesh& mesh, int threads,
                              const dynamics::Observers& observers) {
   try {
     return settings.method.solve(settings, mesh, mechanical_scene(settings, mesh),
                                  threads, observers);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
+  } catch (const Breakdown& error) {
     Solution none{};
     none.status = SolveStatus::not_converged;
     none.reason = std::string("the solver broke down: ") + error.what();
@@ -151,6 +151,9 @@ CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, int threads,
   // CHOLMOD starts teams of four, whatever OMP_NUM_THREADS says, for loops so small that
   // factors of 10^3 cells take three times as long. A thread without levels has no teams.
   omp_set_max_active_levels(0);
+  std::optional<LockFile> lock;  // two runs must not write one checkpoint
+  if (watch.checkpoint && goes_through_time(settings))
+    lock.emplace(link_target(*watch.checkpoint));
   const Stopwatch stopwatch;
   History history;
   const dynamics::Observers observers = observers_of(settings, mesh, watch, history);

@@ -21,8 +21,8 @@ struct Watch {
 
 /// Runs one case, without its reference: solution, measures, verdict and times; no key.
 /// threads: of dynamics; other solvers' inner loops take those that TBB has to spare.
-/// A solver that breaks down (out of memory, say) leaves status not_converged and its
-/// words as reason; only InputError is thrown.
+/// A solver that breaks down leaves status not_converged and its words as reason. Throws
+/// InputError, and what says nothing about the case: std::bad_alloc above all.
 CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, int threads = 1,
                     const Watch& watch = {});
 

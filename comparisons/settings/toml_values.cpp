@@ -10,7 +10,6 @@
 #include <sstream>
 
 #include "comparisons/settings/suggestion.hpp"
-#include "comparisons/settings/utf8.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -73,8 +72,6 @@ bool is_toml_path(const std::string& name_or_path) {
 
 TomlFile toml_file(const std::string& name_or_path, const std::string& kind,
                    const std::vector<ShippedFile>& shipped) {
-  if (!is_utf8(name_or_path))  // it goes into JSON and HDF5
-    throw InputError(kind, "", "a name in UTF-8", "other bytes");
   if (is_toml_path(name_or_path))
     return {.name = std::filesystem::path(name_or_path).stem().string(),
             .file = name_or_path,

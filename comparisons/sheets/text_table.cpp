@@ -16,6 +16,16 @@ std::string quoted(const std::string& cell) {
   return text + "\"";
 }
 
+/// A bar ends a cell of GitHub's tables, and a line's end the table.
+std::string markdown_cell(const std::string& cell) {
+  std::string text;
+  for (const char c : cell) {
+    if (c == '|') text += '\\';
+    text += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return text;
+}
+
 }  // namespace
 
 TextLines without_empty_columns(TextLines lines, const std::string& empty) {
@@ -47,7 +57,9 @@ std::string in_columns(const TextLines& lines) {
 std::string markdown_text(const TextLines& lines, const TableText& text) {
   std::string all = fmt::format("## {}\n\n", text.title);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    all += fmt::format("| {} |\n", fmt::join(lines[i], " | "));
+    for (const std::string& cell : lines[i])
+      all += fmt::format("| {} ", markdown_cell(cell));
+    all += "|\n";
     if (i > 0) continue;
     for (std::size_t column = 0; column < lines[0].size(); ++column) all += "| --- ";
     all += "|\n";

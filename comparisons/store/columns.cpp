@@ -57,6 +57,13 @@ Shape shape_of(hid_t column, const std::string& name) {
   throw std::runtime_error("column " + name + " holds neither numbers nor texts");
 }
 
+void check_size(hid_t group, const std::string& name, const Shape& shape) {
+  const std::size_t each = shape.is_text ? 1 : sizeof(double);
+  hdf5::check_size(
+      group, "column " + name,
+      static_cast<double>(shape.rows) * static_cast<double>(shape.width * each));
+}
+
 Handle create_column(hid_t group, const std::string& name, const Shape& shape) {
   const int rank = shape.is_text || shape.width == 1 ? 1 : 2;
   const hsize_t width = shape.is_text ? 1 : shape.width;
@@ -260,6 +267,7 @@ std::vector<std::string> read_texts(hid_t group, const std::string& name) {
   const Handle column = open_column(group, name);
   const Shape shape = shape_of(column, name);
   if (!shape.is_text) throw std::runtime_error("column " + name + " holds no texts");
+  check_size(group, name, shape);
   return split(read_text_bytes(column, name, shape), shape.width);
 }
 
@@ -272,6 +280,7 @@ Columns read_columns(hid_t group) {
     if (shape.rows != table.rows)
       throw std::runtime_error("column " + name + " has " + std::to_string(shape.rows) +
                                " rows, others " + std::to_string(table.rows));
+    check_size(group, name, shape);
     if (shape.is_text) {
       table.texts.emplace(name, split(read_text_bytes(column, name, shape), shape.width));
       continue;

@@ -1,5 +1,7 @@
 #include "comparisons/store/hdf5.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <stdexcept>
 
@@ -49,6 +51,16 @@ Handle open_file(const std::filesystem::path& file) {
   return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, file.string()};
 }
 
+void check_size(hid_t object, const std::string& name, double bytes) {
+  constexpr double most_of_file = 1000;
+  const Handle file(H5Iget_file_id(object), H5Fclose, "the file of " + name);
+  hsize_t size = 0;
+  check(H5Fget_filesize(file, &size), "sizing the file of " + name);
+  if (bytes > most_of_file * static_cast<double>(size))
+    throw std::runtime_error(
+        fmt::format("HDF5: {} claims {:.3g} bytes in a file of {}", name, bytes, size));
+}
+
 Handle create_group(hid_t parent, const std::string& name) {
   return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
           H5Gclose, "group " + name};
@@ -56,6 +68,10 @@ Handle create_group(hid_t parent, const std::string& name) {
 
 Handle open_group(hid_t parent, const std::string& name) {
   return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, "group " + name};
+}
+
+Handle group_made_in(hid_t parent, const std::string& name) {
+  return has_link(parent, name) ? open_group(parent, name) : create_group(parent, name);
 }
 
 bool has_link(hid_t parent, const std::string& name) {
@@ -110,9 +126,11 @@ std::optional<std::string> read_text(hid_t object, const std::string& name) {
   if (H5Aexists(object, name.c_str()) <= 0) return std::nullopt;
   const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose,
                          "attribute " + name);
-  const Handle type(H5Aget_type(attribute), H5Tclose, "type of " + name);
-  if (H5Tis_variable_str(type) <= 0)
-    throw std::runtime_error("HDF5: attribute " + name + " is not text");
+  const Handle type(H5Aget_type(attribute), H5Tclose, "type of " + name),
+      space(H5Aget_space(attribute), H5Sclose, "shape of " + name);
+  // Several texts would be written behind the pointer to one.
+  if (H5Tis_variable_str(type) <= 0 || H5Sget_simple_extent_npoints(space) != 1)
+    throw std::runtime_error("HDF5: attribute " + name + " is not one text");
   char* characters = nullptr;
   check(H5Aread(attribute, text_type(), &characters), "reading attribute " + name);
   std::string text(characters == nullptr ? "" : characters);
@@ -127,6 +145,7 @@ std::optional<std::vector<double>> read_numbers(hid_t object, const std::string&
   const Handle space(H5Aget_space(attribute), H5Sclose, "shape of " + name);
   const hssize_t count = H5Sget_simple_extent_npoints(space);
   if (count < 0) throw std::runtime_error("HDF5: attribute " + name + " has no size");
+  check_size(object, name, static_cast<double>(count) * sizeof(double));
   std::vector<double> values(static_cast<std::size_t>(count));
   check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()),
         "reading attribute " + name);
@@ -161,6 +180,7 @@ std::optional<std::vector<double>> read_table(hid_t parent, const std::string& n
   const Handle space(H5Dget_space(table), H5Sclose, "shape of " + name);
   const hssize_t count = H5Sget_simple_extent_npoints(space);
   if (count < 0) throw std::runtime_error("HDF5: table " + name + " has no size");
+  check_size(parent, name, static_cast<double>(count) * sizeof(double));
   std::vector<double> values(static_cast<std::size_t>(count));
   check(H5Dread(table, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
         "reading table " + name);

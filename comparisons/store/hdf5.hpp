@@ -34,8 +34,13 @@ class Handle {
 Handle open_file(const std::filesystem::path& file);  // for reading
 Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
+Handle group_made_in(hid_t parent, const std::string& name);  // unless it is there
 bool has_link(hid_t parent, const std::string& name);
 std::vector<std::string> links(hid_t parent);
+/// Throws where an object claims more bytes than the file can hold, before anybody
+/// reserves memory for them: what was never written (fill values) may be up to a thousand
+/// times as large as the file.
+void check_size(hid_t object, const std::string& name, double bytes);
 /// Copies an object with all it holds into a group of this or another file.
 void copy_link(hid_t from, hid_t to, const std::string& name);
 void remove_link(hid_t parent, const std::string& name);  // if it is there

@@ -64,6 +64,11 @@ void refuse_as_unreadable(const std::filesystem::path& file) {
   }
 }
 
+void refuse_as_changing(const std::filesystem::path& file) {
+  throw InputError(file.string(), "", "a file that stays as it is while it is read",
+                   "one that is changed again and again");
+}
+
 std::filesystem::path existing_result_file(const std::filesystem::path& name) {
   std::filesystem::path file = link_target(name);
   if (!std::filesystem::exists(file))

@@ -43,6 +43,9 @@ auto read_once(const std::filesystem::path& file, Read&& read) {
   }
 }
 
+/// Throws InputError for a file that is changed again and again while it is read.
+[[noreturn]] void refuse_as_changing(const std::filesystem::path& file);
+
 /// read_once of a file that nobody changes meanwhile: what was seen in between is not
 /// believed. `read` may be called again.
 template <class Read>
@@ -54,10 +57,11 @@ auto reading(const std::filesystem::path& name, Read&& read) {
     const auto before = state_of(file);
     try {
       auto found = read_once(file, read);
-      if (is_unchanged(file, before) || attempt == attempts) return found;
+      if (is_unchanged(file, before)) return found;
     } catch (...) {
-      if (is_unchanged(file, before) || attempt == attempts) throw;
+      if (is_unchanged(file, before)) throw;
     }
+    if (attempt == attempts) refuse_as_changing(file);
   }
 }
 

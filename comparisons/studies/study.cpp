@@ -1,5 +1,6 @@
 #include "comparisons/studies/study.hpp"
 
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -7,10 +8,14 @@
 #include <atomic>
 #include <condition_variable>
 #include <exception>
+#include <new>
+#include <stdexcept>
 
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/studies/converged.hpp"
+#include "comparisons/system/memory.hpp"
+#include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {
@@ -89,15 +94,16 @@ class Study {
     const auto run_one = [&](std::size_t i) {
       // An exception that leaves here would cancel the loops inside other simulations,
       // which would go on with what these had not computed.
-      if (failed_) return;
+      if (not_taken_) return;
+      std::exception_ptr failure;
       try {
         simulate_one(to_run_[i], budget);
-        const std::lock_guard lock(finishing_);
-        finished(++done, to_run_.size());
       } catch (...) {
-        const std::lock_guard lock(finishing_);
-        if (!failed_.exchange(true)) failure_ = std::current_exception();
+        failure = std::current_exception();
       }
+      const std::lock_guard lock(finishing_);
+      if (failure) failures_.emplace(to_run_[i], failure);
+      finished(++done, to_run_.size());
     };
     const auto all_threads = static_cast<int>(
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
@@ -115,7 +121,8 @@ class Study {
             tbb::simple_partitioner());
       });
     }
-    if (failure_) std::rethrow_exception(failure_);
+    if (not_taken_) std::rethrow_exception(refusal_);
+    if (!failures_.empty()) rethrow_first();
   }
 
  private:
@@ -141,6 +148,26 @@ class Study {
       ++parts.missing;
     }
     if (parts.missing == 0) ready_.push_back(i);
+  }
+
+  /// Throws the failure of the simulation that was planned first.
+  [[noreturn]] void rethrow_first() const {
+    const auto& [place, failure] = *failures_.begin();
+    try {
+      std::rethrow_exception(failure);
+    } catch (const InputError&) {
+      throw;
+    } catch (const std::exception& error) {
+      const bool no_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+      const CaseSettings& settings = simulations_[place].settings;
+      throw std::runtime_error(fmt::format(
+          "{}: no answer, {}; {} of {} simulations ended so", label(settings),
+          no_memory
+              ? fmt::format("the memory is not enough (about {:.2g} GB by estimate)",
+                            estimated_memory(settings) / 1e9)
+              : error.what(),
+          failures_.size(), to_run_.size()));
+    }
   }
 
   /// A simulation is known by its key without a reference.
@@ -183,7 +210,15 @@ class Study {
       for (const std::size_t request : simulation.requests)
         if (--parts_[request].missing == 0) ready.push_back(request);
     }
-    for (const std::size_t request : ready) complete(request);
+    std::exception_ptr failure;
+    for (const std::size_t request : ready) {
+      try {
+        complete(request);
+      } catch (...) {
+        failure = std::current_exception();
+      }
+    }
+    if (failure) std::rethrow_exception(failure);
   }
 
   /// Measures the deviations of a request whose simulations are all there.
@@ -209,13 +244,21 @@ class Study {
     }
     result.request = request;
     result.key = case_key(request, *own.mesh);
-    {
-      const std::lock_guard lock(finishing_);
-      deliver_(i, std::move(result));
-    }
+    hand_over(i, std::move(result));
     const std::lock_guard lock(planning_);
     for (const std::size_t place : parts.all())
       if (--simulations_[place].users == 0) simulations_[place].result.reset();
+  }
+
+  void hand_over(std::size_t i, CaseResult&& result) {
+    const std::lock_guard lock(finishing_);
+    if (not_taken_) return;
+    try {
+      deliver_(i, std::move(result));
+    } catch (...) {
+      refusal_ = std::current_exception();
+      not_taken_ = true;
+    }
   }
 
   const std::vector<Request>& requests_;
@@ -229,8 +272,9 @@ class Study {
   std::map<std::string, std::size_t> places_;
   std::vector<std::size_t> to_run_, ready_;
   std::mutex planning_, finishing_;
-  std::atomic<bool> failed_ = false;
-  std::exception_ptr failure_;  // the first
+  std::map<std::size_t, std::exception_ptr> failures_;  // by the simulation's place
+  std::atomic<bool> not_taken_ = false;                 // a result, by deliver
+  std::exception_ptr refusal_;                          // what it threw
 };
 
 }  // namespace

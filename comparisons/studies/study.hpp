@@ -27,7 +27,9 @@ using Deliver = std::function<void(std::size_t request, CaseResult&& result)>;
 /// references included, run once, `parallel` of them at a time, fewer where their
 /// estimated memory would not fit; those that are known with their fields do not run.
 /// Results are let go as soon as no request needs them. What `deliver` throws ends the
-/// study.
+/// study. A simulation that throws (see simulate) leaves its requests without a result;
+/// the others run, and then the first is thrown: InputError, or std::runtime_error that
+/// names it.
 void run_study(const std::vector<Request>& requests, MeshStore& meshes, int parallel,
                const Finished& finished, const KnownResult& known, const Deliver& deliver,
                const Watch& watch = {});

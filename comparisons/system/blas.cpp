@@ -4,10 +4,13 @@
 
 #include <cstdlib>
 #include <string_view>
+#include <vector>
 
 // Not in every cblas.h.
 extern "C" void openblas_set_num_threads(int);
 extern "C" char* openblas_get_corename();
+extern "C" void* blas_memory_alloc(int);
+extern "C" void blas_memory_free(void*);
 
 namespace springcheck {
 namespace {
@@ -37,6 +40,12 @@ void restart_with_fitting_blas(char** arguments) {
 
 void use_one_blas_thread() {
   openblas_set_num_threads(1);
+}
+
+void reserve_blas_buffers(int calls) {
+  std::vector<void*> buffers;
+  for (int i = 0; i < calls; ++i) buffers.push_back(blas_memory_alloc(0));
+  for (void* buffer : buffers) blas_memory_free(buffer);
 }
 
 }  // namespace springcheck

@@ -13,4 +13,12 @@ void restart_with_fitting_blas(char** arguments);
 /// same bits for any number of threads.
 void use_one_blas_thread();
 
+/// Address space of the buffer that OpenBLAS keeps for each call at a time, on x86-64
+/// [bytes].
+inline constexpr double blas_buffer_bytes = 134217728;
+
+/// Takes the buffers of so many calls at a time now: OpenBLAS asks for one again and
+/// again, for ever, where it gets none.
+void reserve_blas_buffers(int calls);
+
 }  // namespace springcheck

@@ -13,7 +13,7 @@
 namespace springcheck {
 namespace {
 
-constexpr std::array ending_signals{SIGINT, SIGTERM};
+constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP};
 
 volatile std::sig_atomic_t child = 0;
 

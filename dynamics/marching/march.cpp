@@ -7,9 +7,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "dynamics/marching/march_checks.hpp"
+#include "meshing/breakdown.hpp"
 #include "meshing/stopwatch.hpp"
 
 namespace springcheck::dynamics {
@@ -168,9 +168,9 @@ class March {
   void advance(const StepTo& step) {
     try {
       motion_.advance(step);
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(fmt::format("step {} (t = {:.4g} s): {}", now_.step + 1,
-                                           now_.time, error.what()));
+    } catch (const Breakdown& error) {
+      throw Breakdown(fmt::format("step {} (t = {:.4g} s): {}", now_.step + 1, now_.time,
+                                  error.what()));
     }
   }
 

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <stdexcept>
+
+#include "meshing/breakdown.hpp"
 
 namespace springcheck::fem_reference {
 
@@ -30,7 +31,7 @@ Matrix3 uniaxial_stress_state(const CauchyBorn& law, double strain) {
     H(1, 1) += change[1];
     if (change.norm() < tolerance) return H;
   }
-  throw std::runtime_error(
+  throw Breakdown(
       fmt::format("no state of uniaxial stress found at a strain of {}", strain));
 }
 

@@ -1,38 +1,27 @@
 #include "fem_reference/statics/direct_solver.hpp"
 
-#include <Eigen/CholmodSupport>
 #include <Eigen/SparseCholesky>
 
-#include "meshing/random_numbers.hpp"
+#include "meshing/sparse_cholesky.hpp"
 
 namespace springcheck::fem_reference {
 
 struct DirectSolver::Solvers {
-  Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> definite;
+  SparseCholesky definite;
   Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> indefinite;
-  bool definite_analysed = false;
   bool indefinite_analysed = false;
   bool last_definite = true;
   int factorisations = 0;
 };
 
-DirectSolver::DirectSolver() : solvers_(std::make_unique<Solvers>()) {
-  solvers_->definite.cholmod().print = 0;  // a failure is an answer, not a warning
-}
+DirectSolver::DirectSolver() : solvers_(std::make_unique<Solvers>()) {}
 
 DirectSolver::~DirectSolver() = default;
 
 bool DirectSolver::factor_definite(const SparseMatrix& matrix) {
-  auto& cholesky = solvers_->definite;
-  if (!solvers_->definite_analysed) {
-    const std::lock_guard lock(random_numbers());  // the ordering is METIS's
-    cholesky.analyzePattern(matrix);
-  }
-  solvers_->definite_analysed = true;
   solvers_->last_definite = true;
-  cholesky.factorize(matrix);
   ++solvers_->factorisations;
-  return cholesky.info() == Eigen::Success;
+  return solvers_->definite.factor(matrix);
 }
 
 bool DirectSolver::factor_indefinite(const SparseMatrix& matrix) {

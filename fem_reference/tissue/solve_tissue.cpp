@@ -1,13 +1,13 @@
 #include "fem_reference/tissue/solve_tissue.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "fem_reference/laws/settings.hpp"
 #include "fem_reference/statics/loads.hpp"
 #include "fem_reference/statics/stiffness_matrix.hpp"
 #include "fem_reference/statics/supports.hpp"
 #include "fem_reference/tissue/tissue_cell.hpp"
+#include "meshing/breakdown.hpp"
 #include "meshing/stopwatch.hpp"
 
 namespace springcheck::fem_reference {
@@ -79,7 +79,7 @@ class RememberingElements final : public dynamics::RememberingBody {
     double shift = first_shift * stiffness_.largest_diagonal();
     for (; !direct_.factor_definite(matrix); shift *= 4) {
       if (!std::isfinite(shift) || shift > 1e6 * stiffness_.largest_diagonal())
-        throw std::runtime_error("a tangent that no shift makes positive definite");
+        throw Breakdown("a tangent that no shift makes positive definite");
       for (Index i = 0; i < matrix.rows(); ++i) matrix.coeffRef(i, i) += shift;
     }
   }

@@ -1,5 +1,6 @@
 #include "meshing/files/mesh_files.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "meshing/files/inp_writer.hpp"
@@ -7,15 +8,34 @@
 #include "meshing/files/vtu_writer.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
+#include "meshing/text.hpp"
 
 namespace springcheck {
 
-void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
-  const std::size_t pyramids = mesh.count(CellType::pyramid);
-  if (extension == ".inp" && pyramids > 0)
+namespace {
+
+void check_for_calculix(const Mesh& mesh, const std::filesystem::path& file) {
+  constexpr std::size_t longest_name = 80;
+  if (const std::size_t pyramids = mesh.count(CellType::pyramid); pyramids > 0)
     throw InputError(file.string(), "pyramids", "none, as CalculiX has no such cells",
                      std::to_string(pyramids));
+  for (const auto& [name, region] : mesh.regions()) {
+    const bool is_plain = std::ranges::all_of(name, [](char c) {
+      return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+             c == '_' || c == '-' || c == '.';
+    });
+    if (!is_plain || name.size() > longest_name)
+      throw InputError(file.string(), "name of a region",
+                       "what CalculiX takes: up to 80 letters, digits, '_', '-', '.'",
+                       quotation(name));
+  }
+}
+
+}  // namespace
+
+void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  if (extension == ".inp") check_for_calculix(mesh, file);
   if (extension == ".msh")
     write_whole_stream(file, [&](std::ostream& out) { write_msh(mesh, out); });
   else if (extension == ".vtu")

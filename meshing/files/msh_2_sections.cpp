@@ -1,5 +1,3 @@
-#include <cstdlib>
-
 #include "meshing/files/msh_sections.hpp"
 
 namespace springcheck {
@@ -10,9 +8,8 @@ constexpr std::size_t text_bytes = 2;  // of a number at least: a digit and a sp
 /// Index in MshFile::groups of the physical group alone, 0 for none.
 std::size_t set_of(std::int64_t group, std::map<std::int64_t, std::size_t>& sets,
                    MshFile& msh) {
-  const auto [set, is_new] =
-      sets.try_emplace(std::abs(group), group == 0 ? 0 : msh.groups.size());
-  if (is_new && group != 0) msh.groups.push_back({std::abs(group)});
+  const auto [set, is_new] = sets.try_emplace(group, group == 0 ? 0 : msh.groups.size());
+  if (is_new && group != 0) msh.groups.push_back({group});
   return set->second;
 }
 
@@ -55,7 +52,7 @@ void read_elements_2(MshCursor& cursor, MshFile& msh) {
       std::int64_t group = 0;
       for (std::size_t tag = 0; tag < tags; ++tag) {
         const std::int64_t value = cursor.number<std::int32_t>();
-        if (tag == 0) group = value;
+        if (tag == 0) group = group_number(cursor, value);
       }
       MshElement element{
           .tag = ElementTag{number}, .type = &type, .groups = set_of(group, sets, msh)};

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cstdlib>
-
 #include "meshing/files/msh_sections.hpp"
 
 namespace springcheck {
@@ -42,7 +40,8 @@ EntityGroups read_entities_4(MshCursor& cursor, MshFile& msh) {
       const int place_or_box = dimension == 0 ? 3 : 6;
       for (int k = 0; k < place_or_box; ++k) cursor.real();
       std::vector<std::int64_t> groups(cursor.count<Size>(bytes(cursor, 1, 0)));
-      for (std::int64_t& group : groups) group = std::abs(cursor.number<Int>());
+      for (std::int64_t& group : groups)
+        group = group_number(cursor, cursor.number<Int>());
       if (dimension > 0) {
         const std::size_t sides = cursor.count<Size>(bytes(cursor, 1, 0));
         for (std::size_t k = 0; k < sides; ++k) cursor.number<Int>();

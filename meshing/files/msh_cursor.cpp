@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "meshing/input_error.hpp"
+#include "meshing/text.hpp"
 
 namespace springcheck {
 namespace {
@@ -28,12 +29,6 @@ Number parsed(const MshCursor& cursor, std::string_view word, std::string_view e
 }
 
 }  // namespace
-
-std::string quotation(std::string_view text) {
-  std::string printable = "'";
-  for (const char c : text.substr(0, 30)) printable += c >= ' ' && c <= '~' ? c : '?';
-  return printable + (text.size() > 30 ? "...'" : "'");
-}
 
 MshCursor::MshCursor(const std::filesystem::path& file) : file_(file.string()) {
   const auto refuse_file = [&](const char* got) {

@@ -54,7 +54,4 @@ class MshCursor {
   std::string entity_;
 };
 
-/// As far as it is printable and short, in quotes.
-std::string quotation(std::string_view text);
-
 }  // namespace springcheck

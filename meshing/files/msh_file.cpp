@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdlib>
+#include <limits>
 #include <set>
 
 #include "meshing/files/msh_cursor.hpp"
 #include "meshing/files/msh_sections.hpp"
+#include "meshing/text.hpp"
 
 namespace springcheck {
 namespace {
@@ -83,6 +86,14 @@ const MshType& known_type(MshCursor& cursor, std::int64_t number) {
         "tetrahedra, pyramids, prisms, hexahedra",
         "gmsh's type " + std::to_string(number));
   return *type;
+}
+
+std::int64_t group_number(MshCursor& cursor, std::int64_t signed_number) {
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  if (signed_number < -most || signed_number > most)
+    cursor.refuse("a physical group of a number up to 2^31 - 1",
+                  std::to_string(signed_number));
+  return std::abs(signed_number);
 }
 
 MshFile parse_msh(const std::filesystem::path& file) {

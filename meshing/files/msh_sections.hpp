@@ -24,6 +24,10 @@ void read_elements_4(MshCursor& cursor, const EntityGroups& entities, MshFile& m
 /// The section's last line, $End and its name.
 void expect_end(MshCursor& cursor, const std::string& section);
 
+/// The number of a physical group, without the sign that tells which way round a surface
+/// is meant.
+std::int64_t group_number(MshCursor& cursor, std::int64_t signed_number);
+
 /// Throws for types that are not of first order.
 const MshType& known_type(MshCursor& cursor, std::int64_t number);
 

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/CholmodSupport>
 #include <cmath>
-#include <mutex>
-#include <stdexcept>
 #include <string>
 
 #include "dynamics/supports.hpp"
-#include "meshing/random_numbers.hpp"
+#include "meshing/breakdown.hpp"
+#include "meshing/sparse_cholesky.hpp"
 #include "mss/forces/assembly.hpp"
 #include "mss/forces/forces.hpp"
 
@@ -36,9 +34,7 @@ class ImplicitMotion final : public dynamics::Motion {
         state_{.displacements = std::vector<Vector3>(load_.size(), Vector3::Zero()),
                .velocities = std::vector<Vector3>(load_.size(), Vector3::Zero())},
         positions_(load_.size()),
-        forces_(load_.size()) {
-    cholesky_.cholmod().print = 0;  // a failed factorisation is an answer
-  }
+        forces_(load_.size()) {}
 
   void advance(const StepTo& step) override {
     const State before = state_;
@@ -84,7 +80,7 @@ class ImplicitMotion final : public dynamics::Motion {
 
  private:
   [[noreturn]] static void fail(const StepTo& step, const std::string& why) {
-    throw std::runtime_error(
+    throw Breakdown(
         fmt::format("implicit Euler's step of {:.4g} s to load fraction {:.4g}: {}",
                     step.dt, step.load_fraction, why));
   }
@@ -151,13 +147,7 @@ class ImplicitMotion final : public dynamics::Motion {
       matrix.coeffRef(unknown, unknown) += network_.masses[n];
     });
     if (damping_ratio_ > 0) add_dashpots(matrix, dt);
-    if (!analysed_) {
-      const std::lock_guard lock(random_numbers());  // the ordering is METIS's
-      cholesky_.analyzePattern(matrix);
-      analysed_ = true;
-    }
-    cholesky_.factorize(matrix);
-    return cholesky_.info() == Eigen::Success;
+    return cholesky_.factor(matrix);
   }
 
   void add_dashpots(Eigen::SparseMatrix<double>& matrix, double dt) const {
@@ -193,8 +183,7 @@ class ImplicitMotion final : public dynamics::Motion {
   std::vector<Vector3> positions_, forces_;
   CellStates room_;
   double stiffness_ = 0;  // norm of the tangent's diagonal [N/m]
-  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky_;
-  bool analysed_ = false;
+  SparseCholesky cholesky_;
 };
 
 }  // namespace

@@ -1,9 +1,6 @@
 #include "mss/statics/direct_solver.hpp"
 
-#include <mutex>
-#include <stdexcept>
-
-#include "meshing/random_numbers.hpp"
+#include "meshing/breakdown.hpp"
 #include "mss/statics/random_vector.hpp"
 
 namespace springcheck::mss {
@@ -14,9 +11,7 @@ constexpr int inverse_iterations = 12;
 }  // namespace
 
 DirectSolver::DirectSolver(const Network& network, const std::vector<bool>& is_free)
-    : assembly_(network, is_free) {
-  cholesky_.cholmod().print = 0;  // a failed factorisation is an answer, not a warning
-}
+    : assembly_(network, is_free) {}
 
 void DirectSolver::prepare(const Tangent& tangent) {
   factor(assembly_.assemble(tangent));
@@ -36,22 +31,15 @@ Eigen::VectorXd DirectSolver::negative_curvature(const Tangent& tangent,
                                                  std::mt19937_64& random) {
   factor_shifted(assembly_.assemble(tangent));
   Eigen::VectorXd v = random_vector(assembly_.size(), random);
-  for (int i = 0; i < inverse_iterations; ++i)
-    v = Eigen::VectorXd(cholesky_.solve(v)).normalized();
+  for (int i = 0; i < inverse_iterations; ++i) v = cholesky_.solve(v).normalized();
   return v;
 }
 
 void DirectSolver::factor(const Eigen::SparseMatrix<double>& matrix) {
   definite_ = true;
   if (assembly_.size() == 0) return;
-  if (!analysed_) {
-    const std::lock_guard lock(random_numbers());  // the ordering is METIS's
-    cholesky_.analyzePattern(matrix);
-  }
-  analysed_ = true;
-  cholesky_.factorize(matrix);
+  definite_ = cholesky_.factor(matrix);
   ++factorisations_;
-  definite_ = cholesky_.info() == Eigen::Success;
 }
 
 /// Factors the matrix plus the smallest of a series of multiples of the identity that
@@ -62,7 +50,7 @@ void DirectSolver::factor_shifted(Eigen::SparseMatrix<double> matrix) {
   for (factor(matrix); !definite_; factor(matrix)) {
     const double next = shift == 0 ? 1e-8 * scale : 4 * shift;
     if (!(next > shift && next < 1e8 * scale))
-      throw std::logic_error("a tangent that no shift makes positive definite");
+      throw Breakdown("a tangent that no shift makes positive definite");
     matrix.diagonal().array() += next - shift;
     shift = next;
   }

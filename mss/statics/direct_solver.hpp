@@ -1,9 +1,9 @@
 #pragma once
 
-#include <Eigen/CholmodSupport>
 #include <optional>
 #include <random>
 
+#include "meshing/sparse_cholesky.hpp"
 #include "mss/forces/assembly.hpp"
 
 namespace springcheck::mss {
@@ -36,8 +36,7 @@ class DirectSolver {
   void factor_shifted(Eigen::SparseMatrix<double> matrix);
 
   FreeAssembly assembly_;
-  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky_;
-  bool analysed_ = false;
+  SparseCholesky cholesky_;
   bool definite_ = false;
   int factorisations_ = 0;
 };

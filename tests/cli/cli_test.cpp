@@ -209,6 +209,27 @@ BOOST_AUTO_TEST_CASE(one_bad_case_exits_3_and_several_methods_are_rows) {
              0);
 }
 
+BOOST_AUTO_TEST_CASE(the_exit_status_of_several_methods_is_chosen) {
+  const auto status = [](const std::string& methods, const std::string& fail_on) {
+    return run_springcheck(
+               "run compression --cells 6,6,6 --nu 0.25 --deformation 20% "
+               "--method " +
+               methods + (fail_on.empty() ? "" : " --fail-on " + fail_on))
+        .status;
+  };
+  const std::string fails = "mss-nfd", works = "mss-cf";  // it wrinkles
+  BOOST_TEST(status(fails, "") == 3);
+  BOOST_TEST(status(fails, "all") == 3);
+  BOOST_TEST(status(fails, "none") == 0);
+  for (const std::string& both : {fails + "," + works, works + "," + fails}) {
+    BOOST_TEST(status(both, "") == 0);
+    BOOST_TEST(status(both, "none") == 0);
+    BOOST_TEST(status(both, "all") == 0);
+    BOOST_TEST(status(both, "any") == 3);
+  }
+  BOOST_TEST(status(works, "any") == 0);
+}
+
 BOOST_AUTO_TEST_CASE(a_scene_s_expectations_decide_the_exit_status) {
   std::ofstream(folder / "expecting.toml")
       << "test = 'compression'\nsize = [.05, .05, .05]\ncells = [6, 6, 6]\nyoung = 1e4\n"
@@ -316,10 +337,32 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
   expect_bad_input("run tension --deformation 1e200", "at most 100");
   expect_bad_input("run compression --size 1e200,1,1", "1e9 m");
   expect_bad_input("run $(printf 'sc\\377ne.toml')", "UTF-8");
+  expect_bad_input("run compression --fixed $(printf 'a\\377')",
+                   "argument 4: expected text in UTF-8, got other bytes: 'a?'");
+  expect_bad_input("run compression --fail-on some", "one of any, all, none");
   expect_bad_input("compare",
                    "run, table, reproduce, measure, sweep, merge, stability, chart, "
                    "advise, list, mesh");
   expect_bad_input("", "subcommand");
+}
+
+// OpenBLAS would ask for its buffer for ever. Whatever the limit, the run ends.
+BOOST_AUTO_TEST_CASE(little_address_space_ends_a_run_clearly) {
+  for (const int megabytes : {600, 700, 800, 900, 1000}) {
+    const Run run =
+        run_springcheck("run compression --cells 14,14,14 --method mss-cf --threads 1",
+                        "ulimit -v " + std::to_string(megabytes) + "000; timeout 60 ");
+    BOOST_TEST((run.status == 0 || run.status == 1 || run.status == 2),
+               megabytes << " MB: " << run.status << run.err);
+    if (run.status == 1)
+      BOOST_TEST(run.err.find("memory is not enough") != std::string::npos, run.err);
+    if (run.status == 2) {
+      const bool is_told =
+          run.err.find("address space (ulimit -v)") != std::string::npos ||
+          run.err.find("may still take") != std::string::npos;
+      BOOST_TEST(is_told, run.err);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(errors_are_one_line) {

@@ -1,5 +1,9 @@
 #include "tests/cli/program.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <fstream>
@@ -169,6 +173,27 @@ BOOST_AUTO_TEST_CASE(a_program_that_fails_fails_the_report_and_leaves_no_trace) 
   BOOST_TEST(run.status == 1);
   BOOST_TEST(run.out.find("Start with") == std::string::npos);
   BOOST_TEST(names_in("tmp").empty());
+}
+
+// Sources of the report's program are in a folder of its own, which none leaves behind:
+// what a killed one left goes with the next report, but never what others still use.
+BOOST_AUTO_TEST_CASE(a_report_leaves_no_folder) {
+  BOOST_TEST(run_springcheck("run compression --cells 2,2,2 --out one.h5").status == 0);
+  const std::string own = "TMPDIR=" + (folder / "tmp").string() + " ";
+  const fs::path killed = "tmp/springcheck-report-killed",
+                 used = "tmp/springcheck-report-used", other = "tmp/springcheck-other";
+  for (const fs::path& left : {killed, used, other}) {
+    fs::create_directories(folder / left / "springcheck_report");
+    std::ofstream(folder / left / "in-use").flush();
+  }
+  const int lock = open((folder / used / "in-use").c_str(), O_RDWR);
+  BOOST_TEST_REQUIRE(flock(lock, LOCK_EX | LOCK_NB) == 0);
+  const std::set<std::string> kept{"springcheck-report-used", "springcheck-other"};
+  BOOST_TEST(run_springcheck("report one.h5 --out page", own).status == 0);
+  BOOST_TEST(names_in("tmp") == kept, boost::test_tools::per_element());
+  run_springcheck("report one.h5 --out page", own + "timeout --foreground -s HUP 1 ");
+  BOOST_TEST(names_in("tmp") == kept, boost::test_tools::per_element());
+  close(lock);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

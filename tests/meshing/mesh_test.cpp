@@ -176,4 +176,22 @@ BOOST_AUTO_TEST_CASE(hash_changes_with_nodes_cells_and_regions_but_not_with_the_
     BOOST_TEST(hash != built(other).sha256());
 }
 
+// They are links in HDF5, words in JSON and lines in messages.
+BOOST_AUTO_TEST_CASE(names_of_regions_are_checked) {
+  const auto named = [](const std::string& name) {
+    Parts parts = tower();
+    parts.regions[name] = parts.regions.at("bottom");
+    return built(parts);
+  };
+  for (const char* name : {"foot/left", "/provenance/evil", ".", "..", "50 %", "Füße"})
+    BOOST_CHECK_NO_THROW(named(name));
+  for (const std::string& name :
+       {std::string(), std::string("a\nb"), std::string("a\0b", 3), std::string("\x7f"),
+        std::string("\xff"), std::string(1001, 'a')})
+    BOOST_CHECK_EXCEPTION(named(name), InputError, [](const InputError& error) {
+      return std::string(error.what()).find("expected a name of 1 to 1000 bytes") !=
+             std::string::npos;
+    });
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -362,6 +362,12 @@ class Page(unittest.TestCase):
             errors = [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"]
             self.assertEqual(errors, [])
 
+    def test_scripts_of_others_come_with_their_licences(self):
+        page = (self.report / "index.html").read_text(encoding="utf-8")
+        self.assertIn("* plotly.js v", page)
+        for licence in ("MIT License: Permission", "ISC License: Permission", "BSD-3-Clause License: R"):
+            self.assertEqual(page.count(licence), 1)
+
     def test_files_for_paraview(self):
         import meshio
 

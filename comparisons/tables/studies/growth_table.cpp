@@ -16,6 +16,7 @@
 #include "comparisons/running/stepping.hpp"
 #include "comparisons/running/timing.hpp"
 #include "comparisons/studies/extrapolation.hpp"
+#include "comparisons/system/memory.hpp"
 #include "comparisons/tables/plans/planned_requests.hpp"
 #include "meshing/stopwatch.hpp"
 #include "mss/statics/equilibrium.hpp"

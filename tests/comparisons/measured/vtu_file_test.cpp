@@ -226,4 +226,32 @@ BOOST_AUTO_TEST_CASE(points_of_32_bits_may_be_off_by_their_rounding) {
                               "<Points>\n<DataArray type=\"Float32\"")) == "accepted");
 }
 
+// Deep enough, they overrun the stack of the XML parser.
+BOOST_AUTO_TEST_CASE(elements_nested_without_end_are_refused) {
+  const auto nested = [](std::size_t deep) {
+    std::string open, close;
+    for (std::size_t i = 0; i < deep; ++i) {
+      open += "<a>";
+      close += "</a>";
+    }
+    return open + close;
+  };
+  for (const std::size_t deep : {101U, 200'000U}) {
+    std::ofstream(file) << "<VTKFile>\n" << nested(deep) << "</VTKFile>\n";
+    BOOST_CHECK_EXCEPTION(
+        read_vtu_displacements(file, mesh), InputError, [](const InputError& error) {
+          return std::string(error.what()) ==
+                 file.string() +
+                     ":2: expected elements in each other, up to 100 deep, got more";
+        });
+  }
+  // Not what only looks like it.
+  std::string many;
+  for (int i = 0; i < 200; ++i)
+    many += "<b x='>' y=\"/>\"/><?c?><!-- <a> --><![CDATA[<a>]]>" + nested(50);
+  const std::string text = with_point_data(displacement_array("displacement") + many);
+  std::ofstream(file) << text;
+  expect_the_field(file);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

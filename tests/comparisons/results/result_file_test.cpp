@@ -1,12 +1,18 @@
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <regex>
 #include <sstream>
 
 #include "comparisons/results/kept_results.hpp"
 #include "comparisons/results/result_file.hpp"
+#include "comparisons/results/stored_mesh.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/overlay_file.hpp"
 #include "meshing/generators/generate_block.hpp"
@@ -338,6 +344,74 @@ BOOST_AUTO_TEST_CASE(cases_taken_from_a_file_keep_who_computed_them) {
   kept.keep(results[0]);
   kept.finish(results, std::array{theirs});
   BOOST_TEST(session(ours) == (std::vector<double>{2, 1}));
+}
+
+// "/" leads into a group, and from the root: such a name lost the result, or put a table
+// where the file has something else.
+BOOST_AUTO_TEST_CASE(names_of_regions_are_no_paths_in_the_file) {
+  const OwnFolder own;
+  const auto file = own.path / "a.h5";
+  const Mesh block = generate_block({.size = {1, 1, 1}, .cells = {2, 2, 2}});
+  std::map<std::string, std::vector<FaceNodes>> regions;
+  const std::vector<std::string> names{"%2F", ".", "..", "/provenance/evil", "foot/left"};
+  for (const std::string& name : names) regions[name] = block.region("top").faces;
+  const Mesh mesh("named", block.nodes(), block.cells(), regions);
+  hid_t created = H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hdf5::Handle root(created, H5Fclose, "a");
+  const auto meshes = hdf5::create_group(root, "meshes");
+  hdf5::create_group(root, "provenance");
+  write_stored_mesh(meshes, mesh);
+  BOOST_TEST(hdf5::links(hdf5::open_group(root, "provenance")).empty());
+  const auto stored =
+      hdf5::open_group(hdf5::open_group(meshes, mesh.sha256()), "regions");
+  const std::vector<std::string> links{"%252F", "%2E", "%2Fprovenance%2Fevil", "..",
+                                       "foot%2Fleft"};
+  BOOST_TEST(hdf5::links(stored) == links, boost::test_tools::per_element());
+}
+
+// What is copied is of one state of the file: reading pages while they are written gave
+// other numbers, or none, without an error.
+BOOST_AUTO_TEST_CASE(merging_reads_beside_a_writer) {
+  const OwnFolder own;
+  const auto from = own.path / "from.h5";
+  MeshStore meshes;
+  auto results = study(
+      requests(run_of("compression", {"cells=6,6,6", "method=mss-cf,fem-hooke,mss-fd"})),
+      meshes);
+  // Two states of the file; in each all numbers belong together.
+  const auto stamp = [&](double value) {
+    for (CaseResult& result : results) {
+      result.measures.volume_error = value;
+      for (Vector3& u : result.solution.displacements) u = Vector3::Constant(value);
+    }
+  };
+  stamp(1);
+  ResultFile(from).put(results, true, meshes);
+  const pid_t child = fork();
+  BOOST_TEST_REQUIRE(child >= 0);
+  if (child == 0) {
+    ResultFile file(from);
+    for (double value = 2;; value += 1) {
+      stamp(value);
+      file.put(results, true, meshes);
+      usleep(1000);
+    }
+  }
+  for (int round = 0; round < 30; ++round) {
+    const auto to = own.path / ("to" + std::to_string(round) + ".h5");
+    const auto absorbed = ResultFile(to).absorb(from);
+    BOOST_TEST(absorbed.added == results.size());
+    const auto root = hdf5::open_file(to);
+    for (const CaseResult& result : results) {
+      const auto values = hdf5::read_table(hdf5::open_group(root, "fields/" + result.key),
+                                           "displacement");
+      BOOST_TEST_REQUIRE(values.has_value());
+      BOOST_TEST(std::ranges::count(*values, values->front()) ==
+                 static_cast<std::ptrdiff_t>(values->size()));
+    }
+  }
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -76,4 +76,30 @@ BOOST_AUTO_TEST_CASE(why_a_point_was_left_out_is_kept) {
   BOOST_TEST(!read.points[1].timing.has_value());
 }
 
+BOOST_AUTO_TEST_CASE(times_that_are_none_are_refused) {
+  const OwnFolder own;
+  const auto file = own.path / "one.h5";
+  StoredChart chart = with_points({{"mss-cf", 4}});
+  chart.points[0].times = {{0.1, 0.125}, {0.2}};
+  ResultFile(file).put_chart(chart);
+  BOOST_TEST((read_charts(file).at(0).points[0].times == chart.points[0].times));
+  for (const char* times : {"0.1;;0.2", "0.1,", "0.1;", ";0.1", ",", "0.1 ", "a", "nan",
+                            "1e999", "0.1:0.2"}) {
+    {
+      const hdf5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
+                              "chart");
+      const auto charts = hdf5::open_group(root, "charts");
+      const auto points =
+          hdf5::open_group(hdf5::open_group(charts, hdf5::links(charts).at(0)), "points");
+      Row row = row_at(read_columns(points), 0);
+      row["times"] = std::string(times);
+      replace_row(points, 0, row);
+    }
+    BOOST_CHECK_EXCEPTION(read_charts(file), InputError, [&](const InputError& error) {
+      return std::string(error.what()).find("'" + std::string(times) + "'") !=
+             std::string::npos;
+    });
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

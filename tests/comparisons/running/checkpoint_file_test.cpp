@@ -10,9 +10,12 @@
 #include <limits>
 #include <stdexcept>
 
+#include "comparisons/running/simulate.hpp"
 #include "comparisons/store/hdf5.hpp"
+#include "comparisons/store/lock_file.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/own_folder.hpp"
+#include "tests/comparisons/settings.hpp"
 
 using namespace springcheck;
 
@@ -237,6 +240,29 @@ BOOST_AUTO_TEST_CASE(a_write_that_fails_leaves_the_earlier_checkpoint_alone) {
     BOOST_TEST(left.has_value() == has_earlier);
     if (left) check_same(*left, checkpoint_at(5));
   }
+}
+
+// Each would write over what the other saved.
+BOOST_AUTO_TEST_CASE(two_runs_do_not_share_a_checkpoint) {
+  const OwnFolder folder;
+  const fs::path file = folder.path / "run.h5", link = folder.path / "link.h5";
+  fs::create_symlink("run.h5", link);
+  const CaseSettings settings = case_of(
+      "compression",
+      {"cells=1,1,1", "method=mss-cf", "solver=verlet", "duration=0.1", "damping=0.1"});
+  MeshStore meshes;
+  const auto run = [&](const fs::path& checkpoint) {
+    return simulate(settings, meshes.mesh(settings.body), 1, {.checkpoint = checkpoint});
+  };
+  {
+    const LockFile other(file);
+    for (const fs::path& name : {file, link})
+      BOOST_CHECK_EXCEPTION(run(name), InputError, [](const InputError& error) {
+        return std::string(error.what()).find("no other process writes") !=
+               std::string::npos;
+      });
+  }
+  BOOST_TEST((run(file).status == Status::ok));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

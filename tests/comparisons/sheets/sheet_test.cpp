@@ -28,4 +28,16 @@ BOOST_AUTO_TEST_CASE(cells_are_made_of_values) {
   BOOST_TEST(sheet_in_columns(sheet, {"order"}).find("+1.2") != std::string::npos);
 }
 
+// A bar would end the cell, a line's end the table.
+BOOST_AUTO_TEST_CASE(cells_of_markdown_stay_cells) {
+  const Sheet sheet{.name = "sheet",
+                    .title = "Cells",
+                    .columns = {{"name", "a|b"}, {"other", "other"}},
+                    .rows = {{.cells = {"one|two\nthree", "x"}}}};
+  BOOST_TEST(format_sheet(sheet, TableFormat::markdown) ==
+             "## Cells\n\n"
+             "| a\\|b | other |\n| --- | --- |\n"
+             "| one\\|two three | x |\n");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -293,4 +293,51 @@ BOOST_AUTO_TEST_CASE(nothing_that_was_committed_is_lost_and_nothing_is_half_true
   BOOST_TEST_MESSAGE(committed << " commits, " << journals << " journals left");
 }
 
+// Another program's, or made to harm: HDF5 would write a pointer for each text behind
+// that of one.
+BOOST_AUTO_TEST_CASE(an_attribute_of_several_texts_is_refused) {
+  const OwnFolder own;
+  const fs::path file = own.path / "a.h5";
+  const hdf5::Handle root(
+      H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "a");
+  const hdf5::Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "type");
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  for (const hsize_t count : {0U, 2U, 1000U}) {
+    const std::string name = "of" + std::to_string(count);
+    const hdf5::Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, "space");
+    const hdf5::Handle attribute(
+        H5Acreate2(root, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+        "attribute");
+    const std::vector<const char*> texts(count, "text");
+    H5Awrite(attribute, type, texts.data());
+    BOOST_CHECK_THROW(hdf5::read_text(root, name), std::runtime_error);
+  }
+}
+
+// Nothing of it was ever written: 8 TB of fill values in a file of some kilobytes.
+BOOST_AUTO_TEST_CASE(a_table_that_claims_more_than_its_file_can_hold_is_refused) {
+  const OwnFolder own;
+  const fs::path file = own.path / "a.h5";
+  append(file, {{{"x", numbers({1})}, {"key", "one"}}});
+  {
+    const hdf5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
+                            "a");
+    const hsize_t size = hsize_t{1} << 40;
+    for (const char* column : {"table/x", "table/key"}) {
+      const hdf5::Handle table(H5Dopen2(root, column, H5P_DEFAULT), H5Dclose, column);
+      BOOST_TEST_REQUIRE(H5Dset_extent(table, &size) >= 0);
+    }
+  }
+  const auto is_claim = [](const std::runtime_error& error) {
+    return std::string(error.what()).find("claims") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(table_of(file), std::runtime_error, is_claim);
+  const auto root = hdf5::open_file(file);
+  BOOST_CHECK_EXCEPTION(read_texts(hdf5::open_group(root, "table"), "key"),
+                        std::runtime_error, is_claim);
+  BOOST_CHECK_EXCEPTION(hdf5::read_table(hdf5::open_group(root, "table"), "x"),
+                        std::runtime_error, is_claim);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,13 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
+#include <new>
+#include <set>
+#include <stdexcept>
 
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/running/memory.hpp"
+#include "meshing/breakdown.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
 
@@ -143,6 +147,18 @@ BOOST_AUTO_TEST_CASE(too_many_cells_are_refused_before_allocating) {
   BOOST_CHECK_NO_THROW(check_memory("--cells", requests(run_of("compression", small))));
 }
 
+// Steps of implicit Euler factor the same tangents as statics.
+BOOST_AUTO_TEST_CASE(the_estimate_counts_the_factors_of_implicit_steps) {
+  const auto bytes = [](const std::string& solver) {
+    std::vector<std::string> changes{"cells=30,30,30", "method=mss-cf",
+                                     "solver=" + solver};
+    if (solver != "static") changes.insert(changes.end(), {"duration=1", "damping=0.1"});
+    return estimated_memory(case_of("compression", changes));
+  };
+  BOOST_TEST(bytes("implicit") == bytes("static"));
+  BOOST_TEST(bytes("verlet") < bytes("static") / 3);
+}
+
 // A result that cannot be taken ends the study; simulations that run beside it are not
 // left with half of their loops.
 BOOST_AUTO_TEST_CASE(what_deliver_throws_ends_the_study) {
@@ -165,6 +181,47 @@ BOOST_AUTO_TEST_CASE(what_deliver_throws_ends_the_study) {
         [](const std::runtime_error& e) { return std::string(e.what()) == "no room"; });
     BOOST_TEST((taken.at(0).status == Status::ok));
   }
+}
+
+// What a solver throws that is no breakdown of its method, as memory that ends: it says
+// nothing about the case, and the others are not lost with it.
+BOOST_AUTO_TEST_CASE(a_case_without_an_answer_leaves_the_others_theirs) {
+  for (const int parallel : {1, 2}) {
+    MeshStore meshes;
+    std::vector<Request> all = requests(
+        run_of("compression", {"cells=2,2,2", "method=mss-cf,fem-hooke,mss-fd"}));
+    for (Request& request : all) request.reference.reset();
+    all[1].settings.method.solve = [](const auto&...) -> Solution {
+      throw std::bad_alloc();
+    };
+    std::set<std::string> taken;
+    std::size_t done = 0;
+    BOOST_CHECK_EXCEPTION(
+        run_study(
+            all, meshes, parallel, [&](std::size_t now, std::size_t) { done = now; }, {},
+            [&](std::size_t, CaseResult&& result) {
+              taken.insert(result.request.settings.method.name);
+            }),
+        std::runtime_error, [](const std::runtime_error& error) {
+          const std::string message = error.what();
+          BOOST_TEST(message.starts_with("fem-hooke:q1-sri: no answer, the memory is not "
+                                         "enough (about "),
+                     message);
+          return message.ends_with("; 1 of 3 simulations ended so");
+        });
+    BOOST_TEST((taken == std::set<std::string>{"mss-cf", "mss-fd"}));
+    BOOST_TEST(done == 3U);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_breakdown_is_an_answer) {
+  CaseSettings settings = case_of("compression", {"cells=2,2,2", "method=mss-cf"});
+  settings.method.solve = [](const auto&...) -> Solution {
+    throw Breakdown("no step forward");
+  };
+  const CaseResult result = simulate(settings, MeshStore().mesh(settings.body));
+  BOOST_TEST((result.status == Status::not_converged));
+  BOOST_TEST(result.reason == "the solver broke down: no step forward");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

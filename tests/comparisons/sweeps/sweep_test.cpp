@@ -352,4 +352,21 @@ BOOST_AUTO_TEST_CASE(a_failure_of_the_writer_is_not_lost) {
   BOOST_CHECK_THROW(writer.put(CaseResult(results.front())), std::exception);
 }
 
+// When the study ends early, what was computed until then is not lost.
+BOOST_AUTO_TEST_CASE(a_writer_that_goes_writes_what_waits) {
+  const OwnFolder own;
+  MeshStore meshes;
+  const auto results =
+      run_study(requests(run_of("compression", {"cells=2,2,2", "method=mss-cf,mss-fd"})),
+                meshes, 1, [](std::size_t, std::size_t) {});
+  ResultFile file(own.path / "a.h5");
+  try {
+    ResultWriter writer(file, true, meshes);
+    for (const CaseResult& result : results) writer.put(CaseResult(result));
+    throw std::runtime_error("a case without an answer");
+  } catch (const std::runtime_error&) {
+  }
+  BOOST_TEST(read_cases(own.path / "a.h5").rows == results.size());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

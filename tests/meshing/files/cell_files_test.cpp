@@ -91,6 +91,22 @@ BOOST_AUTO_TEST_CASE(inp_surfaces_name_the_faces_as_calculix_does) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(names_that_calculix_does_not_take_are_refused_in_inp_files) {
+  const Mesh block = generate_block({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+  const auto named = [&](const std::string& name) {
+    return Mesh("block", block.nodes(), block.cells(),
+                {{name, block.region("top").faces}});
+  };
+  BOOST_CHECK_NO_THROW(write_mesh(named(std::string(80, 'a')), directory / "a.inp"));
+  for (const std::string& name : {std::string("foot,left"), std::string(81, 'a')})
+    BOOST_CHECK_EXCEPTION(
+        write_mesh(named(name), directory / "b.inp"), InputError,
+        [](const InputError& error) {
+          return std::string(error.what()).find("what CalculiX takes") !=
+                 std::string::npos;
+        });
+}
+
 BOOST_AUTO_TEST_CASE(pyramids_are_refused_in_inp_files) {
   const std::filesystem::path file = directory / "pyramids.inp";
   BOOST_CHECK_EXCEPTION(

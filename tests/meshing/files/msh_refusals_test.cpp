@@ -191,4 +191,18 @@ BOOST_AUTO_TEST_CASE(bad_surfaces_are_named_with_their_elements) {
              ": triangle 13 of surface '7': expected each face once, got it twice");
 }
 
+BOOST_AUTO_TEST_CASE(numbers_of_groups_are_those_of_gmsh) {
+  const auto of_group = [](const std::string& group) {
+    return refusal_of(replaced(text(), "11 4 2 0 1", "11 4 2 " + group + " 1"));
+  };
+  BOOST_TEST(of_group("-2147483647") == "no refusal");
+  for (const char* group : {"-2147483648", "2147483648", "-9223372036854775808"}) {
+    const std::string message = of_group(group);
+    BOOST_TEST(message.find("$Elements: expected a physical group of a number up to 2^31 "
+                            "- 1, got " +
+                            std::string(group)) != std::string::npos,
+               message);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "comparisons/results/result_file.hpp"
+#include "comparisons/results/stored_chart.hpp"
+#include "comparisons/store/open_result_file.hpp"
+
+namespace springcheck {
+namespace {
+
+/// Copies the maps that a file lacks, or has without their limits.
+void copy_maps(hid_t from, hid_t to) {
+  for (const std::string& name : hdf5::links(from)) {
+    const auto has_limits = [&](hid_t maps) {
+      const auto map = hdf5::open_group(maps, name);
+      return row_count(hdf5::open_group(map, "limits")) > 0;
+    };
+    if (hdf5::has_link(to, name)) {
+      if (has_limits(to) || !has_limits(from)) continue;
+      hdf5::remove_link(to, name);
+    }
+    hdf5::copy_link(from, to, name);
+  }
+}
+
+/// The first column in which two rows of a key differ, but for times, provenance, and the
+/// family, which follows from the method and which files of before 0.3.0 lack.
+std::optional<std::string> differing_figure(Row a, Row b) {
+  for (const char* free : {"wall_s", "solve_wall_s", "provenance", "family"}) {
+    a.erase(free);
+    b.erase(free);
+  }
+  for (const Row* row : {&a, &b})
+    for (const auto& [name, value] : *row)
+      if (!a.contains(name) || !b.contains(name) || a.at(name) != b.at(name)) return name;
+  return std::nullopt;
+}
+
+}  // namespace
+
+ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from,
+                                        const std::set<std::string>* keys) {
+  constexpr std::size_t at_once = 500;  // bounds what a commit keeps in memory
+  if (std::error_code none; std::filesystem::equivalent(from, file_, none))
+    return {.added = 0, .already_there = stored_.rows.size()};
+  const Columns theirs = read_cases(from);
+  Absorbed absorbed;
+  std::vector<std::size_t> lacking;
+  std::vector<std::string> without_fields;  // here, of cases that both have
+  {
+    const Columns ours = std::filesystem::exists(file_) ? read_cases(file_) : Columns{};
+    for (std::size_t i = 0; i < theirs.rows; ++i) {
+      const std::string& key = theirs.texts.at("key")[i];
+      if (keys != nullptr && !keys->contains(key)) continue;
+      const auto known = stored_.rows.find(key);
+      if (known == stored_.rows.end()) {
+        lacking.push_back(i);
+        continue;
+      }
+      ++absorbed.already_there;
+      if (const auto column =
+              differing_figure(row_at(ours, known->second), row_at(theirs, i)))
+        absorbed.conflicts.push_back(
+            fmt::format("case {}: {} differs in {}", key, *column, from.string()));
+      else if (!stored_.with_fields.contains(key))
+        without_fields.push_back(key);
+    }
+  }
+  copy_fields(from, std::move(without_fields));
+  std::map<double, double> sessions;  // theirs to ours
+  for (std::size_t first = 0; first < lacking.size(); first += at_once)
+    copy_cases(
+        from, theirs,
+        std::span(lacking).subspan(first, std::min(at_once, lacking.size() - first)),
+        sessions);
+  absorbed.added = lacking.size();
+  if (keys != nullptr) return absorbed;
+  const auto has = [&](const char* group) {
+    return reading(from, [&](hid_t source) { return hdf5::has_link(source, group); });
+  };
+  if (has("maps"))
+    change_from(from, [](hid_t source, hid_t root) {
+      copy_maps(hdf5::open_group(source, "maps"), hdf5::group_made_in(root, "maps"));
+    });
+  if (has("charts"))
+    change_from(from, [](hid_t source, hid_t root) {
+      merge_charts(hdf5::open_group(source, "charts"),
+                   hdf5::group_made_in(root, "charts"));
+    });
+  return absorbed;
+}
+
+void ResultFile::copy_fields(const std::filesystem::path& from,
+                             std::vector<std::string> keys) {
+  const std::vector<std::string> stored = reading(
+      from, [](hid_t source) { return hdf5::links(hdf5::open_group(source, "fields")); });
+  const std::set<std::string> there(stored.begin(), stored.end());
+  std::erase_if(keys, [&](const std::string& key) { return !there.contains(key); });
+  if (keys.empty()) return;
+  change_from(from, [&](hid_t source, hid_t root) {
+    const auto theirs = hdf5::open_group(source, "fields"),
+               ours = hdf5::open_group(root, "fields");
+    for (const std::string& key : keys) hdf5::copy_link(theirs, ours, key);
+  });
+  stored_.with_fields.insert(keys.begin(), keys.end());
+}
+
+void ResultFile::copy_cases(const std::filesystem::path& from, const Columns& theirs,
+                            std::span<const std::size_t> rows,
+                            std::map<double, double>& sessions) {
+  std::vector<Row> added;
+  std::vector<std::string> with_fields;
+  std::map<double, double> sessions_then;
+  change_from(from, [&](hid_t source, hid_t root) {
+    added.clear();
+    with_fields.clear();
+    sessions_then = sessions;
+    const auto their_meshes = hdf5::open_group(source, "meshes"),
+               their_fields = hdf5::open_group(source, "fields"),
+               meshes = hdf5::open_group(root, "meshes"),
+               fields = hdf5::open_group(root, "fields"),
+               provenance = hdf5::open_group(root, "provenance");
+    const Columns their_sessions = read_columns(hdf5::open_group(source, "provenance"));
+    for (const std::size_t i : rows) {
+      Row row = row_at(theirs, i);
+      const auto& key = std::get<std::string>(row.at("key"));
+      const auto& mesh = std::get<std::string>(row.at("mesh"));
+      double& session = std::get<std::vector<double>>(row.at("provenance")).front();
+      const auto [place, is_new] =
+          sessions_then.try_emplace(session, static_cast<double>(row_count(provenance)));
+      if (is_new)
+        append_rows(provenance,
+                    {{row_at(their_sessions, static_cast<std::size_t>(session))}});
+      session = place->second;
+      if (!hdf5::has_link(meshes, mesh)) hdf5::copy_link(their_meshes, meshes, mesh);
+      if (hdf5::has_link(their_fields, key)) {
+        hdf5::copy_link(their_fields, fields, key);
+        with_fields.push_back(key);
+      }
+      added.push_back(std::move(row));
+    }
+    append_rows(hdf5::open_group(root, "cases"), added);
+  });
+  sessions = std::move(sessions_then);
+  stored_.with_fields.insert(with_fields.begin(), with_fields.end());
+  for (const Row& row : added) {
+    const auto& key = std::get<std::string>(row.at("key"));
+    stored_.rows.emplace(key, stored_.rows.size());
+    stored_.statuses.emplace(
+        key, status_named(std::get<std::string>(row.at("status")), from.string()));
+  }
+}
+
+}  // namespace springcheck
