@@ -6,6 +6,7 @@
 """
 
 import importlib.util
+import signal
 import sys
 from pathlib import Path
 
@@ -38,6 +39,8 @@ def main(arguments):
             file=sys.stderr,
         )
         return 1
+    for number in (signal.SIGTERM, signal.SIGHUP):  # it cleans up, as after an interrupt
+        signal.signal(number, signal.default_int_handler)
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # springcheck_results
     try:
         import report

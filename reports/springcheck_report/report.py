@@ -7,7 +7,6 @@ import os
 import re
 import shutil
 import signal
-import tempfile
 from pathlib import Path
 
 import bodies
@@ -37,22 +36,29 @@ def make(file, folder):
     figures = [block for section in sections for block in section.blocks if isinstance(block, Figure)]
     (folder / "data").mkdir(parents=True, exist_ok=True)
     # Beside their place until all of them are made: an earlier report stays whole till then.
-    with tempfile.TemporaryDirectory(dir=folder / "data") as name:
-        unfinished = Path(name)
-        figure_folder, three_d = unfinished / "figures", unfinished / "3d"
-        for part in (figure_folder, three_d):
-            part.mkdir()
-        keys = study.keys_with_fields()
-        _in_parallel(
-            [(_draw, figure, figure_folder) for figure in figures]
-            + [(_write_vtus, study, keys[i : i + 20], three_d) for i in range(0, len(keys), 20)]
-        )
-        if keys:
-            shutil.copyfile(_HERE / "show.py", three_d / "show.py")
-        page = unfinished / "index.html"
-        page.write_text(_page(study, sections, figure_folder), encoding="utf-8")
+    unfinished = folder / "data" / "unfinished"
+    shutil.rmtree(unfinished, ignore_errors=True)  # of one that was killed
+    try:
+        _make_files(study, sections, figures, unfinished)
         _replace_earlier(folder, unfinished)
+    finally:
+        shutil.rmtree(unfinished, ignore_errors=True)
     return f"{folder / 'index.html'}: {len(sections)} sections, {len(figures)} figures"
+
+
+def _make_files(study, sections, figures, folder):
+    figure_folder, three_d = folder / "figures", folder / "3d"
+    for part in (figure_folder, three_d):
+        part.mkdir(parents=True)
+    keys = study.keys_with_fields()
+    _in_parallel(
+        [(_draw, figure, figure_folder) for figure in figures]
+        + [(_write_vtus, study, keys[i : i + 20], three_d) for i in range(0, len(keys), 20)]
+    )
+    if keys:
+        shutil.copyfile(_HERE / "show.py", three_d / "show.py")
+    page = folder / "index.html"
+    page.write_text(_page(study, sections, figure_folder), encoding="utf-8")
 
 
 def _replace_earlier(folder, unfinished):
@@ -87,9 +93,15 @@ def _in_parallel(tasks):
     gc.freeze()  # or the workers' collectors would copy all memory
     context = multiprocessing.get_context("fork")
     workers = min(len(os.sched_getaffinity(0)), len(beside))
-    # An interrupt ends this process, which ends the workers.
-    with context.Pool(workers, signal.signal, (signal.SIGINT, signal.SIG_IGN)) as pool:
+    with context.Pool(workers, _leave_signals_to_the_parent) as pool:
         pool.map(_run_task, beside, chunksize=1)
+
+
+def _leave_signals_to_the_parent():
+    """It ends its workers, by SIGTERM."""
+    for number in (signal.SIGINT, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def _run_task(place):

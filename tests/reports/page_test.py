@@ -471,22 +471,26 @@ class SmallFiles(unittest.TestCase):
             made["cases"]["cell_volume_ratio_min"][...] = np.nan
         self.assertIn('id="figure-bodies_compression"', self.page_of(file))
 
-    def test_a_page_stays_whole_when_the_next_is_interrupted(self):
-        shutil.copytree(self.report_of_one, self.folder / "report")
-        page = (self.folder / "report" / "index.html").read_text(encoding="utf-8")
-        before = sorted((self.folder / "report").rglob("*"))
-        started = subprocess.Popen(
-            [os.environ["SPRINGCHECK"], "report", self.one, "--out", self.folder / "report"],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        at_work = self.folder / "report" / "data"
-        while started.poll() is None and not list(at_work.glob("tmp*")):
-            time.sleep(0.01)
-        started.send_signal(signal.SIGINT)
-        _, errors = started.communicate()
-        if started.returncode != 0:  # else it was done already
-            self.assertNotIn("Traceback", errors)
-            self.assertEqual(sorted((self.folder / "report").rglob("*")), before)
-        self.assertEqual((self.folder / "report" / "index.html").read_text(encoding="utf-8"), page)
+    def test_a_page_stays_whole_when_the_next_is_ended(self):
+        report = self.folder / "report"
+        shutil.copytree(self.report_of_one, report)
+        page = (report / "index.html").read_text(encoding="utf-8")
+        before = sorted(report.rglob("*"))
+        unfinished = report / "data" / "unfinished"
+        for end in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            unfinished.mkdir()  # left by one that could not clean up
+            (unfinished / "old").touch()
+            started = subprocess.Popen(
+                [os.environ["SPRINGCHECK"], "report", self.one, "--out", report],
+                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            while started.poll() is None and not (unfinished / "figures").exists():
+                time.sleep(0.01)
+            started.send_signal(end)
+            _, errors = started.communicate()
+            if started.returncode != 0:  # else it was done already
+                self.assertNotIn("Traceback", errors)
+                self.assertEqual(sorted(report.rglob("*")), before)
+            self.assertEqual((report / "index.html").read_text(encoding="utf-8"), page)
 
     def test_missing_packages_are_named(self):
         import runpy
