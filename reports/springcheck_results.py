@@ -14,6 +14,7 @@ import struct
 import time
 from dataclasses import dataclass
 from pathlib import Path
+from urllib.parse import unquote
 
 import h5py
 import numpy as np
@@ -85,7 +86,7 @@ class Results:
         def arrays(file):
             group = file["meshes"][name]
             cells = {name: group[name][()] for name in CELLS if name in group}
-            regions = {region: faces[()] for region, faces in group["regions"].items()}
+            regions = {unquote(name): faces[()] for name, faces in group["regions"].items()}
             return {"nodes": group["nodes"][()], **cells, "regions": regions}
 
         return _at_rest(self.path, arrays)

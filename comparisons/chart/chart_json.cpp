@@ -111,10 +111,10 @@ Json chart_json(const Chart& chart) {
 
 }  // namespace
 
-std::vector<Chart> stored_charts(const std::filesystem::path& file) {
+std::vector<Chart> stored_charts(const std::filesystem::path& file, Revisions revisions) {
   const std::vector<StoredChart> stored = read_charts(file);
   if (stored.empty()) return {};
-  const std::map<std::string, StoredCase> cases = read_results(file);
+  const std::map<std::string, StoredCase> cases = results_by_stored_key(file, revisions);
   std::vector<Chart> charts;
   for (const StoredChart& chart : stored) charts.push_back(evaluated(chart, cases));
   return charts;

@@ -8,7 +8,7 @@
 namespace springcheck {
 
 /// The charts of a result file with their errors, by scene. Throws like read_results.
-std::vector<Chart> stored_charts(const std::filesystem::path& file);
+std::vector<Chart> stored_charts(const std::filesystem::path& file, Revisions revisions);
 
 /// Charts for figures, a list of:
 ///

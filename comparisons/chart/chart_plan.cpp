@@ -9,11 +9,11 @@
 #include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/chart/chart_models.hpp"
 #include "comparisons/measures/displacement_norms.hpp"
-#include "comparisons/results/provenance.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/settings/case_json.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/studies/converged.hpp"
+#include "comparisons/system/processor.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/sha256.hpp"
 
@@ -40,6 +40,14 @@ std::string law_of(const ChartPlan& plan) {
   const Request first = requests(scene_of(plan)).front();
   const Method& method = (first.reference ? *first.reference : first.settings).method;
   return reads(method, "element") ? method.name : usual_law(false).name;
+}
+
+/// Times of one chart are of one machine, of the same instructions and of one program.
+std::string measured_on() {
+  const std::string digits = machine_digits();
+  return fmt::format("{}{}, {}, {}, revision {}", processor_name(),
+                     digits.empty() ? "" : " (machine " + digits + ")", instructions(),
+                     build_info::compiler, build_info::revision);
 }
 
 /// What determines all models of the chart, whichever they are.
@@ -86,8 +94,7 @@ StoredChart planned_chart(const ChartPlan& plan, const std::vector<ThreeCases>& 
                     .law = first.method.name,
                     .answer = answer_of(common.test, plan.scene),
                     .height = first.body.block.size[2],
-                    .machine = fmt::format("{}, {}, commit {}", processor_name(),
-                                           build_info::compiler, build_info::commit)};
+                    .machine = measured_on()};
   if (first.test != Test::bending)
     chart.imposed = largest_imposed_displacement(mesh, mechanical_scene(first, mesh));
   for (const ThreeCases& grids : truths) {

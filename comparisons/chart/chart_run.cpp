@@ -40,33 +40,33 @@ TimedCase timed_case(const CaseSettings& settings, const Mesh& mesh, int threads
           .setup = timing_of({std::move(setups)}).median};
 }
 
-/// Errors by one version of the program and times by another are not of one chart.
-void refuse_another_commit(const std::filesystem::path& file, const std::string& commit) {
-  if (commit == build_info::commit) return;
+/// Errors by one revision of the numerics and times by another are not of one chart.
+void refuse_other_revisions(const std::filesystem::path& file,
+                            const OtherRevisions& others) {
+  if (others.empty()) return;
   throw InputError(
       file.string(), "",
-      fmt::format("a file of cases of commit {}, which this program is, or a "
-                  "new one",
-                  build_info::commit),
-      "cases of commit " + commit);
+      fmt::format("a file of cases of revision {} of the numerics, which is this "
+                  "program's, or a new one",
+                  build_info::revision),
+      fmt::format("{} of {}", others.begin()->second, others.begin()->first));
 }
 
 }  // namespace
 
 ChartRun::ChartRun(const ChartPlan& plan, const std::filesystem::path& file)
     : plan_(plan), path_(file), file_(file) {
-  if (std::filesystem::exists(file)) stored_ = stored_cases({file});
-  for (const auto& [key, place] : stored_) {
-    refuse_another_commit(file, place.second.commit);
-    know(key, place.second);
-  }
+  refuse_other_revisions(file, file_.stored().others);
+  if (std::filesystem::exists(file)) stored_ = stored_cases({file}, Revisions::own);
+  for (const auto& [key, place] : stored_) know(key, place.second);
   begin_chart();
   find_truths();
 }
 
 Chart ChartRun::chart() const {
   std::map<std::string, StoredCase> cases;
-  for (auto& [key, stored] : read_results(path_)) cases.emplace(key, std::move(stored));
+  for (auto& [key, stored] : read_results(path_, Revisions::own))
+    cases.emplace(key, std::move(stored));
   return evaluated(chart_, cases);
 }
 

@@ -26,7 +26,7 @@ namespace springcheck {
 class ChartRun : public Measurements {
  public:
   /// Computes the truths. Throws InputError as planned_chart, and for a file with cases
-  /// of another version of the program.
+  /// of another revision of the numerics.
   ChartRun(const ChartPlan& plan, const std::filesystem::path& file);
 
   /// Measures a model on so many cells across. Throws InputError where their mesh alone

@@ -189,6 +189,15 @@ int run_arguments(int argc, char** argv) {
   bool json = false, split = false, all = false, bless = false, quality = false;
   int threads = cores;
   int status = ExitStatus::done;
+  bool accepts_others = false;
+  const auto revisions = [&] { return accepts_others ? Revisions::all : Revisions::own; };
+  const auto add_revisions = [&](CLI::App* command, const char* taken) {
+    return command->add_flag(
+        "--accept-other-revisions", accepts_others,
+        std::string(taken) +
+            " of other revisions of the numerics are taken, where there are "
+            "none of this program's; what is made of them says so");
+  };
   const auto output = [&] { return json ? Output::json : Output::text; };
   const auto add_threads = [&](CLI::App* command) {
     command->add_option("--threads", threads, "at most this many (default: all cores)")
@@ -218,6 +227,7 @@ int run_arguments(int argc, char** argv) {
                   "seconds between two savings (default 60)")
       ->check(check_seconds)
       ->needs(checkpoint_file);
+  add_revisions(run, "with --checkpoint: saved states")->needs(checkpoint_file);
   add_threads(run);
 
   CLI::App* table =
@@ -237,6 +247,7 @@ int run_arguments(int argc, char** argv) {
   table->add_option("--reference", reference,
                     "METHOD[:ELEMENT][@CELLS|@converged] for the thesis's tables");
   table->add_option("--format", format, "md (default), csv, json or latex");
+  add_revisions(table, "cases of --from files");
   add_threads(table);
 
   CLI::App* everything =
@@ -285,6 +296,7 @@ int run_arguments(int argc, char** argv) {
   sweep->add_option("--shard", shard, "I/N: every N-th case from the I-th on");
   sweep->add_flag("--yes", sweep_options.yes,
                   "more than a million combinations are meant");
+  add_revisions(sweep, "cases in the file");
 
   CLI::App* merge = app.add_subcommand(
       "merge", "Add the cases of result files to another; may be repeated");
@@ -311,6 +323,7 @@ int run_arguments(int argc, char** argv) {
                         "md, csv, json or latex (default: maps and limits)");
   stability->add_flag("--locking", stability_options.locking,
                       "judge locking, too, by a control for every point");
+  add_revisions(stability, "cases in the file");
   stability
       ->add_option("--jobs", threads, "simulations at once, at most (default: all cores)")
       ->check(CLI::Range(1, 1024));
@@ -417,11 +430,13 @@ int run_arguments(int argc, char** argv) {
   gate->add_flag("--json", json, "print one JSON document");
   gate->add_flag("--bless", bless,
                  "replace stored values that are outside their bands in the gate file");
+  add_revisions(gate, "cases in the file");
 
   CLI::App* report = app.add_subcommand(
       "report", "Make page, figures and tables of a result file; computes nothing");
   report->add_option("results", results, "HDF5 file of results")->required();
   report->add_option("--out", out, "folder for them")->required()->check(check_not_empty);
+  add_revisions(report, "cases in the file");
 
   app.set_version_flag("--version", version);
   for (CLI::App* command : app.get_subcommands({}))
@@ -449,6 +464,7 @@ int run_arguments(int argc, char** argv) {
 
   if (*run) {
     watch.checkpoint = path_or_none(checkpoint);
+    watch.revisions = revisions();
     status =
         run_command(scene, run_options.given(),
                     {.out = path_or_none(out),
@@ -463,14 +479,16 @@ int run_arguments(int argc, char** argv) {
                              {displacements, path_or_none(forces), name},
                              path_or_none(out), output());
   else if (*table)
-    status = table_command(name, {from, path_or_none(out)}, reference,
+    status = table_command(name, {from, path_or_none(out), revisions()}, reference,
                            table_format(format), threads);
   else if (*sweep) {
     sweep_options.jobs = threads;
+    sweep_options.revisions = revisions();
     set_shard(sweep_options, shard);
     status = sweep_command(name, out, sweep_options);
   } else if (*stability) {
     stability_options.jobs = threads;
+    stability_options.revisions = revisions();
     stability_options.out = path_or_none(out);
     if (stability->count("--format") > 0) stability_options.format = table_format(format);
     status = stability_command(scene, stability_settings.given(), stability_options);
@@ -489,12 +507,12 @@ int run_arguments(int argc, char** argv) {
     status = schema_command(what);
   else if (*gate)
     status = gate_command(name, results, path_or_none(junit), output(),
-                          bless ? Bless::yes : Bless::no);
+                          bless ? Bless::yes : Bless::no, revisions());
   else if (*mesh)
     status = mesh_command(scene, mesh_options.given(), path_or_none(out),
                           quality ? MeshReport::quality : MeshReport::counts);
   else if (*report)
-    status = report_command(results, out);
+    status = report_command(results, out, revisions());
   else
     status =
         reproduce_command(out, all ? Extent::all : Extent::without_long_tables, threads);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 
 #include "comparisons/build_info/build_info.hpp"
@@ -18,6 +19,7 @@
 #include "comparisons/running/progress.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/tables/computed_tables.hpp"
+#include "comparisons/tables/stored_tables.hpp"
 #include "comparisons/tables/studies/split_output.hpp"
 #include "comparisons/tables/thesis/format_table.hpp"
 #include "meshing/files/mesh_files.hpp"
@@ -170,9 +172,10 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
 
 ExitStatus table_command(const std::string& name, const TableFiles& files,
                          const std::string& reference, TableFormat format, int parallel) {
-  const auto& [from, out] = files;
-  const StoredCases stored = stored_cases(from);
-  warn_of_other_commits(stored);
+  const auto& [from, out, revisions] = files;
+  const StoredCases stored = stored_cases(from, revisions);
+  for (const std::filesystem::path& file : from)
+    warn_of_other_revisions(file, stored_keys(file), revisions);
   std::optional<ReferenceMethod> chosen;
   if (!reference.empty())
     chosen = reference_named(Given::from_text("--reference", reference));
@@ -182,12 +185,15 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
   MeshStore meshes;
   std::optional<KeptResults> kept;
   if (out) kept.emplace(*out, meshes);
-  const ComputedTables computed =
+  ComputedTables computed =
       compute_tables({name}, chosen, meshes, parallel, known_from(stored, meshes),
                      [&](const CaseResult& result) {
                        if (kept) kept->keep(result);
                      });
   if (kept) kept->finish(computed.results, from);
+  std::set<std::string> keys;
+  for (const CaseResult& result : computed.results) keys.insert(result.key);
+  add_note(computed.set, other_revisions(stored, keys));
   for (const Table& table : computed.set.tables)
     fmt::print("{}", format_table(table, format));
   for (const Sheet& sheet : computed.set.sheets)

@@ -45,6 +45,7 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
 struct TableFiles {
   std::vector<std::filesystem::path> from;
   std::optional<std::filesystem::path> out;
+  Revisions revisions;  // of those that are taken
 };
 
 /// `springcheck table`: prints one table.

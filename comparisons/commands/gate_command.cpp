@@ -40,7 +40,7 @@ void bless_values(Report& report, const TomlFile& toml, const Columns& cases) {
 ExitStatus gate_command(const std::string& name_or_path,
                         const std::filesystem::path& results,
                         const std::optional<std::filesystem::path>& junit, Output output,
-                        Bless bless) {
+                        Bless bless, Revisions revisions) {
   if (bless == Bless::yes && !is_toml_path(name_or_path))
     throw InputError("--bless", "", "a path to a gate file",
                      "'" + name_or_path + "', which is part of the program");
@@ -54,14 +54,15 @@ ExitStatus gate_command(const std::string& name_or_path,
         throw InputError("--junit", "", "another file than " + input.string(),
                          "'" + junit->string() + "'");
   }
-  const Columns cases = read_cases(results);
-  warn_of_other_commits(results, stored_keys(results).commits);
+  const Columns cases = read_cases(results, revisions);
 
   Report report{.gates_name = toml.name,
                 .gates_file = toml.file,
                 .results_file = results.string(),
                 .gates = parsed,
-                .outcomes = judged(parsed, cases, results.string())};
+                .outcomes = judged(parsed, cases, results.string()),
+                .others = stored_keys(results).others,
+                .revisions = revisions};
   if (bless == Bless::yes) bless_values(report, toml, cases);
   if (junit)
     write_whole_stream(*junit, [&](std::ostream& out) { write_junit(out, report); });

@@ -17,6 +17,6 @@ enum class Bless { no, yes };
 ExitStatus gate_command(const std::string& name_or_path,
                         const std::filesystem::path& results,
                         const std::optional<std::filesystem::path>& junit, Output output,
-                        Bless bless);
+                        Bless bless, Revisions revisions);
 
 }  // namespace springcheck

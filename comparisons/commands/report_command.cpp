@@ -6,11 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "comparisons/build_info/build_info.hpp"
 #include "comparisons/chart/chart_json.hpp"
 #include "comparisons/chart/chart_sheets.hpp"
 #include "comparisons/commands/report_program.hpp"
 #include "comparisons/commands/table_files.hpp"
-#include "comparisons/results/result_file.hpp"
+#include "comparisons/results/known_results.hpp"
 #include "comparisons/stability/atlas_json.hpp"
 #include "comparisons/tables/stored_tables.hpp"
 #include "comparisons/tables/theory_curves.hpp"
@@ -51,14 +52,14 @@ void prepare_report(const std::filesystem::path& folder) {
 
 ExitStatus make_report(const std::filesystem::path& file,
                        const std::filesystem::path& folder,
-                       const std::vector<Sheet>& further) {
+                       const std::vector<Sheet>& further, Revisions revisions) {
   MeshStore meshes;
-  TableSet tables = stored_tables(file, meshes);
+  TableSet tables = stored_tables(file, meshes, revisions);
   tables.sheets.insert(tables.sheets.end(), further.begin(), further.end());
-  const std::vector<Chart> charts = stored_charts(file);
+  const std::vector<Chart> charts = stored_charts(file, revisions);
   for (Sheet& sheet : chart_sheets(charts)) tables.sheets.push_back(std::move(sheet));
   write_tables(folder / "tables", tables, file.parent_path() / "tables");
-  const std::string theory = theory_curves(read_cases(file)).dump() + "\n";
+  const std::string theory = theory_curves(read_cases(file, revisions)).dump() + "\n";
   write_whole_stream(folder / "data" / "theory.json",
                      [&](std::ostream& out) { out << theory; });
   const std::string vocabulary = list_json("").dump() + "\n";
@@ -67,7 +68,7 @@ ExitStatus make_report(const std::filesystem::path& file,
   const std::string chart_data = charts_json(charts).dump() + "\n";
   write_whole_stream(folder / "data" / "charts.json",
                      [&](std::ostream& out) { out << chart_data; });
-  const std::string atlas = atlas_json(file).dump() + "\n";
+  const std::string atlas = atlas_json(file, revisions).dump() + "\n";
   write_whole_stream(folder / "data" / "atlas.json",
                      [&](std::ostream& out) { out << atlas; });
   if (run_report_program(file, folder) != 0) return ExitStatus::fell_short;
@@ -81,12 +82,18 @@ ExitStatus make_report(const std::filesystem::path& file,
 }
 
 ExitStatus report_command(const std::filesystem::path& file,
-                          const std::filesystem::path& folder) {
+                          const std::filesystem::path& folder, Revisions revisions) {
   if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
     throw InputError(file.string(), "", "a result file", "what is no file");
-  read_results(file);  // whatever is wrong with it is said before a folder is made
+  // Whatever is wrong with the file is said before a folder is made.
+  const bool is_empty = read_results(file, revisions).empty();
+  const StoredKeys stored = stored_keys(file);
+  if (is_empty && !stored.others.empty())
+    throw InputError(file.string(), "",
+                     fmt::format("cases of revision {}", build_info::revision),
+                     note_of_other_revisions(stored.others, revisions));
   prepare_report(folder);
-  return make_report(file, folder, {});
+  return make_report(file, folder, {}, revisions);
 }
 
 }  // namespace springcheck

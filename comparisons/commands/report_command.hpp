@@ -24,10 +24,10 @@ void prepare_report(const std::filesystem::path& folder);
 /// reports/ did.
 ExitStatus make_report(const std::filesystem::path& file,
                        const std::filesystem::path& folder,
-                       const std::vector<Sheet>& further);
+                       const std::vector<Sheet>& further, Revisions revisions);
 
 /// `springcheck report`. Throws InputError before anything is written.
 ExitStatus report_command(const std::filesystem::path& file,
-                          const std::filesystem::path& folder);
+                          const std::filesystem::path& folder, Revisions revisions);
 
 }  // namespace springcheck

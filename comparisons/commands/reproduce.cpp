@@ -17,8 +17,8 @@
 namespace springcheck {
 namespace {
 
-StoredCases stored_by_this_commit(const std::filesystem::path& file) {
-  return std::filesystem::exists(file) ? of_this_commit(stored_cases({file}))
+StoredCases stored_in(const std::filesystem::path& file) {
+  return std::filesystem::exists(file) ? stored_cases({file}, Revisions::own)
                                        : StoredCases{};
 }
 
@@ -28,17 +28,17 @@ ComputedTables compute_into(ResultFile& file, const std::filesystem::path& path,
   for (const std::string& name : sheet_names())
     if (extent == Extent::all || std::ranges::count(long_sheet_names(), name) == 0)
       names.push_back(name);
-  const StoredCases stored = stored_by_this_commit(path);
+  const StoredCases stored = stored_in(path);
   return compute_tables(names, std::nullopt, meshes, parallel, known_from(stored, meshes),
                         [&](const CaseResult& result) {
                           file.put({&result, 1}, true, meshes);
                         });
 }
 
-/// Adds what is neither stored by this commit nor among `done`, by key.
+/// Adds what is neither stored nor among `done`, by key.
 void sweep_into(ResultFile& file, const std::filesystem::path& path,
                 std::set<std::string> done, MeshStore& meshes, int parallel) {
-  const StoredCases stored = stored_by_this_commit(path);
+  const StoredCases stored = stored_in(path);
   for (const char* name :
        {"nu", "refinement", "deformation", "diagonal-ratio", "beam-diagonal-ratio"}) {
     const Sweep sweep = read_sweep(name, SIZE_MAX);
@@ -86,7 +86,7 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
     sweep_into(file, result_file, std::move(done), meshes, parallel);
   }
   write_xdmf_beside(result_file);
-  return make_report(result_file, directory, not_stored);
+  return make_report(result_file, directory, not_stored, Revisions::own);
 }
 
 }  // namespace springcheck

@@ -21,7 +21,7 @@ ExitStatus stability_command(const std::string& scene,
   if (plan.axes.size() == 2 && plan.axes[0].key == plan.axes[1].key)
     throw InputError("--over", "", "two different settings",
                      "'" + plan.axes[0].key + "' twice");
-  CaseRunner runner(stability.out, stability.jobs);
+  CaseRunner runner(stability.out, stability.jobs, stability.revisions);
   const Atlas atlas = make_atlas(plan, runner);
   if (stability.format) {
     fmt::print("{}", format_sheets({points_sheet(atlas, plan), limits_sheet(atlas, plan)},

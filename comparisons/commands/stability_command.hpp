@@ -15,6 +15,7 @@ struct StabilityOptions {
   std::optional<TableFormat> format{};  // none: maps and limits for a terminal
   bool locking = false;                 // see AtlasPlan
   int jobs = 1;                         // simulations at once, at most
+  Revisions revisions = Revisions::own;
 };
 
 /// `springcheck stability`: maps where methods fail over one or two settings, and their

@@ -45,7 +45,10 @@ std::vector<Request> missing_of(const Wanted& wanted, const StoredKeys& stored,
                                 const Sweep& sweep, const SweepOptions& options) {
   std::vector<Request> missing;
   for (std::size_t i = 0; i < wanted.keys.size(); ++i) {
-    const std::string& key = wanted.keys[i];
+    const auto other = stored.substitutes.find(wanted.keys[i]);
+    const bool is_accepted =
+        options.revisions == Revisions::all && other != stored.substitutes.end();
+    const std::string& key = is_accepted ? other->second : wanted.keys[i];
     const auto known = stored.statuses.find(key);
     // Of a refused case there never are fields.
     const bool is_there = known != stored.statuses.end() &&
@@ -116,7 +119,7 @@ ExitStatus sweep_command(const std::string& name_or_path,
   }
   ResultFile results(file);
   if (sweep.with_fields) check_xdmf_writable(file);
-  warn_of_other_commits(file, results.stored().commits);
+  warn_of_other_revisions(file, results.stored(), options.revisions);
   const std::vector<Request> missing =
       missing_of(wanted, results.stored(), sweep, options);
   fmt::print("{}: {} cases, {} of them to compute\n", sweep.name, wanted.keys.size(),

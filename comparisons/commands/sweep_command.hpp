@@ -14,6 +14,7 @@ struct SweepOptions {
   bool recompute = false;     // also what the file holds
   bool yes = false;           // more than a million combinations are meant
   int shard = 1, shards = 1;  // every shards-th case, from the shard-th on
+  Revisions revisions = Revisions::own;
 };
 
 /// "I/N". Throws InputError unless 1 <= I <= N.
@@ -26,7 +27,8 @@ ExitStatus sweep_command(const std::string& name_or_path,
 
 /// `springcheck merge`: adds to `out` the cases it lacks, with fields and meshes. A case
 /// that both have with other figures is a conflict: `out` keeps its own, the difference
-/// is printed, and the exit status is fell_short.
+/// is printed, and the exit status is fell_short. What other instructions or another BLAS
+/// round otherwise is told and no conflict.
 ExitStatus merge_command(const std::filesystem::path& out,
                          const std::vector<std::filesystem::path>& from);
 

@@ -80,6 +80,9 @@ std::string report_text(const Report& report) {
   }
   text += in_columns(lines);
   if (!below.empty()) text += "\n" + below;
+  if (const std::string note = note_of_other_revisions(report.others, report.revisions);
+      !note.empty())
+    text += fmt::format("\n{}: {}\n", report.results_file, note);
   return text + fmt::format(
                     "\n{} gates of {}: {} pass, {} fall short, {} without a case\n"
                     "margin: {}\n",
@@ -104,6 +107,8 @@ nlohmann::ordered_json report_json(const Report& report) {
           {"no_case", count(report, Judgement::no_case)},
           {"margin", margin_definition},
           {"blessed", blessed},
+          {"other_revisions", Json(report.others)},
+          {"accepts_other_revisions", report.revisions == Revisions::all},
           {"verdicts", verdicts}};
 }
 

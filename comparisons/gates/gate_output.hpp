@@ -8,6 +8,7 @@
 #include "comparisons/gates/bless.hpp"
 #include "comparisons/gates/gate.hpp"
 #include "comparisons/gates/outcome.hpp"
+#include "comparisons/results/known_results.hpp"
 
 namespace springcheck::gates {
 
@@ -19,6 +20,8 @@ struct Report {
   std::vector<Gate> gates;
   std::vector<Outcome> outcomes;
   std::vector<Blessed> blessed{};  // what --bless replaced before they were judged
+  OtherRevisions others{};         // in the file
+  Revisions revisions = Revisions::own;
 };
 
 std::size_t count(const Report& report, Judgement verdict);

@@ -56,6 +56,8 @@ Json report_schema() {
        {"no_case", count},
        {"margin", text},
        {"blessed", list_of({{"name", text}, {"old", value}, {"new", value}})},
+       {"other_revisions", {{"type", "object"}, {"additionalProperties", count}}},
+       {"accepts_other_revisions", {{"type", "boolean"}}},
        {"verdicts", list_of({{"name", text},
                              {"verdict", verdict},
                              {"measure", text},

@@ -135,6 +135,7 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
   }
   row["family"] = std::string(name_of(result.request.settings.method.family));
   row["key"] = result.key;
+  row["identity"] = case_identity(result.request, mesh);
   row["mesh"] = mesh.sha256();
   row["status"] = std::string(name_of(result.status));
   row["flags"] = joined(result.flags);
@@ -163,7 +164,8 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
 
 StoredCase stored_case(const Columns& cases, std::size_t row, const std::string& file) {
   const Reader reader(cases, row, file);
-  StoredCase stored{.status = status_named(reader.text("status"), file),
+  StoredCase stored{.key = reader.text("key"),
+                    .status = status_named(reader.text("status"), file),
                     .reason = reader.text("reason"),
                     .effort = effort_of(reader)};
   std::string flags = reader.text("flags");
@@ -184,11 +186,10 @@ StoredCase stored_case(const Columns& cases, std::size_t row, const std::string&
   return stored;
 }
 
-CaseResult with_stored(const Request& request, const std::string& key,
-                       const StoredCase& stored) {
+CaseResult with_stored(const Request& request, const StoredCase& stored) {
   const Effort effort = stored.effort.value_or(Effort{});
   return {.request = request,
-          .key = key,
+          .key = stored.key,
           .status = stored.status,
           .flags = stored.flags,
           .reason = stored.reason,

@@ -9,10 +9,10 @@
 
 namespace springcheck {
 
-/// A case as a row of a result file: key, settings under the names of their keys,
-/// reference, mesh, status, flags (with commas), reason, every measure, the solver's
-/// effort; and the row of the file's provenance it belongs to. What a case has not is
-/// left out.
+/// A case as a row of a result file: key and identity, settings under the names of their
+/// keys, reference, mesh, status, flags (with commas), reason, every measure, the
+/// solver's effort; and the row of the file's provenance it belongs to. What a case has
+/// not is left out.
 Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance);
 
 /// Throws InputError, naming the file, where there is no such status.
@@ -27,6 +27,7 @@ struct Effort {
 
 /// What a result file knows about a case, without fields.
 struct StoredCase {
+  std::string key{};  // in its file
   Status status;
   std::vector<Status> flags{};
   std::string reason;
@@ -34,7 +35,7 @@ struct StoredCase {
   std::optional<Effort> effort;  // none where another program's result was measured
   std::optional<int> linear_iterations{}, factorisations{};
   std::optional<double> dt{}, dt_limit{};
-  std::string commit{};  // of the program that computed it
+  std::string revision{};  // of the program that computed it, where another's
 };
 
 /// The inverse of row_of. `file` is for messages. Throws InputError with the case's key
@@ -42,8 +43,8 @@ struct StoredCase {
 /// a volume if and only if it ended in an equilibrium.
 StoredCase stored_case(const Columns& cases, std::size_t row, const std::string& file);
 
-/// The stored case as a CaseResult of this request, without fields.
-CaseResult with_stored(const Request& request, const std::string& key,
-                       const StoredCase& stored);
+/// The stored case as a CaseResult of this request, without fields; its key is that in
+/// the file.
+CaseResult with_stored(const Request& request, const StoredCase& stored);
 
 }  // namespace springcheck

@@ -1,44 +1,79 @@
 #include "comparisons/results/known_results.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
-
-#include <set>
-#include <string_view>
 
 #include "comparisons/build_info/build_info.hpp"
 
 namespace springcheck {
 
-StoredCases stored_cases(const std::vector<std::filesystem::path>& files) {
+StoredCases stored_cases(const std::vector<std::filesystem::path>& files,
+                         Revisions revisions) {
   StoredCases all;
   for (const std::filesystem::path& file : files)
-    for (auto& [key, stored] : read_results(file))
-      all.try_emplace(key, file, std::move(stored));
+    for (auto& [key, stored] : read_results(file, revisions)) {
+      const auto [place, is_new] = all.try_emplace(key, file, stored);
+      const bool is_better =
+          stored.revision.empty() && !place->second.second.revision.empty();
+      if (!is_new && is_better) place->second = {file, std::move(stored)};
+    }
   return all;
 }
 
-void warn_of_other_commits(const StoredCases& stored) {
-  std::map<std::filesystem::path, std::set<std::string>> commits;
+namespace {
+
+/// "3 cases of a1b2c3d4e5f6, 1 of unknown"
+std::string listed(const OtherRevisions& others) {
+  std::string text;
+  for (const auto& [revision, cases] : others)
+    text += fmt::format("{}{}{} of {}", text.empty() ? "" : ", ", cases,
+                        !text.empty() ? ""
+                        : cases == 1  ? " case"
+                                      : " cases",
+                        revision);
+  return text;
+}
+
+}  // namespace
+
+std::string note_of_other_revisions(const OtherRevisions& others, Revisions revisions) {
+  if (others.empty()) return "";
+  return fmt::format("{}, other revisions of the numerics than this program's {}: {}",
+                     listed(others), build_info::revision,
+                     revisions == Revisions::all
+                         ? "taken where there are none of its own"
+                         : "not taken, but with --accept-other-revisions");
+}
+
+OtherRevisions other_revisions(const StoredCases& stored,
+                               const std::set<std::string>& keys) {
+  OtherRevisions others;
   for (const auto& [key, place] : stored)
-    commits[place.first].insert(place.second.commit);
-  for (const auto& [file, all] : commits) warn_of_other_commits(file, all);
+    if (!place.second.revision.empty() && keys.contains(place.second.key))
+      ++others[place.second.revision];
+  return others;
 }
 
-void warn_of_other_commits(const std::filesystem::path& file,
-                           const std::set<std::string>& commits) {
-  for (const std::string& commit : commits)
-    if (commit != build_info::commit)
-      spdlog::warn("{} holds cases of commit {}, this program is {}", file.string(),
-                   commit, build_info::commit);
+std::string note_of_taken(const OtherRevisions& others) {
+  return fmt::format(
+      "Of other revisions of the numerics than this program's {}, taken as asked: {}.",
+      build_info::revision, listed(others));
 }
 
-StoredCases of_this_commit(StoredCases stored) {
-  const std::string_view commit = build_info::commit;
-  const bool is_known = !commit.ends_with("-dirty") && commit != "unknown";
-  std::erase_if(stored, [&](const auto& entry) {
-    return !is_known || entry.second.second.commit != commit;
-  });
-  return stored;
+void warn_of_other_revisions(const std::filesystem::path& file, const StoredKeys& stored,
+                             Revisions revisions) {
+  const std::string note = note_of_other_revisions(stored.others, revisions);
+  if (!note.empty()) spdlog::warn("{}: {}", file.string(), note);
+}
+
+std::map<std::string, StoredCase> results_by_stored_key(const std::filesystem::path& file,
+                                                        Revisions revisions) {
+  std::map<std::string, StoredCase> all;
+  for (auto& [key, stored] : read_results(file, revisions)) {
+    const std::string in_file = stored.key;
+    all.emplace(in_file, std::move(stored));
+  }
+  return all;
 }
 
 KnownResult known_figures(const StoredCases& stored) {
@@ -46,7 +81,7 @@ KnownResult known_figures(const StoredCases& stored) {
       [&](const Request& request, const std::string& key) -> std::optional<CaseResult> {
         const auto found = stored.find(key);
         if (found == stored.end()) return std::nullopt;
-        return with_stored(request, key, found->second.second);
+        return with_stored(request, found->second.second);
       };
 }
 

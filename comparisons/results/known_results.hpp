@@ -11,20 +11,33 @@
 
 namespace springcheck {
 
-/// Cases of result files by key, with the file that holds their fields.
+/// Cases of result files by the key that this program has for them, with the file that
+/// holds their fields.
 using StoredCases = std::map<std::string, std::pair<std::filesystem::path, StoredCase>>;
 
-/// All cases of the files. Throws like read_results.
-StoredCases stored_cases(const std::vector<std::filesystem::path>& files);
+/// The cases of the files; of those that several have, the first with this program's
+/// revision, or else the first. Throws like read_results.
+StoredCases stored_cases(const std::vector<std::filesystem::path>& files,
+                         Revisions revisions);
 
-/// Warns of commits other than this program's, by which cases of the file were computed.
-void warn_of_other_commits(const std::filesystem::path& file,
-                           const std::set<std::string>& commits);
-void warn_of_other_commits(const StoredCases& stored);
+/// The cases of read_results by their keys in the file, as its maps and charts name them.
+std::map<std::string, StoredCase> results_by_stored_key(const std::filesystem::path& file,
+                                                        Revisions revisions);
 
-/// Leaves those that this very program computed: none if its sources were changed since
-/// the commit.
-StoredCases of_this_commit(StoredCases stored);
+/// What a file has of other revisions and what becomes of it, in words; empty where there
+/// is none.
+std::string note_of_other_revisions(const OtherRevisions& others, Revisions revisions);
+
+/// The cases that are of other revisions, among those of these keys in their files.
+OtherRevisions other_revisions(const StoredCases& stored,
+                               const std::set<std::string>& keys);
+
+/// What a table or page says of cases of other revisions that it is made of.
+std::string note_of_taken(const OtherRevisions& others);
+
+/// Says what there is of other revisions on stderr.
+void warn_of_other_revisions(const std::filesystem::path& file, const StoredKeys& stored,
+                             Revisions revisions);
 
 /// Supplies stored cases without fields; `stored` must outlive it.
 KnownResult known_figures(const StoredCases& stored);

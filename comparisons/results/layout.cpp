@@ -10,8 +10,9 @@ const std::vector<Described>& file_layout() {
        "columns of `list columns`. Texts are UTF-8 padded with zeros; what a case has "
        "not is NaN or an empty text; vectors are rows of 3, matrices of 9 numbers"},
       {"/provenance",
-       "a row for each time the file was written: springcheck, commit, compiler, "
-       "deal.II, gmsh, Eigen, HDF5, cpu, cores, threads, date"},
+       "a row for each time the file was written: springcheck, commit, revision (of the "
+       "numerics: a hash of their sources), compiler, deal.II, gmsh, Eigen, HDF5, BLAS "
+       "(with its kernels), cpu, instructions, cores, threads, date"},
       {"/meshes/SHA256",
        "nodes [m]; tetrahedra, pyramids, prisms, hexahedra, those there are (gmsh's "
        "order, from 0; fields of cells follow in this order); regions/NAME (outward "
@@ -41,7 +42,8 @@ const std::vector<Described>& file_layout() {
 
 const std::vector<Described>& case_columns() {
   static const std::vector<Described> columns{
-      {"key", "SHA-256 of settings, reference, mesh and program version"},
+      {"key", "SHA-256 of identity and revision of the numerics"},
+      {"identity", "SHA-256 of settings, reference and mesh"},
       {"scene", "the shipped scene, or the name of a scene file"},
       {"family", "of the method: springs, finite elements or measured"},
       {"mesh", "SHA-256 of the mesh, its name in /meshes"},

@@ -4,10 +4,11 @@
 
 #include <array>
 #include <ctime>
-#include <fstream>
 #include <thread>
 
 #include "comparisons/build_info/build_info.hpp"
+#include "comparisons/system/blas.hpp"
+#include "comparisons/system/processor.hpp"
 #include "meshing/gmsh/version.hpp"
 
 namespace springcheck {
@@ -26,23 +27,19 @@ std::vector<double> number(std::size_t value) {
 
 }  // namespace
 
-std::string processor_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
 Row provenance() {
   using tbb::global_control;
   return {{"springcheck", std::string(build_info::version)},
           {"commit", std::string(build_info::commit)},
+          {"revision", std::string(build_info::revision)},
           {"compiler", std::string(build_info::compiler)},
           {"deal.II", std::string(build_info::deal_ii_version)},
           {"gmsh", gmsh_version()},
           {"Eigen", std::string(build_info::eigen_version)},
           {"HDF5", std::string(build_info::hdf5_version)},
+          {"BLAS", blas_name()},
           {"cpu", processor_name()},
+          {"instructions", instructions()},
           {"cores", number(std::thread::hardware_concurrency())},
           {"threads",
            number(global_control::active_value(global_control::max_allowed_parallelism))},

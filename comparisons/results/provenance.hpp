@@ -6,11 +6,9 @@
 
 namespace springcheck {
 
-/// As the machine calls it; "unknown" where it does not say.
-std::string processor_name();
-
-/// What ran when and where: version and commit of this program, compiler, versions of the
-/// libraries, processor, cores and threads, date (UTC).
+/// What ran when and where: version, commit and revision of this program, compiler,
+/// versions of the libraries, processor and its instructions, cores and threads, date
+/// (UTC).
 Row provenance();
 
 }  // namespace springcheck

@@ -18,12 +18,18 @@ struct StoredChart;
 struct StoredMap;
 enum class MapState;
 
+/// How many cases a file has of other revisions than this program's, by revision;
+/// "unknown" are those of files from before there were any.
+using OtherRevisions = std::map<std::string, std::size_t>;
+
 /// The cases of a result file by their keys, and who computed them.
 struct StoredKeys {
   std::map<std::string, Status> statuses;
   std::map<std::string, std::size_t> rows;  // of the table of cases
   std::set<std::string> with_fields;        // keys
-  std::set<std::string> commits;            // of programs
+  OtherRevisions others;
+  // Keys of this program to those in the file, of cases that it has of others alone:
+  std::map<std::string, std::string> substitutes;
 };
 
 /// Of a file, or of one that is open (`file` is for messages). Throw like read_cases.
@@ -61,6 +67,7 @@ class ResultFile {
   struct Absorbed {
     std::size_t added = 0, already_there = 0;
     std::vector<std::string> conflicts{};  // cases of other figures, in words
+    std::vector<std::string> roundings{};  // those that only rounding tells apart
   };
   Absorbed absorb(const std::filesystem::path& from,
                   const std::set<std::string>* keys = nullptr);
@@ -102,12 +109,18 @@ void write_results(const std::filesystem::path& file, std::span<const CaseResult
 /// Throws InputError unless write_results could write both files.
 void check_results_writable(const std::filesystem::path& file);
 
-/// The table of cases of a result file. Throws InputError for a file that is not HDF5,
-/// not ours, damaged, or of another layout.
-Columns read_cases(const std::filesystem::path& file);
+/// The table of cases of a result file: those of this program's revision, and with
+/// Revisions::all those of others that it has no newer ones of. Throws InputError for a
+/// file that is not HDF5, not ours, damaged, or of another layout.
+Columns read_cases(const std::filesystem::path& file, Revisions revisions);
 
-/// The cases by key, without fields. Throws like read_cases and stored_case.
-std::map<std::string, StoredCase> read_results(const std::filesystem::path& file);
+/// What is in the file, of any revision, superseded or not.
+Columns all_cases(const std::filesystem::path& file);
+
+/// The cases of read_cases by the key that this program has for each, without fields.
+/// Throws like read_cases and stored_case.
+std::map<std::string, StoredCase> read_results(const std::filesystem::path& file,
+                                               Revisions revisions);
 
 /// Gives the result, whose key is in the file, the fields that are stored for it. Throws
 /// InputError when they are not those of the mesh.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 
 #include "comparisons/results/result_file.hpp"
@@ -25,17 +26,81 @@ void copy_maps(hid_t from, hid_t to) {
   }
 }
 
-/// The first column in which two rows of a key differ, but for times, provenance, and the
-/// family, which follows from the method and which files of before 0.3.0 lack.
-std::optional<std::string> differing_figure(Row a, Row b) {
-  for (const char* free : {"wall_s", "solve_wall_s", "provenance", "family"}) {
+/// Largest of the row's measures, by which tiny ones are rounding.
+double largest_measure(const Row& row) {
+  double largest = 0;
+  Measures names;
+  for_each_measure(names, [&](const char* name, const auto&) {
+    const auto found = row.find(name);
+    if (found == row.end()) return;
+    for (const double x : std::get<std::vector<double>>(found->second))
+      if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
+  });
+  return largest;
+}
+
+/// Numbers that other instructions or another BLAS give for the same formula: up to 1e-9
+/// of themselves, or 1e-12 of the row's largest measure, as sums that vanish are.
+bool is_rounding(const Row::mapped_type& a, const Row::mapped_type& b, double largest) {
+  const auto* ours = std::get_if<std::vector<double>>(&a);
+  const auto* theirs = std::get_if<std::vector<double>>(&b);
+  if (ours == nullptr || theirs == nullptr || ours->size() != theirs->size())
+    return false;
+  for (std::size_t i = 0; i < ours->size(); ++i) {
+    const double x = (*ours)[i], y = (*theirs)[i];
+    const double least =
+        std::max(1e-9 * std::max(std::abs(x), std::abs(y)), 1e-12 * largest);
+    if (!(std::abs(x - y) <= least) && !(std::isnan(x) && std::isnan(y))) return false;
+  }
+  return true;
+}
+
+struct Difference {
+  std::string column;
+  bool is_rounding;
+};
+
+/// Of two rows of a key the first column that differs by more than rounding, or else the
+/// first that differs at all; but for times, provenance, and what older files lack.
+std::optional<Difference> difference(Row a, Row b) {
+  for (const char* free :
+       {"wall_s", "solve_wall_s", "provenance", "family", "identity"}) {
     a.erase(free);
     b.erase(free);
   }
+  const double largest = std::max(largest_measure(a), largest_measure(b));
+  std::optional<Difference> found;
   for (const Row* row : {&a, &b})
-    for (const auto& [name, value] : *row)
-      if (!a.contains(name) || !b.contains(name) || a.at(name) != b.at(name)) return name;
-  return std::nullopt;
+    for (const auto& [name, value] : *row) {
+      if (a.contains(name) && b.contains(name) && a.at(name) == b.at(name)) continue;
+      const bool rounding = a.contains(name) && b.contains(name) &&
+                            is_rounding(a.at(name), b.at(name), largest);
+      if (!rounding) return Difference{name, false};
+      if (!found) found = Difference{name, true};
+    }
+  return found;
+}
+
+/// "a avx512 GenuineIntel, OpenBLAS 0.3.21 SkylakeX": of the row's session.
+std::string computed_with(const Columns& sessions, const Row& row) {
+  const auto session = static_cast<std::size_t>(
+      std::get<std::vector<double>>(row.at("provenance")).front());
+  std::string text;
+  for (const char* name : {"instructions", "BLAS"}) {
+    const auto column = sessions.texts.find(name);
+    const bool is_told =
+        column != sessions.texts.end() && !column->second.at(session).empty();
+    text +=
+        fmt::format("{}{}", text.empty() ? "" : ", ",
+                    is_told ? column->second[session] : fmt::format("unknown {}", name));
+  }
+  return text;
+}
+
+Columns sessions_of(const std::filesystem::path& file) {
+  return reading(file, [](hid_t root) {
+    return read_columns(hdf5::open_group(root, "provenance"));
+  });
 }
 
 }  // namespace
@@ -45,12 +110,15 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from,
   constexpr std::size_t at_once = 500;  // bounds what a commit keeps in memory
   if (std::error_code none; std::filesystem::equivalent(from, file_, none))
     return {.added = 0, .already_there = stored_.rows.size()};
-  const Columns theirs = read_cases(from);
+  const Columns theirs = all_cases(from);
   Absorbed absorbed;
   std::vector<std::size_t> lacking;
   std::vector<std::string> without_fields;  // here, of cases that both have
   {
-    const Columns ours = std::filesystem::exists(file_) ? read_cases(file_) : Columns{};
+    const bool exists = std::filesystem::exists(file_);
+    const Columns ours = exists ? all_cases(file_) : Columns{},
+                  our_sessions = exists ? sessions_of(file_) : Columns{},
+                  their_sessions = sessions_of(from);
     for (std::size_t i = 0; i < theirs.rows; ++i) {
       const std::string& key = theirs.texts.at("key")[i];
       if (keys != nullptr && !keys->contains(key)) continue;
@@ -60,12 +128,17 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from,
         continue;
       }
       ++absorbed.already_there;
-      if (const auto column =
-              differing_figure(row_at(ours, known->second), row_at(theirs, i)))
-        absorbed.conflicts.push_back(
-            fmt::format("case {}: {} differs in {}", key, *column, from.string()));
-      else if (!stored_.with_fields.contains(key))
-        without_fields.push_back(key);
+      const Row own = row_at(ours, known->second), other = row_at(theirs, i);
+      const auto found = difference(own, other);
+      if (!found || found->is_rounding) {
+        if (!stored_.with_fields.contains(key)) without_fields.push_back(key);
+      }
+      if (!found) continue;
+      auto& list = found->is_rounding ? absorbed.roundings : absorbed.conflicts;
+      list.push_back(fmt::format(
+          "case {}: {} differs in {}{}; computed with {} here, with {} there", key,
+          found->column, from.string(), found->is_rounding ? " by rounding" : "",
+          computed_with(our_sessions, own), computed_with(their_sessions, other)));
     }
   }
   copy_fields(from, std::move(without_fields));

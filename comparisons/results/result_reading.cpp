@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 
+#include "comparisons/build_info/build_info.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/store/open_result_file.hpp"
 #include "meshing/input_error.hpp"
@@ -41,6 +43,52 @@ Columns cases_in(hid_t root) {
   return cases;
 }
 
+std::string known_revision(const std::string& text) {
+  return text.empty() ? "unknown" : text;
+}
+
+/// The revision of each case, by its session.
+std::vector<std::string> revisions_of(std::span<const double> sessions, hid_t root) {
+  const auto revisions = read_texts(hdf5::open_group(root, "provenance"), "revision");
+  std::vector<std::string> all;
+  for (const double session : sessions) {
+    const auto place = static_cast<std::size_t>(session);
+    all.push_back(known_revision(place < revisions.size() ? revisions[place] : ""));
+  }
+  return all;
+}
+
+/// Cases whose figures are taken: rows in ascending order, and this program's keys of
+/// them, those in the file where a file is too old to tell what was asked.
+struct Taken {
+  std::vector<std::size_t> rows;
+  std::vector<std::string> keys;
+};
+
+Taken taken(const std::vector<std::string>& keys,
+            const std::vector<std::string>& identities,
+            const std::vector<std::string>& revisions, Revisions accepted) {
+  std::map<std::size_t, std::string> key_of_row;
+  std::set<std::string> seen;
+  const auto take = [&](std::size_t row, const std::string& key) {
+    if (seen.insert(key).second) key_of_row.emplace(row, key);
+  };
+  for (std::size_t row = 0; row < keys.size(); ++row)
+    if (revisions[row] == build_info::revision) take(row, keys[row]);
+  if (accepted == Revisions::all)
+    for (std::size_t row = keys.size(); row-- > 0;)  // the last one is the newest
+      if (revisions[row] != build_info::revision) {
+        const bool is_told = row < identities.size() && !identities[row].empty();
+        take(row, is_told ? key_of_identity(identities[row]) : keys[row]);
+      }
+  Taken all;
+  for (const auto& [row, key] : key_of_row) {
+    all.rows.push_back(row);
+    all.keys.push_back(key);
+  }
+  return all;
+}
+
 }  // namespace
 
 StoredKeys keys_in(hid_t root, const std::filesystem::path& file) {
@@ -57,8 +105,16 @@ StoredKeys keys_in(hid_t root, const std::filesystem::path& file) {
     throw std::runtime_error("a case is there twice");
   for (std::string& key : hdf5::links(hdf5::open_group(root, "fields")))
     stored.with_fields.insert(std::move(key));
-  for (std::string& commit : read_texts(hdf5::open_group(root, "provenance"), "commit"))
-    stored.commits.insert(std::move(commit));
+  const std::vector<double> sessions = read_number_column(cases, "provenance");
+  const std::vector<std::string> revisions = revisions_of(sessions, root);
+  if (revisions.size() != keys.size())
+    throw std::runtime_error("columns 'key' and 'provenance' do not belong together");
+  for (const std::string& revision : revisions)
+    if (revision != build_info::revision) ++stored.others[revision];
+  const Taken all = taken(keys, read_texts(cases, "identity"), revisions, Revisions::all);
+  for (std::size_t i = 0; i < all.rows.size(); ++i)
+    if (keys[all.rows[i]] != all.keys[i])
+      stored.substitutes.emplace(all.keys[i], keys[all.rows[i]]);
   return stored;
 }
 
@@ -66,21 +122,50 @@ StoredKeys stored_keys(const std::filesystem::path& file) {
   return reading(file, [&](hid_t root) { return keys_in(root, file); });
 }
 
-Columns read_cases(const std::filesystem::path& file) {
+Columns all_cases(const std::filesystem::path& file) {
   return reading(file, [](hid_t root) { return cases_in(root); });
 }
 
-std::map<std::string, StoredCase> read_results(const std::filesystem::path& file) {
+namespace {
+
+/// What read_cases and read_results take.
+struct TakenCases {
+  Columns cases;
+  std::vector<std::string> keys, revisions;
+};
+
+TakenCases taken_cases(hid_t root, Revisions accepted) {
+  const Columns cases = cases_in(root);
+  if (cases.rows == 0) return {};
+  const auto revisions = revisions_of(cases.numbers.at("provenance").values, root);
+  const auto identities = cases.texts.find("identity");
+  Taken found = taken(
+      cases.texts.at("key"),
+      identities == cases.texts.end() ? std::vector<std::string>{} : identities->second,
+      revisions, accepted);
+  std::vector<std::string> of_rows;
+  for (const std::size_t row : found.rows) of_rows.push_back(revisions[row]);
+  return {.cases = selected(cases, found.rows),
+          .keys = std::move(found.keys),
+          .revisions = std::move(of_rows)};
+}
+
+}  // namespace
+
+Columns read_cases(const std::filesystem::path& file, Revisions revisions) {
+  return reading(file, [&](hid_t root) { return taken_cases(root, revisions).cases; });
+}
+
+std::map<std::string, StoredCase> read_results(const std::filesystem::path& file,
+                                               Revisions revisions) {
   return reading(file, [&](hid_t root) {
-    const Columns cases = cases_in(root);
-    const auto commits = read_texts(hdf5::open_group(root, "provenance"), "commit");
+    const TakenCases found = taken_cases(root, revisions);
     std::map<std::string, StoredCase> all;
-    for (std::size_t row = 0; row < cases.rows; ++row) {
-      StoredCase stored = stored_case(cases, row, file.string());
-      const auto session =
-          static_cast<std::size_t>(cases.numbers.at("provenance").values.at(row));
-      stored.commit = commits.at(session);
-      all.emplace(cases.texts.at("key").at(row), std::move(stored));
+    for (std::size_t row = 0; row < found.cases.rows; ++row) {
+      StoredCase stored = stored_case(found.cases, row, file.string());
+      if (found.revisions[row] != build_info::revision)
+        stored.revision = found.revisions[row];
+      all.emplace(found.keys[row], std::move(stored));
     }
     return all;
   });

@@ -8,14 +8,21 @@
 
 namespace springcheck {
 
-std::string case_key(const Request& request, const Mesh& mesh) {
+std::string case_identity(const Request& request, const Mesh& mesh) {
   nlohmann::json all{{"settings", settings_json(request.settings)},
-                     {"mesh", mesh.sha256()},
-                     {"version", build_info::version}};
+                     {"mesh", mesh.sha256()}};
   if (request.reference) all["reference"] = settings_json(*request.reference);
   if (request.reference_grid == ReferenceGrid::converged)
     all["reference-grid"] = "converged";
   return sha256(all.dump());
+}
+
+std::string key_of_identity(const std::string& identity) {
+  return sha256(identity + ' ' + build_info::revision);
+}
+
+std::string case_key(const Request& request, const Mesh& mesh) {
+  return key_of_identity(case_identity(request, mesh));
 }
 
 Verdict judge(SolveStatus solved, bool inverted, bool wrinkled) {

@@ -25,8 +25,17 @@ struct CaseResult {
   double solve_wall_s;  // solution alone
 };
 
-/// SHA-256 of settings, reference, mesh and program version.
+/// SHA-256 of settings, reference and mesh: what was asked.
+std::string case_identity(const Request& request, const Mesh& mesh);
+
+/// SHA-256 of an identity and the revision of this program's numerics: what its figures
+/// are stored under.
+std::string key_of_identity(const std::string& identity);
 std::string case_key(const Request& request, const Mesh& mesh);
+
+/// Whose stored figures are taken: those of this program's revision, or those of others
+/// as well, where there are none of this one.
+enum class Revisions { own, all };
 
 /// Status and flags. Failed solutions keep the solver's word; else the first that applies
 /// of inverted (a corner Jacobian below 0), wrinkled, indefinite, ok.

@@ -9,9 +9,10 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "comparisons/build_info/build_info.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/overlay_file.hpp"
-#include "dynamics/blocks/instruction_set.hpp"
+#include "comparisons/system/processor.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
 
@@ -50,8 +51,8 @@ std::string own_settings(const nlohmann::json& settings, const nlohmann::json& o
   std::string expected = own_settings(owner.settings, stored),
               got = own_settings(stored, owner.settings);
   if (expected.empty() && got.empty()) {
-    expected = "this mesh and program version";
-    got = "the same settings with another mesh or version";
+    expected = "this mesh and revision of the numerics";
+    got = "the same settings with another mesh or revision";
   }
   const auto or_default = [](const std::string& text) {
     return text.empty() ? std::string("none of these settings") : text;
@@ -60,8 +61,20 @@ std::string own_settings(const nlohmann::json& settings, const nlohmann::json& o
                    or_default(got));
 }
 
+/// The same case, by other numerics.
+void check_revision(const std::filesystem::path& file, const std::string& revision,
+                    Revisions accepted) {
+  if (accepted == Revisions::own)
+    throw InputError(
+        file.string(), "checkpoint of another revision of the numerics",
+        build_info::revision,
+        revision + "; --accept-other-revisions goes on from it all the same");
+  spdlog::warn("{}: going on from revision {} of the numerics, this program's is {}",
+               file.string(), revision, build_info::revision);
+}
+
 CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& owner,
-                    std::size_t nodes) {
+                    std::size_t nodes, Revisions revisions) {
   const auto refuse = [&](const std::string& entity, const std::string& expected,
                           const std::string& got) {
     throw InputError(file.string(), entity, expected, got);
@@ -69,17 +82,21 @@ CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& ow
   const auto root = hdf5::open_file(file);
   const auto stored = hdf5::read_text(root, "case");
   if (!stored) refuse("attribute 'case'", "a checkpoint of springcheck", "none");
-  if (*stored != owner.key)
-    refuse_other(file, owner,
-                 nlohmann::json::parse(hdf5::read_text(root, "settings").value_or("{}"),
-                                       nullptr, false));
-  const std::string set = hdf5::read_text(root, "instruction_set").value_or("unknown"),
-                    ours(name_of(dynamics::best_instruction_set()));
-  if (set != ours)
+  if (*stored != owner.key) {
+    if (hdf5::read_text(root, "identity") == owner.identity)
+      check_revision(file, hdf5::read_text(root, "revision").value_or("unknown"),
+                     revisions);
+    else
+      refuse_other(file, owner,
+                   nlohmann::json::parse(hdf5::read_text(root, "settings").value_or("{}"),
+                                         nullptr, false));
+  }
+  const std::string set = hdf5::read_text(root, "instructions").value_or("unknown");
+  if (set != instructions())
     spdlog::warn(
-        "{}: computed with instruction set {}, here it is {}: the digits of an "
+        "{}: computed with instructions {}, here they are {}: the digits of an "
         "uninterrupted run come back only to rounding",
-        file.string(), set, ours);
+        file.string(), set, instructions());
   const auto number = [&](const char* name) {
     const auto values = hdf5::read_numbers(root, name);
     if (!values || values->size() != 1)
@@ -137,9 +154,10 @@ void write_content(OverlayFile& overlay, const std::filesystem::path& file,
                look_evaluations, excess] = checkpoint.march;
   hdf5::write_attribute(root, "layout", layout);
   hdf5::write_attribute(root, "case", owner.key);
+  hdf5::write_attribute(root, "identity", owner.identity);
+  hdf5::write_attribute(root, "revision", std::string(build_info::revision));
   hdf5::write_attribute(root, "settings", owner.settings.dump());
-  hdf5::write_attribute(root, "instruction_set",
-                        std::string(name_of(dynamics::best_instruction_set())));
+  hdf5::write_attribute(root, "instructions", instructions());
   hdf5::write_attribute(root, "step", static_cast<double>(step));
   hdf5::write_attribute(root, "time", time);
   hdf5::write_attribute(root, "dt", dt);
@@ -189,10 +207,10 @@ void write_checkpoint(const std::filesystem::path& file, const CheckpointOwner& 
 
 std::optional<CaseCheckpoint> read_checkpoint(const std::filesystem::path& file,
                                               const CheckpointOwner& owner,
-                                              std::size_t nodes) {
+                                              std::size_t nodes, Revisions revisions) {
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
-    return read(file, owner, nodes);
+    return read(file, owner, nodes, revisions);
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {  // HDF5's

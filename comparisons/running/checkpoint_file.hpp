@@ -6,6 +6,7 @@
 #include <string>
 
 #include "comparisons/measures/history.hpp"
+#include "comparisons/running/case_result.hpp"
 
 namespace springcheck {
 
@@ -15,10 +16,11 @@ struct CaseCheckpoint {
   History history{};
 };
 
-/// The case that a checkpoint belongs to: case_key, which decides, and settings_json,
-/// which tell what differs.
+/// The case that a checkpoint belongs to: case_key, which decides, case_identity, which
+/// decides where other revisions of the numerics are accepted, and settings_json, which
+/// tell what differs.
 struct CheckpointOwner {
-  std::string key;
+  std::string key, identity;
   nlohmann::json settings;
 };
 
@@ -29,10 +31,12 @@ void write_checkpoint(const std::filesystem::path& file, const CheckpointOwner& 
                       const CaseCheckpoint& checkpoint);
 
 /// Nothing where there is no such file. Throws InputError where it is no checkpoint, or
-/// one of another scene, mesh or program version; the message tells which settings
-/// differ.
+/// one of another scene or mesh; the message tells which settings differ. The same for
+/// one of another revision of the numerics, unless it is accepted: then a warning says
+/// so.
 std::optional<CaseCheckpoint> read_checkpoint(const std::filesystem::path& file,
                                               const CheckpointOwner& owner,
-                                              std::size_t nodes);
+                                              std::size_t nodes,
+                                              Revisions revisions = Revisions::own);
 
 }  // namespace springcheck

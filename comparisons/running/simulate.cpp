@@ -79,8 +79,10 @@ dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
   }
   if (!watch.checkpoint || !goes_through_time(settings)) return observers;
   const CheckpointOwner owner{.key = case_key({.settings = settings}, mesh),
+                              .identity = case_identity({.settings = settings}, mesh),
                               .settings = settings_json(settings)};
-  if (auto from = read_checkpoint(*watch.checkpoint, owner, mesh.nodes().size())) {
+  if (auto from = read_checkpoint(*watch.checkpoint, owner, mesh.nodes().size(),
+                                  watch.revisions)) {
     fmt::print(stderr, "going on from {} at t = {:.4g} s, step {}\n",
                watch.checkpoint->string(), from->march.time, from->march.step);
     history = std::move(from->history);

@@ -16,7 +16,8 @@ struct Watch {
   std::optional<std::filesystem::path>
       checkpoint{};  // written now and then, gone on from
   double seconds_between_checkpoints = 60;
-  bool shows_progress = false;  // on stderr, where that is a terminal
+  bool shows_progress = false;           // on stderr, where that is a terminal
+  Revisions revisions = Revisions::own;  // of a checkpoint that it goes on from
 };
 
 /// Runs one case, without its reference: solution, measures, verdict and times; no key.

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "comparisons/results/result_file.hpp"
+#include "comparisons/results/known_results.hpp"
 #include "comparisons/results/stored_map.hpp"
 #include "comparisons/stability/axis.hpp"
 #include "comparisons/stability/failure.hpp"
@@ -34,19 +34,18 @@ Json axis_json(const StoredMap& map, std::size_t place) {
   return json;
 }
 
-CaseResult result_of(const std::string& key, const StoredCase& stored) {
-  return with_stored(Request{}, key, stored);
+CaseResult result_of(const StoredCase& stored) {
+  return with_stored(Request{}, stored);
 }
 
 Json failure_json(const StoredMap::Point& point, const Stored& stored) {
   const auto found = stored.find(point.key);
   if (found == stored.end()) return nullptr;
-  const CaseResult result = result_of(point.key, found->second);
+  const CaseResult result = result_of(found->second);
   Failure failure = failure_of(result);
   if (failure == Failure::none && point.control)
     if (const auto control = stored.find(*point.control); control != stored.end())
-      if (locks(result, result_of(control->first, control->second)))
-        failure = Failure::locking;
+      if (locks(result, result_of(control->second))) failure = Failure::locking;
   return std::string(name_of(failure));
 }
 
@@ -73,7 +72,7 @@ Json map_json(const StoredMap& map, const Stored& stored) {
 
 }  // namespace
 
-Json atlas_json(const std::filesystem::path& file) {
+Json atlas_json(const std::filesystem::path& file, Revisions revisions) {
   Json failures = Json::array();
   for (const FailureName& failure : value_names<Failure>)
     failures.push_back(
@@ -84,7 +83,7 @@ Json atlas_json(const std::filesystem::path& file) {
   });
   Json list = Json::array();
   if (!maps.empty()) {
-    const Stored stored = read_results(file);
+    const Stored stored = results_by_stored_key(file, revisions);
     for (const StoredMap& map : maps) list.push_back(map_json(map, stored));
   }
   return {{"failures", failures}, {"maps", list}};

@@ -15,6 +15,6 @@ namespace springcheck {
 ///                axis), low, high, failure, case
 ///
 /// In the order of scenes and axes. Throws like read_results.
-nlohmann::ordered_json atlas_json(const std::filesystem::path& file);
+nlohmann::ordered_json atlas_json(const std::filesystem::path& file, Revisions revisions);
 
 }  // namespace springcheck

@@ -17,12 +17,13 @@ CaseResult without_fields(CaseResult result) {
 
 }  // namespace
 
-CaseRunner::CaseRunner(const std::optional<std::filesystem::path>& file, int parallel)
+CaseRunner::CaseRunner(const std::optional<std::filesystem::path>& file, int parallel,
+                       Revisions revisions)
     : parallel_(parallel) {
   if (!file) return;
   if (std::filesystem::exists(*file)) {
-    stored_ = stored_cases({*file});
-    warn_of_other_commits(stored_);
+    stored_ = stored_cases({*file}, revisions);
+    warn_of_other_revisions(*file, stored_keys(*file), revisions);
   }
   file_.emplace(*file);
 }

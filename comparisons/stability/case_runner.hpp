@@ -18,7 +18,8 @@ namespace springcheck {
 class CaseRunner {
  public:
   /// file: to take cases from and add them to; none: they are kept until the end alone.
-  CaseRunner(const std::optional<std::filesystem::path>& file, int parallel);
+  CaseRunner(const std::optional<std::filesystem::path>& file, int parallel,
+             Revisions revisions = Revisions::own);
 
   /// In the order of the settings.
   std::vector<CaseResult> run(const std::vector<CaseSettings>& settings);

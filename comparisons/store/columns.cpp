@@ -145,6 +145,17 @@ Handle widened(hid_t group, const std::string& name, Shape shape, std::size_t wi
   return column;
 }
 
+/// Row by row.
+std::vector<double> numbers_of(hid_t column, hid_t group, const std::string& name) {
+  const Shape shape = shape_of(column, name);
+  if (shape.is_text) throw std::runtime_error("column " + name + " holds no numbers");
+  check_size(group, name, shape);
+  std::vector<double> values(shape.rows * shape.width);
+  check(H5Dread(column, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+        "reading column " + name);
+  return values;
+}
+
 using Value = Row::mapped_type;
 
 /// The rows' values of one column.
@@ -247,6 +258,25 @@ Row row_at(const Columns& table, std::size_t index) {
   return row;
 }
 
+Columns selected(const Columns& table, std::span<const std::size_t> rows) {
+  Columns part;
+  part.rows = rows.size();
+  for (const auto& [name, texts] : table.texts)
+    for (auto& column = part.texts[name]; const std::size_t row : rows)
+      column.push_back(texts[row]);
+  for (const auto& [name, column] : table.numbers) {
+    NumberColumn& own = part.numbers[name];
+    own.width = column.width;
+    for (const std::size_t row : rows) {
+      const auto first =
+          column.values.begin() + static_cast<std::ptrdiff_t>(row * column.width);
+      own.values.insert(own.values.end(), first,
+                        first + static_cast<std::ptrdiff_t>(column.width));
+    }
+  }
+  return part;
+}
+
 std::size_t row_count(hid_t group) {
   const std::vector<std::string> names = hdf5::links(group);
   if (names.empty()) return 0;
@@ -260,6 +290,11 @@ void append_rows(hid_t group, std::span<const Row> rows) {
 
 void replace_row(hid_t group, std::size_t index, const Row& row) {
   write_rows(group, index, row_count(group), {&row, 1});
+}
+
+std::vector<double> read_number_column(hid_t group, const std::string& name) {
+  if (!hdf5::has_link(group, name)) return {};
+  return numbers_of(open_column(group, name), group, name);
 }
 
 std::vector<std::string> read_texts(hid_t group, const std::string& name) {
@@ -285,12 +320,8 @@ Columns read_columns(hid_t group) {
       table.texts.emplace(name, split(read_text_bytes(column, name, shape), shape.width));
       continue;
     }
-    std::vector<double> values(shape.rows * shape.width);
-    check(
-        H5Dread(column, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-        "reading column " + name);
-    table.numbers.emplace(
-        name, NumberColumn{.width = shape.width, .values = std::move(values)});
+    table.numbers.emplace(name, NumberColumn{.width = shape.width,
+                                             .values = numbers_of(column, group, name)});
   }
   return table;
 }

@@ -43,9 +43,13 @@ void append_rows(hid_t group, std::span<const Row> rows);
 /// Replaces a row. Columns it lacks become NaN or empty.
 void replace_row(hid_t group, std::size_t index, const Row& row);
 
-/// All columns, or one of texts, empty where there is none. Throws
+/// All columns, or one of texts or numbers, empty where there is none. Throws
 /// std::runtime_error when their lengths differ.
 Columns read_columns(hid_t group);
 std::vector<std::string> read_texts(hid_t group, const std::string& column);
+std::vector<double> read_number_column(hid_t group, const std::string& column);
+
+/// Those rows of the table, in their order.
+Columns selected(const Columns& table, std::span<const std::size_t> rows);
 
 }  // namespace springcheck

@@ -9,6 +9,7 @@
 // Not in every cblas.h.
 extern "C" void openblas_set_num_threads(int);
 extern "C" char* openblas_get_corename();
+extern "C" char* openblas_get_config();
 extern "C" void* blas_memory_alloc(int);
 extern "C" void blas_memory_free(void*);
 
@@ -40,6 +41,12 @@ void restart_with_fitting_blas(char** arguments) {
 
 void use_one_blas_thread() {
   openblas_set_num_threads(1);
+}
+
+std::string blas_name() {
+  const std::string config = openblas_get_config();  // "OpenBLAS 0.3.21 DYNAMIC_ARCH ..."
+  const std::size_t version = config.find(' ', config.find(' ') + 1);
+  return config.substr(0, version) + " " + openblas_get_corename();
 }
 
 void reserve_blas_buffers(int calls) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace springcheck {
 
 /// OpenBLAS chooses its kernels as it is loaded, and on processors that are younger than
@@ -12,6 +14,9 @@ void restart_with_fitting_blas(char** arguments);
 /// One thread for each call: what runs in parallel are simulations and loops, with the
 /// same bits for any number of threads.
 void use_one_blas_thread();
+
+/// Its version and the kernels it chose: "OpenBLAS 0.3.21 Haswell".
+std::string blas_name();
 
 /// Address space of the buffer that OpenBLAS keeps for each call at a time, on x86-64
 /// [bytes].

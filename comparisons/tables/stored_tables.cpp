@@ -49,8 +49,16 @@ std::optional<Sheet> stored_sheet(const std::string& name, const Find& find,
 
 }  // namespace
 
-TableSet stored_tables(const std::filesystem::path& file, MeshStore& meshes) {
-  const StoredCases stored = stored_cases({file});
+void add_note(TableSet& set, const OtherRevisions& others) {
+  if (others.empty()) return;
+  const std::string note = note_of_taken(others);
+  for (Table& table : set.tables) table.plan.notes.push_back(note);
+  for (Sheet& sheet : set.sheets) sheet.notes.push_back(note);
+}
+
+TableSet stored_tables(const std::filesystem::path& file, MeshStore& meshes,
+                       Revisions revisions) {
+  const StoredCases stored = stored_cases({file}, revisions);
   const auto finder = [&](const KnownResult& known) -> Find {
     return [&meshes, known](const Request& request) {
       return known(request, case_key(request, meshes.mesh(request.settings.body)));
@@ -68,7 +76,16 @@ TableSet stored_tables(const std::filesystem::path& file, MeshStore& meshes) {
     if (auto sheet = stored_sheet(name, with_fields, meshes))
       set.sheets.push_back(std::move(*sheet));
   }
-  if (!stored.empty()) set.sheets.push_back(cases_sheet(read_cases(file)));
+  if (!stored.empty()) {
+    set.sheets.push_back(cases_sheet(read_cases(file, revisions)));
+    const OtherRevisions others = stored_keys(file).others;
+    if (revisions == Revisions::own && !others.empty())
+      set.sheets.back().notes.push_back(
+          "In the file: " + note_of_other_revisions(others, revisions) + ".");
+  }
+  std::set<std::string> keys;
+  for (const auto& [key, place] : stored) keys.insert(place.second.key);
+  add_note(set, other_revisions(stored, keys));
   return set;
 }
 

@@ -156,4 +156,67 @@ BOOST_AUTO_TEST_CASE(gates_do_not_write_over_their_inputs) {
   BOOST_TEST((fs::status(folder / "in.toml").permissions() == fs::perms(0600)));
 }
 
+// Of the same cases by a program with other formulas: nothing takes its figures unasked,
+// and what is made of them says so.
+BOOST_AUTO_TEST_CASE(figures_of_other_revisions_are_told) {
+  std::ofstream(folder / "other.py") << R"(
+import hashlib, h5py
+with h5py.File("other.h5", "r+") as file:
+    file["provenance/revision"][...] = b"0123456789ab"
+    for i, identity in enumerate(file["cases/identity"][()]):
+        before = file["cases/key"][i].decode()
+        key = hashlib.sha256(identity + b" 0123456789ab").hexdigest()
+        file["cases/key"][i] = key
+        if before in file["fields"]:
+            file["fields"].move(before, key)
+)";
+  std::ofstream(folder / "other.toml")
+      << "scene = 'compression'\nmethod = ['mss-cf', 'fem-stvk']\ncells = [2, 2, 2]\n";
+  std::ofstream(folder / "other-gate.toml")
+      << "[[gate]]\nname = 'force'\nreason = 'an example'\n"
+         "where = { method = 'mss-cf' }\nmeasure = 'plate_force'\nat_least = 0\n";
+  const std::string sweep = "sweep ./other.toml --out other.h5 ",
+                    gate = "gate other-gate.toml other.h5 ",
+                    report = "report other.h5 --out other ",
+                    accept = "--accept-other-revisions ";
+  BOOST_TEST(run_springcheck(sweep).status == 0);
+  const std::string change = "cd " + folder.string() + " && /usr/bin/python3 other.py";
+  BOOST_TEST_REQUIRE(std::system(change.c_str()) == 0);
+
+  const Run all = run_springcheck(sweep + "--dry-run");
+  BOOST_TEST(all.out.find("2 cases, 2 of them to compute") != std::string::npos, all.out);
+  const Run none = run_springcheck(sweep + accept);
+  BOOST_TEST(none.out.find("2 cases, 0 of them to compute") != std::string::npos,
+             none.out);
+  BOOST_TEST(none.err.find("2 cases of 0123456789ab") != std::string::npos, none.err);
+
+  const Run unasked = run_springcheck(gate);
+  BOOST_TEST(unasked.status == 2);
+  BOOST_TEST(unasked.out.find("2 cases of 0123456789ab") != std::string::npos,
+             unasked.out);
+  const Run asked = run_springcheck(gate + accept);
+  BOOST_TEST(asked.status == 0, asked.out);
+  BOOST_TEST(asked.out.find("taken where there are none of its own") !=
+             std::string::npos);
+  const Json json = json_of(gate + accept + "--json");
+  BOOST_TEST(json["other_revisions"]["0123456789ab"] == 2);
+  BOOST_TEST(json["accepts_other_revisions"] == true);
+
+  expect_bad_input(report, "not taken, but with --accept-other-revisions");
+  BOOST_TEST(run_springcheck(report + accept).status == 0);
+  const std::string note = "taken as asked: 2 cases of 0123456789ab.";
+  BOOST_TEST(text_of(folder / "other/tables/cases.md").find(note) != std::string::npos);
+  BOOST_TEST(text_of(folder / "other/index.html").find(note) != std::string::npos);
+  expect_bad_input("chart compression --out other.h5 --sizes 2",
+                   "a file of cases of revision");
+
+  // Its own stand beside the other's, which the page then leaves out.
+  BOOST_TEST(run_springcheck(sweep).status == 0);
+  BOOST_TEST(run_springcheck(report).status == 0);
+  const std::string page = text_of(folder / "other/index.html");
+  BOOST_TEST(page.find("taken as asked") == std::string::npos);
+  BOOST_TEST(page.find("2 cases of 0123456789ab") != std::string::npos);
+  BOOST_TEST(run_springcheck(gate).status == 0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "comparisons/build_info/build_info.hpp"
-#include "comparisons/results/provenance.hpp"
 #include "comparisons/running/stepping.hpp"
+#include "comparisons/system/processor.hpp"
 
 namespace springcheck {
 namespace {

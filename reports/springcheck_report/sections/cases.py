@@ -60,8 +60,9 @@ def provenance(study):
     if sessions.empty:
         return None
     section = Section("provenance", "Provenance")
-    columns = ["date", "springcheck", "commit", "compiler", "deal.II", "gmsh", "Eigen", "HDF5"]
-    columns = [name for name in [*columns, "cpu", "cores", "threads"] if name in sessions]
+    columns = ["date", "springcheck", "commit", "revision", "compiler"]
+    columns += ["deal.II", "gmsh", "Eigen", "HDF5", "BLAS", "cpu", "instructions", "cores", "threads"]
+    columns = [name for name in columns if name in sessions]
     counts = study.cases.provenance.value_counts()
     rows = []
     for place, session in sessions.iterrows():

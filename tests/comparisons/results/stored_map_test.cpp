@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_map_is_read_as_it_was_made) {
   const Atlas atlas =
       atlas_in(file, plan_of({"deformation=2%:30%:3", "nu=0,0.25"},
                              {{"cells", "3,3,3"}, {"method", "mss-nfd,mss-baudet"}}));
-  const auto json = atlas_json(file);
+  const auto json = atlas_json(file, Revisions::own);
   BOOST_TEST_REQUIRE(json["maps"].size() == 1U);
   const auto& map = json["maps"][0];
   BOOST_TEST(map["axes"][0]["numbers"].dump() == "[2.0,16.0,30.0]");
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(locking_is_judged_by_the_stored_control) {
                                                {"method", "fem-stvk"}});
   plan.judges_locking = true;
   atlas_in(file, plan);
-  const auto points = atlas_json(file)["maps"][0]["points"];
+  const auto points = atlas_json(file, Revisions::own)["maps"][0]["points"];
   BOOST_TEST(points[0]["failure"] == "none");
   BOOST_TEST(points[1]["failure"] == "locking");
 }
@@ -99,14 +99,14 @@ BOOST_AUTO_TEST_CASE(a_planned_map_waits_for_its_cases) {
   const OwnFolder folder;
   const auto file = folder.path / "atlas.h5";
   ResultFile(file).put_map(planned(), MapState::planned);
-  auto map = atlas_json(file)["maps"][0];
+  auto map = atlas_json(file, Revisions::own)["maps"][0];
   BOOST_TEST(map["points"].size() == 2U);
   BOOST_TEST(map["points"][0]["failure"].is_null());
   BOOST_TEST(map["limits"].empty());
   ResultFile(file).put_map(completed(), MapState::complete);
   ResultFile(file).put_map(planned(), MapState::planned);
-  BOOST_TEST_REQUIRE(atlas_json(file)["maps"].size() == 1U);
-  map = atlas_json(file)["maps"][0];
+  BOOST_TEST_REQUIRE(atlas_json(file, Revisions::own)["maps"].size() == 1U);
+  map = atlas_json(file, Revisions::own)["maps"][0];
   BOOST_TEST_REQUIRE(map["limits"].size() == 1U);
   BOOST_TEST(map["limits"][0]["low"] == 2.5);
   BOOST_TEST(map["limits"][0]["high"].is_null());

@@ -29,7 +29,9 @@ constexpr std::size_t nodes = 1000;
 
 /// Whose settings are no more than its name.
 CheckpointOwner owner(const std::string& name) {
-  return {.key = name, .settings = {{"nu", 0.25}, {"scene", name}}};
+  return {.key = name,
+          .identity = "identity of " + name,
+          .settings = {{"nu", 0.25}, {"scene", name}}};
 }
 
 /// Numbers that decimal text would not keep, and some that are none.
@@ -162,6 +164,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_checkpoint_of_this_case_is_refused) {
   {  // the same settings, another mesh
     CheckpointOwner other = owner("theirs");
     other.key = "of another mesh";
+    other.identity = "of another mesh";
     BOOST_CHECK_EXCEPTION((void)read_checkpoint(file, other, nodes), InputError,
                           [](const InputError& error) {
                             return std::string(error.what()).find("another mesh") !=
@@ -193,6 +196,26 @@ BOOST_AUTO_TEST_CASE(what_is_no_checkpoint_of_this_case_is_refused) {
     hdf5::write_attribute(root, "case", std::string("ours"));
   }
   expect_refused(foreign, "ours", nodes, {"foreign.h5"});
+}
+
+// The same case, computed until then by other formulas: that must be asked for.
+BOOST_AUTO_TEST_CASE(a_checkpoint_of_another_revision_is_taken_when_asked_for) {
+  const OwnFolder folder;
+  const fs::path file = folder.path / "run.h5";
+  CheckpointOwner theirs = owner("ours");
+  theirs.key = "of another revision";
+  write_checkpoint(file, theirs, checkpoint_at(5));
+  {
+    const hdf5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
+                            "run");
+    H5Adelete(root, "revision");
+    hdf5::write_attribute(root, "revision", std::string("0123456789ab"));
+  }
+  expect_refused(
+      file, "ours", nodes,
+      {"run.h5", "another revision", "0123456789ab", "--accept-other-revisions"});
+  check_same(read_checkpoint(file, owner("ours"), nodes, Revisions::all).value(),
+             checkpoint_at(5));
 }
 
 BOOST_AUTO_TEST_CASE(a_truncated_file_is_refused_wherever_it_ends) {

@@ -1,0 +1,38 @@
+# The revision of the numerics changes with their code, and with nothing else.
+#   cmake -D FOLDER=<to work in> -P revision_test.cmake
+include(${CMAKE_CURRENT_LIST_DIR}/../../comparisons/build_info/Revision.cmake)
+
+macro(expect_same text)
+  numerics_revision(revision ${FOLDER})
+  if(NOT revision STREQUAL before)
+    message(FATAL_ERROR "${text}: ${before}, then ${revision}")
+  endif()
+endmacro()
+macro(expect_another text)
+  numerics_revision(revision ${FOLDER})
+  if(revision STREQUAL before)
+    message(FATAL_ERROR "${text}: still ${before}")
+  endif()
+  set(before ${revision})
+endmacro()
+
+file(REMOVE_RECURSE ${FOLDER})
+file(WRITE ${FOLDER}/mss/forces.cpp "double force(double x) {\n  return 2 * x;\n}\n")
+file(WRITE ${FOLDER}/comparisons/chart/chart.cpp "int points();\n")
+numerics_revision(before ${FOLDER})
+if(NOT before MATCHES "^[0-9a-f]+$")
+  message(FATAL_ERROR "no revision: '${before}'")
+endif()
+
+file(WRITE ${FOLDER}/mss/forces.cpp
+  "// Hooke; [1], \"2\"\ndouble force(double x) { return 2 * x; }  // N\n")
+expect_same("comments and blanks")
+file(WRITE ${FOLDER}/comparisons/chart/chart.cpp "int more_points();\n")
+expect_same("what draws charts")
+file(WRITE ${FOLDER}/mss/forces.cpp "double force(double x) { return 3 * x; }\n")
+expect_another("a formula")
+file(WRITE ${FOLDER}/comparisons/measures/volume.hpp "double volume();\n")
+expect_another("a new file")
+file(RENAME ${FOLDER}/mss/forces.cpp ${FOLDER}/mss/motion.cpp)
+expect_another("another name")
+file(REMOVE_RECURSE ${FOLDER})
