@@ -28,6 +28,7 @@ struct ElementName {
   std::string_view description;
   int divisions;                  // of a cell's edge by the element's nodes
   double multigrid_bytes;         // of memory for each of the parts so made, measured
+  double entries_per_node;        // of a stiffness matrix, inside a large grid
   std::vector<Omission> omits{};  // elements that do not
   bool locks = false;             // too stiff near nu = 1/2
 };

@@ -62,6 +62,7 @@ struct Seconds {
 struct LinearSystems {
   enum class Kind { none, cholesky, multigrid } kind = Kind::none;
   double coupling = 1;
+  double entries_per_node = 0;  // of the matrix, inside a large grid
 };
 
 /// How steps are computed whose time is taken.

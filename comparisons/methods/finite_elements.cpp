@@ -42,7 +42,8 @@ Method of_elements(Law law, Method own) {
     const bool by_multigrid = fem_reference::takes_multigrid(
         reference_settings(settings, law), settings.material.poisson_ratio,
         static_cast<std::size_t>(3 * nx * ny * nz));
-    return {.kind = by_multigrid ? multigrid : cholesky};
+    return {.kind = by_multigrid ? multigrid : cholesky,
+            .entries_per_node = settings.elements.element.entries_per_node};
   };
   return own;
 }
@@ -73,12 +74,14 @@ std::vector<ElementName> finite_elements() {
   constexpr Omission no_quadratic{"No quadratic elements", "q2"};
   // Of multigrid's memory: peak of `run compression`, Hooke and Hencky alike: 580 MB at
   // 30^3 cells of q1-sri, 3435 MB at 60^3; 1646 MB at 20^3 cells of q2, which are 40^3
-  // divisions.
+  // divisions. Entries: 3 x 3 blocks of 27 nodes, those of q2 of 64 on average.
+  constexpr double of_q1 = 9 * 27, of_q2 = 9 * 64;
   return {{.name = "q1",
            .element = Element::q1,
            .description = "linear or trilinear, full integration: locks near nu = 0.5",
            .divisions = 1,
            .multigrid_bytes = 13e3,
+           .entries_per_node = of_q1,
            .omits = {{"No reduced integration", "q1-sri"}, no_quadratic},
            .locks = true},
           {.name = "q1-sri",
@@ -87,12 +90,14 @@ std::vector<ElementName> finite_elements() {
                           "reduced integration; on tetrahedra it is q1)",
            .divisions = 1,
            .multigrid_bytes = 13e3,
+           .entries_per_node = of_q1,
            .omits = {no_quadratic}},
           {.name = "q2",
            .element = Element::q2,
            .description = "triquadratic (27 nodes), 3x3x3 points; hexahedra only",
            .divisions = 2,
-           .multigrid_bytes = 24e3}};
+           .multigrid_bytes = 24e3,
+           .entries_per_node = of_q2}};
 }
 
 std::vector<Method> finite_element_methods() {

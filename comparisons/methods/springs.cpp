@@ -46,6 +46,9 @@ std::string words_of(mss::CellShapes shapes) {
          "which A has no effect";
 }
 
+/// 3 x 3 blocks with half of 26 neighbours, and half of the own one.
+constexpr double lower_triangle_of_neighbours = 13 * 9 + 6;
+
 /// A method with what all of springs have. Of a solution's systems the coupling is that
 /// above nu = 1/4.
 Method of_springs(mss::Method springs, Method own, double coupling = 1) {
@@ -102,8 +105,10 @@ Method of_springs(mss::Method springs, Method own, double coupling = 1) {
   };
   own.linear_systems = [coupling](const CaseSettings& settings) -> LinearSystems {
     if (!needs_tangents(settings)) return {};
+    const double further = settings.material.poisson_ratio > 0.25 ? coupling : 1;
     return {.kind = LinearSystems::Kind::cholesky,
-            .coupling = settings.material.poisson_ratio > 0.25 ? coupling : 1};
+            .coupling = further,
+            .entries_per_node = lower_triangle_of_neighbours * further};
   };
   return own;
 }

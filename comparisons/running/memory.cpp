@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "comparisons/system/memory.hpp"
 #include "meshing/input_error.hpp"
@@ -27,6 +29,28 @@ void refuse_if_too_large(const std::string& place, const std::string& what,
         fmt::format("cells for at most {:.3g} GB, which this process may still take",
                     available / 1e9),
         fmt::format("an estimate of {:.3g} GB", bytes / 1e9));
+}
+
+/// Eigen, CHOLMOD and Trilinos count a matrix's entries by 32 bits.
+void refuse_if_uncountable(const std::string& place, const std::string& what,
+                           const CaseSettings& settings) {
+  if (!settings.method.linear_systems) return;
+  constexpr double most = std::numeric_limits<std::int32_t>::max();
+  const auto [nx, ny, nz] = element_nodes(settings);
+  const double entries =
+      settings.method.linear_systems(settings).entries_per_node * nx * ny * nz;
+  if (entries > most)
+    throw InputError(place, what,
+                     fmt::format("a matrix of at most {:.3g} entries, which the solvers "
+                                 "can count",
+                                 most),
+                     fmt::format("an estimate of {:.3g}", entries));
+}
+
+void check_case(const std::string& place, const std::string& what,
+                const CaseSettings& settings) {
+  refuse_if_uncountable(place, what, settings);
+  refuse_if_too_large(place, what, estimated_memory(settings));
 }
 
 }  // namespace
@@ -64,13 +88,12 @@ void check_mesh_memory(const std::string& place, const Body& body) {
 
 void check_memory(const std::string& place, const std::vector<Request>& requests) {
   for (const Request& request : requests) {
-    refuse_if_too_large(place, label(request.settings),
-                        estimated_memory(request.settings));
+    check_case(place, label(request.settings), request.settings);
     for (const CaseSettings& reference : reference_cases(request))
-      refuse_if_too_large(place,
-                          fmt::format("{} on {} cells", label(reference),
-                                      fmt::join(reference.body.block.cells, " x ")),
-                          estimated_memory(reference));
+      check_case(place,
+                 fmt::format("{} on {} cells", label(reference),
+                             fmt::join(reference.body.block.cells, " x ")),
+                 reference);
   }
 }
 

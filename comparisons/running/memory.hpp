@@ -14,7 +14,8 @@ double estimated_memory(const CaseSettings& settings);
 void check_mesh_memory(const std::string& place, const Body& body);
 
 /// Throws InputError when one of the requests, references included, would not fit into
-/// the available memory. Allocates nothing itself.
+/// the available memory, or has a matrix with more entries than the solvers can count.
+/// Allocates nothing itself.
 void check_memory(const std::string& place, const std::vector<Request>& requests);
 
 }  // namespace springcheck

@@ -1,6 +1,9 @@
 #include "fem_reference/statics/stiffness_matrix.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
 
 namespace springcheck::fem_reference {
 namespace {
@@ -33,6 +36,10 @@ StiffnessMatrix::StiffnessMatrix(const Discretisation& body,
       for (unsigned int i = 0; i < 3; ++i)
         if (!prescribed_[3 * node + i]) visit(static_cast<int>(3 * node + i));
   };
+  std::int64_t entries = 0;
+  for (int dof = 0; dof < dofs; ++dof) for_column(dof, [&](int) { ++entries; });
+  if (entries > std::numeric_limits<int>::max())
+    throw std::length_error("a stiffness matrix with more than 2^31 entries");
   matrix_.resize(dofs, dofs);
   int* const start = matrix_.outerIndexPtr();
   start[0] = 0;

@@ -315,7 +315,7 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
   expect_bad_input("run compression --young -1", "--young");
   expect_bad_input("run compression --density nan", "--density");
   expect_bad_input("run compression --cells 0,1,1", "--cells");
-  expect_bad_input("run compression --cells 5000,5000,5000", "GB");
+  expect_bad_input("run compression --cells 5000,5000,5000", "entries");
   expect_bad_input("run compression --reference fem-hooke:q7", "q1, q1-sri");
   expect_bad_input("run compression --dt 0 --solver semi-implicit", "--dt");
   expect_bad_input("run compression --out nowhere/file.h5", "nowhere/file.h5");
