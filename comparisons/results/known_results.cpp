@@ -22,15 +22,12 @@ StoredCases stored_cases(const std::vector<std::filesystem::path>& files,
 
 namespace {
 
-/// "3 cases of a1b2c3d4e5f6, 1 of unknown"
+/// "3 of a1b2c3d4e5f6, 60 of an unknown one"
 std::string listed(const OtherRevisions& others) {
   std::string text;
   for (const auto& [revision, cases] : others)
-    text += fmt::format("{}{}{} of {}", text.empty() ? "" : ", ", cases,
-                        !text.empty() ? ""
-                        : cases == 1  ? " case"
-                                      : " cases",
-                        revision);
+    text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", cases,
+                        revision == unknown_revision ? "an unknown one" : revision);
   return text;
 }
 
@@ -38,11 +35,13 @@ std::string listed(const OtherRevisions& others) {
 
 std::string note_of_other_revisions(const OtherRevisions& others, Revisions revisions) {
   if (others.empty()) return "";
-  return fmt::format("{}, other revisions of the numerics than this program's {}: {}",
-                     listed(others), build_info::revision,
-                     revisions == Revisions::all
-                         ? "taken where there are none of its own"
-                         : "not taken, but with --accept-other-revisions");
+  std::size_t all = 0;
+  for (const auto& [revision, cases] : others) all += cases;
+  return fmt::format(
+      "{} cases of other revisions of the numerics ({}) than this program's {} are {}",
+      all, listed(others), build_info::revision,
+      revisions == Revisions::all ? "taken where there are none of its own"
+                                  : "not taken without --accept-other-revisions");
 }
 
 OtherRevisions other_revisions(const StoredCases& stored,
@@ -56,8 +55,9 @@ OtherRevisions other_revisions(const StoredCases& stored,
 
 std::string note_of_taken(const OtherRevisions& others) {
   return fmt::format(
-      "Of other revisions of the numerics than this program's {}, taken as asked: {}.",
-      build_info::revision, listed(others));
+      "Made of cases of other revisions of the numerics ({}) than this program's {}, as "
+      "asked.",
+      listed(others), build_info::revision);
 }
 
 void warn_of_other_revisions(const std::filesystem::path& file, const StoredKeys& stored,

@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "comparisons/results/case_rows.hpp"
@@ -21,6 +22,7 @@ enum class MapState;
 /// How many cases a file has of other revisions than this program's, by revision;
 /// "unknown" are those of files from before there were any.
 using OtherRevisions = std::map<std::string, std::size_t>;
+inline constexpr std::string_view unknown_revision = "unknown";
 
 /// The cases of a result file by their keys, and who computed them.
 struct StoredKeys {

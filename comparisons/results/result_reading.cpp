@@ -44,7 +44,7 @@ Columns cases_in(hid_t root) {
 }
 
 std::string known_revision(const std::string& text) {
-  return text.empty() ? "unknown" : text;
+  return text.empty() ? std::string(unknown_revision) : text;
 }
 
 /// The revision of each case, by its session.
