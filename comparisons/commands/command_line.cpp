@@ -196,7 +196,7 @@ int run_arguments(int argc, char** argv) {
         "--accept-other-revisions", accepts_others,
         std::string(taken) +
             " of other revisions of the numerics are taken, where there are "
-            "none of this program's; what is made of them says so");
+            "none of this program's");
   };
   const auto output = [&] { return json ? Output::json : Output::text; };
   const auto add_threads = [&](CLI::App* command) {

@@ -112,7 +112,8 @@ void write_results(const std::filesystem::path& file, std::span<const CaseResult
 void check_results_writable(const std::filesystem::path& file);
 
 /// The table of cases of a result file: those of this program's revision, and with
-/// Revisions::all those of others that it has no newer ones of. Throws InputError for a
+/// Revisions::all those of others of which it has none of this one, of several the last
+/// row. Throws InputError for a
 /// file that is not HDF5, not ours, damaged, or of another layout.
 Columns read_cases(const std::filesystem::path& file, Revisions revisions);
 

@@ -76,7 +76,7 @@ Taken taken(const std::vector<std::string>& keys,
   for (std::size_t row = 0; row < keys.size(); ++row)
     if (revisions[row] == build_info::revision) take(row, keys[row]);
   if (accepted == Revisions::all)
-    for (std::size_t row = keys.size(); row-- > 0;)  // the last one is the newest
+    for (std::size_t row = keys.size(); row-- > 0;)  // of several the last row
       if (revisions[row] != build_info::revision) {
         const bool is_told = row < identities.size() && !identities[row].empty();
         take(row, is_told ? key_of_identity(identities[row]) : keys[row]);
