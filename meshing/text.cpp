@@ -7,10 +7,11 @@
 namespace springcheck {
 
 bool is_utf8(const std::string& text) {
-  const iconv_t conversion = iconv_open("UCS-4LE", "UTF-8");
+  // To UTF-16, which has no more characters than Unicode.
+  const iconv_t conversion = iconv_open("UTF-16LE", "UTF-8");
   if (conversion == reinterpret_cast<iconv_t>(-1))
     throw std::runtime_error("iconv does not know UTF-8");
-  std::string bytes = text, characters(4 * text.size(), '\0');
+  std::string bytes = text, characters(2 * text.size(), '\0');
   char *from = bytes.data(), *to = characters.data();
   std::size_t left = bytes.size(), room = characters.size();
   const bool is_sound =

@@ -39,6 +39,9 @@ class Results:
     cases: one row per case, indexed by its key; columns are settings and measures under
         the names they have in JSON and scene files, in SI units. Vectors are one column
         per component ("force.z"). What was not computed is NaN, or None for texts.
+        `revision` is that of the numerics behind the row, None in files from before there
+        were any: rows of different revisions are answers of different programs, and one
+        file may hold the same case several times.
     provenance: one row for each time the file was written; `cases.provenance` refers to it.
     """
 
@@ -103,10 +106,14 @@ def read(path):
             raise ValueError("HDF5 of others")
         if layout != LAYOUT:
             raise ValueError(f"layout {layout} instead of {LAYOUT}")
-        cases = _table(file["cases"])
+        cases, provenance = _table(file["cases"]), _table(file["provenance"])
         if cases.empty:
             cases = pd.DataFrame({"key": []})
-        return cases.set_index("key"), _table(file["provenance"])
+        elif "revision" in provenance:
+            cases["revision"] = provenance.revision.loc[cases.provenance].to_numpy()
+        else:
+            cases["revision"] = None
+        return cases.set_index("key"), provenance
 
     cases, provenance = _at_rest(path, tables)
     return Results(path, cases, provenance)

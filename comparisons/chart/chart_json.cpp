@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/build_info/build_info.hpp"
 #include "comparisons/chart/claims.hpp"
 #include "comparisons/results/result_file.hpp"
 
@@ -84,6 +85,8 @@ Json chart_json(const Chart& chart) {
             {"law", chart.stored.law},
             {"answer", chart.stored.answer},
             {"machine", chart.stored.machine},
+            {"other_revision",
+             chart.stored.revision == build_info::revision ? "" : chart.stored.revision},
             {"truths", Json::array()},
             {"points", Json::array()},
             {"fronts", fronts_json(chart)},
@@ -112,7 +115,7 @@ Json chart_json(const Chart& chart) {
 }  // namespace
 
 std::vector<Chart> stored_charts(const std::filesystem::path& file, Revisions revisions) {
-  const std::vector<StoredChart> stored = read_charts(file);
+  const std::vector<StoredChart> stored = read_charts(file, revisions);
   if (stored.empty()) return {};
   const std::map<std::string, StoredCase> cases = results_by_stored_key(file, revisions);
   std::vector<Chart> charts;

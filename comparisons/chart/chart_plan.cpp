@@ -94,7 +94,8 @@ StoredChart planned_chart(const ChartPlan& plan, const std::vector<ThreeCases>& 
                     .law = first.method.name,
                     .answer = answer_of(common.test, plan.scene),
                     .height = first.body.block.size[2],
-                    .machine = measured_on()};
+                    .machine = measured_on(),
+                    .revision = build_info::revision};
   if (first.test != Test::bending)
     chart.imposed = largest_imposed_displacement(mesh, mechanical_scene(first, mesh));
   for (const ThreeCases& grids : truths) {

@@ -136,7 +136,7 @@ void ChartRun::begin_chart() {
   truths_planned_ = planned_truths(plan_);
   chart_ = planned_chart(plan_, truths_planned_, meshes_);
   if (!std::filesystem::exists(path_)) return;
-  for (const StoredChart& earlier : read_charts(path_))
+  for (const StoredChart& earlier : read_charts(path_, Revisions::own))
     if (identity_of(earlier) == identity_of(chart_)) chart_ = merged(chart_, earlier);
 }
 

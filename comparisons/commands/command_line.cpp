@@ -171,6 +171,7 @@ void flush_output() {
 }
 
 int run_arguments(int argc, char** argv) {
+  restart_with_one_blas_thread(argv);
   check_utf8(argc, argv);
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   CLI::App app("Cross-validates mass-spring soft-tissue models against finite elements.");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
@@ -95,6 +96,18 @@ void check_checkpoint(const RunSettings& run, const std::filesystem::path& file,
   check_writable(file);
 }
 
+void print_results(const RunSettings& run, Output output,
+                   const std::vector<CaseResult>& results,
+                   const std::vector<std::optional<Split>>& splits, MeshStore& meshes) {
+  if (output == Output::json) {
+    fmt::print("{}\n", run_json(run.common.scene, results, splits, meshes).dump(2));
+    return;
+  }
+  fmt::print("{}", results_text(results));
+  for (const auto& split : splits)
+    if (split) fmt::print("\n{}", split_text(*split));
+}
+
 bool has_failed(const std::vector<CaseResult>& results,
                 const std::vector<Status>& expected, FailOn fail_on) {
   const auto failed = static_cast<std::size_t>(
@@ -135,6 +148,7 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
   std::optional<KeptResults> kept;
   if (options.out) kept.emplace(*options.out, meshes);
   std::vector<CaseResult> results(all.size());
+  std::exception_ptr failure;  // of a case; the others are still told
   {
     Progress progress("simulations");
     const Finished show = [&](std::size_t done, std::size_t of) {
@@ -144,9 +158,21 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
       if (kept) kept->keep(result);
       results[request] = std::move(result);
     };
-    run_study(all, meshes, at_once, show, {}, take, watch);
+    try {
+      run_study(all, meshes, at_once, show, {}, take, watch);
+    } catch (...) {
+      failure = std::current_exception();
+      results.resize(asked);
+      std::erase_if(results, [](const CaseResult& result) { return result.key.empty(); });
+      if (results.empty()) throw;
+    }
   }
   if (kept) kept->finish(results, {});
+  if (failure) {
+    const std::vector<std::optional<Split>> none(results.size());
+    print_results(run, options.output, results, none, meshes);
+    std::rethrow_exception(failure);
+  }
   std::vector<std::optional<Split>> splits(asked);
   std::span<const CaseResult> grids = std::span(results).subspan(asked);
   for (std::size_t i = 0; i < asked; ++i)
@@ -156,13 +182,7 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
       grids = grids.subspan(count);
     }
   results.resize(asked);
-  if (options.output == Output::json) {
-    fmt::print("{}\n", run_json(run.common.scene, results, splits, meshes).dump(2));
-  } else {
-    fmt::print("{}", results_text(results));
-    for (const auto& split : splits)
-      if (split) fmt::print("\n{}", split_text(*split));
-  }
+  print_results(run, options.output, results, splits, meshes);
 
   const FailOn fail_on =
       options.fail_on.value_or(asked == 1 ? FailOn::any : FailOn::none);
@@ -191,9 +211,7 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
                        if (kept) kept->keep(result);
                      });
   if (kept) kept->finish(computed.results, from);
-  std::set<std::string> keys;
-  for (const CaseResult& result : computed.results) keys.insert(result.key);
-  add_note(computed.set, other_revisions(stored, keys));
+  add_note(computed.set, other_revisions(computed.results));
   for (const Table& table : computed.set.tables)
     fmt::print("{}", format_table(table, format));
   for (const Sheet& sheet : computed.set.sheets)

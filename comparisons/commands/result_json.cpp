@@ -145,6 +145,8 @@ void for_each_told(const CaseResult& result, const Mesh& mesh, const Visit& visi
   visit("wall_s", where(is_ours, result.wall_s));
   visit("solve_wall_s", where(is_ours, result.solve_wall_s));
   visit("key", result.key);
+  visit("revision",
+        result.revision.empty() ? std::string(build_info::revision) : result.revision);
 }
 
 }  // namespace

@@ -82,6 +82,10 @@ std::string results_text(const std::vector<CaseResult>& results) {
           fmt::format("{}: {}\n", variant_label(result.request.settings), result.reason);
   for (const CaseResult& result : results) text += dynamics_text(result);
   for (const CaseResult& result : results)
+    if (!result.revision.empty())
+      text += fmt::format("{}: computed by revisions {} of the numerics, as accepted.\n",
+                          variant_label(result.request.settings), result.revision);
+  for (const CaseResult& result : results)
     if (result.request.reference) {
       const std::string reference = reference_label(result.request);
       const Measures& m = result.measures;

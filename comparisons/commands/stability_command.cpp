@@ -23,15 +23,19 @@ ExitStatus stability_command(const std::string& scene,
                      "'" + plan.axes[0].key + "' twice");
   CaseRunner runner(stability.out, stability.jobs, stability.revisions);
   const Atlas atlas = make_atlas(plan, runner);
+  const OtherRevisions others = runner.others();
   if (stability.format) {
-    fmt::print("{}", format_sheets({points_sheet(atlas, plan), limits_sheet(atlas, plan)},
-                                   *stability.format));
+    std::vector<Sheet> sheets{points_sheet(atlas, plan), limits_sheet(atlas, plan)};
+    if (!others.empty())
+      for (Sheet& sheet : sheets) sheet.notes.push_back(note_of_taken(others));
+    fmt::print("{}", format_sheets(sheets, *stability.format));
   } else {
     fmt::print("{}", maps_text(atlas, plan));
     if (!atlas.limits.empty())
       fmt::print("\n{}", sheet_in_columns(limits_sheet(atlas, plan), {"reason"}));
     fmt::print("\n{} simulations computed, {} points.\n", runner.computed(),
                atlas.points.size());
+    if (!others.empty()) fmt::print("{}\n", note_of_taken(others));
   }
   return ExitStatus::done;
 }

@@ -119,6 +119,12 @@ void write_junit(std::ostream& out, const Report& report) {
   suite.put("<xmlattr>.tests", report.gates.size());
   suite.put("<xmlattr>.failures", count(report, Judgement::falls_short));
   suite.put("<xmlattr>.errors", count(report, Judgement::no_case));
+  if (const std::string note = note_of_other_revisions(report.others, report.revisions);
+      !note.empty()) {
+    ptree& property = suite.add("properties.property", "");
+    property.put("<xmlattr>.name", "other revisions");
+    property.put("<xmlattr>.value", xml_text(report.results_file + ": " + note));
+  }
   for (std::size_t i = 0; i < report.gates.size(); ++i) {
     const Gate& gate = report.gates[i];
     const Outcome& outcome = report.outcomes[i];

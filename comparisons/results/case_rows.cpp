@@ -205,7 +205,8 @@ CaseResult with_stored(const Request& request, const StoredCase& stored) {
                        .dt = stored.dt,
                        .dt_limit = stored.dt_limit},
           .wall_s = effort.wall_s,
-          .solve_wall_s = effort.solve_wall_s};
+          .solve_wall_s = effort.solve_wall_s,
+          .revision = stored.revision};
 }
 
 }  // namespace springcheck

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <set>
+#include <string_view>
+
 #include "comparisons/build_info/build_info.hpp"
 
 namespace springcheck {
@@ -44,12 +47,19 @@ std::string note_of_other_revisions(const OtherRevisions& others, Revisions revi
                                   : "not taken without --accept-other-revisions");
 }
 
-OtherRevisions other_revisions(const StoredCases& stored,
-                               const std::set<std::string>& keys) {
+OtherRevisions other_revisions(std::span<const CaseResult> results) {
+  OtherRevisions others;
+  std::set<std::string_view> seen;
+  for (const CaseResult& result : results)
+    if (!result.revision.empty() && seen.insert(result.key).second)
+      ++others[result.revision];
+  return others;
+}
+
+OtherRevisions other_revisions(const StoredCases& stored) {
   OtherRevisions others;
   for (const auto& [key, place] : stored)
-    if (!place.second.revision.empty() && keys.contains(place.second.key))
-      ++others[place.second.revision];
+    if (!place.second.revision.empty()) ++others[place.second.revision];
   return others;
 }
 

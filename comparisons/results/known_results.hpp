@@ -2,7 +2,7 @@
 
 #include <filesystem>
 #include <map>
-#include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,9 +28,9 @@ std::map<std::string, StoredCase> results_by_stored_key(const std::filesystem::p
 /// is none.
 std::string note_of_other_revisions(const OtherRevisions& others, Revisions revisions);
 
-/// The cases that are of other revisions, among those of these keys in their files.
-OtherRevisions other_revisions(const StoredCases& stored,
-                               const std::set<std::string>& keys);
+/// The cases that are of other revisions, each once.
+OtherRevisions other_revisions(std::span<const CaseResult> results);
+OtherRevisions other_revisions(const StoredCases& stored);
 
 /// What a table or page says of cases of other revisions that it is made of.
 std::string note_of_taken(const OtherRevisions& others);

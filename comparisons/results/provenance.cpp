@@ -27,11 +27,11 @@ std::vector<double> number(std::size_t value) {
 
 }  // namespace
 
-Row provenance() {
+Row provenance(const std::string& revision) {
   using tbb::global_control;
   return {{"springcheck", std::string(build_info::version)},
           {"commit", std::string(build_info::commit)},
-          {"revision", std::string(build_info::revision)},
+          {"revision", revision.empty() ? build_info::revision : revision},
           {"compiler", std::string(build_info::compiler)},
           {"deal.II", std::string(build_info::deal_ii_version)},
           {"gmsh", gmsh_version()},

@@ -8,7 +8,7 @@ namespace springcheck {
 
 /// What ran when and where: version, commit and revision of this program, compiler,
 /// versions of the libraries, processor and its instructions, cores and threads, date
-/// (UTC).
-Row provenance();
+/// (UTC). The revision of the numerics is this program's, unless another is given.
+Row provenance(const std::string& revision = "");
 
 }  // namespace springcheck

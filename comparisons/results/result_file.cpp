@@ -113,12 +113,9 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
                      MeshStore& meshes) {
   if (results.empty()) return;
   std::map<std::string, std::size_t> new_rows;
-  std::size_t provenance_row = 0;
+  std::map<std::string, std::size_t> sessions = sessions_;
   change([&](hid_t root) {
-    const auto sessions = hdf5::open_group(root, "provenance");
-    provenance_row = provenance_.value_or(row_count(sessions));
-    if (!provenance_) append_rows(sessions, {{provenance()}});
-
+    const auto session_group = hdf5::open_group(root, "provenance");
     const auto cases = hdf5::open_group(root, "cases"),
                fields = hdf5::open_group(root, "fields"),
                mesh_group = hdf5::open_group(root, "meshes");
@@ -126,7 +123,10 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
     for (const CaseResult& result : results) {
       const Mesh& mesh = meshes.mesh(result.request.settings.body);
       if (!hdf5::has_link(mesh_group, mesh.sha256())) write_stored_mesh(mesh_group, mesh);
-      const Row row = row_of(result, mesh, provenance_row);
+      const auto [session, is_new] =
+          sessions.try_emplace(result.revision, row_count(session_group));
+      if (is_new) append_rows(session_group, {{provenance(result.revision)}});
+      const Row row = row_of(result, mesh, session->second);
       if (const auto known = stored_.rows.find(result.key); known != stored_.rows.end())
         replace_row(cases, known->second, row);
       else if (new_rows.try_emplace(result.key, stored_.rows.size() + added.size())
@@ -139,7 +139,7 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
     }
     append_rows(cases, added);
   });
-  provenance_ = provenance_row;
+  sessions_ = std::move(sessions);
   stored_.rows.merge(new_rows);
   for (const CaseResult& result : results) {
     stored_.statuses[result.key] = result.status;
@@ -158,18 +158,21 @@ void ResultFile::put_map(const StoredMap& map, MapState state) {
   change([&](hid_t root) { write_map(hdf5::group_made_in(root, "maps"), map, state); });
 }
 
-void write_xdmf_for(const std::filesystem::path& file,
-                    const std::filesystem::path& xdmf) {
+void write_xdmf_for(const std::filesystem::path& file, const std::filesystem::path& xdmf,
+                    Revisions revisions) {
   const std::filesystem::path from = std::filesystem::absolute(xdmf).parent_path();
   const std::string data = std::filesystem::relative(file, from).string();
   reading(file, [&](hid_t root) {
-    write_xdmf(xdmf, data, root);
+    write_xdmf(xdmf, data, root, taken_revisions(root, revisions));
     return 0;
   });
 }
 
 void write_xdmf_beside(const std::filesystem::path& file) {
-  write_xdmf_for(file, xdmf_beside(file));
+  reading(file, [&](hid_t root) {
+    write_xdmf(xdmf_beside(file), file.filename().string(), root, all_revisions(root));
+    return 0;
+  });
 }
 
 void write_results(const std::filesystem::path& file, std::span<const CaseResult> results,

@@ -93,16 +93,19 @@ class ResultFile {
   std::filesystem::path file_;
   LockFile lock_;
   StoredKeys stored_;
-  std::optional<std::size_t> provenance_;  // row of this session, once written
+  // Rows of this session by the revision of results, as CaseResult has it:
+  std::map<std::string, std::size_t> sessions_;
 };
 
 /// Throws InputError unless write_xdmf_beside can write.
 void check_xdmf_writable(const std::filesystem::path& file);
 
-/// Writes an .xdmf for ParaView, of all cases that have fields: FILE.xdmf beside the
-/// result file, or one elsewhere, which leads to the result file by a relative path.
+/// Writes an .xdmf for ParaView: FILE.xdmf beside the result file, of all cases that have
+/// fields, or one elsewhere of those that are taken (see read_cases), which leads to the
+/// result file by a relative path.
 void write_xdmf_beside(const std::filesystem::path& file);
-void write_xdmf_for(const std::filesystem::path& file, const std::filesystem::path& xdmf);
+void write_xdmf_for(const std::filesystem::path& file, const std::filesystem::path& xdmf,
+                    Revisions revisions);
 
 /// Adds results with their fields, and writes the .xdmf.
 void write_results(const std::filesystem::path& file, std::span<const CaseResult> results,
@@ -112,13 +115,18 @@ void write_results(const std::filesystem::path& file, std::span<const CaseResult
 void check_results_writable(const std::filesystem::path& file);
 
 /// The table of cases of a result file: those of this program's revision, and with
-/// Revisions::all those of others of which it has none of this one, of several the last
-/// row. Throws InputError for a
-/// file that is not HDF5, not ours, damaged, or of another layout.
+/// Revisions::all those of others of which it has none of this one, of several the
+/// newest. Throws InputError for a file that is not HDF5, not ours, damaged, or of
+/// another layout.
 Columns read_cases(const std::filesystem::path& file, Revisions revisions);
 
 /// What is in the file, of any revision, superseded or not.
 Columns all_cases(const std::filesystem::path& file);
+
+/// Keys in an open file and their revisions, as CaseResult has them: of all its cases,
+/// and of those that are taken.
+std::map<std::string, std::string> all_revisions(hid_t root);
+std::map<std::string, std::string> taken_revisions(hid_t root, Revisions revisions);
 
 /// The cases of read_cases by the key that this program has for each, without fields.
 /// Throws like read_cases and stored_case.

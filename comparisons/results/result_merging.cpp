@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <system_error>
 
+#include "comparisons/measures/measure_list.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/results/stored_chart.hpp"
 #include "comparisons/store/open_result_file.hpp"
@@ -26,21 +28,29 @@ void copy_maps(hid_t from, hid_t to) {
   }
 }
 
-/// Largest of the row's measures, by which tiny ones are rounding.
-double largest_measure(const Row& row) {
-  double largest = 0;
-  Measures names;
-  for_each_measure(names, [&](const char* name, const auto&) {
-    const auto found = row.find(name);
-    if (found == row.end()) return;
-    for (const double x : std::get<std::vector<double>>(found->second))
-      if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
-  });
+/// What measures may cancel against: forces, torques and energies are sums of the same
+/// terms, times lengths of about a metre.
+std::string_view scale_of_unit(std::string_view unit) {
+  return unit == "N m" || unit == "J" ? "N" : unit;
+}
+
+/// Largest measure of two rows among those of each scale, by which tiny ones are
+/// rounding.
+std::map<std::string_view, double> largest_measures(const Row& a, const Row& b) {
+  std::map<std::string_view, double> largest;
+  for (const Described& measure : measure_list())
+    for (const Row* row : {&a, &b})
+      if (const auto found = row->find(std::string(measure.name)); found != row->end())
+        if (const auto* values = std::get_if<std::vector<double>>(&found->second))
+          for (const double x : *values)
+            if (double& most = largest[scale_of_unit(measure.unit)]; std::isfinite(x))
+              most = std::max(most, std::abs(x));
   return largest;
 }
 
 /// Numbers that other instructions or another BLAS give for the same formula: up to 1e-9
-/// of themselves, or 1e-12 of the row's largest measure, as sums that vanish are.
+/// of themselves, or 1e-12 of the largest that they cancel against, as sums that vanish
+/// are.
 bool is_rounding(const Row::mapped_type& a, const Row::mapped_type& b, double largest) {
   const auto* ours = std::get_if<std::vector<double>>(&a);
   const auto* theirs = std::get_if<std::vector<double>>(&b);
@@ -68,13 +78,18 @@ std::optional<Difference> difference(Row a, Row b) {
     a.erase(free);
     b.erase(free);
   }
-  const double largest = std::max(largest_measure(a), largest_measure(b));
+  const std::map<std::string_view, double> largest = largest_measures(a, b);
+  const auto largest_beside = [&](const std::string& column) {
+    const auto measure = std::ranges::find(measure_list(), column, &Described::name);
+    return measure == measure_list().end() ? 0.
+                                           : largest.at(scale_of_unit(measure->unit));
+  };
   std::optional<Difference> found;
   for (const Row* row : {&a, &b})
     for (const auto& [name, value] : *row) {
       if (a.contains(name) && b.contains(name) && a.at(name) == b.at(name)) continue;
       const bool rounding = a.contains(name) && b.contains(name) &&
-                            is_rounding(a.at(name), b.at(name), largest);
+                            is_rounding(a.at(name), b.at(name), largest_beside(name));
       if (!rounding) return Difference{name, false};
       if (!found) found = Difference{name, true};
     }

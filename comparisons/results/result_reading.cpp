@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -9,6 +11,7 @@
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/store/open_result_file.hpp"
 #include "meshing/input_error.hpp"
+#include "meshing/text.hpp"
 
 namespace springcheck {
 namespace {
@@ -36,6 +39,11 @@ Columns cases_in(hid_t root) {
     if (!(row >= 0 && row < static_cast<double>(sessions)))
       throw std::runtime_error(
           fmt::format("column 'provenance' refers to row {} of {}", row, sessions));
+  for (const char* column : {"key", "mesh"})
+    for (const std::string& name : cases.texts.at(column))
+      if (name.empty() || name == "." || name.find('/') != std::string::npos)
+        throw std::runtime_error(fmt::format("column '{}' has {}, which names no group",
+                                             column, quotation(name)));
   std::set<std::string_view> keys;
   for (const std::string& key : cases.texts.at("key"))
     if (!keys.insert(key).second)
@@ -47,13 +55,24 @@ std::string known_revision(const std::string& text) {
   return text.empty() ? std::string(unknown_revision) : text;
 }
 
-/// The revision of each case, by its session.
-std::vector<std::string> revisions_of(std::span<const double> sessions, hid_t root) {
-  const auto revisions = read_texts(hdf5::open_group(root, "provenance"), "revision");
-  std::vector<std::string> all;
+/// What a case's session tells of it.
+struct Origin {
+  std::string revision, date;
+};
+
+/// Of each case, by its session.
+std::vector<Origin> origins_of(std::span<const double> sessions, hid_t root) {
+  const auto provenance = hdf5::open_group(root, "provenance");
+  const auto revisions = read_texts(provenance, "revision"),
+             dates = read_texts(provenance, "date");
+  std::vector<Origin> all;
   for (const double session : sessions) {
     const auto place = static_cast<std::size_t>(session);
-    all.push_back(known_revision(place < revisions.size() ? revisions[place] : ""));
+    const auto text_in = [&](const std::vector<std::string>& column) {
+      return place < column.size() ? column[place] : "";
+    };
+    all.push_back(
+        {.revision = known_revision(text_in(revisions)), .date = text_in(dates)});
   }
   return all;
 }
@@ -67,20 +86,27 @@ struct Taken {
 
 Taken taken(const std::vector<std::string>& keys,
             const std::vector<std::string>& identities,
-            const std::vector<std::string>& revisions, Revisions accepted) {
+            const std::vector<Origin>& origins, Revisions accepted) {
   std::map<std::size_t, std::string> key_of_row;
   std::set<std::string> seen;
   const auto take = [&](std::size_t row, const std::string& key) {
     if (seen.insert(key).second) key_of_row.emplace(row, key);
   };
+  std::vector<std::size_t> others;
   for (std::size_t row = 0; row < keys.size(); ++row)
-    if (revisions[row] == build_info::revision) take(row, keys[row]);
-  if (accepted == Revisions::all)
-    for (std::size_t row = keys.size(); row-- > 0;)  // of several the last row
-      if (revisions[row] != build_info::revision) {
-        const bool is_told = row < identities.size() && !identities[row].empty();
-        take(row, is_told ? key_of_identity(identities[row]) : keys[row]);
-      }
+    if (origins[row].revision == build_info::revision)
+      take(row, keys[row]);
+    else
+      others.push_back(row);
+  if (accepted == Revisions::all) {
+    // Of several the newest, of one date the last row:
+    std::ranges::sort(others, std::ranges::greater{},
+                      [&](std::size_t row) { return std::pair(origins[row].date, row); });
+    for (const std::size_t row : others) {
+      const bool is_told = row < identities.size() && !identities[row].empty();
+      take(row, is_told ? key_of_identity(identities[row]) : keys[row]);
+    }
+  }
   Taken all;
   for (const auto& [row, key] : key_of_row) {
     all.rows.push_back(row);
@@ -106,12 +132,12 @@ StoredKeys keys_in(hid_t root, const std::filesystem::path& file) {
   for (std::string& key : hdf5::links(hdf5::open_group(root, "fields")))
     stored.with_fields.insert(std::move(key));
   const std::vector<double> sessions = read_number_column(cases, "provenance");
-  const std::vector<std::string> revisions = revisions_of(sessions, root);
-  if (revisions.size() != keys.size())
+  const std::vector<Origin> origins = origins_of(sessions, root);
+  if (origins.size() != keys.size())
     throw std::runtime_error("columns 'key' and 'provenance' do not belong together");
-  for (const std::string& revision : revisions)
+  for (const auto& [revision, date] : origins)
     if (revision != build_info::revision) ++stored.others[revision];
-  const Taken all = taken(keys, read_texts(cases, "identity"), revisions, Revisions::all);
+  const Taken all = taken(keys, read_texts(cases, "identity"), origins, Revisions::all);
   for (std::size_t i = 0; i < all.rows.size(); ++i)
     if (keys[all.rows[i]] != all.keys[i])
       stored.substitutes.emplace(all.keys[i], keys[all.rows[i]]);
@@ -131,26 +157,49 @@ namespace {
 /// What read_cases and read_results take.
 struct TakenCases {
   Columns cases;
-  std::vector<std::string> keys, revisions;
+  std::vector<std::string> keys, revisions;  // the latter as CaseResult has them
 };
+
+std::string revision_in_result(const std::string& revision) {
+  return revision == build_info::revision ? "" : revision;
+}
 
 TakenCases taken_cases(hid_t root, Revisions accepted) {
   const Columns cases = cases_in(root);
   if (cases.rows == 0) return {};
-  const auto revisions = revisions_of(cases.numbers.at("provenance").values, root);
+  const auto origins = origins_of(cases.numbers.at("provenance").values, root);
   const auto identities = cases.texts.find("identity");
   Taken found = taken(
       cases.texts.at("key"),
       identities == cases.texts.end() ? std::vector<std::string>{} : identities->second,
-      revisions, accepted);
+      origins, accepted);
   std::vector<std::string> of_rows;
-  for (const std::size_t row : found.rows) of_rows.push_back(revisions[row]);
+  for (const std::size_t row : found.rows)
+    of_rows.push_back(revision_in_result(origins[row].revision));
   return {.cases = selected(cases, found.rows),
           .keys = std::move(found.keys),
           .revisions = std::move(of_rows)};
 }
 
 }  // namespace
+
+std::map<std::string, std::string> all_revisions(hid_t root) {
+  const Columns cases = cases_in(root);
+  if (cases.rows == 0) return {};
+  const auto origins = origins_of(cases.numbers.at("provenance").values, root);
+  std::map<std::string, std::string> all;
+  for (std::size_t row = 0; row < cases.rows; ++row)
+    all.emplace(cases.texts.at("key")[row], revision_in_result(origins[row].revision));
+  return all;
+}
+
+std::map<std::string, std::string> taken_revisions(hid_t root, Revisions revisions) {
+  const TakenCases found = taken_cases(root, revisions);
+  std::map<std::string, std::string> all;
+  for (std::size_t row = 0; row < found.cases.rows; ++row)
+    all.emplace(found.cases.texts.at("key")[row], found.revisions[row]);
+  return all;
+}
 
 Columns read_cases(const std::filesystem::path& file, Revisions revisions) {
   return reading(file, [&](hid_t root) { return taken_cases(root, revisions).cases; });
@@ -163,8 +212,7 @@ std::map<std::string, StoredCase> read_results(const std::filesystem::path& file
     std::map<std::string, StoredCase> all;
     for (std::size_t row = 0; row < found.cases.rows; ++row) {
       StoredCase stored = stored_case(found.cases, row, file.string());
-      if (found.revisions[row] != build_info::revision)
-        stored.revision = found.revisions[row];
+      stored.revision = found.revisions[row];
       all.emplace(found.keys[row], std::move(stored));
     }
     return all;

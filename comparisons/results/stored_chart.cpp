@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "comparisons/build_info/build_info.hpp"
+#include "comparisons/results/result_file.hpp"
 #include "comparisons/store/open_result_file.hpp"
 #include "comparisons/store/table_rows.hpp"
 #include "meshing/sha256.hpp"
@@ -33,7 +35,7 @@ TimedRounds times_in(const std::string& text) {
   for (const char* at = text.data();; ++at) {
     double time = 0;
     const auto [stop, error] = std::from_chars(at, end, time);
-    if (error != std::errc{} || !std::isfinite(time) ||
+    if (error != std::errc{} || !std::isnormal(time) || time < 0 ||
         (stop != end && *stop != ',' && *stop != ';'))
       throw std::runtime_error("a chart has a point of times '" + text + "'");
     times.back().push_back(time);
@@ -127,13 +129,16 @@ StoredChart read_chart(hid_t group) {
   const auto imposed = hdf5::read_numbers(group, "imposed");
   const auto height = hdf5::read_numbers(group, "height");
   if (!height) throw std::runtime_error("a chart lacks a height");
-  StoredChart chart{.scene = hdf5::read_text(group, "scene").value_or(""),
-                    .settings = hdf5::read_text(group, "settings").value_or(""),
-                    .law = hdf5::read_text(group, "law").value_or(""),
-                    .answer = hdf5::read_text(group, "answer").value_or(""),
-                    .height = height->at(0),
-                    .imposed = imposed ? std::optional(imposed->at(0)) : std::nullopt,
-                    .machine = hdf5::read_text(group, "machine").value_or("")};
+  StoredChart chart{
+      .scene = text_attribute(group, "scene", "a chart"),
+      .settings = text_attribute(group, "settings", "a chart"),
+      .law = text_attribute(group, "law", "a chart"),
+      .answer = text_attribute(group, "answer", "a chart"),
+      .height = height->at(0),
+      .imposed = imposed ? std::optional(imposed->at(0)) : std::nullopt,
+      .machine = hdf5::read_text(group, "machine").value_or(""),
+      .revision =
+          hdf5::read_text(group, "revision").value_or(std::string(unknown_revision))};
   const TableRows truths(hdf5::open_group(group, "truths"), "a chart's truth");
   for (std::size_t i = 0; i < truths.count(); ++i) {
     StoredChart::Truth truth{.law = truths.text("law", i)};
@@ -228,6 +233,7 @@ void write_chart(hid_t charts, const StoredChart& chart) {
   hdf5::write_attribute(group, "height", chart.height);
   if (chart.imposed) hdf5::write_attribute(group, "imposed", *chart.imposed);
   hdf5::write_attribute(group, "machine", chart.machine);
+  hdf5::write_attribute(group, "revision", chart.revision);
   write_rows(group, "truths", chart.truths,
              [](const auto& part) { return row_of(part); });
   write_rows(group, "points", chart.points,
@@ -236,13 +242,18 @@ void write_chart(hid_t charts, const StoredChart& chart) {
              [](const auto& part) { return row_of(part); });
 }
 
-std::vector<StoredChart> read_charts(const std::filesystem::path& file) {
-  return reading(file, [](hid_t root) {
+std::vector<StoredChart> read_charts(const std::filesystem::path& file,
+                                     Revisions revisions) {
+  return reading(file, [&](hid_t root) {
     std::vector<StoredChart> all;
     if (!hdf5::has_link(root, "charts")) return all;
     const auto charts = hdf5::open_group(root, "charts");
     for (const std::string& name : hdf5::links(charts))
       all.push_back(read_chart(hdf5::open_group(charts, name)));
+    if (revisions == Revisions::own)
+      std::erase_if(all, [](const StoredChart& chart) {
+        return chart.revision != build_info::revision;
+      });
     std::ranges::stable_sort(all, [](const StoredChart& a, const StoredChart& b) {
       return a.scene != b.scene ? a.scene < b.scene : a.points.size() > b.points.size();
     });

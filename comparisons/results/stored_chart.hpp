@@ -11,6 +11,7 @@
 
 #include "comparisons/cases/model.hpp"
 #include "comparisons/cases/named.hpp"
+#include "comparisons/running/case_result.hpp"
 #include "comparisons/running/timing.hpp"
 
 namespace springcheck {
@@ -62,6 +63,7 @@ struct StoredChart {
   std::vector<Truth> truths{};
   std::vector<Point> points{};
   std::vector<Comparison> comparisons{};
+  std::string revision{};  // of the numerics; empty in older files
 };
 
 /// Of scene, settings, the truth of its own law and the machine: charts of the same have
@@ -80,7 +82,7 @@ StoredChart merged(StoredChart chart, const StoredChart& other);
 /// Layout, within the group `charts` of a result file:
 ///
 ///     IDENTITY              attributes scene, settings, law, answer, height, imposed,
-///                           machine
+///                           machine, revision
 ///     IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3
 ///     IDENTITY/points       columns model (its name) and its parts method, element,
 ///                           cell-type, linear-solver, precision, its family, then kind,
@@ -96,8 +98,9 @@ void write_chart(hid_t charts, const StoredChart& chart);
 /// Adds the charts of one group to those of another, see merged.
 void merge_charts(hid_t from, hid_t to);
 
-/// The charts of a result file by scene, of one scene the fullest first; none of one
-/// without. Throws like read_cases.
-std::vector<StoredChart> read_charts(const std::filesystem::path& file);
+/// The charts of a result file by scene, of one scene the fullest first: those of this
+/// program's revision, or all. Throws like read_cases.
+std::vector<StoredChart> read_charts(const std::filesystem::path& file,
+                                     Revisions revisions);
 
 }  // namespace springcheck

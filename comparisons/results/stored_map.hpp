@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/running/case_result.hpp"
+
 namespace springcheck {
 
 /// A map of `springcheck stability` as a result file keeps it: which of its cases stand
@@ -30,17 +32,25 @@ struct StoredMap {
   std::vector<std::string> axes{};  // keys, one or two
   std::vector<Point> points{};
   std::vector<Limit> limits{};
+  std::string revision{};  // of the numerics of the program that made it
+  // Revisions of cases of others that it was asked to take, with commas:
+  std::string other_revisions{};
 };
+
+/// Whose numerics a map is of, with commas, where they are not this program's alone.
+std::string revisions_of(const StoredMap& map);
 
 /// Whether limits and controls are known, or its cases still have to be computed.
 enum class MapState { planned, complete };
 
-/// Of scene, axes and points: the same map has the same, with and without limits.
+/// Of scene, axes, points and revision: the same map has the same, with and without
+/// limits.
 std::string identity_of(const StoredMap& map);
 
 /// Layout, within the group `maps` of a result file:
 ///
-///     IDENTITY         attributes scene, first and, of two axes, second
+///     IDENTITY         attributes scene, first and, of two axes, second; revision,
+///                      other_revisions
 ///     IDENTITY/points  columns method, first, second, key, control
 ///     IDENTITY/limits  columns method, second, low, high, failure, key; no rows until
 ///                      the command has come to its end
@@ -48,8 +58,8 @@ std::string identity_of(const StoredMap& map);
 /// Replaces the map of the same identity; a planned one leaves it as it is.
 void write_map(hid_t maps, const StoredMap& map, MapState state);
 
-/// The maps of a result file, none of one that was written before there were any. Throws
-/// like read_cases.
-std::vector<StoredMap> read_maps(const std::filesystem::path& file);
+/// The maps of a result file: those of this program's revision alone, and with
+/// Revisions::all those of others of which it has none. Throws like read_cases.
+std::vector<StoredMap> read_maps(const std::filesystem::path& file, Revisions revisions);
 
 }  // namespace springcheck

@@ -46,7 +46,8 @@ std::string grid_name(const Columns& cases, std::size_t row) {
   return name + " " + text("key").substr(0, 8);
 }
 
-void write_grids(std::ostream& out, const std::string& data, hid_t root) {
+void write_grids(std::ostream& out, const std::string& data, hid_t root,
+                 const std::map<std::string, std::string>& shown) {
   fmt::print(out, "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n");
   const auto meshes = hdf5::open_group(root, "meshes"),
              fields = hdf5::open_group(root, "fields");
@@ -54,7 +55,9 @@ void write_grids(std::ostream& out, const std::string& data, hid_t root) {
   for (std::size_t row = 0; row < cases.rows; ++row) {
     const std::string &key = cases.texts.at("key")[row],
                       &sha256 = cases.texts.at("mesh")[row];
-    if (!hdf5::has_link(fields, key)) continue;
+    const auto place = shown.find(key);
+    if (place == shown.end() || !hdf5::has_link(fields, key)) continue;
+    const std::string& revision = place->second;
     const auto mesh = hdf5::open_group(meshes, sha256);
     const std::size_t nodes = hdf5::row_count_of_table(mesh, "nodes"),
                       cells = stored_cell_count(mesh);
@@ -62,7 +65,8 @@ void write_grids(std::ostream& out, const std::string& data, hid_t root) {
     const std::string in_case = fmt::format("{}:/fields/{}", data, key);
     const auto arrays = hdf5::open_group(fields, key);
     const std::string partial = hdf5::has_link(arrays, "displacement") ? "" : "partial_";
-    fmt::print(out, "<Grid Name=\"{}\">\n", escaped(grid_name(cases, row)));
+    fmt::print(out, "<Grid Name=\"{}{}\">\n", escaped(grid_name(cases, row)),
+               revision.empty() ? "" : " of revision " + escaped(revision));
     write_xdmf_mesh(out, mesh, in_mesh);
     for (const std::string& field :
          {partial + "displacement", partial + "reaction", std::string("deviation")})
@@ -87,9 +91,10 @@ void write_grids(std::ostream& out, const std::string& data, hid_t root) {
 
 }  // namespace
 
-void write_xdmf(const std::filesystem::path& file, const std::string& data, hid_t root) {
-  write_whole_stream(file,
-                     [&](std::ostream& out) { write_grids(out, escaped(data), root); });
+void write_xdmf(const std::filesystem::path& file, const std::string& data, hid_t root,
+                const std::map<std::string, std::string>& cases) {
+  write_whole_stream(
+      file, [&](std::ostream& out) { write_grids(out, escaped(data), root, cases); });
 }
 
 }  // namespace springcheck

@@ -17,8 +17,8 @@ std::string case_identity(const Request& request, const Mesh& mesh) {
   return sha256(all.dump());
 }
 
-std::string key_of_identity(const std::string& identity) {
-  return sha256(identity + ' ' + build_info::revision);
+std::string key_of_identity(const std::string& identity, const std::string& revision) {
+  return sha256(identity + ' ' + (revision.empty() ? build_info::revision : revision));
 }
 
 std::string case_key(const Request& request, const Mesh& mesh) {

@@ -23,14 +23,18 @@ struct CaseResult {
   History history{};    // of dynamics, where samples were asked for
   double wall_s;        // solution and measures
   double solve_wall_s;  // solution alone
+  // Of the numerics that it was computed with, where they are not this program's alone;
+  // "a+b" of a motion that revision a began and b went on with:
+  std::string revision{};
 };
 
 /// SHA-256 of settings, reference and mesh: what was asked.
 std::string case_identity(const Request& request, const Mesh& mesh);
 
-/// SHA-256 of an identity and the revision of this program's numerics: what its figures
-/// are stored under.
-std::string key_of_identity(const std::string& identity);
+/// SHA-256 of an identity and a revision of the numerics, this program's where none is
+/// given: what its figures are stored under.
+std::string key_of_identity(const std::string& identity,
+                            const std::string& revision = "");
 std::string case_key(const Request& request, const Mesh& mesh);
 
 /// Whose stored figures are taken: those of this program's revision, or those of others

@@ -51,14 +51,20 @@ std::string own_settings(const nlohmann::json& settings, const nlohmann::json& o
   std::string expected = own_settings(owner.settings, stored),
               got = own_settings(stored, owner.settings);
   if (expected.empty() && got.empty()) {
-    expected = "this mesh and revision of the numerics";
-    got = "the same settings with another mesh or revision";
+    expected = "this mesh";
+    got = "the same settings with another mesh";
   }
   const auto or_default = [](const std::string& text) {
     return text.empty() ? std::string("none of these settings") : text;
   };
   throw InputError(file.string(), "checkpoint of another case", or_default(expected),
                    or_default(got));
+}
+
+/// The revision of what goes on from this one.
+std::string continued(const std::string& revision) {
+  const std::string own = build_info::revision;
+  return revision.ends_with("+" + own) ? revision : revision + "+" + own;
 }
 
 /// The same case, by other numerics.
@@ -80,32 +86,29 @@ CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& ow
     throw InputError(file.string(), entity, expected, got);
   };
   const auto root = hdf5::open_file(file);
-  const auto stored = hdf5::read_text(root, "case");
-  if (!stored) refuse("attribute 'case'", "a checkpoint of springcheck", "none");
-  if (*stored != owner.key) {
-    if (hdf5::read_text(root, "identity") == owner.identity)
-      check_revision(file, hdf5::read_text(root, "revision").value_or("unknown"),
-                     revisions);
-    else
-      refuse_other(file, owner,
-                   nlohmann::json::parse(hdf5::read_text(root, "settings").value_or("{}"),
-                                         nullptr, false));
-  }
+  const auto number = [&](const char* name) {
+    const auto values = hdf5::read_numbers(root, name);
+    if (!values || values->size() != 1)
+      refuse(fmt::format("attribute '{}'", name),
+             "a number, in a checkpoint of springcheck", "none");
+    return values->front();
+  };
+  if (number("layout") != static_cast<double>(layout))
+    refuse("attribute 'layout'", fmt::to_string(layout),
+           fmt::to_string(number("layout")));
+  if (hdf5::read_text(root, "identity") != owner.identity)
+    refuse_other(file, owner,
+                 nlohmann::json::parse(hdf5::read_text(root, "settings").value_or("{}"),
+                                       nullptr, false));
+  const std::string revision = hdf5::read_text(root, "revision").value_or("unknown");
+  const bool is_own = revision == build_info::revision;
+  if (!is_own) check_revision(file, revision, revisions);
   const std::string set = hdf5::read_text(root, "instructions").value_or("unknown");
   if (set != instructions())
     spdlog::warn(
         "{}: computed with instructions {}, here they are {}: the digits of an "
         "uninterrupted run come back only to rounding",
         file.string(), set, instructions());
-  const auto number = [&](const char* name) {
-    const auto values = hdf5::read_numbers(root, name);
-    if (!values || values->size() != 1)
-      refuse(fmt::format("attribute '{}'", name), "a number", "none");
-    return values->front();
-  };
-  if (number("layout") != static_cast<double>(layout))
-    refuse("attribute 'layout'", fmt::to_string(layout),
-           fmt::to_string(number("layout")));
   const auto count = [&](const char* name) {
     const double value = number(name);
     if (!(value >= 0 && value <= std::numeric_limits<int>::max()))
@@ -129,7 +132,8 @@ CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& ow
                 .last_dt = number("last_dt"),
                 .steps_left = count("steps_left"),
                 .limit = number("limit"),
-                .look_evaluations = count("look_evaluations")}};
+                .look_evaluations = count("look_evaluations")},
+      .revision = is_own ? "" : continued(revision)};
   if (hdf5::has_link(root, "stiffest"))
     checkpoint.march.stiffest = table("stiffest", 3 * nodes);
   if (hdf5::read_numbers(root, "excess_limit"))
@@ -153,9 +157,10 @@ void write_content(OverlayFile& overlay, const std::filesystem::path& file,
   const auto& [state, step, time, dt, last_dt, steps_left, limit, stiffest,
                look_evaluations, excess] = checkpoint.march;
   hdf5::write_attribute(root, "layout", layout);
-  hdf5::write_attribute(root, "case", owner.key);
   hdf5::write_attribute(root, "identity", owner.identity);
-  hdf5::write_attribute(root, "revision", std::string(build_info::revision));
+  hdf5::write_attribute(
+      root, "revision",
+      checkpoint.revision.empty() ? build_info::revision : checkpoint.revision);
   hdf5::write_attribute(root, "settings", owner.settings.dump());
   hdf5::write_attribute(root, "instructions", instructions());
   hdf5::write_attribute(root, "step", static_cast<double>(step));

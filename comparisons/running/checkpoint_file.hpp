@@ -14,13 +14,13 @@ namespace springcheck {
 struct CaseCheckpoint {
   dynamics::Checkpoint march;
   History history{};
+  std::string revision{};  // see CaseResult
 };
 
-/// The case that a checkpoint belongs to: case_key, which decides, case_identity, which
-/// decides where other revisions of the numerics are accepted, and settings_json, which
-/// tell what differs.
+/// The case that a checkpoint belongs to: case_identity, which decides together with the
+/// revision of the numerics, and settings_json, which tell what differs.
 struct CheckpointOwner {
-  std::string key, identity;
+  std::string identity;
   nlohmann::json settings;
 };
 
@@ -33,7 +33,8 @@ void write_checkpoint(const std::filesystem::path& file, const CheckpointOwner& 
 /// Nothing where there is no such file. Throws InputError where it is no checkpoint, or
 /// one of another scene or mesh; the message tells which settings differ. The same for
 /// one of another revision of the numerics, unless it is accepted: then a warning says
-/// so.
+/// so, and what comes of it is of both revisions, "theirs+ours", in this program as in
+/// others.
 std::optional<CaseCheckpoint> read_checkpoint(const std::filesystem::path& file,
                                               const CheckpointOwner& owner,
                                               std::size_t nodes,

@@ -64,7 +64,8 @@ void try_checkpoint(const std::filesystem::path& file, const CheckpointOwner& ow
 }
 
 dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
-                                 const Watch& watch, History& history) {
+                                 const Watch& watch, History& history,
+                                 std::string& revision) {
   dynamics::Observers observers;
   observers.samples = settings.dynamics.history;
   if (observers.samples > 0)
@@ -78,19 +79,20 @@ dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
     };
   }
   if (!watch.checkpoint || !goes_through_time(settings)) return observers;
-  const CheckpointOwner owner{.key = case_key({.settings = settings}, mesh),
-                              .identity = case_identity({.settings = settings}, mesh),
+  const CheckpointOwner owner{.identity = case_identity({.settings = settings}, mesh),
                               .settings = settings_json(settings)};
   if (auto from = read_checkpoint(*watch.checkpoint, owner, mesh.nodes().size(),
                                   watch.revisions)) {
     fmt::print(stderr, "going on from {} at t = {:.4g} s, step {}\n",
                watch.checkpoint->string(), from->march.time, from->march.step);
     history = std::move(from->history);
+    revision = from->revision;
     observers.from = std::move(from->march);
   }
   observers.seconds_between_checkpoints = watch.seconds_between_checkpoints;
   observers.checkpoint = [&, owner](const dynamics::Checkpoint& now) {
-    try_checkpoint(*watch.checkpoint, owner, {.march = now, .history = history});
+    try_checkpoint(*watch.checkpoint, owner,
+                   {.march = now, .history = history, .revision = revision});
   };
   return observers;
 }
@@ -158,11 +160,14 @@ CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, int threads,
     lock.emplace(link_target(*watch.checkpoint));
   const Stopwatch stopwatch;
   History history;
-  const dynamics::Observers observers = observers_of(settings, mesh, watch, history);
+  std::string revision;  // of what it goes on from
+  const dynamics::Observers observers =
+      observers_of(settings, mesh, watch, history, revision);
   Solution solution = solve_or_break_down(settings, mesh, threads, observers);
   const double solve_wall_s = stopwatch.seconds();
   CaseResult result = judged(settings, mesh, std::move(solution));
   result.history = std::move(history);
+  result.revision = std::move(revision);
   result.solve_wall_s = solve_wall_s;
   result.wall_s = stopwatch.seconds();
   return result;

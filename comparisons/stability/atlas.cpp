@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "comparisons/build_info/build_info.hpp"
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/settings/scene_file.hpp"
@@ -304,8 +305,11 @@ void check_axes(const Atlas& atlas, const AtlasPlan& plan) {
 }
 
 /// The atlas as files keep it; the results of its points may still be lacking.
-StoredMap stored_map(const Atlas& atlas, const AtlasPlan& plan) {
-  StoredMap map{.scene = plan.scene};
+StoredMap stored_map(const Atlas& atlas, const AtlasPlan& plan,
+                     const OtherRevisions& others = {}) {
+  StoredMap map{.scene = plan.scene, .revision = build_info::revision};
+  for (const auto& [revision, cases] : others)
+    map.other_revisions += (map.other_revisions.empty() ? "" : ",") + revision;
   for (const Axis& axis : plan.axes) map.axes.push_back(axis.key);
   for (const AtlasPoint& point : atlas.points)
     map.points.push_back({.method = point.method,
@@ -360,7 +364,7 @@ Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner) {
       point.control = control->second;
   }
   if (plan.axes[0].is_range) atlas.limits = limits_of(atlas, plan, runner);
-  runner.keep(stored_map(atlas, plan), MapState::complete);
+  runner.keep(stored_map(atlas, plan, runner.others()), MapState::complete);
   return atlas;
 }
 

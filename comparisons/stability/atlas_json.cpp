@@ -50,7 +50,9 @@ Json failure_json(const StoredMap::Point& point, const Stored& stored) {
 }
 
 Json map_json(const StoredMap& map, const Stored& stored) {
-  Json json{{"scene", map.scene}, {"axes", Json::array()}};
+  Json json{{"scene", map.scene},
+            {"other_revisions", revisions_of(map)},
+            {"axes", Json::array()}};
   for (std::size_t place = 0; place < map.axes.size(); ++place)
     json["axes"].push_back(axis_json(map, place));
   json["points"] = Json::array();
@@ -77,7 +79,7 @@ Json atlas_json(const std::filesystem::path& file, Revisions revisions) {
   for (const FailureName& failure : value_names<Failure>)
     failures.push_back(
         {{"name", failure.name}, {"letter", std::string(1, failure.letter)}});
-  std::vector<StoredMap> maps = read_maps(file);
+  std::vector<StoredMap> maps = read_maps(file, revisions);
   std::ranges::sort(maps, {}, [](const StoredMap& map) {
     return std::tuple(map.scene, map.axes, identity_of(map));
   });

@@ -29,10 +29,25 @@ CaseRunner::CaseRunner(const std::optional<std::filesystem::path>& file, int par
 }
 
 std::vector<std::string> CaseRunner::keys_of(const std::vector<CaseSettings>& settings) {
+  std::vector<std::string> keys = own_keys_of(settings);
+  for (std::string& key : keys)
+    if (const auto found = stored_.find(key); found != stored_.end())
+      key = found->second.second.key;
+  return keys;
+}
+
+std::vector<std::string> CaseRunner::own_keys_of(
+    const std::vector<CaseSettings>& settings) {
   std::vector<std::string> keys;
   for (const CaseSettings& one : settings)
     keys.push_back(case_key({.settings = one}, meshes_.mesh(one.body)));
   return keys;
+}
+
+OtherRevisions CaseRunner::others() const {
+  std::vector<CaseResult> all;
+  for (const auto& [key, result] : results_) all.push_back(result);
+  return other_revisions(all);
 }
 
 void CaseRunner::keep(const StoredMap& map, MapState state) {
@@ -43,7 +58,7 @@ std::vector<CaseResult> CaseRunner::run(const std::vector<CaseSettings>& setting
   if (settings.empty()) return {};
   std::vector<Request> requests;
   for (const CaseSettings& one : settings) requests.push_back({.settings = one});
-  const std::vector<std::string> keys = keys_of(settings);
+  const std::vector<std::string> keys = own_keys_of(settings);
   const KnownResult from_file = known_figures(stored_);
   const KnownResult known = [&](const Request& request, const std::string& key) {
     const auto found = results_.find(key);

@@ -24,21 +24,26 @@ class CaseRunner {
   /// In the order of the settings.
   std::vector<CaseResult> run(const std::vector<CaseSettings>& settings);
 
-  /// Keys of cases, in the order of the settings.
+  /// Keys of cases, of those that are taken in the file, in the order of the settings.
   std::vector<std::string> keys_of(const std::vector<CaseSettings>& settings);
 
   /// Keeps a map of cases in the result file, if there is one.
   void keep(const StoredMap& map, MapState state);
 
+  /// Of the cases so far, those of other revisions.
+  [[nodiscard]] OtherRevisions others() const;
+
   /// How many there were that nothing held.
   [[nodiscard]] std::size_t computed() const { return written_.size(); }
 
  private:
+  std::vector<std::string> own_keys_of(const std::vector<CaseSettings>& settings);
+
   StoredCases stored_;  // of the file, before
   std::optional<ResultFile> file_;
   MeshStore meshes_;
   int parallel_;
-  std::map<std::string, CaseResult> results_;  // by key
+  std::map<std::string, CaseResult> results_;  // by this program's key
   std::set<std::string> written_;              // keys
 };
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "comparisons/store/hdf5.hpp"
+#include "meshing/text.hpp"
 
 namespace springcheck {
 namespace {
@@ -57,11 +58,13 @@ Shape shape_of(hid_t column, const std::string& name) {
   throw std::runtime_error("column " + name + " holds neither numbers nor texts");
 }
 
-void check_size(hid_t group, const std::string& name, const Shape& shape) {
+double bytes_of(const Shape& shape) {
   const std::size_t each = shape.is_text ? 1 : sizeof(double);
-  hdf5::check_size(
-      group, "column " + name,
-      static_cast<double>(shape.rows) * static_cast<double>(shape.width * each));
+  return static_cast<double>(shape.rows) * static_cast<double>(shape.width * each);
+}
+
+void check_size(hid_t group, const std::string& name, const Shape& shape) {
+  hdf5::check_size(group, "column " + name, bytes_of(shape));
 }
 
 Handle create_column(hid_t group, const std::string& name, const Shape& shape) {
@@ -108,12 +111,16 @@ std::string read_text_bytes(hid_t column, const std::string& name, const Shape& 
   return bytes;
 }
 
-std::vector<std::string> split(const std::string& bytes, std::size_t width) {
+std::vector<std::string> split(const std::string& bytes, std::size_t width,
+                               const std::string& name) {
   std::vector<std::string> texts;
+  std::string all;
   for (std::size_t at = 0; at < bytes.size(); at += width) {
     const std::string_view cell = std::string_view(bytes).substr(at, width);
     texts.emplace_back(cell.substr(0, cell.find('\0')));
+    all.append(texts.back()).push_back('\0');
   }
+  if (!is_utf8(all)) throw std::runtime_error("column " + name + " is not UTF-8");
   return texts;
 }
 
@@ -137,7 +144,7 @@ void write_text_bytes(hid_t column, const Shape& shape, hsize_t first,
 /// The column with room for longer texts.
 Handle widened(hid_t group, const std::string& name, Shape shape, std::size_t width) {
   const std::vector<std::string> texts =
-      split(read_text_bytes(open_column(group, name), name, shape), shape.width);
+      split(read_text_bytes(open_column(group, name), name, shape), shape.width, name);
   check(H5Ldelete(group, name.c_str(), H5P_DEFAULT), "replacing column " + name);
   shape.width = std::max(width, 2 * shape.width);
   Handle column = create_column(group, name, shape);
@@ -303,21 +310,24 @@ std::vector<std::string> read_texts(hid_t group, const std::string& name) {
   const Shape shape = shape_of(column, name);
   if (!shape.is_text) throw std::runtime_error("column " + name + " holds no texts");
   check_size(group, name, shape);
-  return split(read_text_bytes(column, name, shape), shape.width);
+  return split(read_text_bytes(column, name, shape), shape.width, name);
 }
 
 Columns read_columns(hid_t group) {
   Columns table;
   table.rows = row_count(group);
+  double bytes = 0;
   for (const std::string& name : hdf5::links(group)) {
     const Handle column = open_column(group, name);
     const Shape shape = shape_of(column, name);
     if (shape.rows != table.rows)
       throw std::runtime_error("column " + name + " has " + std::to_string(shape.rows) +
                                " rows, others " + std::to_string(table.rows));
-    check_size(group, name, shape);
+    bytes += bytes_of(shape);
+    hdf5::check_size(group, "a table up to column " + name, bytes);
     if (shape.is_text) {
-      table.texts.emplace(name, split(read_text_bytes(column, name, shape), shape.width));
+      table.texts.emplace(name,
+                          split(read_text_bytes(column, name, shape), shape.width, name));
       continue;
     }
     table.numbers.emplace(name, NumberColumn{.width = shape.width,

@@ -5,6 +5,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "meshing/text.hpp"
+
 namespace springcheck::hdf5 {
 namespace {
 
@@ -135,6 +137,8 @@ std::optional<std::string> read_text(hid_t object, const std::string& name) {
   check(H5Aread(attribute, text_type(), &characters), "reading attribute " + name);
   std::string text(characters == nullptr ? "" : characters);
   check(H5free_memory(characters), "freeing text");
+  if (!is_utf8(text))
+    throw std::runtime_error("HDF5: attribute " + name + " is not UTF-8");
   return text;
 }
 

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <exception>
+#include <new>
 #include <thread>
 
 #include "comparisons/store/journal.hpp"
@@ -55,6 +56,8 @@ void refuse_as_unreadable(const std::filesystem::path& file) {
   try {
     throw;
   } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {  // says nothing about the file
     throw;
   } catch (const std::exception& error) {
     const bool is_hdf5 = H5Fis_hdf5(file.c_str()) > 0;

@@ -22,6 +22,12 @@ void put(Row& row, const char* name, const std::optional<double>& number) {
   if (number) row[name] = std::vector{*number};
 }
 
+std::string text_attribute(hid_t group, const char* name, const std::string& what) {
+  std::optional<std::string> text = hdf5::read_text(group, name);
+  if (text && text->empty()) text.reset();
+  return required(std::move(text), what, name);
+}
+
 TableRows::TableRows(hid_t group, std::string what)
     : columns_(read_columns(group)), what_(std::move(what)) {}
 

@@ -13,6 +13,9 @@ namespace springcheck {
 void put(Row& row, const char* name, const std::optional<std::string>& text);
 void put(Row& row, const char* name, const std::optional<double>& number);
 
+/// Throws std::runtime_error where `what` has no such attribute, or an empty one.
+std::string text_attribute(hid_t group, const char* name, const std::string& what);
+
 /// A new table in the group: row_of(part) of each part.
 template <class Part, class RowOf>
 void write_rows(hid_t group, const char* name, const std::vector<Part>& parts,

@@ -170,7 +170,8 @@ class Study {
     }
   }
 
-  /// A simulation is known by its key without a reference.
+  /// A simulation is known by its key without a reference. Results of other revisions are
+  /// taken whole or not at all: nothing of this one is made of them.
   std::size_t place_of(const CaseSettings& settings) {
     const Mesh& mesh = meshes_.mesh(settings.body);
     const Request alone{.settings = settings};
@@ -179,7 +180,7 @@ class Study {
     if (!is_new) return place->second;
     simulations_.push_back({settings, &mesh, std::nullopt, {}, 0});
     auto result = known_ ? known_(alone, key) : std::nullopt;
-    if (result && !result->solution.displacements.empty())
+    if (result && result->revision.empty() && !result->solution.displacements.empty())
       simulations_.back().result = std::move(*result);
     else
       to_run_.push_back(place->second);
@@ -243,7 +244,7 @@ class Study {
             request.settings, *own.mesh, reference->solution, reference->node_bars);
     }
     result.request = request;
-    result.key = case_key(request, *own.mesh);
+    result.key = key_of_identity(case_identity(request, *own.mesh), result.revision);
     hand_over(i, std::move(result));
     const std::lock_guard lock(planning_);
     for (const std::size_t place : parts.all())

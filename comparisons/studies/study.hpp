@@ -25,11 +25,11 @@ using Deliver = std::function<void(std::size_t request, CaseResult&& result)>;
 
 /// Runs every request that is not known. Simulations that several requests share,
 /// references included, run once, `parallel` of them at a time, fewer where their
-/// estimated memory would not fit; those that are known with their fields do not run.
-/// Results are let go as soon as no request needs them. What `deliver` throws ends the
-/// study. A simulation that throws (see simulate) leaves its requests without a result;
-/// the others run, and then the first is thrown: InputError, or std::runtime_error that
-/// names it.
+/// estimated memory would not fit; those that are known with their fields do not run,
+/// unless another revision of the numerics computed them. Results are let go as soon as
+/// no request needs them. What `deliver` throws ends the study. A simulation that throws
+/// (see simulate) leaves its requests without a result; the others run, and then the
+/// first is thrown: InputError, or std::runtime_error that names it.
 void run_study(const std::vector<Request>& requests, MeshStore& meshes, int parallel,
                const Finished& finished, const KnownResult& known, const Deliver& deliver,
                const Watch& watch = {});

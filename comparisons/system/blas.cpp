@@ -2,9 +2,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 #include <vector>
+
+#include "comparisons/system/memory.hpp"
 
 // Not in every cblas.h.
 extern "C" void openblas_set_num_threads(int);
@@ -39,6 +43,16 @@ void restart_with_fitting_blas(char** arguments) {
   }
 }
 
+void restart_with_one_blas_thread(char** arguments) {
+  constexpr const char* variable = "OPENBLAS_NUM_THREADS";
+  const char* threads = std::getenv(variable);
+  if (std::isinf(room_of_address_space()) ||
+      (threads != nullptr && std::string_view(threads) == "1"))
+    return;
+  setenv(variable, "1", 1);
+  execv("/proc/self/exe", arguments);
+}
+
 void use_one_blas_thread() {
   openblas_set_num_threads(1);
 }
@@ -50,6 +64,8 @@ std::string blas_name() {
 }
 
 void reserve_blas_buffers(int calls) {
+  constexpr int places = 64;  // of twice as many that OpenBLAS is built with at the least
+  calls = std::min(calls, places);
   std::vector<void*> buffers;
   for (int i = 0; i < calls; ++i) buffers.push_back(blas_memory_alloc(0));
   for (void* buffer : buffers) blas_memory_free(buffer);

@@ -11,6 +11,12 @@ namespace springcheck {
 /// nothing to gain, or starting fails.
 void restart_with_fitting_blas(char** arguments);
 
+/// Where the address space is limited (ulimit -v), starts the program again without the
+/// threads that OpenBLAS starts as it is loaded: each asks for its buffer again and
+/// again, for ever, where it gets none, and the program could not end. Returns where it
+/// has none.
+void restart_with_one_blas_thread(char** arguments);
+
 /// One thread for each call: what runs in parallel are simulations and loops, with the
 /// same bits for any number of threads.
 void use_one_blas_thread();
@@ -22,8 +28,8 @@ std::string blas_name();
 /// [bytes].
 inline constexpr double blas_buffer_bytes = 134217728;
 
-/// Takes the buffers of so many calls at a time now: OpenBLAS asks for one again and
-/// again, for ever, where it gets none.
+/// Takes the buffers of so many calls at a time now, as many as OpenBLAS knows places
+/// for: it asks for one again and again, for ever, where it gets none.
 void reserve_blas_buffers(int calls);
 
 }  // namespace springcheck

@@ -20,7 +20,7 @@ std::vector<CaseResult> results_of(
   std::set<std::string> known_keys;
   const KnownResult noted = [&](const Request& request, const std::string& key) {
     auto result = known ? known(request, key) : std::nullopt;
-    if (result) known_keys.insert(key);
+    if (result) known_keys.insert(result->key);  // in its file, if of another revision
     return result;
   };
   run_study(

@@ -83,9 +83,6 @@ TableSet stored_tables(const std::filesystem::path& file, MeshStore& meshes,
       set.sheets.back().notes.push_back(
           "In the file: " + note_of_other_revisions(others, revisions) + ".");
   }
-  std::set<std::string> keys;
-  for (const auto& [key, place] : stored) keys.insert(place.second.key);
-  add_note(set, other_revisions(stored, keys));
   return set;
 }
 

@@ -1,10 +1,10 @@
 #include "fem_reference/laws/hencky_springs.hpp"
 
 #include <Eigen/Dense>
-#include <boost/math/special_functions/log1p.hpp>
 #include <cmath>
 
 #include "fem_reference/laws/dilatation.hpp"
+#include "meshing/logarithm.hpp"
 
 namespace springcheck::fem_reference {
 namespace {
@@ -17,19 +17,15 @@ struct SpringEnergy {
 SpringEnergy of_whole_stretch(double q) {
   const double x = std::expm1(2 * q), l2 = 1 + x, fall = 1 + 0.3 * x;  // x = l^2 - 1
   const double first = x / (2 * l2 * fall);
-  return {
-      .value =
-          (x * x / (l2 * fall) + boost::math::log1pmx(0.7 * x / fall) / (0.7 * 0.7)) / 4,
-      .first = first,
-      .second = 1 / (l2 * fall) - 0.6 * l2 * first / fall};
+  return {.value = (x * x / (l2 * fall) + log1p_minus(0.7 * x / fall) / (0.7 * 0.7)) / 4,
+          .first = first,
+          .second = 1 / (l2 * fall) - 0.6 * l2 * first / fall};
 }
 
 SpringEnergy of_isochoric_stretch(double q) {
   const double x = std::expm1(-4.5 * q);
   // x + 4.5 q, where the difference keeps its digits.
-  return {.value = -boost::math::log1pmx(x) / (4.5 * 4.5),
-          .first = -x / 4.5,
-          .second = 1 + x};
+  return {.value = -log1p_minus(x) / (4.5 * 4.5), .first = -x / 4.5, .second = 1 + x};
 }
 
 struct HenckyDirection {

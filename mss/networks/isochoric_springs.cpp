@@ -1,8 +1,9 @@
 #include "mss/networks/isochoric_springs.hpp"
 
-#include <boost/math/special_functions/log1p.hpp>
 #include <cmath>
 #include <limits>
+
+#include "meshing/logarithm.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -43,7 +44,7 @@ double IsochoricSprings::energy(const Matrix3& H) const {
   double sum = 0;
   for_each_isochoric_axis(axes, H, change, [&](const IsochoricAxis& axis) {
     // e^x - 1 - x of x = -b q, where the difference keeps its digits.
-    sum -= axis.weight * boost::math::log1pmx(std::expm1(-b * axis.stretch)) / (b * b);
+    sum -= axis.weight * log1p_minus(std::expm1(-b * axis.stretch)) / (b * b);
   });
   return shear_modulus * sum;
 }

@@ -51,6 +51,7 @@ class Study:
         data/atlas.json, the maps of `springcheck stability`, with how their cases fail.
     charts: data/charts.json, see comparisons/chart/chart_json.hpp.
     settings: of data/vocabulary.json, what `springcheck list settings` tells of each.
+    note: what there is of other revisions of the numerics and what becomes of it; or "".
     """
 
     results: springcheck_results.Results
@@ -61,6 +62,7 @@ class Study:
     atlas: dict
     charts: list
     settings: dict
+    note: str
 
     def __post_init__(self):
         self.field_names = self.results.field_names()
@@ -128,13 +130,14 @@ def read(file, folder):
     names = ("theory.json", "atlas.json", "vocabulary.json")
     theory, atlas, vocabulary = (_document(folder / "data" / name) for name in names)
     charts = _document(folder / "data" / "charts.json") or []
+    note = (_document(folder / "data" / "revisions.json") or {}).get("note", "")
     settings = vocabulary["settings"]
     methods.learn(vocabulary)
     cases = results.cases
     is_limit = _mask(cases["solver"] == "limit") if "solver" in cases else np.zeros(len(cases), bool)
     limits = prepared(cases[is_limit], settings) if is_limit.any() else pd.DataFrame()
     judged = prepared(cases[~is_limit], settings)
-    return Study(results, judged, limits, tables, theory, atlas, charts, settings)
+    return Study(results, judged, limits, tables, theory, atlas, charts, settings, note)
 
 
 def _document(path):

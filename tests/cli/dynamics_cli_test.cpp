@@ -182,6 +182,26 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_belongs_to_one_case_in_dynamics) {
 }
 
 // The file cannot hold what is to be saved: said on stderr, and the run goes on.
+// What comes of it is neither's own, and nothing takes it for that.
+BOOST_AUTO_TEST_CASE(a_run_goes_on_from_another_revision_as_both) {
+  const std::string run =
+      "run compression --method mss-cf --duration 0.2 --cells 2,2,2 "
+      "--solver verlet --checkpoint both.h5 --checkpoint-every 0 ";
+  const std::string own = json_of(run + "--json")["results"][0]["revision"];
+  std::ofstream(folder / "both.py") << "import h5py\n"
+                                       "with h5py.File('both.h5', 'r+') as file:\n"
+                                       "    file.attrs['revision'] = '0123456789ab'\n";
+  const std::string change = "cd " + folder.string() + " && /usr/bin/python3 both.py";
+  BOOST_TEST_REQUIRE(std::system(change.c_str()) == 0);
+  expect_bad_input(run, "checkpoint of another revision of the numerics");
+  const std::string both = "0123456789ab+" + own;
+  const Run accepted =
+      run_springcheck(run + "--accept-other-revisions --out both-result.h5");
+  BOOST_TEST(accepted.status == 0);
+  BOOST_TEST(accepted.out.find(both) != std::string::npos, accepted.out);
+  expect_bad_input("report both-result.h5 --out both", "1 of " + both);
+}
+
 BOOST_AUTO_TEST_CASE(a_full_disk_for_the_checkpoint_does_not_lose_the_run) {
   // 10 kB hold what is printed, and not 729 nodes.
   const Run full = run_springcheck(

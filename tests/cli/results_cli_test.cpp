@@ -156,12 +156,14 @@ BOOST_AUTO_TEST_CASE(gates_do_not_write_over_their_inputs) {
   BOOST_TEST((fs::status(folder / "in.toml").permissions() == fs::perms(0600)));
 }
 
-// Of the same cases by a program with other formulas: nothing takes its figures unasked,
-// and what is made of them says so.
-BOOST_AUTO_TEST_CASE(figures_of_other_revisions_are_told) {
+namespace {
+
+/// As if another program, with other formulas, had written the file.
+void make_foreign(const std::string& file) {
   std::ofstream(folder / "other.py") << R"(
-import hashlib, h5py
-with h5py.File("other.h5", "r+") as file:
+import hashlib, sys
+import h5py
+with h5py.File(sys.argv[1], "r+") as file:
     file["provenance/revision"][...] = b"0123456789ab"
     for i, identity in enumerate(file["cases/identity"][()]):
         before = file["cases/key"][i].decode()
@@ -170,6 +172,16 @@ with h5py.File("other.h5", "r+") as file:
         if before in file["fields"]:
             file["fields"].move(before, key)
 )";
+  const std::string change =
+      "cd " + folder.string() + " && /usr/bin/python3 other.py " + file;
+  BOOST_TEST_REQUIRE(std::system(change.c_str()) == 0);
+}
+
+}  // namespace
+
+// Of the same cases by a program with other formulas: nothing takes its figures unasked,
+// and what is made of them says so.
+BOOST_AUTO_TEST_CASE(figures_of_other_revisions_are_told) {
   std::ofstream(folder / "other.toml")
       << "scene = 'compression'\nmethod = ['mss-cf', 'fem-stvk']\ncells = [2, 2, 2]\n";
   std::ofstream(folder / "other-gate.toml")
@@ -180,8 +192,7 @@ with h5py.File("other.h5", "r+") as file:
                     report = "report other.h5 --out other ",
                     accept = "--accept-other-revisions ";
   BOOST_TEST(run_springcheck(sweep).status == 0);
-  const std::string change = "cd " + folder.string() + " && /usr/bin/python3 other.py";
-  BOOST_TEST_REQUIRE(std::system(change.c_str()) == 0);
+  make_foreign("other.h5");
 
   const Run all = run_springcheck(sweep + "--dry-run");
   BOOST_TEST(all.out.find("2 cases, 2 of them to compute") != std::string::npos, all.out);
@@ -197,6 +208,9 @@ with h5py.File("other.h5", "r+") as file:
   BOOST_TEST(asked.status == 0, asked.out);
   BOOST_TEST(asked.out.find("taken where there are none of its own") !=
              std::string::npos);
+  BOOST_TEST(run_springcheck(gate + accept + "--junit other.xml").status == 0);
+  BOOST_TEST(text_of(folder / "other.xml").find("2 of 0123456789ab)") !=
+             std::string::npos);
   const Json json = json_of(gate + accept + "--json");
   BOOST_TEST(json["other_revisions"]["0123456789ab"] == 2);
   BOOST_TEST(json["accepts_other_revisions"] == true);
@@ -206,7 +220,8 @@ with h5py.File("other.h5", "r+") as file:
   const std::string note =
       "Made of cases of other revisions of the numerics (2 of 0123456789ab)";
   BOOST_TEST(text_of(folder / "other/tables/cases.md").find(note) != std::string::npos);
-  BOOST_TEST(text_of(folder / "other/index.html").find(note) != std::string::npos);
+  BOOST_TEST(text_of(folder / "other/index.html").find("id=\"revisions\">" + note) !=
+             std::string::npos);
   expect_bad_input("chart compression --out other.h5 --sizes 2",
                    "a file of cases of revision");
 
@@ -217,6 +232,52 @@ with h5py.File("other.h5", "r+") as file:
   BOOST_TEST(page.find("Made of cases of other revisions") == std::string::npos);
   BOOST_TEST(page.find("2 of 0123456789ab)") != std::string::npos);
   BOOST_TEST(run_springcheck(gate).status == 0);
+}
+
+// Nor is what was taken stored as this program's own.
+BOOST_AUTO_TEST_CASE(what_is_taken_of_other_revisions_stays_theirs) {
+  const std::string accept = " --accept-other-revisions ",
+                    table = "table 5.4 --format md ",
+                    map =
+                        "stability compression --method mss-nfd --cells 3,3,3 "
+                        "--over deformation=2%:30%:3 --out other-map.h5";
+  BOOST_TEST(run_springcheck(table + "--out other-table.h5").status == 0);
+  make_foreign("other-table.h5");
+  const Run taken =
+      run_springcheck(table + "--from other-table.h5 --out taken.h5" + accept);
+  BOOST_TEST(taken.status == 0, taken.err);
+  BOOST_TEST(taken.out.find(" of 0123456789ab)") != std::string::npos, taken.out);
+  expect_bad_input("report taken.h5 --out taken", "of 0123456789ab)");
+  BOOST_TEST(run_springcheck(table + "--from taken.h5 " + accept).out == taken.out);
+
+  BOOST_TEST(run_springcheck(map).status == 0);
+  make_foreign("other-map.h5");
+  const Run mapped = run_springcheck(map + accept);
+  BOOST_TEST(mapped.out.find("\n0 simulations computed") != std::string::npos,
+             mapped.out);
+  BOOST_TEST(mapped.out.find(" of 0123456789ab)") != std::string::npos, mapped.out);
+  const Run sheets = run_springcheck(map + accept + "--format md");
+  BOOST_TEST(sheets.out.find(" of 0123456789ab)") != std::string::npos, sheets.out);
+}
+
+// Two would mix their files: the second waits for nobody, and changes nothing.
+BOOST_AUTO_TEST_CASE(a_folder_takes_one_report_at_a_time) {
+  BOOST_TEST(run_springcheck("run compression --method mss-cf --cells 2,2,2 --out one.h5")
+                 .status == 0);
+  BOOST_TEST(run_springcheck("report one.h5 --out one").status == 0);
+  const std::string page = text_of(folder / "one/index.html");
+  const Run second =
+      run_springcheck("report one.h5 --out one", "flock one/index.html.lock ");
+  BOOST_TEST(second.status == 2);
+  BOOST_TEST(second.err.find("no other process writes") != std::string::npos, second.err);
+  // Beside what goes on of one whose springcheck was killed:
+  const Run third = run_springcheck("report one.h5 --out one", "flock one/data ");
+  BOOST_TEST(third.status != 0);
+  BOOST_TEST(third.err.find("another report is being made there") != std::string::npos,
+             third.err);
+  BOOST_TEST(text_of(folder / "one/index.html") == page);
+  BOOST_TEST(run_springcheck("report one.h5 --out one").status == 0);
+  BOOST_TEST(!fs::exists(folder / "one/index.html.lock"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -63,9 +63,14 @@ def _blocks(study, one, letters, names):
         for method in _methods(one)
     ]
     heading = Markup("<h3>{}: {} against {}</h3>").format(one["scene"], first["key"], second["key"])
-    words = [_conditions(one, case), *_limit_words(panels, first), *_theory_words(panels), *_progress(one)]
+    words = [_conditions(one, case), *_revision_words(one), *_limit_words(panels, first), *_theory_words(panels), *_progress(one)]
     figure = Figure(name, " ".join(words), failure_maps.draw, (vertical, horizontal, panels, letters))
     return [heading, figure, *_limits_table(study, one, name), _in_letters(one, letters)]
+
+
+def _revision_words(one):
+    others = one["other_revisions"]
+    return [f"Made with the numerics of {others.replace(',', ', ')}, not this program's."] if others else []
 
 
 def _new_name(name, names):

@@ -205,7 +205,8 @@ def _caption(one, is_own, words):
         "shaded band the truth itself is unsure, of deviations on the mesh where it is most so; the front "
         "counts what it may be off on each mesh; where all errors are far "
         "above it, its height is written alone. Crosses above the line are simulations that failed, at the "
-        f"time they took. Errors below an axis stand on it. Measured on {one['machine']}."
+        f"time they took. Errors below an axis stand on it. Measured on {one['machine']}"
+        + (f", with the numerics of {other}, not this program's." if (other := one["other_revision"]) else ".")
     )
 
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "comparisons/build_info/build_info.hpp"
 #include "comparisons/chart/chart.hpp"
 
 namespace springcheck {
@@ -32,7 +33,7 @@ inline Timing around(double seconds) {
 /// 1, 1/2 and 1/4; imposed .1 m on 2 m.
 struct ExampleChart {
   StoredChart chart{.scene = "compression",
-                    .settings = {},
+                    .settings = "of its models",
                     .law = "fem-stvk",
                     .answer = "plate_force",
                     .height = 2,
@@ -42,7 +43,8 @@ struct ExampleChart {
                                 .cell_sizes = {1, 0.5, 0.25},
                                 .keys = {"t1", "t2", "t3"}}},
                     .points = {},
-                    .comparisons = {}};
+                    .comparisons = {},
+                    .revision = build_info::revision};
   std::map<std::string, StoredCase> cases{{"t1", case_of(26, -0.01)},
                                           {"t2", case_of(14, -0.0175)},
                                           {"t3", case_of(11, -0.019375)}};

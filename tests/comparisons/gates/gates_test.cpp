@@ -365,7 +365,9 @@ BOOST_AUTO_TEST_CASE(junit_is_well_formed_and_counts) {
                 .gates_file = "gates.toml",
                 .results_file = "file.h5",
                 .gates = parse_gates(good, "gates.toml"),
-                .outcomes = {}};
+                .outcomes = {},
+                .others = {{"0123456789ab", 2}},
+                .revisions = Revisions::all};
   for (const Gate& gate : report.gates)
     report.outcomes.push_back(check(gate, table(), "file.h5"));
   report.outcomes[0].explanation += "\x01<]]>";
@@ -379,6 +381,8 @@ BOOST_AUTO_TEST_CASE(junit_is_well_formed_and_counts) {
   BOOST_TEST(suite.get<int>("<xmlattr>.failures") == 1);
   BOOST_TEST(suite.get<int>("<xmlattr>.errors") == 1);
   BOOST_TEST(suite.get<std::string>("testcase.failure.<xmlattr>.type") == "falls short");
+  const auto told = suite.get<std::string>("properties.property.<xmlattr>.value");
+  BOOST_TEST(told.find("2 of 0123456789ab") != std::string::npos, told);
   std::vector<std::string> names;
   for (const auto& [tag, test] : suite)
     if (tag == "testcase") names.push_back(test.get<std::string>("<xmlattr>.name"));

@@ -486,6 +486,125 @@ BOOST_AUTO_TEST_CASE(figures_of_other_revisions_are_taken_when_asked_for) {
   BOOST_TEST(!stored_keys(file).substitutes.contains(results[0].key));
 }
 
+// What another revision began and this one went on with is of neither's cases.
+BOOST_AUTO_TEST_CASE(a_result_is_stored_under_its_own_revision) {
+  const OwnFolder own;
+  const auto file = own.path / "a.h5";
+  MeshStore meshes;
+  auto results = study(requests(run_of("compression", small)), meshes);
+  const std::string key = results[0].key, both = other_revision + "+ours";
+  const Mesh& mesh = meshes.mesh(results[0].request.settings.body);
+  results[0].revision = both;
+  results[0].key = key_of_identity(case_identity(results[0].request, mesh), both);
+  write_results(file, results, meshes);
+  BOOST_TEST((stored_keys(file).others == OtherRevisions{{both, 1}}));
+  BOOST_TEST(!read_results(file, Revisions::own).contains(key));
+  BOOST_TEST(read_results(file, Revisions::own).contains(results[1].key));
+  BOOST_TEST(read_results(file, Revisions::all).at(key).revision == both);
+}
+
+BOOST_AUTO_TEST_CASE(of_several_other_revisions_the_newest_is_taken) {
+  const OwnFolder own;
+  const auto older = own.path / "older.h5", newer = own.path / "newer.h5";
+  MeshStore meshes;
+  const auto results = study(requests(run_of("compression", small)), meshes);
+  for (const auto& [file, revision, date] :
+       {std::tuple(older, std::string(12, '1'), "2025-01-02T03:04:05Z"),
+        {newer, other_revision, "2025-11-02T03:04:05Z"}}) {
+    write_results(file, results, meshes);
+    make_foreign(file, revision);
+    const hdf5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
+                            "a");
+    const auto sessions = hdf5::open_group(root, "provenance");
+    Row session = row_at(read_columns(sessions), 0);
+    session["date"] = std::string(date);
+    replace_row(sessions, 0, session);
+  }
+  ResultFile(newer).absorb(older);  // which adds the older rows behind the newer
+  BOOST_TEST(all_cases(newer).rows == 4U);
+  for (const auto& [key, stored] : read_results(newer, Revisions::all))
+    BOOST_TEST(stored.revision == other_revision);
+}
+
+// ParaView opens what the file holds, and what a report is of.
+BOOST_AUTO_TEST_CASE(grids_of_other_revisions_say_so) {
+  const OwnFolder own;
+  const auto file = own.path / "a.h5", xdmf = own.path / "b.xdmf";
+  MeshStore meshes;
+  const auto results = study(requests(run_of("compression", small)), meshes);
+  write_results(file, results, meshes);
+  make_foreign(file, other_revision);
+  write_results(file, std::span(results).first(1), meshes);
+  const auto grids = [](const fs::path& path, const std::string& ending) {
+    std::size_t count = 0;
+    std::ifstream lines(path);
+    for (std::string line; std::getline(lines, line);)
+      count += line.starts_with("<Grid ") && line.ends_with(ending + "\">");
+    return count;
+  };
+  const std::string told = " of revision " + other_revision;
+  BOOST_TEST(grids(own.path / "a.xdmf", "") == 3U);
+  BOOST_TEST(grids(own.path / "a.xdmf", told) == 2U);
+  write_xdmf_for(file, xdmf, Revisions::own);
+  BOOST_TEST(grids(xdmf, "") == 1U);
+  BOOST_TEST(grids(xdmf, told) == 0U);
+  write_xdmf_for(file, xdmf, Revisions::all);
+  BOOST_TEST(grids(xdmf, "") == 2U);
+  BOOST_TEST(grids(xdmf, told) == 1U);
+}
+
+// By the measures that a sum may cancel against, not by those of another unit.
+BOOST_AUTO_TEST_CASE(rounding_is_told_by_the_measures_of_one_unit) {
+  const OwnFolder own;
+  const auto a = own.path / "a.h5", b = own.path / "b.h5";
+  MeshStore meshes;
+  auto results = study(requests(run_of("compression", small)), meshes);
+  results.resize(1);
+  Measures& m = results[0].measures;
+  m.plate_force = 1e9;
+  m.plate_torque = 1e-6;
+  m.volume_error = 1e-4;
+  write_results(a, results, meshes);
+  const auto merged = [&](const auto& change) {
+    CaseResult other = results[0];
+    change(other.measures);
+    fs::remove(b);
+    write_results(b, {&other, 1}, meshes);
+    return ResultFile(a).absorb(b);
+  };
+  const auto torque = merged([](Measures& other) { other.plate_torque = 2e-6; });
+  BOOST_TEST(torque.conflicts.empty());
+  BOOST_TEST(torque.roundings.size() == 1U);
+  const auto volume = merged([](Measures& other) { other.volume_error = 1.02e-4; });
+  BOOST_TEST(volume.conflicts.size() == 1U);
+  const auto force = merged([](Measures& other) { other.plate_force = 1e9 + 2; });
+  BOOST_TEST(force.conflicts.size() == 1U);
+}
+
+// A key of another's making must not lead elsewhere in the file.
+BOOST_AUTO_TEST_CASE(keys_that_are_paths_are_refused) {
+  const OwnFolder own;
+  const auto file = own.path / "a.h5";
+  MeshStore meshes;
+  const auto results = study(requests(run_of("compression", small)), meshes);
+  write_results(file, results, meshes);
+  for (const char* column : {"key", "mesh"})
+    for (const char* name : {"/evil", "a/b", "."}) {
+      const auto bad = own.path / "bad.h5";
+      fs::copy_file(file, bad, fs::copy_options::overwrite_existing);
+      {
+        const hdf5::Handle root(H5Fopen(bad.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
+                                "bad");
+        const auto cases = hdf5::open_group(root, "cases");
+        Row row = row_at(read_columns(cases), 0);
+        row[column] = std::string(name);
+        replace_row(cases, 0, row);
+      }
+      BOOST_CHECK_THROW(all_cases(bad), InputError);
+      BOOST_CHECK_THROW(ResultFile(own.path / "c.h5").absorb(bad), InputError);
+    }
+}
+
 // Nobody can tell what was asked but by the columns: gates can, tables cannot.
 BOOST_AUTO_TEST_CASE(files_older_than_revisions_keep_their_keys) {
   const OwnFolder own;

@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "comparisons/build_info/build_info.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "tests/comparisons/chart/example_chart.hpp"
 #include "tests/comparisons/own_folder.hpp"
@@ -51,7 +52,8 @@ BOOST_AUTO_TEST_CASE(files_of_one_chart_give_all_its_points) {
   }
   ResultFile(own.path / "first.h5").absorb(own.path / "second.h5");
 
-  const std::vector<StoredChart> charts = read_charts(own.path / "first.h5");
+  const std::vector<StoredChart> charts =
+      read_charts(own.path / "first.h5", Revisions::all);
   BOOST_TEST_REQUIRE(charts.size() == 2U);  // of each machine
   const StoredChart& both = charts[0].machine == "another" ? charts[1] : charts[0];
   BOOST_TEST_REQUIRE(both.points.size() == 3U);
@@ -70,10 +72,23 @@ BOOST_AUTO_TEST_CASE(why_a_point_was_left_out_is_kept) {
   chart.points[1].timing.reset();
   chart.points[1].left_out = "over memory";
   ResultFile(own.path / "one.h5").put_chart(chart);
-  const StoredChart read = read_charts(own.path / "one.h5").at(0);
+  const StoredChart read = read_charts(own.path / "one.h5", Revisions::all).at(0);
   BOOST_TEST(!read.points[0].left_out.has_value());
   BOOST_TEST(read.points[1].left_out.value() == "over memory");
   BOOST_TEST(!read.points[1].timing.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(charts_of_other_revisions_are_taken_when_asked_for) {
+  const OwnFolder own;
+  const auto file = own.path / "one.h5";
+  StoredChart chart = with_points({{"mss-cf", 4}});
+  chart.revision = "0123456789ab";
+  ResultFile(file).put_chart(chart);
+  BOOST_TEST(read_charts(file, Revisions::own).empty());
+  BOOST_TEST(read_charts(file, Revisions::all).size() == 1U);
+  chart.revision = build_info::revision;
+  ResultFile(file).put_chart(chart);
+  BOOST_TEST(read_charts(file, Revisions::own).size() == 1U);
 }
 
 BOOST_AUTO_TEST_CASE(times_that_are_none_are_refused) {
@@ -82,9 +97,10 @@ BOOST_AUTO_TEST_CASE(times_that_are_none_are_refused) {
   StoredChart chart = with_points({{"mss-cf", 4}});
   chart.points[0].times = {{0.1, 0.125}, {0.2}};
   ResultFile(file).put_chart(chart);
-  BOOST_TEST((read_charts(file).at(0).points[0].times == chart.points[0].times));
+  BOOST_TEST(
+      (read_charts(file, Revisions::all).at(0).points[0].times == chart.points[0].times));
   for (const char* times : {"0.1;;0.2", "0.1,", "0.1;", ";0.1", ",", "0.1 ", "a", "nan",
-                            "1e999", "0.1:0.2"}) {
+                            "1e999", "0.1:0.2", "0", "-1,2", "1e-320"}) {
     {
       const hdf5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
                               "chart");
@@ -95,10 +111,11 @@ BOOST_AUTO_TEST_CASE(times_that_are_none_are_refused) {
       row["times"] = std::string(times);
       replace_row(points, 0, row);
     }
-    BOOST_CHECK_EXCEPTION(read_charts(file), InputError, [&](const InputError& error) {
-      return std::string(error.what()).find("'" + std::string(times) + "'") !=
-             std::string::npos;
-    });
+    BOOST_CHECK_EXCEPTION(
+        read_charts(file, Revisions::all), InputError, [&](const InputError& error) {
+          return std::string(error.what()).find("'" + std::string(times) + "'") !=
+                 std::string::npos;
+        });
   }
 }
 

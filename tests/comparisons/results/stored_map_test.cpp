@@ -2,9 +2,13 @@
 
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "comparisons/build_info/build_info.hpp"
 #include "comparisons/stability/atlas.hpp"
 #include "comparisons/stability/atlas_json.hpp"
+#include "comparisons/store/hdf5.hpp"
+#include "meshing/input_error.hpp"
 #include "tests/comparisons/own_folder.hpp"
 
 using namespace springcheck;
@@ -32,7 +36,8 @@ StoredMap planned() {
           .axes = {"deformation", "nu"},
           .points = {{.method = "mss-cf", .values = {"2%", "0.1"}, .key = "a"},
                      {.method = "mss-cf", .values = {"4%", "0.1"}, .key = "b"}},
-          .limits = {}};
+          .limits = {},
+          .revision = build_info::revision};
 }
 
 StoredMap completed() {
@@ -119,8 +124,61 @@ BOOST_AUTO_TEST_CASE(maps_are_merged) {
   ResultFile(whole).put_map(completed(), MapState::complete);
   ResultFile(part).put_map(planned(), MapState::planned);
   for (const auto& from : {part, whole, part}) ResultFile(none).absorb(from);
-  BOOST_TEST_REQUIRE(read_maps(none).size() == 1U);
-  BOOST_TEST(read_maps(none)[0].limits.size() == 1U);
+  BOOST_TEST_REQUIRE(read_maps(none, Revisions::own).size() == 1U);
+  BOOST_TEST(read_maps(none, Revisions::own)[0].limits.size() == 1U);
+}
+
+// Neither limits nor points of others are shown as this program's, and merging keeps
+// both.
+BOOST_AUTO_TEST_CASE(maps_are_told_apart_by_revision) {
+  const OwnFolder folder;
+  const auto ours = folder.path / "ours.h5", theirs = folder.path / "theirs.h5";
+  StoredMap older = completed(), mixed = completed();
+  older.revision = "0123456789ab";
+  older.limits[0].low = 7;
+  mixed.other_revisions = "0123456789ab";
+  mixed.limits[0].low = 8;
+  mixed.points[0].key = "of theirs";
+  ResultFile(theirs).put_map(older, MapState::complete);
+  ResultFile(theirs).put_map(mixed, MapState::complete);
+  BOOST_TEST(read_maps(theirs, Revisions::own).empty());
+  BOOST_TEST(atlas_json(theirs, Revisions::own)["maps"].empty());
+  std::set<std::string> seen;
+  const auto taken = atlas_json(theirs, Revisions::all)["maps"];
+  for (const auto& map : taken) seen.insert(map["other_revisions"].get<std::string>());
+  BOOST_TEST((seen == std::set<std::string>{"0123456789ab"}));
+  BOOST_TEST(taken.size() == 2U);
+
+  ResultFile(ours).absorb(theirs);
+  ResultFile(ours).put_map(completed(), MapState::complete);
+  ResultFile(ours).absorb(theirs);
+  for (const Revisions revisions : {Revisions::own, Revisions::all}) {
+    const auto maps = atlas_json(ours, revisions)["maps"];
+    BOOST_TEST_REQUIRE(maps.size() == 1U);  // others only where there are none of its own
+    BOOST_TEST(maps[0]["other_revisions"] == "");
+    BOOST_TEST(maps[0]["limits"][0]["low"] == 2.5);
+  }
+}
+
+// Texts that no JSON can hold, or none: of the file, told with its name.
+BOOST_AUTO_TEST_CASE(maps_without_sound_texts_are_refused) {
+  const OwnFolder folder;
+  const auto file = folder.path / "atlas.h5";
+  for (const char* scene : {"", "\xff"}) {
+    {
+      ResultFile(file).put_map(completed(), MapState::complete);
+      const hdf5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
+                              "atlas");
+      const auto map =
+          hdf5::open_group(hdf5::open_group(root, "maps"), identity_of(completed()));
+      H5Adelete(map, "scene");
+      hdf5::write_attribute(map, "scene", std::string(scene));
+    }
+    BOOST_CHECK_EXCEPTION(
+        read_maps(file, Revisions::own), InputError, [&](const InputError& error) {
+          return std::string(error.what()).find("scene") != std::string::npos;
+        });
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "comparisons/build_info/build_info.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/lock_file.hpp"
@@ -29,9 +30,7 @@ constexpr std::size_t nodes = 1000;
 
 /// Whose settings are no more than its name.
 CheckpointOwner owner(const std::string& name) {
-  return {.key = name,
-          .identity = "identity of " + name,
-          .settings = {{"nu", 0.25}, {"scene", name}}};
+  return {.identity = "identity of " + name, .settings = {{"nu", 0.25}, {"scene", name}}};
 }
 
 /// Numbers that decimal text would not keep, and some that are none.
@@ -163,7 +162,6 @@ BOOST_AUTO_TEST_CASE(what_is_no_checkpoint_of_this_case_is_refused) {
       {"run.h5", "another case", "expected scene = \"ours\"", "got scene = \"theirs\""});
   {  // the same settings, another mesh
     CheckpointOwner other = owner("theirs");
-    other.key = "of another mesh";
     other.identity = "of another mesh";
     BOOST_CHECK_EXCEPTION((void)read_checkpoint(file, other, nodes), InputError,
                           [](const InputError& error) {
@@ -193,18 +191,16 @@ BOOST_AUTO_TEST_CASE(what_is_no_checkpoint_of_this_case_is_refused) {
     const hdf5::Handle root(
         H5Fcreate(foreign.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
         "foreign");
-    hdf5::write_attribute(root, "case", std::string("ours"));
+    hdf5::write_attribute(root, "identity", std::string("identity of ours"));
   }
-  expect_refused(foreign, "ours", nodes, {"foreign.h5"});
+  expect_refused(foreign, "ours", nodes, {"foreign.h5", "'layout'"});
 }
 
 // The same case, computed until then by other formulas: that must be asked for.
 BOOST_AUTO_TEST_CASE(a_checkpoint_of_another_revision_is_taken_when_asked_for) {
   const OwnFolder folder;
   const fs::path file = folder.path / "run.h5";
-  CheckpointOwner theirs = owner("ours");
-  theirs.key = "of another revision";
-  write_checkpoint(file, theirs, checkpoint_at(5));
+  write_checkpoint(file, owner("ours"), checkpoint_at(5));
   {
     const hdf5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
                             "run");
@@ -214,8 +210,19 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_of_another_revision_is_taken_when_asked_for) {
   expect_refused(
       file, "ours", nodes,
       {"run.h5", "another revision", "0123456789ab", "--accept-other-revisions"});
-  check_same(read_checkpoint(file, owner("ours"), nodes, Revisions::all).value(),
-             checkpoint_at(5));
+  const CaseCheckpoint taken =
+      read_checkpoint(file, owner("ours"), nodes, Revisions::all).value();
+  check_same(taken, checkpoint_at(5));
+
+  // What goes on from it is of both, and stays so wherever it goes on.
+  const std::string both = "0123456789ab+" + std::string(build_info::revision);
+  BOOST_TEST(taken.revision == both);
+  CaseCheckpoint further = checkpoint_at(6);
+  further.revision = taken.revision;
+  write_checkpoint(file, owner("ours"), further);
+  expect_refused(file, "ours", nodes, {"another revision", both});
+  const auto again = read_checkpoint(file, owner("ours"), nodes, Revisions::all);
+  BOOST_TEST(again.value().revision == both);
 }
 
 BOOST_AUTO_TEST_CASE(a_truncated_file_is_refused_wherever_it_ends) {

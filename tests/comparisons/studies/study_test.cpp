@@ -1,5 +1,6 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
+#include <map>
 #include <new>
 #include <set>
 #include <stdexcept>
@@ -100,6 +101,36 @@ BOOST_AUTO_TEST_CASE(known_references_are_taken_with_their_fields) {
           .front();
   BOOST_TEST(simulations == 1U);
   BOOST_TEST(*result.measures.mean_deviation == *computed.measures.mean_deviation);
+}
+
+// Nothing of this program's is made of what another revision computed: a case that lacks
+// some of its parts has all of them computed. Whole ones stay what they are.
+BOOST_AUTO_TEST_CASE(results_of_other_revisions_are_taken_whole_or_not_at_all) {
+  MeshStore meshes;
+  const Request request = requests(run_of("compression", small)).front();
+  const Request alone{.settings = request.settings},
+      truth{.settings = *request.reference};
+  const std::vector<CaseResult> computed = study({request, alone, truth}, meshes, 1);
+  std::map<std::string, CaseResult> foreign;
+  for (const std::size_t part : {1U, 2U}) {
+    CaseResult result = computed[part];
+    for (Vector3& u : result.solution.displacements) u *= 1.5;
+    result.key = "in its file";
+    result.revision = "0123456789ab";
+    foreign.emplace(computed[part].key, std::move(result));
+  }
+  const KnownResult known = [&](const Request&,
+                                const std::string& key) -> std::optional<CaseResult> {
+    const auto found = foreign.find(key);
+    return found == foreign.end() ? std::nullopt : std::optional(found->second);
+  };
+  const std::vector<CaseResult> results = run_study(
+      {request, alone}, meshes, 1, [](std::size_t, std::size_t) {}, known);
+  BOOST_TEST(results[0].key == computed[0].key);
+  BOOST_TEST(results[0].revision.empty());
+  BOOST_TEST((results[0].deviation == computed[0].deviation));
+  BOOST_TEST(results[1].key == "in its file");
+  BOOST_TEST(results[1].revision == "0123456789ab");
 }
 
 // Nearly incompressible and crushed to four tenths of its height, the lattice folds over.
