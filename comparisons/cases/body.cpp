@@ -125,4 +125,18 @@ const Mesh& MeshStore::mesh(const Body& body) {
   return *meshes_.back().second;
 }
 
+std::size_t MeshStore::cells() {
+  const std::lock_guard lock(one_at_a_time_);
+  std::size_t all = 0;
+  for (const auto& [body, mesh] : meshes_) all += mesh->cells().size();
+  return all;
+}
+
+const std::string& MeshHashes::of(const Body& body) {
+  const auto known =
+      std::ranges::find(hashes_, body, &decltype(hashes_)::value_type::first);
+  if (known != hashes_.end()) return known->second;
+  return hashes_.emplace_back(body, build_mesh(body).sha256()).second;
+}
+
 }  // namespace springcheck

@@ -80,9 +80,21 @@ class MeshStore {
  public:
   const Mesh& mesh(const Body& body);
 
+  /// Of all meshes together.
+  [[nodiscard]] std::size_t cells();
+
  private:
   std::mutex one_at_a_time_;
   std::vector<std::pair<Body, std::unique_ptr<const Mesh>>> meshes_;
+};
+
+/// SHA-256 of bodies' meshes, each of which is built once and let go.
+class MeshHashes {
+ public:
+  const std::string& of(const Body& body);
+
+ private:
+  std::vector<std::pair<Body, std::string>> hashes_;
 };
 
 }  // namespace springcheck

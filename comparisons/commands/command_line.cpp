@@ -197,7 +197,7 @@ int run_arguments(int argc, char** argv) {
         "--accept-other-revisions", accepts_others,
         std::string(taken) +
             " of other revisions of the numerics are taken, where there are "
-            "none of this program's");
+            "none of this program's, and what is made of them says so");
   };
   const auto output = [&] { return json ? Output::json : Output::text; };
   const auto add_threads = [&](CLI::App* command) {

@@ -8,6 +8,7 @@
 
 #include "comparisons/commands/report_command.hpp"
 #include "comparisons/results/known_results.hpp"
+#include "comparisons/running/progress.hpp"
 #include "comparisons/sweeps/sweep_file.hpp"
 #include "comparisons/sweeps/sweep_run.hpp"
 #include "comparisons/tables/catalogue.hpp"
@@ -43,15 +44,20 @@ void sweep_into(ResultFile& file, const std::filesystem::path& path,
        {"nu", "refinement", "deformation", "diagonal-ratio", "beam-diagonal-ratio"}) {
     const Sweep sweep = read_sweep(name, SIZE_MAX);
     std::vector<Request> missing;
-    for (const Request& request : sweep.requests) {
+    for (const Request& request : all_requests(sweep)) {
       const std::string key = case_key(request, meshes.mesh(request.settings.body));
       const bool has_fields =
           !sweep.with_fields || file.stored().with_fields.contains(key);
       if ((!stored.contains(key) || !has_fields) && done.insert(key).second)
         missing.push_back(request);
     }
-    run_into(file, missing, sweep.with_fields, meshes, parallel,
-             only_with_fields(known_from(stored, meshes)));
+    SweepOutcome outcome;
+    Progress progress("simulations");
+    run_into(
+        file, missing, sweep.with_fields, meshes, parallel,
+        only_with_fields(known_from(stored, meshes)),
+        [&](std::size_t now, std::size_t of) { progress.show(now, of); }, outcome);
+    if (outcome.failure) std::rethrow_exception(outcome.failure);
   }
 }
 

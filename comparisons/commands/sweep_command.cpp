@@ -4,13 +4,13 @@
 
 #include <charconv>
 #include <cstdio>
+#include <exception>
 #include <map>
-#include <set>
 
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/running/cost.hpp"
 #include "comparisons/running/memory.hpp"
-#include "comparisons/sweeps/sweep_file.hpp"
+#include "comparisons/sweeps/planned_cases.hpp"
 #include "comparisons/sweeps/sweep_run.hpp"
 #include "meshing/input_error.hpp"
 
@@ -19,36 +19,20 @@ namespace {
 
 constexpr std::size_t unasked = 1'000'000;
 
-/// The requests of this shard, each key once, and their keys.
-struct Wanted {
-  std::vector<Request> requests;
-  std::vector<std::string> keys;
-};
-
-Wanted wanted_of(const Sweep& sweep, const SweepOptions& options, MeshStore& meshes) {
-  Wanted wanted;
-  std::set<std::string> seen;
-  for (const Request& request : sweep.requests) {
-    const std::string key = case_key(request, meshes.mesh(request.settings.body));
-    if (!seen.insert(key).second) continue;
-    const auto place =
-        static_cast<int>((seen.size() - 1) % static_cast<std::size_t>(options.shards));
-    if (place + 1 != options.shard) continue;
-    wanted.requests.push_back(request);
-    wanted.keys.push_back(key);
-  }
-  return wanted;
-}
-
 /// What is to be computed.
-std::vector<Request> missing_of(const Wanted& wanted, const StoredKeys& stored,
-                                const Sweep& sweep, const SweepOptions& options) {
-  std::vector<Request> missing;
-  for (std::size_t i = 0; i < wanted.keys.size(); ++i) {
-    const auto other = stored.substitutes.find(wanted.keys[i]);
+std::vector<PlannedCase> missing_of(const std::vector<PlannedCase>& wanted,
+                                    const StoredKeys& stored, const Sweep& sweep,
+                                    MeshHashes& meshes, const SweepOptions& options) {
+  if (stored.statuses.empty() && !options.only_failed) return wanted;
+  std::vector<PlannedCase> missing;
+  for (const PlannedCase& planned : wanted) {
+    const Request request = request_of(sweep, planned);
+    const std::string own_key =
+        key_of_identity(case_identity(request, meshes.of(request.settings.body)));
+    const auto other = stored.substitutes.find(own_key);
     const bool is_accepted =
         options.revisions == Revisions::all && other != stored.substitutes.end();
-    const std::string& key = is_accepted ? other->second : wanted.keys[i];
+    const std::string& key = is_accepted ? other->second : own_key;
     const auto known = stored.statuses.find(key);
     // Of a refused case there never are fields.
     const bool is_there = known != stored.statuses.end() &&
@@ -56,7 +40,7 @@ std::vector<Request> missing_of(const Wanted& wanted, const StoredKeys& stored,
                            known->second == Status::refused);
     const bool failed = known != stored.statuses.end() && known->second != Status::ok;
     if (options.only_failed ? failed : options.recompute || !is_there)
-      missing.push_back(wanted.requests[i]);
+      missing.push_back(planned);
   }
   return missing;
 }
@@ -68,13 +52,17 @@ std::string duration(double seconds) {
 }
 
 /// What the sweep would do.
-void print_estimate(const std::vector<Request>& missing, const SweepOptions& options) {
+void print_estimate(const std::vector<PlannedCase>& missing, const Sweep& sweep,
+                    const SweepOptions& options) {
   double memory = 0;
-  for (const Request& request : missing)
+  CostEstimate cost;
+  for (const PlannedCase& planned : missing) {
+    const Request request = request_of(sweep, planned);
     memory = std::max(memory, estimated_memory(request.settings));
+    cost.add(request);
+  }
   fmt::print("about {} on {} at once, {:.1f} GB for the largest\n",
-             duration(estimated_seconds(missing) / options.jobs), options.jobs,
-             memory / 1e9);
+             duration(cost.seconds() / options.jobs), options.jobs, memory / 1e9);
 }
 
 std::string counts(const std::map<Status, int>& count) {
@@ -105,33 +93,35 @@ void set_shard(SweepOptions& options, const std::string& text) {
 ExitStatus sweep_command(const std::string& name_or_path,
                          const std::filesystem::path& file, const SweepOptions& options) {
   const Sweep sweep = read_sweep(name_or_path, options.yes ? SIZE_MAX : unasked);
-  check_memory(name_or_path, sweep.requests);
-  MeshStore meshes;
-  const Wanted wanted = wanted_of(sweep, options, meshes);
+  MeshHashes meshes;
+  const std::vector<PlannedCase> wanted =
+      planned_cases(sweep, meshes, options.shard, options.shards);
+  const auto told = [&](const std::vector<PlannedCase>& missing) {
+    fmt::print("{}: {} cases, {} of them to compute\n", sweep.name, wanted.size(),
+               missing.size());
+  };
   if (options.dry_run) {  // beside a writer, too
     const bool exists = std::filesystem::exists(file);
-    const std::vector<Request> missing =
-        missing_of(wanted, exists ? stored_keys(file) : StoredKeys{}, sweep, options);
-    fmt::print("{}: {} cases, {} of them to compute\n", sweep.name, wanted.keys.size(),
-               missing.size());
-    print_estimate(missing, options);
+    const std::vector<PlannedCase> missing = missing_of(
+        wanted, exists ? stored_keys(file) : StoredKeys{}, sweep, meshes, options);
+    told(missing);
+    print_estimate(missing, sweep, options);
     return ExitStatus::done;
   }
   ResultFile results(file);
   if (sweep.with_fields) check_xdmf_writable(file);
   warn_of_other_revisions(file, results.stored(), options.revisions);
-  const std::vector<Request> missing =
-      missing_of(wanted, results.stored(), sweep, options);
-  fmt::print("{}: {} cases, {} of them to compute\n", sweep.name, wanted.keys.size(),
-             missing.size());
+  const std::vector<PlannedCase> missing =
+      missing_of(wanted, results.stored(), sweep, meshes, options);
+  told(missing);
   std::fflush(stdout);  // into a pipe, too, whatever becomes of what follows
-  const SweepOutcome outcome =
-      run_into(results, missing, sweep.with_fields, meshes, options.jobs, {});
+  const SweepOutcome outcome = run_cases(results, sweep, missing, options.jobs);
   if (!outcome.count.empty()) fmt::print("computed: {}\n", counts(outcome.count));
   for (const auto& [reason, cases] : outcome.reasons)
     fmt::print("  {} {}, {}: {}\n", cases, name_of(reason.status), reason.method,
                reason.words);
   if (sweep.with_fields && !missing.empty()) write_xdmf_beside(file);
+  if (outcome.failure) std::rethrow_exception(outcome.failure);
   return ExitStatus::done;
 }
 

@@ -20,12 +20,14 @@ const std::vector<Described>& file_layout() {
        "with prisms or several types "
        "xdmf_topology, the same cells for ParaView"},
       {"/maps/SHA256",
-       "maps of `springcheck stability`: attributes scene, first, second (settings); "
+       "maps of `springcheck stability`: attributes scene, first, second (settings), "
+       "revision, other_revisions (of cases that were taken all the same); "
        "points (columns method, first, second, key, control: the case that locking is "
        "judged by), limits (method, second, low, high, failure, key)"},
       {"/charts/SHA256",
        "charts of `springcheck chart`: attributes scene, settings, law, answer, height, "
-       "imposed, machine; truths (law, size_1 to size_3, key_1 to key_3), points "
+       "imposed, machine, revision; truths (law, size_1 to size_3, key_1 to key_3), "
+       "points "
        "(model, kind, across, cells, nodes, threads, key, left_out, setup, simulated, "
        "times, repetitions, minimum, lower_quartile, median, upper_quartile, maximum), "
        "comparisons (key, law, compared)"},

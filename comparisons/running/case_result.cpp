@@ -9,8 +9,12 @@
 namespace springcheck {
 
 std::string case_identity(const Request& request, const Mesh& mesh) {
+  return case_identity(request, mesh.sha256());
+}
+
+std::string case_identity(const Request& request, const std::string& mesh_sha256) {
   nlohmann::json all{{"settings", settings_json(request.settings)},
-                     {"mesh", mesh.sha256()}};
+                     {"mesh", mesh_sha256}};
   if (request.reference) all["reference"] = settings_json(*request.reference);
   if (request.reference_grid == ReferenceGrid::converged)
     all["reference-grid"] = "converged";

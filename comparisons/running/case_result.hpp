@@ -30,6 +30,7 @@ struct CaseResult {
 
 /// SHA-256 of settings, reference and mesh: what was asked.
 std::string case_identity(const Request& request, const Mesh& mesh);
+std::string case_identity(const Request& request, const std::string& mesh_sha256);
 
 /// SHA-256 of an identity and a revision of the numerics, this program's where none is
 /// given: what its figures are stored under.

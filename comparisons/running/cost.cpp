@@ -2,8 +2,9 @@
 #include "comparisons/settings/case_json.hpp"
 
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <string>
 
 namespace springcheck {
 namespace {
@@ -26,7 +27,7 @@ double seconds_of_dynamics(const CaseSettings& settings) {
   return in_motion * shorter * settings.dynamics.duration;
 }
 
-double seconds(const CaseSettings& settings) {
+double seconds_of(const CaseSettings& settings) {
   const auto [nx, ny, nz] = element_nodes(settings);
   const double larger = nx * ny * nz / nodes_there;
   if (goes_through_time(settings)) return seconds_of_dynamics(settings) * larger;
@@ -35,17 +36,15 @@ double seconds(const CaseSettings& settings) {
 
 }  // namespace
 
-double estimated_seconds(const std::vector<Request>& requests) {
-  double total = 0;
-  std::set<std::string> seen;
-  const auto add = [&](const CaseSettings& settings) {
-    if (seen.insert(settings_json(settings).dump()).second) total += seconds(settings);
-  };
-  for (const Request& request : requests) {
-    add(request.settings);
-    for (const CaseSettings& reference : reference_cases(request)) add(reference);
-  }
-  return total;
+void CostEstimate::add(const CaseSettings& settings) {
+  const std::string told = settings_json(settings).dump();
+  if (seen_.insert(std::hash<std::string>{}(told)).second)
+    seconds_ += seconds_of(settings);
+}
+
+void CostEstimate::add(const Request& request) {
+  add(request.settings);
+  for (const CaseSettings& reference : reference_cases(request)) add(reference);
 }
 
 }  // namespace springcheck

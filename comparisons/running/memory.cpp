@@ -20,9 +20,8 @@ double estimated_mesh_memory(const Body& body) {
   return program + per_cell * estimated_cells(body);
 }
 
-void refuse_if_too_large(const std::string& place, const std::string& what,
-                         double bytes) {
-  const double available = available_memory();
+void refuse_if_too_large(const std::string& place, const std::string& what, double bytes,
+                         double available) {
   if (bytes > available)
     throw InputError(
         place, what,
@@ -48,9 +47,9 @@ void refuse_if_uncountable(const std::string& place, const std::string& what,
 }
 
 void check_case(const std::string& place, const std::string& what,
-                const CaseSettings& settings) {
+                const CaseSettings& settings, double available) {
   refuse_if_uncountable(place, what, settings);
-  refuse_if_too_large(place, what, estimated_memory(settings));
+  refuse_if_too_large(place, what, estimated_memory(settings), available);
 }
 
 }  // namespace
@@ -83,17 +82,22 @@ double estimated_memory(const CaseSettings& settings) {
 }
 
 void check_mesh_memory(const std::string& place, const Body& body) {
-  refuse_if_too_large(place, "mesh", estimated_mesh_memory(body));
+  refuse_if_too_large(place, "mesh", estimated_mesh_memory(body), available_memory());
 }
 
 void check_memory(const std::string& place, const std::vector<Request>& requests) {
+  check_memory(place, requests, available_memory());
+}
+
+void check_memory(const std::string& place, const std::vector<Request>& requests,
+                  double available) {
   for (const Request& request : requests) {
-    check_case(place, label(request.settings), request.settings);
+    check_case(place, label(request.settings), request.settings, available);
     for (const CaseSettings& reference : reference_cases(request))
       check_case(place,
                  fmt::format("{} on {} cells", label(reference),
                              fmt::join(reference.body.block.cells, " x ")),
-                 reference);
+                 reference, available);
   }
 }
 

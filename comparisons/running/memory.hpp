@@ -18,4 +18,8 @@ void check_mesh_memory(const std::string& place, const Body& body);
 /// Allocates nothing itself.
 void check_memory(const std::string& place, const std::vector<Request>& requests);
 
+/// The same with `available` bytes.
+void check_memory(const std::string& place, const std::vector<Request>& requests,
+                  double available);
+
 }  // namespace springcheck

@@ -20,12 +20,6 @@
 namespace springcheck {
 namespace {
 
-/// A key with the values it takes in turn.
-struct Choices {
-  std::string key;
-  std::vector<Given> values;
-};
-
 /// Keys whose one value is a list of numbers.
 bool is_list_valued(std::string_view key) {
   const Setting* setting = find_setting(key);
@@ -143,10 +137,9 @@ std::vector<std::vector<Choices>> products(const toml::table& table,
   return all;
 }
 
-double size_of(const std::vector<Choices>& product) {
-  double size = 1;
-  for (const Choices& choices : product)
-    size *= static_cast<double>(choices.values.size());
+std::size_t size_of(const std::vector<Choices>& product) {
+  std::size_t size = 1;
+  for (const Choices& choices : product) size *= choices.values.size();
   return size;
 }
 
@@ -163,29 +156,31 @@ std::vector<GivenSetting> combination(const std::vector<Choices>& product,
   return settings;
 }
 
-/// Scenes, each read once.
-class Scenes {
- public:
-  const SceneFile& operator()(const Given& name) {
-    const auto [place, is_new] = scenes_.try_emplace(name.text());
-    if (is_new) place->second = read_scene(name);
-    return place->second;
+/// Throws InputError for more than `most` combinations.
+void check_count(const Sweep& sweep, std::size_t most) {
+  double count = 0;  // a size_t may run over
+  for (const auto& product : sweep.products) {
+    double size = 1;
+    for (const Choices& choices : product)
+      size *= static_cast<double>(choices.values.size());
+    count += size;
   }
+  if (count > static_cast<double>(most))
+    throw InputError(sweep.file, "cases", fmt::format("at most {} without --yes", most),
+                     fmt::format("{:.0f}", count));
+}
 
- private:
-  std::map<std::string, SceneFile> scenes_;
-};
-
-std::vector<Request> requests_of(const std::vector<GivenSetting>& settings,
-                                 Scenes& scenes, const std::string& file) {
-  const auto named = std::ranges::find(settings, "scene", &GivenSetting::key);
-  if (named == settings.end())
-    throw InputError(file + ":1:1", "key 'scene'", "the name of a scene", "none");
-  const SceneFile& scene = scenes(named->value);
-  std::vector<GivenSetting> all = scene.settings;
-  for (const GivenSetting& setting : settings)
-    if (setting.key != "scene") all.push_back(setting);
-  return requests(make_run_settings(scene.name, scene.file, all));
+/// Scenes of all products, each read once.
+std::map<std::string, SceneFile> scenes_of(const Sweep& sweep) {
+  std::map<std::string, SceneFile> scenes;
+  for (const std::vector<Choices>& product : sweep.products) {
+    const auto named = std::ranges::find(product, "scene", &Choices::key);
+    if (named == product.end())
+      throw InputError(sweep.file + ":1:1", "key 'scene'", "the name of a scene", "none");
+    for (const Given& name : named->values)
+      if (!scenes.contains(name.text())) scenes.emplace(name.text(), read_scene(name));
+  }
+  return scenes;
 }
 
 }  // namespace
@@ -193,21 +188,39 @@ std::vector<Request> requests_of(const std::vector<GivenSetting>& settings,
 Sweep read_sweep(const std::string& name_or_path, std::size_t most) {
   const TomlFile file = toml_file(name_or_path, "sweep", shipped_sweeps());
   const toml::table table = parse_toml(file.text, file.file);
-  Sweep sweep{.name = file.name, .with_fields = false};
+  Sweep sweep{.name = file.name, .file = file.file, .with_fields = false};
   if (const toml::node* fields = table.get("fields"))
     sweep.with_fields = given(*fields, file.file, "fields").truth();
-  const std::vector<std::vector<Choices>> all = products(table, file.file);
-  double count = 0;
-  for (const auto& product : all) count += size_of(product);
-  if (count > static_cast<double>(most))
-    throw InputError(file.file, "cases", fmt::format("at most {} without --yes", most),
-                     fmt::format("{:.0f}", count));
-  Scenes scenes;
-  for (const auto& product : all)
-    for (std::size_t i = 0; i < static_cast<std::size_t>(size_of(product)); ++i)
-      for (Request& request : requests_of(combination(product, i), scenes, file.file))
-        sweep.requests.push_back(std::move(request));
+  sweep.products = products(table, file.file);
+  check_count(sweep, most);
+  sweep.scenes = scenes_of(sweep);
   return sweep;
+}
+
+std::size_t combination_count(const Sweep& sweep) {
+  std::size_t count = 0;
+  for (const auto& product : sweep.products) count += size_of(product);
+  return count;
+}
+
+std::vector<Request> requests_of(const Sweep& sweep, std::size_t combination_index) {
+  std::size_t index = combination_index;
+  auto product = sweep.products.begin();
+  while (index >= size_of(*product)) index -= size_of(*product++);
+  const std::vector<GivenSetting> settings = combination(*product, index);
+  const auto named = std::ranges::find(settings, "scene", &GivenSetting::key);
+  const SceneFile& scene = sweep.scenes.at(named->value.text());
+  std::vector<GivenSetting> all = scene.settings;
+  for (const GivenSetting& setting : settings)
+    if (setting.key != "scene") all.push_back(setting);
+  return requests(make_run_settings(scene.name, scene.file, all));
+}
+
+std::vector<Request> all_requests(const Sweep& sweep) {
+  std::vector<Request> all;
+  for (std::size_t i = 0; i < combination_count(sweep); ++i)
+    for (Request& request : requests_of(sweep, i)) all.push_back(std::move(request));
+  return all;
 }
 
 }  // namespace springcheck

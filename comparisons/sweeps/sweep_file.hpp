@@ -1,12 +1,20 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
-#include "comparisons/running/case_result.hpp"
+#include "comparisons/cases/request.hpp"
+#include "comparisons/settings/scene_file.hpp"
 
 namespace springcheck {
+
+/// A key with the values it takes in turn.
+struct Choices {
+  std::string key;
+  std::vector<Given> values;
+};
 
 /// Many cases of equal make, from a TOML file:
 ///
@@ -24,12 +32,24 @@ namespace springcheck {
 /// where no `method` is given.
 struct Sweep {
   std::string name;
+  std::string file;  // as messages name it
   bool with_fields;
-  std::vector<Request> requests{};  // in order; some may be equal
+  std::vector<std::vector<Choices>> products{};  // of each of the [[cases]]
+  std::map<std::string, SceneFile> scenes{};     // by their names in the file
 };
 
 /// The shipped sweep of that name or the file at that path. Throws InputError with file,
 /// line and column, also where there would be more than `most` combinations.
 Sweep read_sweep(const std::string& name_or_path, std::size_t most);
+
+/// How many combinations of values there are.
+std::size_t combination_count(const Sweep& sweep);
+
+/// The requests of one of them, for each of its methods; those of several combinations
+/// may be equal. Throws InputError where no test allows the combination.
+std::vector<Request> requests_of(const Sweep& sweep, std::size_t combination);
+
+/// Of all combinations in order, for few of them: a request takes some 10 kB.
+std::vector<Request> all_requests(const Sweep& sweep);
 
 }  // namespace springcheck

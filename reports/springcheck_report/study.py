@@ -179,10 +179,10 @@ def prepared(cases, settings):
     cases = cases.assign(**further)
     records = cases[problem].astype(object).where(cases[problem].notna(), None)
     cases["problem"] = [json.dumps(list(record)) for record in records.itertuples(index=False)]
-    cases["kind"] = [_kind(row) for _, row in cases.iterrows()]
-    cases["name"] = [method_name(row) for _, row in cases.iterrows()]
-    cases["load"] = [load_text(row) for _, row in cases.iterrows()]
-    cases["answer"] = [_answer(row) for _, row in cases.iterrows()]
+    added = {"kind": _kind, "name": method_name, "load": load_text, "answer": _answer}
+    values = [[of(row) for of in added.values()] for _, row in cases.iterrows()]
+    for place, name in enumerate(added):
+        cases[name] = [value[place] for value in values]
     cases["strain"] = cases.deformation.astype(float).abs()
     beams = (cases.test == "bending") & (cases.body == "block")
     cases.loc[beams, "strain"] = cases.tip_deflection / cases["size.z"]

@@ -1,6 +1,8 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
+#include <exception>
 #include <fstream>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -11,7 +13,10 @@
 #include "comparisons/sweeps/sweep_file.hpp"
 #include "comparisons/sweeps/sweep_run.hpp"
 #include "comparisons/system/blas.hpp"
+#include "comparisons/system/memory.hpp"
 #include "comparisons/system/processor.hpp"
+#include "meshing/files/mesh_files.hpp"
+#include "meshing/generators/generate_block.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/own_folder.hpp"
 #include "tests/comparisons/settings.hpp"
@@ -32,7 +37,8 @@ Sweep sweep_of(const std::string& text, std::size_t most = 1000) {
 
 std::string message_of(const std::string& text, std::size_t most = 1000) {
   try {
-    sweep_of(text, most);
+    MeshHashes meshes;
+    planned_cases(sweep_of(text, most), meshes, 1, 1);
   } catch (const InputError& error) {
     const std::string message = error.what();
     return message.substr(std::min(message.find("sweep.toml"), message.size()));
@@ -43,7 +49,7 @@ std::string message_of(const std::string& text, std::size_t most = 1000) {
 /// "compression mss-cf 0.25 0.05" of each request.
 std::vector<std::string> cases_of(const Sweep& sweep) {
   std::vector<std::string> cases;
-  for (const Request& request : sweep.requests) {
+  for (const Request& request : all_requests(sweep)) {
     const CaseSettings& s = request.settings;
     std::ostringstream text;
     text << s.scene << " " << label(s) << " " << s.material.poisson_ratio << " "
@@ -88,7 +94,7 @@ cells = [[2, 2, 2], [4, 4, 4]]
   BOOST_TEST(cases[0] == "tension mss-cf 0.3 0.05");
   BOOST_TEST(cases[1] == "tension fem-hooke:q1-sri 0.3 0.05");
   BOOST_TEST(cases[2].starts_with("torsion mss-cf 0.1 0.0174"), cases[2]);
-  BOOST_TEST((sweep.requests[3].settings.body.block.cells == std::array{4, 4, 4}));
+  BOOST_TEST((all_requests(sweep)[3].settings.body.block.cells == std::array{4, 4, 4}));
 }
 
 BOOST_AUTO_TEST_CASE(ranges_hold_the_numbers_that_lists_would) {
@@ -96,8 +102,9 @@ BOOST_AUTO_TEST_CASE(ranges_hold_the_numbers_that_lists_would) {
       "scene = 'compression'\nmethod = 'mss-cf'\nnu = {from = 0, to = 0.45, count = "
       "10}\n");
   const std::vector<double> list{0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45};
+  const std::vector<Request> requests = all_requests(sweep);
   for (std::size_t i = 0; i < list.size(); ++i)
-    BOOST_TEST(sweep.requests.at(i).settings.material.poisson_ratio == list[i]);
+    BOOST_TEST(requests.at(i).settings.material.poisson_ratio == list[i]);
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_s_own_methods_are_taken_where_none_is_given) {
@@ -166,9 +173,9 @@ BOOST_AUTO_TEST_CASE(ranges_may_have_a_unit_and_hold_the_numbers_of_a_list) {
   const auto keys = [](const std::string& deformations) {
     std::vector<double> all;
     for (const Request& request :
-         sweep_of("scene = 'compression'\nmethod = 'mss-cf'\ndeformation = " +
-                  deformations + "\n")
-             .requests)
+         all_requests(sweep_of("scene = 'compression'\nmethod = 'mss-cf'\n"
+                               "deformation = " +
+                               deformations + "\n")))
       all.push_back(*request.settings.deformation);
     return all;
   };
@@ -191,8 +198,9 @@ BOOST_AUTO_TEST_CASE(scenes_and_meshes_stand_beside_the_sweep) {
          "nu = 0.25\ndensity = 1000\ndeformation = '5%'\n";
   std::ofstream(folder / "sweep.toml") << "scene = 'scenes/mine.toml'\n";
   const Sweep sweep = read_sweep((folder / "sweep.toml").string(), 10);
-  BOOST_TEST(sweep.requests.size() == 1U);
-  const CaseSettings& settings = sweep.requests.front().settings;
+  const std::vector<Request> requests = all_requests(sweep);
+  BOOST_TEST(requests.size() == 1U);
+  const CaseSettings& settings = requests.front().settings;
   BOOST_TEST(settings.scene == "mine");
   BOOST_TEST(settings.body.file == (folder / "scenes" / "mine.msh").string());
 }
@@ -209,36 +217,134 @@ BOOST_AUTO_TEST_CASE(shipped_sweeps_can_be_read) {
   std::set<std::string> names;
   for (const ShippedFile& sweep : shipped_sweeps()) {
     const std::string name = fs::path(sweep.name).stem().string();
-    BOOST_TEST(!read_sweep(name, 1000).requests.empty(), name);
+    BOOST_TEST(!all_requests(read_sweep(name, 1000)).empty(), name);
     names.insert(name);
   }
   for (const char* name : {"nu", "refinement", "diagonal-ratio", "deformation"})
     BOOST_TEST(names.contains(name), name);
-  BOOST_TEST(read_sweep("nu", 1000).requests.size() == 330U);
+  BOOST_TEST(all_requests(read_sweep("nu", 1000)).size() == 330U);
 }
 
 // The scene has load-times and load-fractions, which a duration replaces.
 BOOST_AUTO_TEST_CASE(a_sweep_replaces_what_the_scene_says_otherwise) {
   const Sweep sweep =
       sweep_of("scene = 'tissue-relaxation'\nmethod = 'mss-tissue'\nduration = [3, 4]\n");
-  BOOST_REQUIRE(sweep.requests.size() == 2U);
-  BOOST_TEST(sweep.requests.front().settings.dynamics.duration == 3);
-  BOOST_TEST(sweep.requests.front().settings.dynamics.load.empty());
+  const std::vector<Request> requests = all_requests(sweep);
+  BOOST_REQUIRE(requests.size() == 2U);
+  BOOST_TEST(requests.front().settings.dynamics.duration == 3);
+  BOOST_TEST(requests.front().settings.dynamics.load.empty());
   BOOST_TEST(message_of("scene = 'tissue-relaxation'\nmethod = 'mss-tissue'\n"
                         "duration = 3\nrate = 1\n")
                  .find("which it would replace") != std::string::npos);
+}
+
+// So that the reference is computed once, whatever the order of the file's keys.
+BOOST_AUTO_TEST_CASE(cases_of_one_reference_follow_each_other) {
+  const Sweep sweep = sweep_of(
+      "scene = 'compression'\nmethod = ['mss-cf', 'fem-stvk', 'mss-cf']\n"
+      "cells = [1, 1, 1]\nnu = [0.1, 0.2]\ndeformation = [0.02, 0.03]\n");
+  MeshHashes meshes;
+  std::vector<std::string> order;
+  for (const PlannedCase& planned : planned_cases(sweep, meshes, 1, 1)) {
+    const CaseSettings settings = request_of(sweep, planned).settings;
+    std::ostringstream text;
+    text << settings.material.poisson_ratio << " " << *settings.deformation << " "
+         << settings.method.name;
+    order.push_back(text.str());
+  }
+  BOOST_TEST(order == (std::vector<std::string>{"0.1 0.02 mss-cf", "0.1 0.02 fem-stvk",
+                                                "0.1 0.03 mss-cf", "0.1 0.03 fem-stvk",
+                                                "0.2 0.02 mss-cf", "0.2 0.02 fem-stvk",
+                                                "0.2 0.03 mss-cf", "0.2 0.03 fem-stvk"}));
+}
+
+// A request holds all its settings, some 10 kB; what is planned some 100 bytes.
+BOOST_AUTO_TEST_CASE(what_is_planned_takes_little_memory) {
+  const Sweep sweep = sweep_of(
+      "scene = 'compression'\nmethod = 'mss-cf'\ncells = [1, 1, 1]\n"
+      "nu = {from = 0.1, to = 0.4, count = 100}\n"
+      "deformation = {from = 0.01, to = 0.05, count = 100}\n",
+      10'000);
+  MeshHashes meshes;
+  const double before = resident_memory();
+  BOOST_TEST(planned_cases(sweep, meshes, 1, 1).size() == 10'000U);
+  BOOST_TEST(resident_memory() - before < 10'000 * 2e3);
+}
+
+// Meshes of files have to be read to tell what is asked; others are generated when they
+// are needed.
+BOOST_AUTO_TEST_CASE(planning_reads_meshes_of_files_alone) {
+  const OwnFolder own;
+  write_mesh(generate_block({.size = {1, 1, 1}, .cells = {1, 1, 1}}),
+             own.path / "block.msh");
+  const std::string rest =
+      "test = 'compression'\nmethod = 'mss-cf'\nyoung = 1e4\nnu = 0.25\n"
+      "density = 1000\ndeformation = '5%'\n";
+  std::ofstream(own.path / "good.toml") << "mesh = 'block.msh'\n" << rest;
+  std::ofstream(own.path / "bad.toml") << "mesh = 'none.msh'\n" << rest;
+  const auto planned = [&](const std::string& scene) {
+    const auto file = own.path / "sweep.toml";
+    std::ofstream(file) << "scene = './" << scene << ".toml'\n";
+    MeshHashes meshes;
+    return planned_cases(read_sweep(file.string(), 10), meshes, 1, 1).size();
+  };
+  BOOST_TEST(planned("good") == 1U);
+  BOOST_CHECK_EXCEPTION(planned("bad"), InputError, [](const InputError& error) {
+    return std::string(error.what()).find("none.msh") != std::string::npos;
+  });
+}
+
+BOOST_AUTO_TEST_CASE(a_long_sweep_runs_in_parts_and_leaves_out_nothing) {
+  const OwnFolder own;
+  const Sweep sweep = sweep_of(
+      "scene = 'compression'\nmethod = 'mss-cf'\ncells = [1, 1, 1]\n"
+      "nu = {from = 0.1, to = 0.4, count = 21}\n"
+      "deformation = {from = 0.01, to = 0.05, count = 50}\n",
+      1050);
+  ResultFile file(own.path / "long.h5");
+  MeshHashes meshes;
+  const SweepOutcome outcome =
+      run_cases(file, sweep, planned_cases(sweep, meshes, 1, 1), 2);
+  BOOST_TEST(outcome.count.at(Status::ok) == 1050);
+  std::set<std::string> keys;
+  for (const Request& request : all_requests(sweep))
+    keys.insert(
+        key_of_identity(case_identity(request, meshes.of(request.settings.body))));
+  BOOST_TEST(keys.size() == 1050U);
+  for (const auto& [key, status] : stored_keys(own.path / "long.h5").statuses)
+    BOOST_TEST(keys.contains(key));
+  BOOST_TEST(stored_keys(own.path / "long.h5").statuses.size() == 1050U);
+}
+
+// What a case throws is told at the end, when all others are in the file.
+BOOST_AUTO_TEST_CASE(a_case_without_an_answer_does_not_end_a_sweep) {
+  const OwnFolder own;
+  MeshStore meshes;
+  std::vector<Request> requests = all_requests(sweep_of(
+      "scene = 'compression'\nmethod = ['mss-cf', 'mss-fd']\ncells = [1, 1, 1]\n"));
+  requests[0].settings.method.solve = [](const auto&...) -> Solution {
+    throw std::bad_alloc();
+  };
+  ResultFile file(own.path / "a.h5");
+  SweepOutcome outcome;
+  for (int part = 0; part < 2; ++part)
+    run_into(
+        file, requests, false, meshes, 1, {}, [](std::size_t, std::size_t) {}, outcome);
+  BOOST_TEST(outcome.count.at(Status::ok) == 2);
+  BOOST_REQUIRE(outcome.failure);
+  BOOST_CHECK_THROW(std::rethrow_exception(outcome.failure), std::runtime_error);
+  BOOST_TEST(file.stored().statuses.size() == 1U);
 }
 
 BOOST_AUTO_TEST_CASE(what_was_refused_is_told_with_its_reason) {
   const OwnFolder own;
   MeshStore meshes;
   ResultFile file(own.path / "refused.h5");
-  const SweepOutcome outcome = run_into(
-      file,
-      sweep_of("scene = 'compression'\nmethod = ['mss-affine', 'mss-nfd']\ncells = "
-               "[1, 1, 2]\n")
-          .requests,
-      false, meshes, 1, {});
+  const Sweep sweep = sweep_of(
+      "scene = 'compression'\nmethod = ['mss-affine', 'mss-nfd']\ncells = [1, 1, 2]\n");
+  MeshHashes hashes;
+  const SweepOutcome outcome =
+      run_cases(file, sweep, planned_cases(sweep, hashes, 1, 1), 1);
   BOOST_TEST(outcome.count.at(Status::refused) == 1);
   BOOST_REQUIRE(outcome.reasons.size() == 1U);
   BOOST_TEST(outcome.reasons.begin()->first.method == "mss-nfd");
@@ -330,10 +436,10 @@ BOOST_AUTO_TEST_CASE(only_failed_runs_what_is_there_and_not_ok) {
                           "cells = [2, 2, 2]\nnu = [0.1, 0.2, 0.3]\n";
   sweep_command(sweep, file, {.jobs = 1});
   MeshStore meshes;
-  const Request request = sweep_of(
-                              "scene = 'compression'\nmethod = 'fem-hooke'\n"
-                              "cells = [2, 2, 2]\nnu = 0.2\n")
-                              .requests.front();
+  const Request request =
+      all_requests(sweep_of("scene = 'compression'\nmethod = 'fem-hooke'\n"
+                            "cells = [2, 2, 2]\nnu = 0.2\n"))
+          .front();
   CaseResult failed{};
   failed.request = request;
   failed.key = case_key(request, meshes.mesh(request.settings.body));
@@ -351,9 +457,11 @@ BOOST_AUTO_TEST_CASE(only_failed_runs_what_is_there_and_not_ok) {
 // The estimate is of the right size and grows with the mesh: never trusted further.
 BOOST_AUTO_TEST_CASE(the_estimate_counts_each_simulation_once) {
   const auto seconds = [](const std::string& cells) {
-    return estimated_seconds(
-        sweep_of("scene = 'compression'\nmethod = ['mss-cf', 'mss-fd']\ncells = " + cells)
-            .requests);
+    CostEstimate cost;
+    for (const Request& request : all_requests(sweep_of(
+             "scene = 'compression'\nmethod = ['mss-cf', 'mss-fd']\ncells = " + cells)))
+      cost.add(request);
+    return cost.seconds();
   };
   BOOST_TEST(seconds("[10, 10, 10]") == 0.5 + 0.5 + 0.6,  // one reference for both
              boost::test_tools::tolerance(1e-12));

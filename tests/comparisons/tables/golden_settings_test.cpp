@@ -65,7 +65,7 @@ std::string now() {
     for (const Request& request : requests(read_run(scene, {})))
       text += "scene " + text_of(request) + "\n";
   for (const std::string& sweep : names_of_files(shipped_sweeps()))
-    text += together("sweep " + sweep, read_sweep(sweep, SIZE_MAX).requests);
+    text += together("sweep " + sweep, all_requests(read_sweep(sweep, SIZE_MAX)));
   for (const std::string& table : table_names())
     text += together("table " + table, table_requests(plan_table(table, std::nullopt)));
   for (const std::string& table : sheet_names())
