@@ -117,7 +117,7 @@ Json chart_json(const Chart& chart) {
 std::vector<Chart> stored_charts(const std::filesystem::path& file, Revisions revisions) {
   const std::vector<StoredChart> stored = read_charts(file, revisions);
   if (stored.empty()) return {};
-  const std::map<std::string, StoredCase> cases = results_by_stored_key(file, revisions);
+  const std::map<std::string, StoredCase> cases = results_by_stored_key(file);
   std::vector<Chart> charts;
   for (const StoredChart& chart : stored) charts.push_back(evaluated(chart, cases));
   return charts;

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "comparisons/build_info/build_info.hpp"
 #include "comparisons/chart/claims.hpp"
 
 namespace springcheck {
@@ -17,6 +18,17 @@ std::optional<double> in_percent(const std::optional<double>& fraction) {
 Cell error_cell(const ChartPoint& point, std::size_t truth, ChartMeasure measure) {
   return {in_percent(point.errors[truth].of(measure)),
           !point.found || point.is_ok() ? "" : std::string(name_of(point.found->status))};
+}
+
+/// Of charts that another revision's cases are of.
+void add_revisions(Sheet& sheet, const std::vector<Chart>& charts) {
+  std::set<std::string> others;
+  for (const Chart& chart : charts)
+    if (chart.stored.revision != build_info::revision)
+      others.insert(chart.stored.revision);
+  for (const std::string& other : others)
+    sheet.notes.push_back(fmt::format(
+        "Of revision {} of the numerics, as asked: what was measured by it.", other));
 }
 
 std::string machines_of(const std::vector<Chart>& charts) {
@@ -244,8 +256,11 @@ const std::vector<std::string>& chart_sheet_names() {
 
 std::vector<Sheet> chart_sheets(const std::vector<Chart>& charts) {
   if (charts.empty()) return {};
-  return {truths_sheet(charts), points_sheet(charts), laws_sheet(charts),
-          front_sheet(charts), claims_sheet(charts)};
+  std::vector<Sheet> sheets{truths_sheet(charts), points_sheet(charts),
+                            laws_sheet(charts), front_sheet(charts),
+                            claims_sheet(charts)};
+  for (Sheet& sheet : sheets) add_revisions(sheet, charts);
+  return sheets;
 }
 
 }  // namespace springcheck

@@ -155,8 +155,8 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
       if (all.size() > 1) progress.show(done, of);
     };
     const Deliver take = [&](std::size_t request, CaseResult&& result) {
-      if (kept) kept->keep(result);
-      results[request] = std::move(result);
+      results[request] = std::move(result);  // computed, whatever becomes of the file
+      if (kept) kept->keep(results[request]);
     };
     try {
       run_study(all, meshes, at_once, show, {}, take, watch);
@@ -167,12 +167,12 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
       if (results.empty()) throw;
     }
   }
-  if (kept) kept->finish(results, {});
   if (failure) {
     const std::vector<std::optional<Split>> none(results.size());
     print_results(run, options.output, results, none, meshes);
-    std::rethrow_exception(failure);
   }
+  if (kept) kept->finish(results, {});
+  if (failure) std::rethrow_exception(failure);
   std::vector<std::optional<Split>> splits(asked);
   std::span<const CaseResult> grids = std::span(results).subspan(asked);
   for (std::size_t i = 0; i < asked; ++i)
@@ -205,13 +205,13 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
   MeshStore meshes;
   std::optional<KeptResults> kept;
   if (out) kept.emplace(*out, meshes);
-  ComputedTables computed =
-      compute_tables({name}, chosen, meshes, parallel, known_from(stored, meshes),
-                     [&](const CaseResult& result) {
-                       if (kept) kept->keep(result);
-                     });
+  ComputedTables computed = compute_tables(
+      {name}, chosen, meshes, parallel, known_from(stored, meshes),
+      [&](const CaseResult& result) {
+        if (kept) kept->keep(result);
+      },
+      revisions);
   if (kept) kept->finish(computed.results, from);
-  add_note(computed.set, other_revisions(computed.results));
   for (const Table& table : computed.set.tables)
     fmt::print("{}", format_table(table, format));
   for (const Sheet& sheet : computed.set.sheets)

@@ -54,15 +54,20 @@ ExitStatus gate_command(const std::string& name_or_path,
         throw InputError("--junit", "", "another file than " + input.string(),
                          "'" + junit->string() + "'");
   }
+  if (bless == Bless::yes && revisions == Revisions::all)
+    throw InputError("--bless", "", "figures of this program's revision alone",
+                     "--accept-other-revisions");
   const Columns cases = read_cases(results, revisions);
+  const StoredKeys stored = stored_keys(results);
 
   Report report{.gates_name = toml.name,
                 .gates_file = toml.file,
                 .results_file = results.string(),
                 .gates = parsed,
                 .outcomes = judged(parsed, cases, results.string()),
-                .others = stored_keys(results).others,
-                .revisions = revisions};
+                .others = stored.others,
+                .revisions = revisions,
+                .note = note_of_other_revisions(stored, revisions)};
   if (bless == Bless::yes) bless_values(report, toml, cases);
   if (junit)
     write_whole_stream(*junit, [&](std::ostream& out) { write_junit(out, report); });

@@ -13,7 +13,6 @@
 #include "comparisons/commands/table_files.hpp"
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/stability/atlas_json.hpp"
-#include "comparisons/store/lock_file.hpp"
 #include "comparisons/tables/stored_tables.hpp"
 #include "comparisons/tables/theory_curves.hpp"
 #include "meshing/input_error.hpp"
@@ -54,14 +53,13 @@ void prepare_report(const std::filesystem::path& folder) {
 ExitStatus make_report(const std::filesystem::path& file,
                        const std::filesystem::path& folder,
                        const std::vector<Sheet>& further, Revisions revisions) {
-  const LockFile lock(folder / "index.html");  // two would mix their files
+  const FolderLock lock(folder);
   MeshStore meshes;
   TableSet tables = stored_tables(file, meshes, revisions);
   tables.sheets.insert(tables.sheets.end(), further.begin(), further.end());
   const std::vector<Chart> charts = stored_charts(file, revisions);
   for (Sheet& sheet : chart_sheets(charts)) tables.sheets.push_back(std::move(sheet));
   const OtherRevisions taken = other_revisions(stored_cases({file}, revisions));
-  add_note(tables, taken);
   write_tables(folder / "tables", tables, file.parent_path() / "tables");
   const std::string theory = theory_curves(read_cases(file, revisions)).dump() + "\n";
   write_whole_stream(folder / "data" / "theory.json",
@@ -69,9 +67,9 @@ ExitStatus make_report(const std::filesystem::path& file,
   const std::string vocabulary = list_json("").dump() + "\n";
   write_whole_stream(folder / "data" / "vocabulary.json",
                      [&](std::ostream& out) { out << vocabulary; });
-  const std::string note =
-      !taken.empty() ? note_of_taken(taken)
-                     : note_of_other_revisions(stored_keys(file).others, revisions);
+  const std::string note = !taken.empty()
+                               ? note_of_taken(taken)
+                               : note_of_other_revisions(stored_keys(file), revisions);
   const std::string of_revisions = nlohmann::json{{"note", note}}.dump() + "\n";
   write_whole_stream(folder / "data" / "revisions.json",
                      [&](std::ostream& out) { out << of_revisions; });
@@ -101,7 +99,7 @@ ExitStatus report_command(const std::filesystem::path& file,
   if (is_empty && !stored.others.empty())
     throw InputError(file.string(), "",
                      fmt::format("cases of revision {}", build_info::revision),
-                     note_of_other_revisions(stored.others, revisions));
+                     note_of_other_revisions(stored, revisions));
   prepare_report(folder);
   return make_report(file, folder, {}, revisions);
 }

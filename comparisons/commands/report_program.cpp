@@ -74,6 +74,21 @@ class TemporaryFolder {
 
 }  // namespace
 
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : descriptor_(open((folder / "data").c_str(), O_RDONLY)) {  // children have it too
+  if (descriptor_ < 0 || flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    const int error = errno;
+    if (descriptor_ >= 0) close(descriptor_);
+    throw InputError(folder.string(), "", "a folder that no other report is made in",
+                     error == EWOULDBLOCK ? "one that another is being made in"
+                                          : std::generic_category().message(error));
+  }
+}
+
+FolderLock::~FolderLock() {
+  close(descriptor_);
+}
+
 void check_python() {
   if (access(python, X_OK) != 0)
     throw InputError(python, "", "Python 3 (sudo apt-get install python3)",

@@ -80,9 +80,8 @@ std::string report_text(const Report& report) {
   }
   text += in_columns(lines);
   if (!below.empty()) text += "\n" + below;
-  if (const std::string note = note_of_other_revisions(report.others, report.revisions);
-      !note.empty())
-    text += fmt::format("\n{}: {}\n", report.results_file, note);
+  if (!report.note.empty())
+    text += fmt::format("\n{}: {}\n", report.results_file, report.note);
   return text + fmt::format(
                     "\n{} gates of {}: {} pass, {} fall short, {} without a case\n"
                     "margin: {}\n",
@@ -119,11 +118,10 @@ void write_junit(std::ostream& out, const Report& report) {
   suite.put("<xmlattr>.tests", report.gates.size());
   suite.put("<xmlattr>.failures", count(report, Judgement::falls_short));
   suite.put("<xmlattr>.errors", count(report, Judgement::no_case));
-  if (const std::string note = note_of_other_revisions(report.others, report.revisions);
-      !note.empty()) {
+  if (!report.note.empty()) {
     ptree& property = suite.add("properties.property", "");
     property.put("<xmlattr>.name", "other revisions");
-    property.put("<xmlattr>.value", xml_text(report.results_file + ": " + note));
+    property.put("<xmlattr>.value", xml_text(report.results_file + ": " + report.note));
   }
   for (std::size_t i = 0; i < report.gates.size(); ++i) {
     const Gate& gate = report.gates[i];

@@ -22,6 +22,7 @@ struct Report {
   std::vector<Blessed> blessed{};  // what --bless replaced before they were judged
   OtherRevisions others{};         // in the file
   Revisions revisions = Revisions::own;
+  std::string note{};  // see note_of_other_revisions
 };
 
 std::size_t count(const Report& report, Judgement verdict);

@@ -28,7 +28,7 @@ std::string attribute(const Tree& element, const std::string& name) {
 /// the stack. Elements are no deeper than there are "<", of which a grid's arrays need a
 /// few hundred. Throws InputError where there are more than it could ever stand.
 void check_nesting(const std::string& name, std::string_view text) {
-  constexpr std::ptrdiff_t most = 2000;
+  constexpr std::ptrdiff_t most = 6000;
   if (const auto count = std::ranges::count(text, '<'); count > most)
     throw InputError(name, "",
                      fmt::format("at most {} times '<', as of VTK's tags", most),

@@ -36,6 +36,7 @@ struct StoredCase {
   std::optional<int> linear_iterations{}, factorisations{};
   std::optional<double> dt{}, dt_limit{};
   std::string revision{};  // of the program that computed it, where another's
+  std::string date{};      // of its session, where another's
 };
 
 /// The inverse of row_of. `file` is for messages. Throws InputError with the case's key

@@ -16,8 +16,9 @@ StoredCases stored_cases(const std::vector<std::filesystem::path>& files,
   for (const std::filesystem::path& file : files)
     for (auto& [key, stored] : read_results(file, revisions)) {
       const auto [place, is_new] = all.try_emplace(key, file, stored);
-      const bool is_better =
-          stored.revision.empty() && !place->second.second.revision.empty();
+      const StoredCase& first = place->second.second;
+      const bool is_better = !first.revision.empty() &&
+                             (stored.revision.empty() || stored.date > first.date);
       if (!is_new && is_better) place->second = {file, std::move(stored)};
     }
   return all;
@@ -36,7 +37,9 @@ std::string listed(const OtherRevisions& others) {
 
 }  // namespace
 
-std::string note_of_other_revisions(const OtherRevisions& others, Revisions revisions) {
+std::string note_of_other_revisions(const StoredKeys& stored, Revisions revisions) {
+  const OtherRevisions& others =
+      revisions == Revisions::all ? stored.taken : stored.others;
   if (others.empty()) return "";
   std::size_t all = 0;
   for (const auto& [revision, cases] : others) all += cases;
@@ -70,18 +73,26 @@ std::string note_of_taken(const OtherRevisions& others) {
       listed(others), build_info::revision);
 }
 
+void add_note_of_taken(std::vector<std::string>& notes,
+                       std::span<const CaseResult> results) {
+  if (const OtherRevisions others = other_revisions(results); !others.empty())
+    notes.push_back(note_of_taken(others));
+}
+
 void warn_of_other_revisions(const std::filesystem::path& file, const StoredKeys& stored,
                              Revisions revisions) {
-  const std::string note = note_of_other_revisions(stored.others, revisions);
+  const std::string note = note_of_other_revisions(stored, revisions);
   if (!note.empty()) spdlog::warn("{}: {}", file.string(), note);
 }
 
-std::map<std::string, StoredCase> results_by_stored_key(const std::filesystem::path& file,
-                                                        Revisions revisions) {
+std::map<std::string, StoredCase> results_by_stored_key(
+    const std::filesystem::path& file) {
+  const Columns cases = all_cases(file);
   std::map<std::string, StoredCase> all;
-  for (auto& [key, stored] : read_results(file, revisions)) {
-    const std::string in_file = stored.key;
-    all.emplace(in_file, std::move(stored));
+  for (std::size_t row = 0; row < cases.rows; ++row) {
+    StoredCase stored = stored_case(cases, row, file.string());
+    const std::string key = stored.key;
+    all.emplace(key, std::move(stored));
   }
   return all;
 }

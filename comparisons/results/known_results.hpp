@@ -16,17 +16,17 @@ namespace springcheck {
 using StoredCases = std::map<std::string, std::pair<std::filesystem::path, StoredCase>>;
 
 /// The cases of the files; of those that several have, the first with this program's
-/// revision, or else the first. Throws like read_results.
+/// revision, or else the newest. Throws like read_results.
 StoredCases stored_cases(const std::vector<std::filesystem::path>& files,
                          Revisions revisions);
 
-/// The cases of read_results by their keys in the file, as its maps and charts name them.
-std::map<std::string, StoredCase> results_by_stored_key(const std::filesystem::path& file,
-                                                        Revisions revisions);
+/// All cases of the file by their keys in it, as its maps and charts name them.
+std::map<std::string, StoredCase> results_by_stored_key(
+    const std::filesystem::path& file);
 
-/// What a file has of other revisions and what becomes of it, in words; empty where there
-/// is none.
-std::string note_of_other_revisions(const OtherRevisions& others, Revisions revisions);
+/// What a file has of other revisions and is not taken, or with Revisions::all what is
+/// taken of them, in words; empty where there is none.
+std::string note_of_other_revisions(const StoredKeys& stored, Revisions revisions);
 
 /// The cases that are of other revisions, each once.
 OtherRevisions other_revisions(std::span<const CaseResult> results);
@@ -34,6 +34,10 @@ OtherRevisions other_revisions(const StoredCases& stored);
 
 /// What a table or page says of cases of other revisions that it is made of.
 std::string note_of_taken(const OtherRevisions& others);
+
+/// Adds that to the notes of what is made of these results, where there are any.
+void add_note_of_taken(std::vector<std::string>& notes,
+                       std::span<const CaseResult> results);
 
 /// Says what there is of other revisions on stderr.
 void warn_of_other_revisions(const std::filesystem::path& file, const StoredKeys& stored,

@@ -154,8 +154,8 @@ void ResultFile::put_chart(const StoredChart& chart) {
   change([&](hid_t root) { write_chart(hdf5::group_made_in(root, "charts"), chart); });
 }
 
-void ResultFile::put_map(const StoredMap& map, MapState state) {
-  change([&](hid_t root) { write_map(hdf5::group_made_in(root, "maps"), map, state); });
+void ResultFile::put_map(const StoredMap& map) {
+  change([&](hid_t root) { write_map(hdf5::group_made_in(root, "maps"), map); });
 }
 
 void write_xdmf_for(const std::filesystem::path& file, const std::filesystem::path& xdmf,

@@ -17,7 +17,6 @@ namespace springcheck {
 
 struct StoredChart;
 struct StoredMap;
-enum class MapState;
 
 /// How many cases a file has of other revisions than this program's, by revision;
 /// "unknown" are those of files from before there were any.
@@ -32,6 +31,7 @@ struct StoredKeys {
   OtherRevisions others;
   // Keys of this program to those in the file, of cases that it has of others alone:
   std::map<std::string, std::string> substitutes;
+  OtherRevisions taken;  // of those others what Revisions::all takes
 };
 
 /// Of a file, or of one that is open (`file` is for messages). Throw like read_cases.
@@ -57,7 +57,7 @@ class ResultFile {
   void put(std::span<const CaseResult> results, bool with_fields, MeshStore& meshes);
 
   /// Keeps a map of cases, see write_map.
-  void put_map(const StoredMap& map, MapState state);
+  void put_map(const StoredMap& map);
 
   /// Keeps a chart, see write_chart.
   void put_chart(const StoredChart& chart);
@@ -117,7 +117,7 @@ void check_results_writable(const std::filesystem::path& file);
 /// The table of cases of a result file: those of this program's revision, and with
 /// Revisions::all those of others of which it has none of this one, of several the
 /// newest. Throws InputError for a file that is not HDF5, not ours, damaged, or of
-/// another layout.
+/// another layout. A column other_revision has the revision of those of others.
 Columns read_cases(const std::filesystem::path& file, Revisions revisions);
 
 /// What is in the file, of any revision, superseded or not.

@@ -8,25 +8,11 @@
 #include "comparisons/measures/measure_list.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/results/stored_chart.hpp"
+#include "comparisons/results/stored_map.hpp"
 #include "comparisons/store/open_result_file.hpp"
 
 namespace springcheck {
 namespace {
-
-/// Copies the maps that a file lacks, or has without their limits.
-void copy_maps(hid_t from, hid_t to) {
-  for (const std::string& name : hdf5::links(from)) {
-    const auto has_limits = [&](hid_t maps) {
-      const auto map = hdf5::open_group(maps, name);
-      return row_count(hdf5::open_group(map, "limits")) > 0;
-    };
-    if (hdf5::has_link(to, name)) {
-      if (has_limits(to) || !has_limits(from)) continue;
-      hdf5::remove_link(to, name);
-    }
-    hdf5::copy_link(from, to, name);
-  }
-}
 
 /// What measures may cancel against: forces, torques and energies are sums of the same
 /// terms, times lengths of about a metre.
@@ -81,8 +67,9 @@ std::optional<Difference> difference(Row a, Row b) {
   const std::map<std::string_view, double> largest = largest_measures(a, b);
   const auto largest_beside = [&](const std::string& column) {
     const auto measure = std::ranges::find(measure_list(), column, &Described::name);
-    return measure == measure_list().end() ? 0.
-                                           : largest.at(scale_of_unit(measure->unit));
+    if (measure == measure_list().end()) return 0.;
+    const auto found = largest.find(scale_of_unit(measure->unit));
+    return found == largest.end() ? 0. : found->second;
   };
   std::optional<Difference> found;
   for (const Row* row : {&a, &b})
@@ -170,7 +157,7 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from,
   };
   if (has("maps"))
     change_from(from, [](hid_t source, hid_t root) {
-      copy_maps(hdf5::open_group(source, "maps"), hdf5::group_made_in(root, "maps"));
+      merge_maps(hdf5::open_group(source, "maps"), hdf5::group_made_in(root, "maps"));
     });
   if (has("charts"))
     change_from(from, [](hid_t source, hid_t root) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <span>
@@ -24,6 +25,21 @@ std::vector<Vector3> vectors(const std::vector<double>& values) {
   return all;
 }
 
+/// Of groups in the file: others would lead elsewhere.
+void check_names(const std::vector<std::string>& names, const char* column) {
+  for (const std::string& name : names)
+    if (name.empty() || name == "." || name.find('/') != std::string::npos)
+      throw std::runtime_error(fmt::format("column '{}' has {}, which names no group",
+                                           column, quotation(name)));
+}
+
+void check_sessions(std::span<const double> rows, std::size_t sessions) {
+  for (const double row : rows)
+    if (!(row >= 0 && row < static_cast<double>(sessions) && row == std::floor(row)))
+      throw std::runtime_error(
+          fmt::format("column 'provenance' refers to row {} of {}", row, sessions));
+}
+
 /// The columns of cases, with what all files of ours have.
 Columns cases_in(hid_t root) {
   Columns cases = read_columns(hdf5::open_group(root, "cases"));
@@ -31,19 +47,12 @@ Columns cases_in(hid_t root) {
   for (const char* name : {"key", "status", "mesh"})
     if (!cases.texts.contains(name))
       throw std::runtime_error(fmt::format("the cases have no column '{}'", name));
-  const std::size_t sessions = row_count(hdf5::open_group(root, "provenance"));
+  const std::size_t sessions = read_columns(hdf5::open_group(root, "provenance")).rows;
   const auto provenance = cases.numbers.find("provenance");
   if (provenance == cases.numbers.end() || provenance->second.width != 1)
     throw std::runtime_error("the cases have no column 'provenance'");
-  for (const double row : provenance->second.values)
-    if (!(row >= 0 && row < static_cast<double>(sessions)))
-      throw std::runtime_error(
-          fmt::format("column 'provenance' refers to row {} of {}", row, sessions));
-  for (const char* column : {"key", "mesh"})
-    for (const std::string& name : cases.texts.at(column))
-      if (name.empty() || name == "." || name.find('/') != std::string::npos)
-        throw std::runtime_error(fmt::format("column '{}' has {}, which names no group",
-                                             column, quotation(name)));
+  check_sessions(provenance->second.values, sessions);
+  for (const char* column : {"key", "mesh"}) check_names(cases.texts.at(column), column);
   std::set<std::string_view> keys;
   for (const std::string& key : cases.texts.at("key"))
     if (!keys.insert(key).second)
@@ -132,15 +141,21 @@ StoredKeys keys_in(hid_t root, const std::filesystem::path& file) {
   for (std::string& key : hdf5::links(hdf5::open_group(root, "fields")))
     stored.with_fields.insert(std::move(key));
   const std::vector<double> sessions = read_number_column(cases, "provenance");
+  check_names(keys, "key");
+  if (!keys.empty()) check_names(read_texts(cases, "mesh"), "mesh");
+  check_sessions(sessions, row_count(hdf5::open_group(root, "provenance")));
   const std::vector<Origin> origins = origins_of(sessions, root);
   if (origins.size() != keys.size())
     throw std::runtime_error("columns 'key' and 'provenance' do not belong together");
   for (const auto& [revision, date] : origins)
     if (revision != build_info::revision) ++stored.others[revision];
   const Taken all = taken(keys, read_texts(cases, "identity"), origins, Revisions::all);
-  for (std::size_t i = 0; i < all.rows.size(); ++i)
+  for (std::size_t i = 0; i < all.rows.size(); ++i) {
+    const std::string& revision = origins[all.rows[i]].revision;
+    if (revision != build_info::revision) ++stored.taken[revision];
     if (keys[all.rows[i]] != all.keys[i])
       stored.substitutes.emplace(all.keys[i], keys[all.rows[i]]);
+  }
   return stored;
 }
 
@@ -158,6 +173,7 @@ namespace {
 struct TakenCases {
   Columns cases;
   std::vector<std::string> keys, revisions;  // the latter as CaseResult has them
+  std::vector<std::string> dates;            // of their sessions
 };
 
 std::string revision_in_result(const std::string& revision) {
@@ -173,12 +189,15 @@ TakenCases taken_cases(hid_t root, Revisions accepted) {
       cases.texts.at("key"),
       identities == cases.texts.end() ? std::vector<std::string>{} : identities->second,
       origins, accepted);
-  std::vector<std::string> of_rows;
-  for (const std::size_t row : found.rows)
+  std::vector<std::string> of_rows, dates;
+  for (const std::size_t row : found.rows) {
     of_rows.push_back(revision_in_result(origins[row].revision));
+    dates.push_back(origins[row].date);
+  }
   return {.cases = selected(cases, found.rows),
           .keys = std::move(found.keys),
-          .revisions = std::move(of_rows)};
+          .revisions = std::move(of_rows),
+          .dates = std::move(dates)};
 }
 
 }  // namespace
@@ -202,7 +221,12 @@ std::map<std::string, std::string> taken_revisions(hid_t root, Revisions revisio
 }
 
 Columns read_cases(const std::filesystem::path& file, Revisions revisions) {
-  return reading(file, [&](hid_t root) { return taken_cases(root, revisions).cases; });
+  return reading(file, [&](hid_t root) {
+    TakenCases found = taken_cases(root, revisions);
+    if (revisions == Revisions::all && found.cases.rows > 0)
+      found.cases.texts["other_revision"] = std::move(found.revisions);
+    return std::move(found.cases);
+  });
 }
 
 std::map<std::string, StoredCase> read_results(const std::filesystem::path& file,
@@ -213,6 +237,7 @@ std::map<std::string, StoredCase> read_results(const std::filesystem::path& file
     for (std::size_t row = 0; row < found.cases.rows; ++row) {
       StoredCase stored = stored_case(found.cases, row, file.string());
       stored.revision = found.revisions[row];
+      if (!stored.revision.empty()) stored.date = found.dates[row];
       all.emplace(found.keys[row], std::move(stored));
     }
     return all;

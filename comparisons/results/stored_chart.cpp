@@ -213,12 +213,11 @@ StoredChart::Point* find_point(StoredChart& chart, const Model& model,
 
 void merge_charts(hid_t from, hid_t to) {
   for (const std::string& name : hdf5::links(from)) {
-    if (!hdf5::has_link(to, name)) {
-      hdf5::copy_link(from, to, name);
-      continue;
-    }
-    const StoredChart own = read_chart(hdf5::open_group(to, name));
-    write_chart(to, merged(own, read_chart(hdf5::open_group(from, name))));
+    const StoredChart theirs = read_chart(hdf5::open_group(from, name));
+    const std::string own = identity_of(theirs);
+    write_chart(to, hdf5::has_link(to, own)
+                        ? merged(read_chart(hdf5::open_group(to, own)), theirs)
+                        : theirs);
   }
 }
 

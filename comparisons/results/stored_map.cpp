@@ -1,10 +1,12 @@
 #include "comparisons/results/stored_map.hpp"
 
 #include <algorithm>
-#include <set>
+#include <map>
+#include <tuple>
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/results/result_file.hpp"
+#include "comparisons/store/columns.hpp"
 #include "comparisons/store/open_result_file.hpp"
 #include "comparisons/store/table_rows.hpp"
 #include "meshing/sha256.hpp"
@@ -35,6 +37,7 @@ StoredMap read_map(hid_t group) {
       .revision =
           hdf5::read_text(group, "revision").value_or(std::string(unknown_revision)),
       .other_revisions = hdf5::read_text(group, "other_revisions").value_or("")};
+  if (hdf5::read_numbers(group, "complete")) map.state = MapState::complete;
   if (hdf5::read_text(group, "second"))
     map.axes.push_back(text_attribute(group, "second", "a map"));
   const TableRows points(hdf5::open_group(group, "points"), "a map");
@@ -86,10 +89,17 @@ std::string identity_of(const StoredMap& map) {
   return sha256(text);
 }
 
-void write_map(hid_t maps, const StoredMap& map, MapState state) {
+void write_map(hid_t maps, const StoredMap& map) {
   const std::string name = identity_of(map);
-  if (state == MapState::planned && hdf5::has_link(maps, name)) return;
+  if (map.state == MapState::planned && hdf5::has_link(maps, name)) return;
   hdf5::remove_link(maps, name);
+  if (map.state == MapState::complete)
+    for (const std::string& other : hdf5::links(maps)) {
+      const StoredMap earlier = read_map(hdf5::open_group(maps, other));
+      if (earlier.state == MapState::planned && earlier.revision == map.revision &&
+          question_of(earlier) == question_of(map))
+        hdf5::remove_link(maps, other);
+    }
   const auto group = hdf5::create_group(maps, name);
   hdf5::write_attribute(group, "scene", map.scene);
   hdf5::write_attribute(group, "first", map.axes.at(0));
@@ -97,9 +107,36 @@ void write_map(hid_t maps, const StoredMap& map, MapState state) {
   hdf5::write_attribute(group, "revision", map.revision);
   if (!map.other_revisions.empty())
     hdf5::write_attribute(group, "other_revisions", map.other_revisions);
+  if (map.state == MapState::complete) hdf5::write_attribute(group, "complete", 1.);
   write_rows(group, "points", map.points, [](const auto& part) { return row_of(part); });
   write_rows(group, "limits", map.limits, [](const auto& part) { return row_of(part); });
 }
+
+void merge_maps(hid_t from, hid_t to) {
+  for (const std::string& name : hdf5::links(from)) {
+    const StoredMap map = read_map(hdf5::open_group(from, name));
+    const bool is_known = hdf5::has_link(to, identity_of(map));
+    if (!is_known ||
+        (map.state == MapState::complete &&
+         read_map(hdf5::open_group(to, identity_of(map))).state == MapState::planned))
+      write_map(to, map);
+  }
+}
+
+namespace {
+
+/// Latest date of each revision's sessions.
+std::map<std::string, std::string> dates_of_revisions(hid_t root) {
+  const auto provenance = hdf5::open_group(root, "provenance");
+  const auto revisions = read_texts(provenance, "revision"),
+             dates = read_texts(provenance, "date");
+  std::map<std::string, std::string> latest;
+  for (std::size_t i = 0; i < std::min(revisions.size(), dates.size()); ++i)
+    latest[revisions[i]] = std::max(latest[revisions[i]], dates[i]);
+  return latest;
+}
+
+}  // namespace
 
 std::vector<StoredMap> read_maps(const std::filesystem::path& file, Revisions revisions) {
   return reading(file, [&](hid_t root) {
@@ -108,14 +145,24 @@ std::vector<StoredMap> read_maps(const std::filesystem::path& file, Revisions re
     const auto maps = hdf5::open_group(root, "maps");
     for (const std::string& name : hdf5::links(maps))
       all.push_back(read_map(hdf5::open_group(maps, name)));
-    std::set<std::string> own;
-    for (const StoredMap& map : all)
-      if (is_own(map)) own.insert(question_of(map));
-    std::erase_if(all, [&](const StoredMap& map) {
-      return !is_own(map) &&
-             (revisions == Revisions::own || own.contains(question_of(map)));
-    });
-    return all;
+    if (revisions == Revisions::own) {
+      std::erase_if(all, [](const StoredMap& map) { return !is_own(map); });
+      return all;
+    }
+    const auto dates = dates_of_revisions(root);
+    const auto rank = [&](const StoredMap& map) {  // the highest is taken
+      const auto date = dates.find(map.revision);
+      return std::tuple(map.state == MapState::complete, is_own(map),
+                        date == dates.end() ? "" : date->second, identity_of(map));
+    };
+    std::map<std::string, std::size_t> best;  // places of all, by question
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto [place, is_new] = best.try_emplace(question_of(all[i]), i);
+      if (!is_new && rank(all[i]) > rank(all[place->second])) place->second = i;
+    }
+    std::vector<StoredMap> taken;
+    for (const auto& [question, place] : best) taken.push_back(std::move(all[place]));
+    return taken;
   });
 }
 

@@ -11,6 +11,9 @@
 
 namespace springcheck {
 
+/// Whether limits and controls are known, or its cases still have to be computed.
+enum class MapState { planned, complete };
+
 /// A map of `springcheck stability` as a result file keeps it: which of its cases stand
 /// where, and the limits between them. How a case fails is not kept: failure_of says so.
 struct StoredMap {
@@ -35,13 +38,11 @@ struct StoredMap {
   std::string revision{};  // of the numerics of the program that made it
   // Revisions of cases of others that it was asked to take, with commas:
   std::string other_revisions{};
+  MapState state = MapState::planned;
 };
 
 /// Whose numerics a map is of, with commas, where they are not this program's alone.
 std::string revisions_of(const StoredMap& map);
-
-/// Whether limits and controls are known, or its cases still have to be computed.
-enum class MapState { planned, complete };
 
 /// Of scene, axes, points and revision: the same map has the same, with and without
 /// limits.
@@ -50,16 +51,22 @@ std::string identity_of(const StoredMap& map);
 /// Layout, within the group `maps` of a result file:
 ///
 ///     IDENTITY         attributes scene, first and, of two axes, second; revision,
-///                      other_revisions
+///                      other_revisions, complete
 ///     IDENTITY/points  columns method, first, second, key, control
 ///     IDENTITY/limits  columns method, second, low, high, failure, key; no rows until
 ///                      the command has come to its end
 ///
-/// Replaces the map of the same identity; a planned one leaves it as it is.
-void write_map(hid_t maps, const StoredMap& map, MapState state);
+/// Replaces the map of the same identity, but a complete one by a planned one; a complete
+/// one replaces planned ones of its revision, scene, axes and points, whatever their
+/// keys.
+void write_map(hid_t maps, const StoredMap& map);
+
+/// Adds the maps of one group to those of another, see write_map.
+void merge_maps(hid_t from, hid_t to);
 
 /// The maps of a result file: those of this program's revision alone, and with
-/// Revisions::all those of others of which it has none. Throws like read_cases.
+/// Revisions::all those of others, where there is no complete one of its own; of several
+/// others the newest, by the dates of their revisions' sessions. Throws like read_cases.
 std::vector<StoredMap> read_maps(const std::filesystem::path& file, Revisions revisions);
 
 }  // namespace springcheck

@@ -96,7 +96,11 @@ CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& ow
   if (number("layout") != static_cast<double>(layout))
     refuse("attribute 'layout'", fmt::to_string(layout),
            fmt::to_string(number("layout")));
-  if (hdf5::read_text(root, "identity") != owner.identity)
+  const auto identity = hdf5::read_text(root, "identity");
+  if (!identity)
+    refuse("attribute 'identity'", "a checkpoint that tells what was asked",
+           "none, as of programs before 0.3.0");
+  if (*identity != owner.identity)
     refuse_other(file, owner,
                  nlohmann::json::parse(hdf5::read_text(root, "settings").value_or("{}"),
                                        nullptr, false));

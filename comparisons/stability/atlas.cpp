@@ -306,8 +306,8 @@ void check_axes(const Atlas& atlas, const AtlasPlan& plan) {
 
 /// The atlas as files keep it; the results of its points may still be lacking.
 StoredMap stored_map(const Atlas& atlas, const AtlasPlan& plan,
-                     const OtherRevisions& others = {}) {
-  StoredMap map{.scene = plan.scene, .revision = build_info::revision};
+                     const OtherRevisions& others, MapState state) {
+  StoredMap map{.scene = plan.scene, .revision = build_info::revision, .state = state};
   for (const auto& [revision, cases] : others)
     map.other_revisions += (map.other_revisions.empty() ? "" : ",") + revision;
   for (const Axis& axis : plan.axes) map.axes.push_back(axis.key);
@@ -352,7 +352,7 @@ Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner) {
   for (std::size_t i = 0; i < keys.size(); ++i) atlas.points[i].result.key = keys[i];
   check_axes(atlas, plan);
   // Before it is filled, which may be interrupted.
-  runner.keep(stored_map(atlas, plan), MapState::planned);
+  runner.keep(stored_map(atlas, plan, runner.others(), MapState::planned));
   std::vector<CaseResult> results = runner.run(cases);
   std::map<std::size_t, std::string> controls;
   const std::vector<Failure> failures = failures_of(plan, runner, results, &controls);
@@ -364,7 +364,7 @@ Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner) {
       point.control = control->second;
   }
   if (plan.axes[0].is_range) atlas.limits = limits_of(atlas, plan, runner);
-  runner.keep(stored_map(atlas, plan, runner.others()), MapState::complete);
+  runner.keep(stored_map(atlas, plan, runner.others(), MapState::complete));
   return atlas;
 }
 

@@ -85,7 +85,7 @@ Json atlas_json(const std::filesystem::path& file, Revisions revisions) {
   });
   Json list = Json::array();
   if (!maps.empty()) {
-    const Stored stored = results_by_stored_key(file, revisions);
+    const Stored stored = results_by_stored_key(file);
     for (const StoredMap& map : maps) list.push_back(map_json(map, stored));
   }
   return {{"failures", failures}, {"maps", list}};

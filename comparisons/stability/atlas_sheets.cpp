@@ -60,6 +60,9 @@ Sheet points_sheet(const Atlas& atlas, const AtlasPlan& plan) {
                       m.wrinkle_alternation, m.wrinkle_amplitude, m.hourglass_alternation,
                       m.hourglass_amplitude, m.corner_jacobian_ratio_min,
                       m.definite_up_to_deformation, point.result.solution.dt_limit});
+    if (!point.result.revision.empty())
+      row.notes.push_back(
+          fmt::format("Of revision {} of the numerics.", point.result.revision));
     sheet.rows.push_back(std::move(row));
   }
   return sheet;

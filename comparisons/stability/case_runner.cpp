@@ -41,17 +41,20 @@ std::vector<std::string> CaseRunner::own_keys_of(
   std::vector<std::string> keys;
   for (const CaseSettings& one : settings)
     keys.push_back(case_key({.settings = one}, meshes_.mesh(one.body)));
+  asked_.insert(keys.begin(), keys.end());
   return keys;
 }
 
 OtherRevisions CaseRunner::others() const {
-  std::vector<CaseResult> all;
-  for (const auto& [key, result] : results_) all.push_back(result);
-  return other_revisions(all);
+  StoredCases taken;
+  for (const std::string& key : asked_)
+    if (const auto found = stored_.find(key); found != stored_.end())
+      taken.insert(*found);
+  return other_revisions(taken);
 }
 
-void CaseRunner::keep(const StoredMap& map, MapState state) {
-  if (file_) file_->put_map(map, state);
+void CaseRunner::keep(const StoredMap& map) {
+  if (file_) file_->put_map(map);
 }
 
 std::vector<CaseResult> CaseRunner::run(const std::vector<CaseSettings>& settings) {

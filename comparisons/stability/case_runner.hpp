@@ -28,9 +28,9 @@ class CaseRunner {
   std::vector<std::string> keys_of(const std::vector<CaseSettings>& settings);
 
   /// Keeps a map of cases in the result file, if there is one.
-  void keep(const StoredMap& map, MapState state);
+  void keep(const StoredMap& map);
 
-  /// Of the cases so far, those of other revisions.
+  /// Of the cases so far, run or asked for their keys, those of other revisions.
   [[nodiscard]] OtherRevisions others() const;
 
   /// How many there were that nothing held.
@@ -45,6 +45,7 @@ class CaseRunner {
   int parallel_;
   std::map<std::string, CaseResult> results_;  // by this program's key
   std::set<std::string> written_;              // keys
+  std::set<std::string> asked_;                // this program's keys
 };
 
 }  // namespace springcheck

@@ -111,15 +111,20 @@ std::string read_text_bytes(hid_t column, const std::string& name, const Shape& 
   return bytes;
 }
 
-std::vector<std::string> split(const std::string& bytes, std::size_t width,
-                               const std::string& name) {
+std::vector<std::string> split(const std::string& bytes, std::size_t width) {
   std::vector<std::string> texts;
-  std::string all;
   for (std::size_t at = 0; at < bytes.size(); at += width) {
     const std::string_view cell = std::string_view(bytes).substr(at, width);
     texts.emplace_back(cell.substr(0, cell.find('\0')));
-    all.append(texts.back()).push_back('\0');
   }
+  return texts;
+}
+
+std::vector<std::string> checked_texts(const std::string& bytes, std::size_t width,
+                                       const std::string& name) {
+  std::vector<std::string> texts = split(bytes, width);
+  std::string all;
+  for (const std::string& text : texts) all.append(text).push_back('\0');
   if (!is_utf8(all)) throw std::runtime_error("column " + name + " is not UTF-8");
   return texts;
 }
@@ -144,7 +149,7 @@ void write_text_bytes(hid_t column, const Shape& shape, hsize_t first,
 /// The column with room for longer texts.
 Handle widened(hid_t group, const std::string& name, Shape shape, std::size_t width) {
   const std::vector<std::string> texts =
-      split(read_text_bytes(open_column(group, name), name, shape), shape.width, name);
+      split(read_text_bytes(open_column(group, name), name, shape), shape.width);
   check(H5Ldelete(group, name.c_str(), H5P_DEFAULT), "replacing column " + name);
   shape.width = std::max(width, 2 * shape.width);
   Handle column = create_column(group, name, shape);
@@ -310,7 +315,7 @@ std::vector<std::string> read_texts(hid_t group, const std::string& name) {
   const Shape shape = shape_of(column, name);
   if (!shape.is_text) throw std::runtime_error("column " + name + " holds no texts");
   check_size(group, name, shape);
-  return split(read_text_bytes(column, name, shape), shape.width, name);
+  return checked_texts(read_text_bytes(column, name, shape), shape.width, name);
 }
 
 Columns read_columns(hid_t group) {
@@ -326,8 +331,8 @@ Columns read_columns(hid_t group) {
     bytes += bytes_of(shape);
     hdf5::check_size(group, "a table up to column " + name, bytes);
     if (shape.is_text) {
-      table.texts.emplace(name,
-                          split(read_text_bytes(column, name, shape), shape.width, name));
+      table.texts.emplace(
+          name, checked_texts(read_text_bytes(column, name, shape), shape.width, name));
       continue;
     }
     table.numbers.emplace(name, NumberColumn{.width = shape.width,

@@ -91,6 +91,8 @@ SheetRow row_of(const Columns& cases, std::size_t row) {
     shown.cells.push_back(cell);
   }
   shown.cells.push_back(text(cases, "reference", row));
+  if (const std::string other = text(cases, "other_revision", row); !other.empty())
+    shown.notes.push_back(fmt::format("Of revision {} of the numerics.", other));
   return shown;
 }
 

@@ -23,11 +23,14 @@ struct ComputedTables {
 /// Computes the named tables and sheets with everything they need, each simulation once,
 /// `parallel` of them at a time; see run_study for `known`, of which sheets take only
 /// cases with their fields. `computed` is called with each result that was not known, one
-/// at a time. Throws InputError for a sheet with a reference: sheets have theirs.
-ComputedTables compute_tables(
-    const std::vector<std::string>& names,
-    const std::optional<ReferenceMethod>& reference, MeshStore& meshes, int parallel,
-    const KnownResult& known = {},
-    const std::function<void(const CaseResult&)>& computed = {});
+/// at a time. Known results of other revisions are taken where a row and its
+/// reference, or all that a sheet is made of, are of one. Throws InputError for a sheet
+/// with a reference: sheets have theirs.
+ComputedTables compute_tables(const std::vector<std::string>& names,
+                              const std::optional<ReferenceMethod>& reference,
+                              MeshStore& meshes, int parallel,
+                              const KnownResult& known = {},
+                              const std::function<void(const CaseResult&)>& computed = {},
+                              Revisions revisions = Revisions::own);
 
 }  // namespace springcheck

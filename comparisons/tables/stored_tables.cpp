@@ -22,8 +22,12 @@ std::optional<Table> stored_table(const std::string& name, const std::string& fi
     if (!own) continue;
     rows.push_back(row);
     results.push_back(std::move(*own));
-    for (const CaseSettings& reference : reference_cases(row.request))
-      results.push_back(find({.settings = reference}).value_or(CaseResult{}));
+    const std::string revision = results.back().revision;
+    for (const CaseSettings& reference : reference_cases(row.request)) {
+      auto found = find({.settings = reference});
+      const bool is_of_row = found && found->revision == revision;
+      results.push_back(is_of_row ? *std::move(found) : CaseResult{});
+    }
   }
   if (rows.empty()) return std::nullopt;
   if (rows.size() < plan.rows.size())
@@ -32,6 +36,7 @@ std::optional<Table> stored_table(const std::string& name, const std::string& fi
                     "`springcheck table {} --from {}` computes them.",
                     rows.size(), plan.rows.size(), name, file));
   plan.rows = std::move(rows);
+  add_note_of_taken(plan.notes, results);
   return fill_table(std::move(plan), results);
 }
 
@@ -42,19 +47,16 @@ std::optional<Sheet> stored_sheet(const std::string& name, const Find& find,
   for (const Request& request : plan.requests) {
     auto result = find(request);
     if (!result) return std::nullopt;
+    if (!results.empty() && result->revision != results.front().revision)
+      return std::nullopt;
     results.push_back(std::move(*result));
   }
-  return plan.make(results, meshes);
+  Sheet sheet = plan.make(results, meshes);
+  add_note_of_taken(sheet.notes, results);
+  return sheet;
 }
 
 }  // namespace
-
-void add_note(TableSet& set, const OtherRevisions& others) {
-  if (others.empty()) return;
-  const std::string note = note_of_taken(others);
-  for (Table& table : set.tables) table.plan.notes.push_back(note);
-  for (Sheet& sheet : set.sheets) sheet.notes.push_back(note);
-}
 
 TableSet stored_tables(const std::filesystem::path& file, MeshStore& meshes,
                        Revisions revisions) {
@@ -78,10 +80,13 @@ TableSet stored_tables(const std::filesystem::path& file, MeshStore& meshes,
   }
   if (!stored.empty()) {
     set.sheets.push_back(cases_sheet(read_cases(file, revisions)));
-    const OtherRevisions others = stored_keys(file).others;
-    if (revisions == Revisions::own && !others.empty())
-      set.sheets.back().notes.push_back(
-          "In the file: " + note_of_other_revisions(others, revisions) + ".");
+    std::vector<std::string>& notes = set.sheets.back().notes;
+    if (const OtherRevisions taken = other_revisions(stored); !taken.empty())
+      notes.push_back(note_of_taken(taken));
+    else if (const std::string note =
+                 note_of_other_revisions(stored_keys(file), revisions);
+             !note.empty())
+      notes.push_back("In the file: " + note + ".");
   }
   return set;
 }

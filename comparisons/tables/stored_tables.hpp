@@ -11,13 +11,10 @@ namespace springcheck {
 /// whose case is there, with a note where others are lacking, and no reference value
 /// where that case is; of the sheets those that lack no case (5.5 beside tables of the
 /// thesis only), but not caseless_sheet_names(), which have to be computed; and
-/// cases_sheet. All say where cases of other revisions are among the file's that are
-/// taken. Throws like read_results.
+/// cases_sheet. Each says which cases of other revisions it is made of; a row's reference
+/// is of its own revision, and so are all cases of a sheet, or there is none. Throws like
+/// read_results.
 TableSet stored_tables(const std::filesystem::path& file, MeshStore& meshes,
                        Revisions revisions);
-
-/// Says in each table which cases of other revisions it may be made of; nothing where
-/// there are none.
-void add_note(TableSet& set, const OtherRevisions& others);
 
 }  // namespace springcheck

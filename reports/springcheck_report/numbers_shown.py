@@ -42,3 +42,9 @@ def data(value, text, key=None, measure=None):
     if key is not None:
         source = f' data-case="{escape(key)}" data-measure="{escape(measure)}"'
     return f'<data value="{value!r}"{source}>{escape(text)}</data>'
+
+
+def revision_text(revisions):
+    """Of revisions of the numerics with commas between: "revision 0123456789ab, an unknown one"."""
+    names = revisions.split(",")
+    return ", ".join("an unknown one" if name == "unknown" else f"revision {name}" for name in names)

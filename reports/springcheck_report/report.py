@@ -1,7 +1,7 @@
 """Makes the report of a result file: page, figures, files for ParaView."""
 
 import base64
-import fcntl
+import ctypes
 import gc
 import multiprocessing
 import os
@@ -36,7 +36,6 @@ def make(file, folder):
     sections = [section for section in (maker(study) for maker in makers) if section]
     figures = [block for section in sections for block in section.blocks if isinstance(block, Figure)]
     (folder / "data").mkdir(parents=True, exist_ok=True)
-    lock = _locked(folder / "data")
     # Beside their place until all of them are made: an earlier report stays whole till then.
     unfinished = folder / "data" / "unfinished"
     shutil.rmtree(unfinished, ignore_errors=True)  # of one that was killed
@@ -45,20 +44,7 @@ def make(file, folder):
         _replace_earlier(folder, unfinished)
     finally:
         shutil.rmtree(unfinished, ignore_errors=True)
-        os.close(lock)
     return f"{folder / 'index.html'}: {len(sections)} sections, {len(figures)} figures"
-
-
-def _locked(folder):
-    """A descriptor that holds the folder. ValueError where another report does: one whose
-    springcheck was killed goes on, and holds no lock of springcheck's own."""
-    lock = os.open(folder, os.O_RDONLY)
-    try:
-        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError as error:
-        os.close(lock)
-        raise ValueError(f"{folder}: another report is being made there") from error
-    return lock
 
 
 def _make_files(study, sections, figures, folder):
@@ -113,7 +99,9 @@ def _in_parallel(tasks):
 
 
 def _leave_signals_to_the_parent():
-    """It ends its workers, by SIGTERM."""
+    """It ends its workers, by SIGTERM; so does Linux where it is killed: they would keep
+    the folder's lock."""
+    ctypes.CDLL(None).prctl(1, signal.SIGTERM)  # PR_SET_PDEATHSIG
     for number in (signal.SIGINT, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)

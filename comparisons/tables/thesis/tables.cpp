@@ -395,6 +395,9 @@ Table fill_table(TablePlan plan, const std::vector<CaseResult>& results) {
       row.further.push_back(quantity.of(row.result.measures));
     if (std::ranges::count(row.result.flags, Status::wrinkled) > 0)
       row.plan.notes.emplace_back(table_notes::wrinkled);
+    if (!row.result.revision.empty())
+      row.plan.notes.push_back(
+          fmt::format("Of revision {} of the numerics.", row.result.revision));
     table.rows.push_back(std::move(row));
   }
   return table;

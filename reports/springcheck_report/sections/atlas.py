@@ -4,7 +4,7 @@ import numpy as np
 from content import Figure, Section, file_name, paragraph, table
 from figures import failure_maps
 from markupsafe import Markup
-from numbers_shown import data, significant
+from numbers_shown import data, revision_text, significant
 from sections.atlas_theory import theory_on
 from study import load_text, mesh_text
 
@@ -70,7 +70,7 @@ def _blocks(study, one, letters, names):
 
 def _revision_words(one):
     others = one["other_revisions"]
-    return [f"Made with the numerics of {others.replace(',', ', ')}, not this program's."] if others else []
+    return [f"Made with the numerics of {revision_text(others)}, not this program's."] if others else []
 
 
 def _new_name(name, names):

@@ -3,7 +3,7 @@
 from content import Figure, Section, file_name, paragraph, table, table_links, tabled_number
 from figures import work_precision
 from markupsafe import Markup
-from numbers_shown import formatted, with_bar
+from numbers_shown import formatted, revision_text, with_bar
 from study import ANSWERS, load_text
 
 _TABLES = ["chart", "chart-front", "chart-laws", "chart-truths", "chart-claims"]
@@ -206,7 +206,7 @@ def _caption(one, is_own, words):
         "counts what it may be off on each mesh; where all errors are far "
         "above it, its height is written alone. Crosses above the line are simulations that failed, at the "
         f"time they took. Errors below an axis stand on it. Measured on {one['machine']}"
-        + (f", with the numerics of {other}, not this program's." if (other := one["other_revision"]) else ".")
+        + (f", with the numerics of {revision_text(other)}, not this program's." if (other := one["other_revision"]) else ".")
     )
 
 

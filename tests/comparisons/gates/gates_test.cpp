@@ -367,7 +367,8 @@ BOOST_AUTO_TEST_CASE(junit_is_well_formed_and_counts) {
                 .gates = parse_gates(good, "gates.toml"),
                 .outcomes = {},
                 .others = {{"0123456789ab", 2}},
-                .revisions = Revisions::all};
+                .revisions = Revisions::all,
+                .note = "2 of 0123456789ab"};
   for (const Gate& gate : report.gates)
     report.outcomes.push_back(check(gate, table(), "file.h5"));
   report.outcomes[0].explanation += "\x01<]]>";

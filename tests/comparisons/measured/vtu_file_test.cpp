@@ -242,7 +242,7 @@ BOOST_AUTO_TEST_CASE(elements_nested_without_end_are_refused) {
         read_vtu_displacements(file, mesh), InputError, [](const InputError& error) {
           return std::string(error.what())
               .starts_with(file.string() +
-                           ": expected at most 2000 times '<', as of VTK's tags, got ");
+                           ": expected at most 6000 times '<', as of VTK's tags, got ");
         });
   }
   write(file, with_point_data(displacement_array("displacement") + nested(900)));

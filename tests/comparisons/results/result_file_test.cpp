@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "comparisons/results/kept_results.hpp"
+#include "comparisons/results/known_results.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/results/stored_mesh.hpp"
 #include "comparisons/store/hdf5.hpp"
@@ -520,6 +521,9 @@ BOOST_AUTO_TEST_CASE(of_several_other_revisions_the_newest_is_taken) {
     session["date"] = std::string(date);
     replace_row(sessions, 0, session);
   }
+  for (const auto& files : {std::vector{older, newer}, {newer, older}})
+    for (const auto& [key, place] : stored_cases(files, Revisions::all))
+      BOOST_TEST(place.second.revision == other_revision);
   ResultFile(newer).absorb(older);  // which adds the older rows behind the newer
   BOOST_TEST(all_cases(newer).rows == 4U);
   for (const auto& [key, stored] : read_results(newer, Revisions::all))
@@ -581,7 +585,7 @@ BOOST_AUTO_TEST_CASE(rounding_is_told_by_the_measures_of_one_unit) {
   BOOST_TEST(force.conflicts.size() == 1U);
 }
 
-// A key of another's making must not lead elsewhere in the file.
+// A key of another's making must not lead elsewhere in the file, nor a session.
 BOOST_AUTO_TEST_CASE(keys_that_are_paths_are_refused) {
   const OwnFolder own;
   const auto file = own.path / "a.h5";
@@ -601,8 +605,23 @@ BOOST_AUTO_TEST_CASE(keys_that_are_paths_are_refused) {
         replace_row(cases, 0, row);
       }
       BOOST_CHECK_THROW(all_cases(bad), InputError);
+      BOOST_CHECK_THROW(ResultFile{bad}, InputError);
       BOOST_CHECK_THROW(ResultFile(own.path / "c.h5").absorb(bad), InputError);
     }
+  for (const double session : {7., 0.5, -1.}) {
+    const auto bad = own.path / "bad.h5";
+    fs::copy_file(file, bad, fs::copy_options::overwrite_existing);
+    {
+      const hdf5::Handle root(H5Fopen(bad.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
+                              "bad");
+      const auto cases = hdf5::open_group(root, "cases");
+      Row row = row_at(read_columns(cases), 0);
+      row["provenance"] = std::vector{session};
+      replace_row(cases, 0, row);
+    }
+    BOOST_CHECK_THROW(all_cases(bad), InputError);
+    BOOST_CHECK_THROW(ResultFile{bad}, InputError);
+  }
 }
 
 // Nobody can tell what was asked but by the columns: gates can, tables cannot.

@@ -4,6 +4,9 @@
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/results/result_file.hpp"
+#include "comparisons/store/columns.hpp"
+#include "comparisons/store/hdf5.hpp"
+#include "meshing/input_error.hpp"
 #include "tests/comparisons/chart/example_chart.hpp"
 #include "tests/comparisons/own_folder.hpp"
 
@@ -89,6 +92,28 @@ BOOST_AUTO_TEST_CASE(charts_of_other_revisions_are_taken_when_asked_for) {
   chart.revision = build_info::revision;
   ResultFile(file).put_chart(chart);
   BOOST_TEST(read_charts(file, Revisions::own).size() == 1U);
+}
+
+// HDF5 1.10 overruns a null pointer where it copies texts of more than 8 attributes; and
+// a chart that cannot be read must not get into another file.
+BOOST_AUTO_TEST_CASE(merging_reads_what_it_takes) {
+  const OwnFolder own;
+  const auto good = own.path / "good.h5", bad = own.path / "bad.h5";
+  const StoredChart chart = with_points({{"mss-cf", 4}});
+  for (const auto& file : {good, bad}) {
+    ResultFile(file).put_chart(chart);
+    const hdf5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
+                            "chart");
+    const auto charts = hdf5::open_group(root, "charts");
+    const auto group = hdf5::open_group(charts, hdf5::links(charts).at(0));
+    for (const char* name : {"further", "and more"})
+      hdf5::write_attribute(group, name, std::string("text"));
+    if (file == bad) H5Adelete(group, "law");
+  }
+  ResultFile(own.path / "all.h5").absorb(good);
+  BOOST_TEST(read_charts(own.path / "all.h5", Revisions::all).size() == 1U);
+  BOOST_CHECK_THROW(ResultFile(own.path / "none.h5").absorb(bad), InputError);
+  BOOST_TEST(read_charts(own.path / "none.h5", Revisions::all).empty());
 }
 
 BOOST_AUTO_TEST_CASE(times_that_are_none_are_refused) {

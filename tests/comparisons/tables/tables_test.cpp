@@ -10,6 +10,7 @@
 #include "comparisons/sheets/text_table.hpp"
 #include "comparisons/studies/study.hpp"
 #include "comparisons/tables/catalogue.hpp"
+#include "comparisons/tables/computed_tables.hpp"
 #include "comparisons/tables/thesis/format_table.hpp"
 #include "comparisons/tables/thesis/printed_figures.hpp"
 #include "comparisons/tables/thesis/table_notes.hpp"
@@ -330,6 +331,48 @@ BOOST_AUTO_TEST_CASE(a_converged_reference_shows_its_order_and_bar,
   BOOST_TEST(text.find("| 12.000 | 2 | 1.00 | fem-hencky:q1-sri@converged |") !=
                  std::string::npos,
              text);
+}
+
+// A figure of this program beside a reference of another's compares programs: what shares
+// a reference is taken together or computed together.
+BOOST_AUTO_TEST_CASE(rows_and_their_references_are_of_one_revision) {
+  MeshStore meshes;
+  const KnownResult known = [](const Request& request,
+                               const std::string& key) -> std::optional<CaseResult> {
+    const CaseSettings& settings = request.settings;
+    if (settings.method.name == "mss-cf" && *settings.deformation < 0.1)
+      return std::nullopt;
+    CaseResult theirs{.request = request,
+                      .key = "their " + key,
+                      .status = Status::ok,
+                      .wall_s = 0,
+                      .solve_wall_s = 0,
+                      .revision = "0123456789ab"};
+    theirs.measures.volume_error = 0;
+    theirs.measures.plate_torque = 1;
+    return theirs;
+  };
+  std::set<std::string> computed;
+  const ComputedTables tables = compute_tables(
+      {"5.4"}, std::nullopt, meshes, 2, known,
+      [&](const CaseResult& result) { computed.insert(result.key); }, Revisions::all);
+  const Table& table = tables.set.tables.at(0);
+  const double theirs = table.plan.quantity.of({.plate_torque = 1}).value();
+  std::size_t own = 0;
+  for (const TableRow& row : table.rows) {
+    const bool is_own = row.result.revision.empty();
+    own += is_own;
+    if (row.plan.request.settings.deformation.value() > 0.1) BOOST_TEST(!is_own);
+    BOOST_TEST((row.ours == std::optional(theirs)) == !is_own);
+    if (row.plan.request.reference)
+      BOOST_TEST((row.reference_value == std::optional(theirs)) == !is_own);
+    BOOST_TEST((std::ranges::count(row.plan.notes,
+                                   "Of revision 0123456789ab of the numerics.") == 1) ==
+               !is_own);
+  }
+  BOOST_TEST(own > 1U);
+  BOOST_TEST(own < table.rows.size());
+  for (const std::string& key : computed) BOOST_TEST(!key.starts_with("their"));
 }
 
 BOOST_AUTO_TEST_CASE(rounding_leaves_no_signed_zero_and_hides_no_failure) {
