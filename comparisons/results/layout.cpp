@@ -21,7 +21,7 @@ const std::vector<Described>& file_layout() {
        "xdmf_topology, the same cells for ParaView"},
       {"/maps/SHA256",
        "maps of `springcheck stability`: attributes scene, first, second (settings), "
-       "revision, other_revisions (of cases that were taken all the same); "
+       "revision, other_revisions (of cases that were taken all the same), complete; "
        "points (columns method, first, second, key, control: the case that locking is "
        "judged by), limits (method, second, low, high, failure, key)"},
       {"/charts/SHA256",
