@@ -7,14 +7,11 @@
 #include <set>
 
 #include "comparisons/commands/sweep_command.hpp"
-#include "comparisons/results/result_writer.hpp"
 #include "comparisons/running/cost.hpp"
 #include "comparisons/shipped/shipped.hpp"
 #include "comparisons/sweeps/sweep_file.hpp"
 #include "comparisons/sweeps/sweep_run.hpp"
-#include "comparisons/system/blas.hpp"
 #include "comparisons/system/memory.hpp"
-#include "comparisons/system/processor.hpp"
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "meshing/input_error.hpp"
@@ -384,50 +381,6 @@ BOOST_AUTO_TEST_CASE(shards_are_disjoint_and_whole) {
     BOOST_TEST(force_of(all, key) == force_of(whole, key));  // the same bits
 }
 
-// A case that both files have with other figures is kept as it is, and named.
-// As other processors and another BLAS make it: of the number itself, or of others that
-// cancel in it.
-BOOST_AUTO_TEST_CASE(rounding_is_no_conflict_of_a_merge) {
-  const OwnFolder own;
-  MeshStore meshes;
-  auto results = run_study(requests(run_of("compression", {"cells=2,2,2"})), meshes, 1,
-                           [](std::size_t, std::size_t) {});
-  write_results(own.path / "ours.h5", results, meshes);
-  *results[0].measures.plate_force *= 1 + 1e-12;
-  results[0].measures.torque = Vector3(1e-16, 0, 0);
-  write_results(own.path / "theirs.h5", results, meshes);
-  ResultFile ours(own.path / "ours.h5");
-  const auto absorbed = ours.absorb(own.path / "theirs.h5");
-  BOOST_TEST(absorbed.conflicts.empty());
-  BOOST_TEST_REQUIRE(absorbed.roundings.size() == 1U);
-  BOOST_TEST(
-      absorbed.roundings[0].find("by rounding; computed with " + instructions() + ", " +
-                                 blas_name() + " here") != std::string::npos,
-      absorbed.roundings[0]);
-}
-
-BOOST_AUTO_TEST_CASE(conflicts_of_a_merge_are_reported) {
-  const OwnFolder own;
-  MeshStore meshes;
-  auto results = run_study(requests(run_of("compression", {"cells=2,2,2"})), meshes, 1,
-                           [](std::size_t, std::size_t) {});
-  write_results(own.path / "ours.h5", results, meshes);
-  const double force = *results[0].measures.plate_force;
-  *results[0].measures.plate_force *= 1 + 2e-9;
-  results[1].wall_s = 77;  // times may differ
-  write_results(own.path / "theirs.h5", results, meshes);
-  ResultFile ours(own.path / "ours.h5");
-  const auto absorbed = ours.absorb(own.path / "theirs.h5");
-  BOOST_TEST(absorbed.added == 0U);
-  BOOST_TEST(absorbed.already_there == results.size());
-  BOOST_TEST_REQUIRE(absorbed.conflicts.size() == 1U);
-  BOOST_TEST(absorbed.conflicts[0].find(results[0].key + ": plate_force differs") !=
-             std::string::npos);
-  BOOST_TEST(*read_results(own.path / "ours.h5", Revisions::own)
-                  .at(results[0].key)
-                  .measures.plate_force == force);
-}
-
 BOOST_AUTO_TEST_CASE(only_failed_runs_what_is_there_and_not_ok) {
   const OwnFolder own;
   const fs::path file = own.path / "a.h5";
@@ -466,38 +419,6 @@ BOOST_AUTO_TEST_CASE(the_estimate_counts_each_simulation_once) {
   BOOST_TEST(seconds("[10, 10, 10]") == 0.5 + 0.5 + 0.6,  // one reference for both
              boost::test_tools::tolerance(1e-12));
   BOOST_TEST(seconds("[20, 20, 20]") > 8 * seconds("[10, 10, 10]"));
-}
-
-// What the writing throws reaches who puts results in or waits for the end.
-BOOST_AUTO_TEST_CASE(a_failure_of_the_writer_is_not_lost) {
-  const OwnFolder own;
-  MeshStore meshes;
-  const auto results = run_study(requests(run_of("compression", {"cells=2,2,2"})), meshes,
-                                 1, [](std::size_t, std::size_t) {});
-  fs::create_directory(own.path / "folder");
-  ResultFile file(own.path / "folder" / "a.h5");
-  fs::remove_all(own.path / "folder");
-  ResultWriter writer(file, true, meshes);
-  writer.put(CaseResult(results.front()));
-  BOOST_CHECK_THROW(writer.finish(), std::exception);
-  BOOST_CHECK_THROW(writer.put(CaseResult(results.front())), std::exception);
-}
-
-// When the study ends early, what was computed until then is not lost.
-BOOST_AUTO_TEST_CASE(a_writer_that_goes_writes_what_waits) {
-  const OwnFolder own;
-  MeshStore meshes;
-  const auto results =
-      run_study(requests(run_of("compression", {"cells=2,2,2", "method=mss-cf,mss-fd"})),
-                meshes, 1, [](std::size_t, std::size_t) {});
-  ResultFile file(own.path / "a.h5");
-  try {
-    ResultWriter writer(file, true, meshes);
-    for (const CaseResult& result : results) writer.put(CaseResult(result));
-    throw std::runtime_error("a case without an answer");
-  } catch (const std::runtime_error&) {
-  }
-  BOOST_TEST(read_cases(own.path / "a.h5", Revisions::own).rows == results.size());
 }
 
 BOOST_AUTO_TEST_SUITE_END()
