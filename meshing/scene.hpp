@@ -126,6 +126,8 @@ struct Solution {
   std::optional<double> dt_limit{};        // [s] dynamics only: the last one looked at
   // [-] tissue only: of any cell on the way, in simple shear the strain:
   std::optional<double> largest_shear_strain{};
+  // What of the way is outside the range that the law was fitted to; empty if nothing:
+  std::string extrapolation{};
 };
 
 /// The Solution of a method that does not cover the scene.

@@ -33,16 +33,23 @@ struct Oscillation {
   ComplexModulus moduli;     // [Pa] of the law
 };
 struct Samples {
-  std::vector<Ramp> constant_rate, held;
+  std::vector<Ramp> constant_rate, held, faster;
   std::vector<Oscillation> oscillations;
 };
 
 Samples samples_of(const BipowerLaw& law, const FitRange& range, int density) {
   Samples samples;
+  const auto at_constant_rate = [&](double rate, double strain) {
+    return Ramp{strain, rate, 0, constant_rate_stress(law, strain, rate).total()};
+  };
   for (const double rate : points_in(range.rates, 1.2 * density))
     for (const double strain : points_in(range.strains, 8 * density))
-      samples.constant_rate.push_back(
-          {strain, rate, 0, constant_rate_stress(law, strain, rate).total()});
+      samples.constant_rate.push_back(at_constant_rate(rate, strain));
+  if (range.fastest_guess > range.rates.to)
+    for (const double rate :
+         points_in({range.rates.to, range.fastest_guess}, 3 * density))
+      for (const double strain : points_in(range.strains, 4 * density))
+        samples.faster.push_back(at_constant_rate(rate, strain));
   for (const double rate : points_in(range.rates, 1.2 * density))
     for (const double strain : points_in(range.strains, 1.5 * density))
       for (const double time : points_in(range.times_held, 1.5 * density))
@@ -68,21 +75,22 @@ MaxwellModel model_of(const BipowerLaw& law, const std::vector<double>& times,
   return model;
 }
 
-/// What each unknown gives of each sample, over the law's value: the sum over the
-/// unknowns is 1 where the model follows the law (the weight, for G'').
+/// What each unknown gives of each sample, over the law's value and times a weight: the
+/// sum over the unknowns is the weight where the model follows the law.
 class Equations {
  public:
-  Equations(const BipowerLaw& law, const Samples& samples,
+  Equations(const BipowerLaw& law, const Samples& samples, double weight_of_faster,
             const std::vector<double>& times)
       : law_(law), times_(times) {
     const auto unknowns = static_cast<Index>(2 * times.size() + 3);
     const auto rows =
         static_cast<Index>(samples.constant_rate.size() + samples.held.size() +
-                           2 * samples.oscillations.size());
+                           samples.faster.size() + 2 * samples.oscillations.size());
     A_ = Eigen::MatrixXd::Zero(rows, unknowns);
     b_ = Eigen::VectorXd::Ones(rows);
-    for (const Ramp& ramp : samples.constant_rate) add(ramp, ramp.rate);
-    for (const Ramp& ramp : samples.held) add(ramp, 0);
+    for (const Ramp& ramp : samples.constant_rate) add(ramp, ramp.rate, 1);
+    for (const Ramp& ramp : samples.held) add(ramp, 0, 1);
+    for (const Ramp& ramp : samples.faster) add(ramp, ramp.rate, weight_of_faster);
     for (const Oscillation& oscillation : samples.oscillations) add(oscillation);
   }
 
@@ -93,20 +101,22 @@ class Equations {
   }
 
  private:
-  void add(const Ramp& ramp, double dashpot_rate) {
+  void add(const Ramp& ramp, double dashpot_rate, double weight) {
+    const double whole = ramp.stress / weight;  // [Pa]
     const auto put = [&](Index unknown, const BranchStrain& strain) {
       const auto stress = [&](const BranchModuli& unit) {
         return strain.mean * branch_stiffness(unit, strain.mean_square, law_.linear_limit,
                                               law_.hardening_index);
       };
-      A_(row_, unknown) = stress({1, 0}) / ramp.stress;
-      A_(row_, unknown + 1) = stress({0, 1}) / ramp.stress;
+      A_(row_, unknown) = stress({1, 0}) / whole;
+      A_(row_, unknown + 1) = stress({0, 1}) / whole;
     };
     put(0, {ramp.strain, ramp.strain * ramp.strain});
     for (std::size_t i = 0; i < times_.size(); ++i)
       put(static_cast<Index>(2 * i + 2),
           branch_strain_after_ramp(times_[i], ramp.strain, ramp.rate, ramp.time_held));
-    A_(row_, A_.cols() - 1) = dashpot_rate / ramp.stress;
+    A_(row_, A_.cols() - 1) = dashpot_rate / whole;
+    b_[row_] = weight;
     ++row_;
   }
 
@@ -159,6 +169,29 @@ void check(const FitRange& range) {
   check_range("strain rates [1/s]", range.rates);
   check_range("times held [s]", range.times_held);
   check_range("angular frequencies [rad/s]", range.angular_frequencies);
+  check_positive("fastest guess [1/s]", range.fastest_guess);
+}
+
+/// The best of all relaxation times.
+MaxwellModel best_model(const BipowerLaw& law, const Samples& samples, const Ends& ends,
+                        double weight_of_faster, int branches) {
+  constexpr double candidates_per_decade = 8;
+  double least = std::numeric_limits<double>::infinity();
+  MaxwellModel best;
+  for (const double first : points_in(ends.first, candidates_per_decade))
+    for (const double last : points_in(ends.last, candidates_per_decade)) {
+      if (last <= first) continue;
+      std::vector<double> times;
+      for (int i = 0; i < branches; ++i)
+        times.push_back(first * std::pow(last / first, i / (branches - 1.)));
+      const auto [x, residual] =
+          Equations(law, samples, weight_of_faster, times).solution();
+      if (residual < least) {
+        least = residual;
+        best = model_of(law, times, x);
+      }
+    }
+  return best;
 }
 
 }  // namespace
@@ -170,30 +203,20 @@ MaxwellFit fit_maxwell_model(const BipowerLaw& law, const FitRange& range, int b
     throw InputError("tissue", "number of Maxwell branches",
                      "2 to " + std::to_string(most_branches), std::to_string(branches));
   const Samples samples = samples_of(law, range, 1);
-  const auto [firsts, lasts] = ends_of(range);
-  constexpr double candidates_per_decade = 8;
-  double least = std::numeric_limits<double>::infinity();
-  MaxwellModel best;
-  for (const double first : points_in(firsts, candidates_per_decade))
-    for (const double last : points_in(lasts, candidates_per_decade)) {
-      if (last <= first) continue;
-      std::vector<double> times;
-      for (int i = 0; i < branches; ++i)
-        times.push_back(first * std::pow(last / first, i / (branches - 1.)));
-      const auto [x, residual] = Equations(law, samples, times).solution();
-      if (residual < least) {
-        least = residual;
-        best = model_of(law, times, x);
-      }
-    }
-  return {best, range, errors_of(best, law, range)};
+  const Ends ends = ends_of(range);
+  for (double weight_of_faster = 0.05;; weight_of_faster *= 2) {
+    const MaxwellModel model = best_model(law, samples, ends, weight_of_faster, branches);
+    const FitErrors errors = errors_of(model, law, range);
+    if (errors.guess <= largest_error_of_guess || weight_of_faster >= 0.8)
+      return {model, range, errors};
+  }
 }
 
 FitErrors errors_of(const MaxwellModel& model, const BipowerLaw& law,
                     const FitRange& range) {
   check(range);
   const Samples samples = samples_of(law, range, 4);
-  FitErrors errors{0, 0, 0, 0, 0};
+  FitErrors errors{};
   const auto raise = [](double& largest, double value, double expected) {
     largest = std::max(largest, std::abs(value / expected - 1));
   };
@@ -207,6 +230,8 @@ FitErrors errors_of(const MaxwellModel& model, const BipowerLaw& law,
                                        static_cast<double>(samples.constant_rate.size()));
   for (const auto& [strain, rate, time, stress] : samples.held)
     raise(errors.ramp_and_hold, ramp_and_hold_stress(model, strain, rate, time), stress);
+  for (const auto& [strain, rate, time, stress] : samples.faster)
+    raise(errors.guess, constant_rate_stress(model, strain, rate), stress);
   for (const auto& [omega, moduli] : samples.oscillations) {
     const ComplexModulus ours = small_oscillation(model, omega);
     raise(errors.storage, ours.storage, moduli.storage);

@@ -4,7 +4,8 @@
 
 namespace springcheck {
 
-/// How a case ended. The words are those of the command-line interface.
+/// How a case ended, and the last what else is to be known of it: a flag beside any of
+/// the others, never how a case ended. The words are those of the command-line interface.
 enum class Status {
   ok,
   wrinkled,
@@ -13,7 +14,8 @@ enum class Status {
   no_equilibrium,
   diverged,
   not_converged,
-  refused
+  refused,
+  extrapolated
 };
 
 template <>
@@ -34,6 +36,10 @@ inline constexpr std::array value_names<Status>{
     Named{Status::not_converged, "not_converged",
           "the solver gave up before the full load"},
     Named{Status::refused, "refused",
-          "the method does not cover this mesh, material or time step"}};
+          "the method does not cover this mesh, material or time step"},
+    Named{
+        Status::extrapolated, "extrapolated",
+        "never alone, a flag beside one of the others: strains or rates leave the range "
+        "to which the law of tissue was fitted"}};
 
 }  // namespace springcheck

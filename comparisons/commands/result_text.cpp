@@ -64,7 +64,7 @@ std::string results_text(const std::vector<CaseResult>& results) {
                    "{:.6g}");
     };
     rows.push_back(
-        {variant_label(result.request.settings), std::string(name_of(result.status)),
+        {variant_label(result.request.settings), status_words(result),
          shown(m.volume_error, "{:.4f}", 100), shown(m.plate_force, "{:.6g}"),
          shown(m.plate_force_norm, "{:.6g}"), shown(m.plate_torque, "{:.6g}"),
          shown(m.tip_deflection, "{:.6g}"),

@@ -16,7 +16,7 @@ std::vector<Method> spring_methods();
 /// Living tissue: branches fitted to the case's law (fit_maxwell_model, its range by
 /// default), the bulk ratio of its Poisson ratio (bulk_ratio_of); and the thesis's
 /// springs, which have no branches. Where strains or their rates leave the range of the
-/// fit, the solution's reason says that it is an extrapolation.
+/// fit, the solution's extrapolation says so.
 std::vector<Method> tissue_methods();
 
 /// What of a load that shears the body by `largest_strain` at most is outside the range;

@@ -53,9 +53,8 @@ Solution solve_with_memory(const CaseSettings& settings, const Solve& solve) {
   Solution solution = solve(settings_with(fit, settings));
   solution.setup_wall_s += fit_wall_s;
   if (!solution.largest_shear_strain) return solution;
-  const std::string beyond =
+  solution.extrapolation =
       extrapolation(fit.range, settings.dynamics, *solution.largest_shear_strain);
-  if (!beyond.empty()) solution.reason += (solution.reason.empty() ? "" : "; ") + beyond;
   return solution;
 }
 

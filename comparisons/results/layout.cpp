@@ -52,7 +52,7 @@ const std::vector<Described>& case_columns() {
       {"reference", "what deviations are measured against"},
       {"reference_settings", "all settings of that reference, as JSON"},
       {"status", "how the case ended"},
-      {"flags", "all statuses that apply, with commas"},
+      {"flags", "all that apply of wrinkled, inverted, indefinite and extrapolated, with commas"},
       {"reason", "why, in words"},
       {"load_fraction", "part of the load that was reached"},
       {"steps", "Newton steps, or steps through time"},

@@ -1,5 +1,9 @@
 #include "comparisons/running/case_result.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "comparisons/build_info/build_info.hpp"
@@ -55,6 +59,14 @@ Verdict judge(SolveStatus solved, bool inverted, bool wrinkled) {
       if (!verdict.flags.empty()) verdict.status = verdict.flags.front();
   }
   return verdict;
+}
+
+std::string status_words(const CaseResult& result) {
+  std::vector<std::string_view> names;
+  if (std::ranges::count(result.flags, result.status) == 0)
+    names.push_back(name_of(result.status));
+  for (const Status flag : result.flags) names.push_back(name_of(flag));
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace springcheck

@@ -14,8 +14,9 @@ struct CaseResult {
   Request request;
   std::string key{};  // identifies all that determines the result, see case_key
   Status status;
-  std::vector<Status> flags{};  // all of wrinkled, indefinite, inverted that apply
-  std::string reason{};         // in words, unless status is ok
+  // All of wrinkled, indefinite, inverted and extrapolated that apply:
+  std::vector<Status> flags{};
+  std::string reason{};  // in words, unless status is ok without a flag
   Measures measures{};          // all empty when there is no equilibrium to measure
   Solution solution{};
   // [m] displacement less the reference's, of each node; empty without a reference:
@@ -49,5 +50,8 @@ struct Verdict {
   std::vector<Status> flags{};
 };
 Verdict judge(SolveStatus solved, bool inverted, bool wrinkled);
+
+/// The status and the flags beside it, in words.
+std::string status_words(const CaseResult& result);
 
 }  // namespace springcheck

@@ -147,6 +147,10 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
     result.reason += flag == Status::inverted ? "a cell is turned inside out at a corner"
                                               : "a free face zigzags from cell to cell";
   }
+  if (!solution.extrapolation.empty()) {
+    result.flags.push_back(Status::extrapolated);
+    result.reason += (result.reason.empty() ? "" : "; ") + solution.extrapolation;
+  }
   return result;
 }
 

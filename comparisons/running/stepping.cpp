@@ -51,7 +51,7 @@ struct Stepped {
   std::unique_ptr<dynamics::Motion> motion{};
 };
 
-/// Tissue is spleen, with five branches.
+/// Tissue is spleen.
 CaseSettings settings_of(const SteppedBody& body, const Method& method,
                          const Material& material) {
   CaseSettings settings{};

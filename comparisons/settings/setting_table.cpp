@@ -234,7 +234,7 @@ constexpr Setting table[] = {
      {.replaces = laws_of_tissue,
       .needed = "K,n,GAMMA_LIM,p of tissue, or an organ"}},
     {"branches", living, unused, of_methods_alone,
-     value<count_of<2, tissue::most_branches>, &C::tissue, &Tissue::branches>, "5",
+     value<count_of<2, tissue::most_branches>, &C::tissue, &Tissue::branches>, "6",
      "Maxwell branches of tissue, 2 to 32"},
     {"time-steps", living, unused, of_tissue_at_rest,
      {read_time_steps, time_steps_told,

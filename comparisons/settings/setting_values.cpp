@@ -155,8 +155,11 @@ unsigned seed_of(const Given& given) {
 
 std::vector<Status> statuses_of(const Given& given) {
   std::vector<Status> statuses;
-  for (const std::string& name : given.texts())
+  for (const std::string& name : given.texts()) {
     statuses.push_back(value_named<Status>(given, name));
+    if (statuses.back() == Status::extrapolated)
+      given.refuse("how a case ends (extrapolated is a flag beside that)");
+  }
   return statuses;
 }
 

@@ -99,6 +99,10 @@ constexpr std::array entries{
         "of chapter 4, the Maxwell branches fitted to it, mss-tissue, and the thesis's "
         "spring force (Eq. 4.4) as printed and repaired",
         plan_tissue_table},
+    Entry{"tissue-rates",
+          "stress in shear against its rate, .001 to 50 1/s, in the range of the fit and "
+          "beyond: law, branches, mss-tissue",
+          plan_tissue_rates_table},
     Entry{"tissue-relaxation",
           "the same sheared to 100 %, then held for .1 to 100 s or unloaded: law and "
           "mss-tissue",

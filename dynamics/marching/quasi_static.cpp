@@ -7,8 +7,11 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <random>
 #include <string>
 
+#include "meshing/random_vector.hpp"
 #include "meshing/stopwatch.hpp"
 
 namespace springcheck::dynamics {
@@ -19,9 +22,17 @@ using Positions = std::vector<Vector3>;
 using Field = Eigen::VectorXd;  // an entry per free component, ascending
 
 constexpr double relative_residual = 1e-9;
-constexpr int most_iterations = 40;
+constexpr int most_iterations = 100;          // a body that buckles takes many
 constexpr double shortest_factor = 1. / 256;  // of a Newton step
 constexpr int most_halvings = 6;              // of a step of time
+constexpr int most_escapes = 3;               // from saddles, in a step of time
+constexpr double escape = 0.01;               // along the softest mode, in cell edges
+constexpr double longest_move = 0.5;  // of a node where it is not stable, in cell edges
+constexpr unsigned seed = 1;  // of where iterations start that end at the same place
+
+double mean_cell_edge(const Mesh& mesh) {
+  return std::cbrt(mesh.volume() / static_cast<double>(mesh.cells().size()));
+}
 
 class QuasiStatic {
  public:
@@ -32,15 +43,18 @@ class QuasiStatic {
         prescribed_(prescribed_components(mesh, scene)),
         is_free_(free_components(mesh, prescribed_)),
         load_(body.load()),
+        cell_edge_(mean_cell_edge(mesh)),
         positions_(mesh.nodes()),
         forces_(mesh.nodes().size(), Vector3::Zero()) {}
 
   /// Goes on to a load fraction in a time dt [s]; whether there was an equilibrium.
   bool advance_to(double load_fraction, double dt) {
-    Positions there;
-    if (!find(dt, load_fraction, there)) return false;
-    positions_ = std::move(there);
+    auto found = find(dt, load_fraction);
+    if (!found) return false;
+    positions_ = std::move(found->positions);
+    is_definite_ = found->is_definite;
     forces_ = body_.forces_after(dt, positions_);
+    if (found->met_saddle && !definite_up_to_) definite_up_to_ = load_fraction_;
     body_.advance(dt, positions_);
     largest_shear_strain_ =
         std::max(largest_shear_strain_, body_.largest_shear_strain(positions_));
@@ -68,7 +82,8 @@ class QuasiStatic {
 
   [[nodiscard]] Solution solution() const {
     const Moment now = moment(0);
-    return {.status = SolveStatus::ok,
+    return {.status = is_definite_ ? SolveStatus::ok : SolveStatus::indefinite,
+            .reason = stability(),
             .displacements = now.displacements,
             .reactions = now.reactions,
             .lever_arms = LeverArms::deformed,
@@ -76,11 +91,25 @@ class QuasiStatic {
             .load_fraction = load_fraction_,
             .steps = steps_,
             .force_evaluations = evaluations_,
+            .definite_up_to = definite_up_to_,
             .factorisations = body_.factorisations(),
             .largest_shear_strain = largest_shear_strain_};
   }
 
  private:
+  struct Equilibrium {
+    Positions positions;
+    bool is_definite, met_saddle;
+  };
+
+  [[nodiscard]] std::string stability() const {
+    if (!definite_up_to_) return {};
+    return fmt::format(
+        "the tangent is not positive definite beyond {:.2f} % of the load{}",
+        100 * *definite_up_to_,
+        is_definite_ ? "; a stable equilibrium beside it was taken" : "");
+  }
+
   [[nodiscard]] Field on_free(const std::vector<Vector3>& all) const {
     Field field(static_cast<Index>(std::ranges::count(is_free_, true)));
     Index unknown = 0;
@@ -104,8 +133,8 @@ class QuasiStatic {
     return sum;
   }
 
-  /// An equilibrium at the end of the step, into `there`.
-  bool find(double dt, double load_fraction, Positions& there) {
+  /// The state that the tangent predicts at the end of the step.
+  Positions predicted(double dt, double load_fraction) {
     std::vector<Vector3> way(positions_.size(), Vector3::Zero());
     for (const PrescribedComponent& component : prescribed_)
       way[component.node][component.component] =
@@ -116,29 +145,76 @@ class QuasiStatic {
     body_.linearise(dt, positions_);
     const std::vector<Vector3> of_way = body_.stiffness_times(way);
     for (std::size_t n = 0; n < f.size(); ++n) f[n] -= of_way[n];
-    there = moved(positions_, body_.solve(on_free(f)), 1);
+    Positions there = moved(positions_, body_.solve(on_free(f)), 1);
     for (std::size_t n = 0; n < way.size(); ++n) there[n] += way[n];
+    return there;
+  }
 
+  /// The longest way of a node where free components move by `change` [m].
+  [[nodiscard]] double longest_way(const Field& change) const {
+    const Positions none(positions_.size(), Vector3::Zero());
+    double longest = 0;
+    for (const Vector3& way : moved(none, change, 1))
+      longest = std::max(longest, way.norm());
+    return longest;
+  }
+
+  /// What least resists in the tangent taken last, by inverse iteration, so long that it
+  /// moves a node by `escape`.
+  [[nodiscard]] Field softest_mode() {
+    std::mt19937_64 random(seed);
+    const auto unknowns = static_cast<Index>(std::ranges::count(is_free_, true));
+    Field mode = random_vector(unknowns, random);
+    constexpr int iterations = 30;
+    for (int i = 0; i < iterations; ++i) mode = body_.solve(mode).normalized();
+    return mode * (escape * cell_edge_ / longest_way(mode));
+  }
+
+  /// Goes on from `there` by the change, or a part of it; whether that leads nearer to an
+  /// equilibrium. Where the tangent is positive definite that is where the residual
+  /// falls; elsewhere it may have to rise, and the forces must not turn against the
+  /// change. What is not a number is not nearer.
+  bool step(double dt, double load_fraction, bool is_definite, Field change,
+            Positions& there, Field& residual) {
+    const double norm = residual.norm();
+    if (!is_definite)
+      change *= std::min(1., longest_move * cell_edge_ / longest_way(change));
+    const double work = residual.dot(change);
+    const Positions here = there;
+    for (double factor = 1; factor >= shortest_factor; factor /= 2) {
+      there = moved(here, change, factor);
+      residual = on_free(forces(dt, there, load_fraction));
+      if (is_definite ? residual.norm() < norm : residual.dot(change) > -work / 2)
+        return true;
+    }
+    return false;
+  }
+
+  /// An equilibrium at the end of the step: a stable one where it is found from a saddle.
+  std::optional<Equilibrium> find(double dt, double load_fraction) {
+    Positions there = predicted(dt, load_fraction);
     Field residual = on_free(forces(dt, there, load_fraction));
+    std::optional<Equilibrium> saddle;
+    int escapes = 0;
     for (int i = 0; i < most_iterations; ++i) {
       const double norm = residual.norm(), scale = body_.force_scale();
       residual_ = norm / scale;
-      spdlog::debug("load {:.5f}, iteration {}: residual {:.2e}", load_fraction, i,
-                    residual_);
-      if (!std::isfinite(norm)) return false;
-      if (norm <= relative_residual * scale) return true;
-      body_.linearise(dt, there);
-      const Field change = body_.solve(residual);
-      const Positions here = there;
-      // What is not a number is not nearer.
-      for (double factor = 1;; factor /= 2) {
-        there = moved(here, change, factor);
+      if (!std::isfinite(norm)) break;
+      const bool is_definite = body_.linearise(dt, there);
+      spdlog::debug("load {:.5f}, iteration {}: residual {:.2e}{}", load_fraction, i,
+                    residual_, is_definite ? "" : ", indefinite");
+      if (norm <= relative_residual * scale) {
+        if (is_definite) return Equilibrium{std::move(there), true, saddle.has_value()};
+        if (!saddle) saddle = {there, false, true};
+        if (escapes++ == most_escapes) break;
+        there = moved(there, softest_mode(), 1);
         residual = on_free(forces(dt, there, load_fraction));
-        if (residual.norm() < norm) break;
-        if (factor < shortest_factor) return false;
+      } else if (!step(dt, load_fraction, is_definite, body_.solve(residual), there,
+                       residual)) {
+        break;
       }
     }
-    return false;
+    return saddle;
   }
 
   const Mesh& mesh_;
@@ -147,9 +223,12 @@ class QuasiStatic {
   std::vector<PrescribedComponent> prescribed_;
   std::vector<bool> is_free_;
   std::vector<Vector3> load_;  // [N] at the full load
+  double cell_edge_;           // [m] mean
   Positions positions_;
   std::vector<Vector3> forces_;  // of the last equilibrium, without the load
   double residual_ = 0, load_fraction_ = 0, largest_shear_strain_ = 0;
+  bool is_definite_ = true;
+  std::optional<double> definite_up_to_;
   int steps_ = 0, evaluations_ = 0;
 };
 
@@ -225,7 +304,7 @@ Solution find_quasi_static(const Mesh& mesh, const Scene& scene, RememberingBody
   solution.setup_wall_s = setup_wall_s;
   if (!reason.empty()) {
     solution.status = SolveStatus::not_converged;
-    solution.reason = reason;
+    solution.reason = reason + (solution.reason.empty() ? "" : "; ") + solution.reason;
   }
   return solution;
 }

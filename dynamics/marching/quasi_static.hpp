@@ -30,9 +30,9 @@ class RememberingBody {
   [[nodiscard]] virtual double force_scale() const = 0;
 
   /// Takes the symmetric part of the tangent there, minus the forces' derivative by the
-  /// positions, made positive definite where it is not; forces_after was called last with
-  /// the same.
-  virtual void linearise(double dt, std::span<const Vector3> positions) = 0;
+  /// positions, made positive definite where it is not; whether it was. forces_after was
+  /// called last with the same.
+  virtual bool linearise(double dt, std::span<const Vector3> positions) = 0;
 
   /// The tangent taken last times displacements of all nodes [N], and its solution on the
   /// free components [m].
@@ -65,9 +65,17 @@ struct QuasiStaticSettings {
 ///
 /// An equilibrium is found by Newton's method with the tangents of the body, from the
 /// state that the tangent predicts for the supports' way; a step of the method is halved
-/// until the residual falls. Converged: the residual is below 1e-9 of the force scale. A
+/// until the residual falls, or where the tangent is not positive definite until the
+/// forces do not turn against it. Where an equilibrium is not stable, the softest mode
+/// leads away from it, and to a stable one if there is one near: a column buckles.
+/// Converged: the residual is below 1e-9 of the force scale. A
 /// step of time that finds no equilibrium is halved, down to 1/64; then the status is
 /// not_converged, and the solution that of the last state.
+///
+/// Each equilibrium is judged by its step's tangent: where that is not positive definite
+/// at the end, the status is indefinite; definite_up_to is the load fraction of the last
+/// equilibrium before the first that is not stable, or was left for one that is. A longer
+/// step gives the memories more time to give way.
 ///
 /// Observers are shown the moments that they ask for, as steps reach them; there are no
 /// checkpoints. The solution has largest_shear_strain.

@@ -62,7 +62,7 @@ class RememberingElements final : public dynamics::RememberingBody {
 
   [[nodiscard]] double force_scale() const override { return force_scale_; }
 
-  void linearise(double dt, std::span<const Vector3> positions) override {
+  bool linearise(double dt, std::span<const Vector3> positions) override {
     const Eigen::VectorXd u = displacements(positions);
     const tissue::MemoryStep& step = step_of(dt);
     stiffness_.clear();
@@ -77,11 +77,14 @@ class RememberingElements final : public dynamics::RememberingBody {
     SparseMatrix matrix = stiffness_.matrix();
     constexpr double first_shift = 1e-4;  // of the largest entry
     double shift = first_shift * stiffness_.largest_diagonal();
-    for (; !direct_.factor_definite(matrix); shift *= 4) {
+    const bool is_definite = direct_.factor_definite(matrix);
+    for (bool is_done = is_definite; !is_done; shift *= 4) {
       if (!std::isfinite(shift) || shift > 1e6 * stiffness_.largest_diagonal())
         throw Breakdown("a tangent that no shift makes positive definite");
       for (Index i = 0; i < matrix.rows(); ++i) matrix.coeffRef(i, i) += shift;
+      is_done = direct_.factor_definite(matrix);
     }
+    return is_definite;
   }
 
   [[nodiscard]] std::vector<Vector3> stiffness_times(

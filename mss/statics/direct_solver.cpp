@@ -1,7 +1,7 @@
 #include "mss/statics/direct_solver.hpp"
 
 #include "meshing/breakdown.hpp"
-#include "mss/statics/random_vector.hpp"
+#include "meshing/random_vector.hpp"
 
 namespace springcheck::mss {
 namespace {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <random>
 
+#include "meshing/random_vector.hpp"
 #include "meshing/stopwatch.hpp"
 #include "mss/statics/minimum.hpp"
-#include "mss/statics/random_vector.hpp"
 #include "mss/statics/static_solution.hpp"
 
 namespace springcheck::mss {

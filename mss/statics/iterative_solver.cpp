@@ -5,7 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "mss/statics/random_vector.hpp"
+#include "meshing/random_vector.hpp"
 
 namespace springcheck::mss {
 namespace {

@@ -145,6 +145,12 @@ Eigen::VectorXd Landscape::negative_curvature(const Eigen::VectorXd& downhill,
   return v;
 }
 
+double Landscape::curvature_along(const Eigen::VectorXd& direction) const {
+  const Positions way =
+      moved(Positions(mesh_.nodes().size(), Vector3::Zero()), direction, 1);
+  return direction.dot(on_free(product(network_, tangent_, way)));
+}
+
 std::optional<int> Landscape::linear_iterations() const {
   if (const auto* iterative = std::get_if<IterativeSolver>(&solver_))
     return iterative->iterations();

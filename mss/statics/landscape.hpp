@@ -78,6 +78,9 @@ class Landscape {
   [[nodiscard]] Eigen::VectorXd negative_curvature(const Eigen::VectorXd& downhill,
                                                    std::mt19937_64& random);
 
+  /// d . K d of that tangent, d a unit vector [N/m].
+  [[nodiscard]] double curvature_along(const Eigen::VectorXd& direction) const;
+
   /// x with the supports at load fraction `to`, the free components answering their
   /// increments and the load's to first order through that tangent, clamped where it is
   /// not positive definite.

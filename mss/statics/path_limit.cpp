@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "meshing/random_vector.hpp"
 #include "mss/statics/landscape.hpp"
-#include "mss/statics/random_vector.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -87,6 +87,7 @@ PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& n
                   .positions = mesh.nodes(),
                   .curvature = 0,
                   .rest_curvature = 0,
+                  .mode_rest_curvature = 0,
                   .steps = 0,
                   .force_evaluations = 0};
   landscape.linearise(limit.positions);
@@ -150,17 +151,20 @@ PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& n
   limit.force_evaluations = landscape.evaluations();
   limit.critical_mode =
       landscape.moved(Positions(mesh.nodes().size(), Vector3::Zero()), mode.shape, 1);
+  const double part_of_mode =
+      limit.load_fraction < 1
+          ? part_along(landscape, limit.positions, limit.load_fraction, mode.shape)
+          : 0;
+  landscape.linearise(mesh.nodes());
+  limit.mode_rest_curvature = landscape.curvature_along(mode.shape);
   if (limit.load_fraction == 1)
     limit.end = PathEnd::full_load;
   else if (was_rejected)
     limit.end = PathEnd::rejected;
-  else if (mode.curvature > small * limit.rest_curvature)
+  else if (mode.curvature > small * limit.mode_rest_curvature)
     limit.end = PathEnd::solver;
   else
-    limit.end =
-        part_along(landscape, limit.positions, limit.load_fraction, mode.shape) > half
-            ? PathEnd::limit_point
-            : PathEnd::bifurcation;
+    limit.end = part_of_mode > half ? PathEnd::limit_point : PathEnd::bifurcation;
   return limit;
 }
 

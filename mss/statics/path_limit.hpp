@@ -25,8 +25,9 @@ struct PathLimit {
   // Unit vector of least curvature of the energy there, as it goes to zero where
   // definiteness is lost; on every node, 0 where held:
   std::vector<Vector3> critical_mode{};
-  double curvature;       // of the energy along it [N/m]
-  double rest_curvature;  // least curvature at rest [N/m]
+  double curvature;            // of the energy along it [N/m]
+  double rest_curvature;       // least curvature at rest [N/m]
+  double mode_rest_curvature;  // along the critical mode at rest [N/m]
   int steps;
   int force_evaluations;
 };
@@ -41,7 +42,9 @@ using AcceptState = std::function<bool(std::span<const Vector3> positions)>;
 ///
 /// At the limit the least curvature is below a tenth of that at rest. Where it is not to
 /// the resolution, the load is bisected further, to 1e-6 of it: a mode of few nodes may
-/// lose its curvature at once. Beyond that the solver is to blame.
+/// lose its curvature at once, and a slender body has a least one at rest, of bending,
+/// that is small beside those of other modes. Where then it is not below a tenth of what
+/// the same mode has at rest the solver is to blame.
 ///
 /// The path's direction du/ds then tells a limit point from a bifurcation: it grows
 /// without bound along the critical mode at the one, and has no part of it at the other

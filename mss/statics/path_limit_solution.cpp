@@ -49,9 +49,9 @@ std::string reason_of(const PathLimit& limit, double wavelength) {
       break;
   }
   return fmt::format(
-      "Newton's method fails {}, where the least curvature is still {:.2g} of that at "
-      "rest",
-      where, limit.curvature / limit.rest_curvature);
+      "Newton's method fails {}, where the least curvature is still {:.2g} of what the "
+      "same mode has at rest",
+      where, limit.curvature / limit.mode_rest_curvature);
 }
 
 }  // namespace

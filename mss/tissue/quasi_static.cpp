@@ -13,8 +13,7 @@ using Eigen::Index;
 
 /// The cells as patches of a tangent, without anything that acts.
 Network patches_of(const TissueBody& body) {
-  Network network{
-      .rest_positions = body.rest_positions, .masses = body.masses};
+  Network network{.rest_positions = body.rest_positions, .masses = body.masses};
   for (std::size_t c = 0; c < body.cells.size(); ++c) {
     const CellNodes& cell = body.cells[c];
     const std::vector<Vector3> no_gradients(cell.size(), Vector3::Zero());
@@ -56,7 +55,7 @@ class RememberingTissue final : public dynamics::RememberingBody {
 
   [[nodiscard]] double force_scale() const override { return force_scale_; }
 
-  void linearise(double dt, std::span<const Vector3> positions) override {
+  bool linearise(double dt, std::span<const Vector3> positions) override {
     const tissue::MemoryStep& step = step_of(dt);
     const std::size_t size = tissue::state_size(body_.solid.shear.branches.size());
     for (std::size_t c = 0; c < body_.cells.size(); ++c) {
@@ -69,7 +68,9 @@ class RememberingTissue final : public dynamics::RememberingBody {
       tangent_.cells[c] = (K + K.transpose()) / 2;
     }
     solver_.prepare(tangent_);
-    if (!solver_.is_definite()) solver_.prepare_clamped(tangent_);
+    const bool is_definite = solver_.is_definite();
+    if (!is_definite) solver_.prepare_clamped(tangent_);
+    return is_definite;
   }
 
   [[nodiscard]] std::vector<Vector3> stiffness_times(

@@ -48,19 +48,24 @@ class ThesisSprings final : public dynamics::RememberingBody {
       forces[spring.a] += pull / length * d;
       forces[spring.b] -= pull / length * d;
     }
-    // Of the largest tensions so far: they all vanish where the body comes back to rest.
-    force_scale_ = std::max(force_scale_, std::sqrt(squares));
+    forces_norm_ = std::sqrt(squares);
     return forces;
   }
 
-  [[nodiscard]] double force_scale() const override { return force_scale_; }
+  /// Of the largest tensions in an equilibrium so far: they all vanish where the body
+  /// comes back to rest.
+  [[nodiscard]] double force_scale() const override {
+    return std::max(largest_norm_, forces_norm_);
+  }
 
-  void linearise(double, std::span<const Vector3> positions) override {
+  bool linearise(double, std::span<const Vector3> positions) override {
     tangent_ = tangent_at(volumes_, positions);
     for (std::size_t c = 0; c < network_.cells.size(); ++c)
       add_springs(c, positions, tangent_.cells[c]);
     solver_.prepare(tangent_);
-    if (!solver_.is_definite()) solver_.prepare_clamped(tangent_);
+    const bool is_definite = solver_.is_definite();
+    if (!is_definite) solver_.prepare_clamped(tangent_);
+    return is_definite;
   }
 
   [[nodiscard]] std::vector<Vector3> stiffness_times(
@@ -72,7 +77,9 @@ class ThesisSprings final : public dynamics::RememberingBody {
     return solver_.solve(forces).value();
   }
 
-  void advance(double, std::span<const Vector3>) override {}
+  void advance(double, std::span<const Vector3>) override {
+    largest_norm_ = force_scale();
+  }
 
   [[nodiscard]] double free_energy(std::span<const Vector3> positions) const override {
     double energy = strain_energy(volumes_, positions);
@@ -122,7 +129,7 @@ class ThesisSprings final : public dynamics::RememberingBody {
   std::vector<Vector3> load_;  // [N] at the full load
   DirectSolver solver_;
   Tangent tangent_;
-  double force_scale_ = 0;
+  double forces_norm_ = 0, largest_norm_ = 0;  // [N] of the tensions
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ import springcheck_results
 
 # Columns other than settings that a report reads; a file lacks those that none of its cases
 # has.
-_TEXTS = ["scene", "mesh", "status", "reason", "source", "reference"]
+_TEXTS = ["scene", "mesh", "status", "flags", "reason", "source", "reference"]
 _NUMBERS = ["volume_error", "volume_change", "plate_force", "plate_force_norm", "plate_torque"]
 _NUMBERS += ["tip_deflection", "cell_volume_ratio_min", "load_fraction", "solve_wall_s"]
 _NUMBERS += ["deviation_l2_relative", "steps", "transit_count", "kinetic_energy", "strain_energy"]

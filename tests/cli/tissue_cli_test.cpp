@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <fstream>
 
 BOOST_AUTO_TEST_SUITE(tissue_cli_test)
@@ -101,9 +102,63 @@ BOOST_AUTO_TEST_CASE(the_thesiss_springs_run_as_the_table_has_them) {
 }
 
 BOOST_AUTO_TEST_CASE(strains_beyond_the_fit_are_flagged) {
-  const Json result = result_of("--gradient 0,0,1.4,0,0,0,0,0,0");
+  const std::string far = "--gradient 0,0,1.4,0,0,0,0,0,0";
+  const Json result = result_of(far);
   BOOST_TEST(result["status"] == "ok");
+  BOOST_TEST(result["flags"] == Json::array({"extrapolated"}));
   BOOST_TEST(std::string(result["reason"]).find("extrapolated") == 0U);
+  BOOST_TEST(result_of("")["flags"] == Json::array());
+  BOOST_TEST(run_springcheck(small + far).out.find("ok, extrapolated") !=
+             std::string::npos);
+  expect_bad_input(small + "--expect extrapolated",
+                   "how a case ends (extrapolated is a flag beside that)");
+}
+
+BOOST_AUTO_TEST_CASE(result_files_and_pages_keep_the_flag) {
+  result_of("--gradient 0,0,1.4,0,0,0,0,0,0 --out far.h5");
+  const Run page = run_springcheck("report far.h5 --out far");
+  BOOST_TEST(page.status == 0, page.err);
+  const std::string html = text_of(folder / "far/index.html");
+  BOOST_TEST(html.find("These cases are extrapolated") != std::string::npos);
+  BOOST_TEST(html.find("shear strains of 1.4 (fitted to 1)") != std::string::npos);
+}
+
+// The faces' bulging strains cells 2.8 times as fast as the plates go: up to 27 1/s here.
+// A force that goes with the rate to the n = .1138, within a fifth.
+BOOST_AUTO_TEST_CASE(fast_compression_stays_near_the_law) {
+  const auto force = [](double rate) {
+    const Json result =
+        json_of("run tissue-compression --method mss-tissue --organ liver --cells 3,3,3 "
+                "--deformation 30% --json --rate " +
+                std::to_string(rate))["results"][0];
+    BOOST_TEST(result["status"] == "ok");
+    return result["plate_force"].get<double>();
+  };
+  const double slow = force(0.133);
+  for (const double rate : {0.5, 2., 4., 10.})
+    BOOST_TEST(force(rate) == slow * std::pow(rate / 0.133, 0.1138),
+               boost::test_tools::tolerance(0.2));
+}
+
+BOOST_AUTO_TEST_CASE(large_compression_converges_with_any_number_of_branches) {
+  for (const char* branches : {"4", "6", "8", "12"}) {
+    const Json result =
+        json_of(std::string("run tissue-compression --method mss-tissue --organ liver "
+                            "--rate .133 --cells 3,3,3 --deformation 40% --json "
+                            "--branches ") +
+                branches)["results"][0];
+    BOOST_TEST(result["status"] == "ok", branches << ": " << result["reason"]);
+  }
+}
+
+// A column ten times as long as wide buckles, springs and elements alike.
+BOOST_AUTO_TEST_CASE(a_column_s_loss_of_stability_is_told) {
+  const Json results = json_of(
+      "run tissue-compression --organ liver --cells 2,2,20 --size .01,.01,.1 --json");
+  for (const Json& result : results["results"]) {
+    BOOST_TEST(result["reason"].is_string());
+    BOOST_TEST(result["definite_up_to_deformation"] < 0.08);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {

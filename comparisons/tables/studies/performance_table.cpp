@@ -113,8 +113,8 @@ Sheet measured_sheet() {
           "Plain loops: unique springs, square roots and divisions, one thread, mss-cf's "
           "network. Nu = 0.4, where mss-cf has corrections to compute; mss-nfd has them "
           "too, mss-fd has none.",
-          "mss-tissue: spleen, with five branches that remember; over the time of mss-cf "
-          "on as many threads, like mss-affine.",
+          "mss-tissue: spleen, with as many branches as are fitted by default; over the "
+          "time of mss-cf on as many threads, like mss-affine.",
           "The thesis's times are of an Intel i7-4790K with 8 threads; its figures 5.23 "
           "to 5.25 of another machine with up to 36."}};
   for (const Study& study : studies())

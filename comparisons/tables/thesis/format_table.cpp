@@ -32,13 +32,6 @@ std::string instead_of_value(const CaseResult& result) {
              : fmt::format("{} beyond {:.3g} %", status, 100 * reached);
 }
 
-std::string statuses(const CaseResult& result) {
-  if (result.flags.size() < 2) return std::string(name_of(result.status));
-  std::vector<std::string_view> names;
-  for (const Status flag : result.flags) names.push_back(name_of(flag));
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
 std::string reference_of(const CaseResult& result) {
   return result.request.reference ? reference_label(result.request) : "itself";
 }
@@ -89,7 +82,7 @@ Sheet sheet_of(const Table& table) {
          reference_of(result),
          fmt::format("{}", fmt::join(result.request.settings.body.block.cells, "x")),
          row.plan.verdict,
-         statuses(result)});
+         status_words(result)});
     own.cells.insert(own.cells.end(), row.further.begin(), row.further.end());
     sheet.rows.push_back(std::move(own));
   }

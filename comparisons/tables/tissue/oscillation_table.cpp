@@ -39,11 +39,11 @@ Sheet oscillation_sheet(std::span<const CaseResult> results) {
       .columns = {{"organ", "organ"},
                   {"angular_frequency", "omega [rad/s]", "{:g}"},
                   {"storage", "G' of the law [Pa]", "{:.5g}"},
-                  {"storage_branches", "five branches [Pa]", "{:.5g}"},
+                  {"storage_branches", "branches [Pa]", "{:.5g}"},
                   {"storage_springs", "mss-tissue [Pa]", "{:.5g}"},
                   {"storage_off", "off [%]", "{:.2f}"},
                   {"loss", "G'' of the law [Pa]", "{:.5g}"},
-                  {"loss_branches", "five branches [Pa]", "{:.5g}"},
+                  {"loss_branches", "branches [Pa]", "{:.5g}"},
                   {"loss_springs", "mss-tissue [Pa]", "{:.5g}"},
                   {"loss_off", "off [%]", "{:.2f}"}},
       .notes = {

@@ -10,6 +10,11 @@ namespace springcheck {
 /// repaired; with the root mean square of ln and the largest deviation from the law.
 SheetPlan plan_tissue_table();
 
+/// Liver, kidney and spleen in simple shear to 10, 30 and 100 % at rates of 0.001 to
+/// 50 1/s: stress by the bi-power law, by the Maxwell branches fitted to it, and by
+/// mss-tissue.
+SheetPlan plan_tissue_rates_table();
+
 /// Liver, kidney and spleen in simple shear to 100 %: held there for 0.1 to 100 s after a
 /// ramp at 0.67 1/s, and on the way back to rest after one at 0.133 1/s. Stress by the
 /// bi-power law, with |gamma|^p where strains fall, and by mss-tissue.

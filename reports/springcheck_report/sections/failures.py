@@ -42,11 +42,17 @@ def failing_sentences(study):
 
 
 def failures(study):
-    """A map by method and test, and every case that is not ok with its reason."""
+    """A map by method and test, and every case that is not ok or extrapolated with its
+    reason."""
     bad = study.cases[study.cases.status != "ok"]
-    if bad.empty:
-        return None
     section = Section("failures", "Where methods fail")
+    if not bad.empty:
+        _show_failed(section, study, bad)
+    section.blocks += _extrapolations(study)
+    return section if section.blocks else None
+
+
+def _show_failed(section, study, bad):
     section.blocks.append(
         paragraph(
             "A failed simulation is a result. Wrinkled, inverted and indefinite states are "
@@ -73,7 +79,23 @@ def failures(study):
     section.blocks.append(Figure("statuses", caption, statuses.draw, (methods, tests, shares)))
     section.blocks += _maps(study)
     section.blocks.append(_table(bad))
-    return section
+
+
+def _extrapolations(study):
+    """Cases of tissue that leave the range to which their law was fitted."""
+    cases = study.cases[study.cases["flags"].fillna("").str.contains("extrapolated")]
+    if cases.empty:
+        return []
+    rows = [
+        [case["name"], case_text(case), case.status.replace("_", " "), case.reason or "", (key[:8], "key")]
+        for key, case in cases.sort_values(["test", "method", "nu", "deformation"]).iterrows()
+    ]
+    text = (
+        "These cases are extrapolated: strains or their rates leave the range to which the law of "
+        "their tissue was fitted."
+    )
+    headings = ["method", "case", "status", "beyond", "case's key"]
+    return [paragraph(text), table(headings, rows, name="extrapolated", limit=_MOST_ROWS)]
 
 
 def _maps(study):

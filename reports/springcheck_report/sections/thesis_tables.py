@@ -119,8 +119,9 @@ def _further(further, row):
 
 
 def _status(row):
-    text = ", ".join(row["flags"]) or row["status"]
-    text = text.replace("_", " ")
+    flags = row["flags"]
+    words = flags if row["status"] in flags else [row["status"], *flags]
+    text = ", ".join(words).replace("_", " ")
     return (text, "" if row["status"] == "ok" else "failed")
 
 

@@ -11,9 +11,11 @@ _MOST_ROWS = 30
 
 
 def tissue(study):
-    """From the tables tissue, tissue-relaxation, tissue-oscillation and tissue-torsion."""
+    """From the tables tissue, tissue-rates, tissue-relaxation, tissue-oscillation and
+    tissue-torsion."""
     drawn = {
         "tissue": _shear,
+        "tissue-rates": _rates,
         "tissue-relaxation": _relaxation,
         "tissue-oscillation": _moduli,
         "tissue-torsion": _torque,
@@ -31,7 +33,7 @@ def tissue(study):
     section.blocks.append(
         paragraph(
             "Liver, kidney and spleen after the bi-power law of Golec 2018, chapter 4. mss-tissue has "
-            "its memory in five Maxwell branches that are fitted to the law, with nothing set by "
+            "its memory in a few Maxwell branches that are fitted to the law, with nothing set by "
             "hand; Eq. 4.4 is the thesis's own spring force, with limits fitted by hand."
         )
     )
@@ -86,6 +88,31 @@ def _shear(document):
         "relative, its elongations count over the rest length."
     )
     return Figure("tissue_shear", caption, curves.draw, (panels,))
+
+
+def _rates(document):
+    """In the range of the fit and beyond, on both sides."""
+    panels = []
+    for organ in _organs(document):
+        rows = [row for row in document["rows"] if row["organ"] == organ]
+        strains = sorted({row["strain"] for row in rows})
+        own = []
+        for strain, colour in zip(strains, shades(len(strains) + 1)):
+            of_strain = [row for row in rows if row["strain"] == strain]
+            within = [row for row in of_strain if row["in_range"] == "yes"]
+            beyond = [row for row in of_strain if row["in_range"] == "no"]
+            own += _law_and_springs(of_strain, "rate", "law", "branches", colour, f", {strain:g}")[:1]
+            for rows_of, face in ((within, colour), (beyond, "white")):
+                style = {**_points(colour), "markerfacecolor": face}
+                name = f"mss-tissue, {strain:g}" + ("" if rows_of is within else ", extrapolated")
+                values = _values(rows_of, "springs")
+                own.append(curves.Curve(name, _values(rows_of, "rate"), values, style=style))
+        panels.append(curves.Panel(organ, "rate [1/s]", "stress [Pa]", own, log_x=True, log_y=True))
+    caption = (
+        "Stress at the end of simple shears to 0.1, 0.3 and 1 against their rate. Hollow: outside the "
+        "range of rates to which the branches were fitted."
+    )
+    return Figure("tissue_rates", caption, curves.draw, (panels,))
 
 
 def _relaxation(document):

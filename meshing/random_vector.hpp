@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <random>
 
-namespace springcheck::mss {
+namespace springcheck {
 
 /// Components uniform in [-1, 1); the same on every platform.
 inline Eigen::VectorXd random_vector(Eigen::Index size, std::mt19937_64& random) {
@@ -13,4 +13,4 @@ inline Eigen::VectorXd random_vector(Eigen::Index size, std::mt19937_64& random)
   return v;
 }
 
-}  // namespace springcheck::mss
+}  // namespace springcheck
