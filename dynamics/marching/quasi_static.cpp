@@ -25,8 +25,9 @@ constexpr double relative_residual = 1e-9;
 constexpr int most_iterations = 100;          // a body that buckles takes many
 constexpr double shortest_factor = 1. / 256;  // of a Newton step
 constexpr int most_halvings = 6;              // of a step of time
-constexpr int most_escapes = 3;               // from saddles, in a step of time
-constexpr double escape = 0.01;               // along the softest mode, in cell edges
+constexpr int most_escapes = 5;               // from saddles, in a step of time
+constexpr double near_saddle = 1e-3;          // relative residual
+constexpr double first_escape = 0.01;         // along the softest mode, in cell edges
 constexpr double longest_move = 0.5;  // of a node where it is not stable, in cell edges
 constexpr unsigned seed = 1;  // of where iterations start that end at the same place
 
@@ -159,15 +160,33 @@ class QuasiStatic {
     return longest;
   }
 
-  /// What least resists in the tangent taken last, by inverse iteration, so long that it
-  /// moves a node by `escape`.
+  /// What least resists in the tangent taken last, by inverse iteration; it moves a node
+  /// by a cell edge.
   [[nodiscard]] Field softest_mode() {
     std::mt19937_64 random(seed);
     const auto unknowns = static_cast<Index>(std::ranges::count(is_free_, true));
     Field mode = random_vector(unknowns, random);
     constexpr int iterations = 30;
     for (int i = 0; i < iterations; ++i) mode = body_.solve(mode).normalized();
-    return mode * (escape * cell_edge_ / longest_way(mode));
+    return mode * (cell_edge_ / longest_way(mode));
+  }
+
+  /// Leaves a saddle along the softest mode, with the forces where they point along it
+  /// and are more than round-off, by steps that double while the forces push on; whether
+  /// they do at all.
+  bool leave_saddle(double dt, double load_fraction, Positions& there, Field& residual) {
+    Field mode = softest_mode();
+    if (residual_ > relative_residual && residual.dot(mode) < 0) mode = -mode;
+    bool left = false;
+    for (double way = first_escape; way <= longest_move; way *= 2) {
+      Positions further = moved(there, mode, way);
+      Field residual_there = on_free(forces(dt, further, load_fraction));
+      if (!(residual_there.dot(mode) > 0)) break;
+      there = std::move(further);
+      residual = std::move(residual_there);
+      left = true;
+    }
+    return left;
   }
 
   /// Goes on from `there` by the change, or a part of it; whether that leads nearer to an
@@ -195,6 +214,7 @@ class QuasiStatic {
     Positions there = predicted(dt, load_fraction);
     Field residual = on_free(forces(dt, there, load_fraction));
     std::optional<Equilibrium> saddle;
+    bool has_left_saddle = false;
     int escapes = 0;
     for (int i = 0; i < most_iterations; ++i) {
       const double norm = residual.norm(), scale = body_.force_scale();
@@ -203,16 +223,19 @@ class QuasiStatic {
       const bool is_definite = body_.linearise(dt, there);
       spdlog::debug("load {:.5f}, iteration {}: residual {:.2e}{}", load_fraction, i,
                     residual_, is_definite ? "" : ", indefinite");
-      if (norm <= relative_residual * scale) {
-        if (is_definite) return Equilibrium{std::move(there), true, saddle.has_value()};
-        if (!saddle) saddle = {there, false, true};
-        if (escapes++ == most_escapes) break;
-        there = moved(there, softest_mode(), 1);
-        residual = on_free(forces(dt, there, load_fraction));
-      } else if (!step(dt, load_fraction, is_definite, body_.solve(residual), there,
-                       residual)) {
-        break;
+      const bool is_found = norm <= relative_residual * scale;
+      if (is_found && is_definite)
+        return Equilibrium{std::move(there), true, has_left_saddle};
+      if (is_found && !saddle) saddle = {there, false, true};
+      // Near a saddle the tangent, made definite, hardly moves along the unstable mode.
+      if (!is_definite && residual_ < near_saddle && escapes++ < most_escapes &&
+          leave_saddle(dt, load_fraction, there, residual)) {
+        has_left_saddle = true;
+        continue;
       }
+      if (is_found ||
+          !step(dt, load_fraction, is_definite, body_.solve(residual), there, residual))
+        break;
     }
     return saddle;
   }

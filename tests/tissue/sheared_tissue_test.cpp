@@ -134,7 +134,7 @@ double deviation_over(const std::string& organ, const StrainHistory& history) {
 // Stored bands of what was measured, not of what is wanted: a branch that is strained and
 // let go hardens by its mean square strain, the law by each strain of the past. To and
 // fro, strains of the past reach twice the largest one: liver 13 to 15 %, kidney 14 to
-// 16 % at half a strain. Once up to 1 and down it is 1 to 2.3 %, up to .1 below .6 %.
+// 17 % at half a strain. Once up to 1 and down it is 1 to 2.3 %, up to .1 below .6 %.
 BOOST_AUTO_TEST_CASE(unloading_is_as_far_off_as_measured) {
   const auto triangle = [](double strain, double rate) -> StrainHistory {
     const double T = strain / rate;
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(unloading_is_as_far_off_as_measured) {
   };
   for (const auto& [organ, small, once, half, whole] :
        {Bands{"liver", {0, 0.006}, {0.015, 0.025}, {0.13, 0.15}, {0.37, 0.43}},
-        Bands{"kidney", {0, 0.006}, {0.015, 0.025}, {0.14, 0.165}, {0.15, 0.185}},
+        Bands{"kidney", {0, 0.006}, {0.015, 0.025}, {0.14, 0.17}, {0.15, 0.185}},
         Bands{"spleen", {0, 0.006}, {0.003, 0.012}, {0.005, 0.018}, {0.02, 0.045}}})
     for (const double rate : rates) {
       const std::string where = organ + " at " + std::to_string(rate);

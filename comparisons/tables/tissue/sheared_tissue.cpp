@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "comparisons/tables/plans/planned_requests.hpp"
-
 namespace springcheck {
 
 CaseSettings sheared_tissue(std::string_view organ, double rate, double strain) {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "comparisons/cases/case.hpp"
+#include "comparisons/tables/plans/planned_requests.hpp"
 
 namespace springcheck {
 
