@@ -123,6 +123,32 @@ BOOST_AUTO_TEST_CASE(elastic_forces_are_the_energys_derivative) {
   }
 }
 
+// Pressed by 20 %, as springs are in mss/tissue.
+BOOST_AUTO_TEST_CASE(a_column_is_not_stable_as_far_as_a_short_block) {
+  const auto pressed = [](int height) {
+    const Mesh mesh =
+        generate_block({.size = {h, h, height * h}, .cells = {1, 1, height}});
+    const auto plate = [&](const std::string& region, double way) {
+      return Plate{region,
+                   {.translation = {0, 0, way},
+                    .axis = Vector3::UnitZ(),
+                    .centre = Vector3::Zero(),
+                    .angle = 0},
+                   all_components};
+    };
+    const Scene scene{
+        .material = {.young_modulus = 1, .poisson_ratio = 0.49, .density = 1000},
+        .plates = {plate("bottom", 0), plate("top", -0.2 * height * h)},
+        .gravity = Vector3::Zero()};
+    return solve_tissue(mesh, scene, solid_of("liver", 0.49),
+                        {.load = dynamics::ramp(1.5), .steps = 20});
+  };
+  const Solution column = pressed(10), block = pressed(2);
+  BOOST_TEST((column.status == SolveStatus::ok), column.reason);
+  BOOST_TEST(column.definite_up_to.value_or(1) < 0.5);
+  BOOST_TEST(!block.definite_up_to);
+}
+
 // Homogeneous: the closed form of the branches, second order in the step.
 BOOST_AUTO_TEST_CASE(bodies_in_simple_shear_have_the_branches_stress) {
   const tissue::Solid solid = solid_of("spleen", 0.499);

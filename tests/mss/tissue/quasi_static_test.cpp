@@ -136,6 +136,27 @@ BOOST_AUTO_TEST_CASE(what_finds_no_equilibrium_says_so) {
   BOOST_TEST(solution.load_fraction < 1);
 }
 
+// Pressed by 20 %, a column ten times as long as wide buckles, and one twice as long does
+// not.
+BOOST_AUTO_TEST_CASE(a_column_is_not_stable_as_far_as_a_short_block) {
+  const auto pressed = [](int height) {
+    const Mesh mesh =
+        generate_block({.size = {h, h, height * h}, .cells = {1, 1, height}});
+    const TissueBody body = build_tissue_body(mesh, solid_of("liver", 0.49), density);
+    return find_quasi_static(mesh, between_glued_plates({0, 0, -0.2 * height * h}), body,
+                             {.load = dynamics::ramp(1.5), .steps = 20});
+  };
+  const Solution column = pressed(10), block = pressed(2);
+  BOOST_TEST((column.status == SolveStatus::ok), column.reason);
+  BOOST_TEST(column.definite_up_to.value_or(1) < 0.5);
+  double aside = 0;
+  for (const Vector3& u : column.displacements)
+    aside = std::max(aside, std::hypot(u.x(), u.y()));
+  BOOST_TEST(aside > h);
+  BOOST_TEST((block.status == SolveStatus::ok), block.reason);
+  BOOST_TEST(!block.definite_up_to);
+}
+
 // Any cells, homogeneous: the closed form of the branches.
 BOOST_AUTO_TEST_CASE(cells_of_any_type_follow_the_law) {
   const tissue::Solid& solid = solid_of("spleen");
