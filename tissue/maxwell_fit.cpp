@@ -75,6 +75,18 @@ MaxwellModel model_of(const BipowerLaw& law, const std::vector<double>& times,
   return model;
 }
 
+/// The model of a law that has K = 1, for one that has another.
+MaxwellModel scaled(MaxwellModel model, double consistency) {
+  const auto scale = [&](BranchModuli& moduli) {
+    moduli.linear *= consistency;
+    moduli.hardening *= consistency;
+  };
+  scale(model.elastic);
+  for (MaxwellBranch& branch : model.branches) scale(branch.moduli);
+  model.viscosity *= consistency;
+  return model;
+}
+
 /// What each unknown gives of each sample, over the law's value and times a weight: the
 /// sum over the unknowns is the weight where the model follows the law.
 class Equations {
@@ -202,13 +214,17 @@ MaxwellFit fit_maxwell_model(const BipowerLaw& law, const FitRange& range, int b
   if (branches < 2 || branches > most_branches)
     throw InputError("tissue", "number of Maxwell branches",
                      "2 to " + std::to_string(most_branches), std::to_string(branches));
-  const Samples samples = samples_of(law, range, 1);
+  BipowerLaw unit = law;
+  unit.consistency =
+      1;  // [Pa s^n]; so that no column of the equations under- or overflows
+  const Samples samples = samples_of(unit, range, 1);
   const Ends ends = ends_of(range);
   for (double weight_of_faster = 0.05;; weight_of_faster *= 2) {
-    const MaxwellModel model = best_model(law, samples, ends, weight_of_faster, branches);
-    const FitErrors errors = errors_of(model, law, range);
+    const MaxwellModel model =
+        best_model(unit, samples, ends, weight_of_faster, branches);
+    const FitErrors errors = errors_of(model, unit, range);
     if (errors.guess <= largest_error_of_guess || weight_of_faster >= 0.8)
-      return {model, range, errors};
+      return {scaled(model, law.consistency), range, errors};
   }
 }
 

@@ -60,7 +60,8 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A,
   const double tolerance = 1e-13 * b.norm();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(A.cols());
   Free free, refused;
-  while (true) {
+  // As many as Lawson and Hanson's own program takes at most, and more.
+  for (Index i = 0; i < 10 * A.cols(); ++i) {
     const Index added = steepest_column(A, b - A * x, free, refused, tolerance);
     if (added < 0) return x;
     free.push_back(added);
@@ -76,6 +77,7 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A,
     refused.clear();
     while (!move_towards(target, free, x)) target = best();
   }
+  return x;
 }
 
 }  // namespace springcheck::tissue

@@ -22,7 +22,8 @@ std::vector<Method> tissue_methods();
 /// What of a load that shears the body by `largest_strain` at most is outside the range;
 /// empty where nothing is. Rates are means over the ways between the load's turning
 /// points, in proportion to it and to a tenth, and count where strains are within the
-/// range's: smaller ones are linear, and have the range of angular frequencies.
+/// range's. Smaller ones are linear: they have the range of angular frequencies, and
+/// where nothing swings a way may take no less than the inverse of the largest.
 std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamics,
                           double largest_strain);
 

@@ -43,6 +43,14 @@ tissue::MaxwellFit fit_of(const CaseSettings& settings) {
   return tissue::fit_maxwell_model(settings.tissue.law, {}, settings.tissue.branches);
 }
 
+/// Where it is far off the law in its own range; empty where it is not.
+std::string poor_fit(const tissue::MaxwellFit& fit) {
+  constexpr double band = 0.02;  // at constant rate
+  if (fit.errors.constant_rate <= band) return {};
+  return fmt::format("{} branches are off the law by up to {:.2g} % in the fitted range",
+                     fit.model.branches.size(), 100 * fit.errors.constant_rate);
+}
+
 /// By a fit to the law: solve(tissue) is a solver's part.
 template <class Solve>
 Solution solve_with_memory(const CaseSettings& settings, const Solve& solve) {
@@ -52,9 +60,13 @@ Solution solve_with_memory(const CaseSettings& settings, const Solve& solve) {
   const double fit_wall_s = stopwatch.seconds();
   Solution solution = solve(settings_with(fit, settings));
   solution.setup_wall_s += fit_wall_s;
-  if (!solution.largest_shear_strain) return solution;
+  const bool has_end =
+      solution.status == SolveStatus::ok || solution.status == SolveStatus::indefinite;
+  if (!has_end) return solution;
   solution.extrapolation =
-      extrapolation(fit.range, settings.dynamics, *solution.largest_shear_strain);
+      extrapolation(fit.range, settings.dynamics, solution.largest_shear_strain.value());
+  if (const std::string poor = poor_fit(fit); !poor.empty())
+    solution.reason += (solution.reason.empty() ? "" : "; ") + poor;
   return solution;
 }
 
@@ -202,26 +214,43 @@ std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamic
     text += (text.empty() ? "extrapolated beyond the fitted range: " : ", ") + what;
   };
   if (largest_strain > range.strains.to * (1 + 1e-9))  // round-off
-    say(fmt::format("shear strains of {:.3g} (fitted to {:g})", largest_strain,
+    say(fmt::format("shear strains of {:.4g} (fitted to {:g})", largest_strain,
                     range.strains.to));
-  if (largest_strain < range.strains.from) {
-    if (dynamics.oscillation &&
-        !range.angular_frequencies.contains(dynamics.oscillation->angular_frequency))
+  constexpr double leeway = 1.1;
+  const bool is_small = largest_strain < range.strains.from;
+  if (is_small && dynamics.oscillation) {
+    if (!range.angular_frequencies.contains(dynamics.oscillation->angular_frequency))
       say(fmt::format("{:g} rad/s (fitted from {:g} to {:g})",
                       dynamics.oscillation->angular_frequency,
                       range.angular_frequencies.from, range.angular_frequencies.to));
     return text;
   }
-  double largest_fraction = 0, slowest = INFINITY, fastest = 0;
+  double largest_fraction = 0, slowest = INFINITY, fastest = 0, longest_hold = 0,
+         shortest_way = INFINITY;
   dynamics::LoadPoint from{.time = 0, .fraction = 0};
   for (const dynamics::LoadPoint& to : dynamics::turning_points(load_of(dynamics))) {
     largest_fraction = std::max(largest_fraction, std::abs(to.fraction));
-    const double rate = std::abs(to.fraction - from.fraction) / (to.time - from.time);
-    if (rate > 0) slowest = std::min(slowest, rate);
+    const double time = to.time - from.time;
+    const double rate = std::abs(to.fraction - from.fraction) / time;
+    if (rate > 0) {
+      slowest = std::min(slowest, rate);
+      shortest_way = std::min(shortest_way, time);
+    } else {
+      longest_hold = std::max(longest_hold, time);
+    }
     fastest = std::max(fastest, rate);
     from = to;
   }
-  constexpr double leeway = 1.1;
+  if (longest_hold > leeway * range.times_held.to)
+    say(fmt::format("a hold of {:.4g} s (fitted to {:g} s)", longest_hold,
+                    range.times_held.to));
+  if (is_small) {  // linear: what counts is the time alone
+    const double least = 1 / range.angular_frequencies.to;
+    if (shortest_way * leeway < least)
+      say(fmt::format("a small strain within {:.3g} s (fitted from {:g} s)", shortest_way,
+                      least));
+    return text;
+  }
   const double of_load = largest_strain / largest_fraction;
   for (const double rate : {slowest * of_load, fastest * of_load}) {
     if (rate * leeway >= range.rates.from && rate <= leeway * range.rates.to) continue;

@@ -16,8 +16,8 @@ struct CaseResult {
   Status status;
   // All of wrinkled, indefinite, inverted and extrapolated that apply:
   std::vector<Status> flags{};
-  std::string reason{};  // in words, unless status is ok without a flag
-  Measures measures{};          // all empty when there is no equilibrium to measure
+  std::string reason{};  // why in words; with ok and no flag what else is to be known
+  Measures measures{};   // all empty when there is no equilibrium to measure
   Solution solution{};
   // [m] displacement less the reference's, of each node; empty without a reference:
   std::vector<Vector3> deviation{};

@@ -29,6 +29,7 @@ constexpr int most_escapes = 5;               // from saddles, in a step of time
 constexpr double near_saddle = 1e-3;          // relative residual
 constexpr double first_escape = 0.01;         // along the softest mode, in cell edges
 constexpr double longest_move = 0.5;  // of a node where it is not stable, in cell edges
+constexpr double judged_parts = 20;   // of a way's time
 constexpr unsigned seed = 1;  // of where iterations start that end at the same place
 
 double mean_cell_edge(const Mesh& mesh) {
@@ -53,16 +54,21 @@ class QuasiStatic {
     auto found = find(dt, load_fraction);
     if (!found) return false;
     positions_ = std::move(found->positions);
-    is_definite_ = found->is_definite;
     forces_ = body_.forces_after(dt, positions_);
-    if (found->met_saddle && !definite_up_to_) definite_up_to_ = load_fraction_;
     body_.advance(dt, positions_);
+    body_.forces_after(judged_step_, positions_);
+    is_definite_ = body_.linearise(judged_step_, positions_) && found->is_definite;
+    if ((!is_definite_ || found->met_saddle) && !definite_up_to_)
+      definite_up_to_ = load_fraction_;
     largest_shear_strain_ =
         std::max(largest_shear_strain_, body_.largest_shear_strain(positions_));
     load_fraction_ = load_fraction;
     ++steps_;
     return true;
   }
+
+  /// Of the way that comes next, by which its states are judged.
+  void set_judged_step(double dt) { judged_step_ = dt; }
 
   [[nodiscard]] double residual() const { return residual_; }
 
@@ -107,8 +113,7 @@ class QuasiStatic {
     if (!definite_up_to_) return {};
     return fmt::format(
         "the tangent is not positive definite beyond {:.2f} % of the load{}",
-        100 * *definite_up_to_,
-        is_definite_ ? "; a stable equilibrium beside it was taken" : "");
+        100 * *definite_up_to_, is_definite_ ? ", but is again at the end" : "");
   }
 
   [[nodiscard]] Field on_free(const std::vector<Vector3>& all) const {
@@ -180,30 +185,28 @@ class QuasiStatic {
     bool left = false;
     for (double way = first_escape; way <= longest_move; way *= 2) {
       Positions further = moved(there, mode, way);
-      Field residual_there = on_free(forces(dt, further, load_fraction));
-      if (!(residual_there.dot(mode) > 0)) break;
+      if (!(on_free(forces(dt, further, load_fraction)).dot(mode) > 0)) break;
       there = std::move(further);
-      residual = std::move(residual_there);
       left = true;
     }
+    residual = on_free(forces(dt, there, load_fraction));
     return left;
   }
 
   /// Goes on from `there` by the change, or a part of it; whether that leads nearer to an
-  /// equilibrium. Where the tangent is positive definite that is where the residual
-  /// falls; elsewhere it may have to rise, and the forces must not turn against the
-  /// change. What is not a number is not nearer.
-  bool step(double dt, double load_fraction, bool is_definite, Field change,
-            Positions& there, Field& residual) {
+  /// equilibrium: the residual falls. Where a body buckles it has to rise on the way, in
+  /// a valley that bends; there the forces must not turn against the change. What is not
+  /// a number is not nearer.
+  bool step(double dt, double load_fraction, bool buckles, Field change, Positions& there,
+            Field& residual) {
     const double norm = residual.norm();
-    if (!is_definite)
-      change *= std::min(1., longest_move * cell_edge_ / longest_way(change));
+    if (buckles) change *= std::min(1., longest_move * cell_edge_ / longest_way(change));
     const double work = residual.dot(change);
     const Positions here = there;
     for (double factor = 1; factor >= shortest_factor; factor /= 2) {
       there = moved(here, change, factor);
       residual = on_free(forces(dt, there, load_fraction));
-      if (is_definite ? residual.norm() < norm : residual.dot(change) > -work / 2)
+      if (buckles ? residual.dot(change) > -work / 2 : residual.norm() < norm)
         return true;
     }
     return false;
@@ -214,7 +217,6 @@ class QuasiStatic {
     Positions there = predicted(dt, load_fraction);
     Field residual = on_free(forces(dt, there, load_fraction));
     std::optional<Equilibrium> saddle;
-    bool has_left_saddle = false;
     int escapes = 0;
     for (int i = 0; i < most_iterations; ++i) {
       const double norm = residual.norm(), scale = body_.force_scale();
@@ -225,16 +227,15 @@ class QuasiStatic {
                     residual_, is_definite ? "" : ", indefinite");
       const bool is_found = norm <= relative_residual * scale;
       if (is_found && is_definite)
-        return Equilibrium{std::move(there), true, has_left_saddle};
+        return Equilibrium{std::move(there), true, saddle.has_value()};
       if (is_found && !saddle) saddle = {there, false, true};
       // Near a saddle the tangent, made definite, hardly moves along the unstable mode.
-      if (!is_definite && residual_ < near_saddle && escapes++ < most_escapes &&
-          leave_saddle(dt, load_fraction, there, residual)) {
-        has_left_saddle = true;
+      const bool is_buckling = saddle || !is_definite_;
+      if (!is_definite && (is_found || (is_buckling && residual_ < near_saddle)) &&
+          escapes++ < most_escapes && leave_saddle(dt, load_fraction, there, residual))
         continue;
-      }
-      if (is_found ||
-          !step(dt, load_fraction, is_definite, body_.solve(residual), there, residual))
+      if (is_found || !step(dt, load_fraction, is_buckling || !is_definite,
+                            body_.solve(residual), there, residual))
         break;
     }
     return saddle;
@@ -250,6 +251,7 @@ class QuasiStatic {
   Positions positions_;
   std::vector<Vector3> forces_;  // of the last equilibrium, without the load
   double residual_ = 0, load_fraction_ = 0, largest_shear_strain_ = 0;
+  double judged_step_ = 0;  // [s]
   bool is_definite_ = true;
   std::optional<double> definite_up_to_;
   int steps_ = 0, evaluations_ = 0;
@@ -318,7 +320,12 @@ Solution find_quasi_static(const Mesh& mesh, const Scene& scene, RememberingBody
   const double setup_wall_s = stopwatch.seconds();
   std::string reason;
   LoadPoint from{.time = 0, .fraction = 0};
+  const LoadPath ways = turning_points(settings.load);
+  auto way = ways.begin();
+  double way_begin = 0;
   for (const LoadPoint& to : settings.load) {
+    if (to.time > way->time) way_begin = (way++)->time;
+    path.set_judged_step((way->time - way_begin) / judged_parts);
     reason = follow(path, Piece(from, to, settings.steps), observers);
     if (!reason.empty()) break;
     from = to;

@@ -42,13 +42,13 @@ def failing_sentences(study):
 
 
 def failures(study):
-    """A map by method and test, and every case that is not ok or extrapolated with its
-    reason."""
+    """A map by method and test, every case that is not ok with its reason, and what else is
+    to be known of others."""
     bad = study.cases[study.cases.status != "ok"]
     section = Section("failures", "Where methods fail")
     if not bad.empty:
         _show_failed(section, study, bad)
-    section.blocks += _extrapolations(study)
+    section.blocks += _remarks(study)
     return section if section.blocks else None
 
 
@@ -81,21 +81,22 @@ def _show_failed(section, study, bad):
     section.blocks.append(_table(bad))
 
 
-def _extrapolations(study):
-    """Cases of tissue that leave the range to which their law was fitted."""
-    cases = study.cases[study.cases["flags"].fillna("").str.contains("extrapolated")]
+def _remarks(study):
+    """Cases that ended well and of which something is to be known nevertheless."""
+    flags, reasons = study.cases["flags"].fillna(""), study.cases["reason"].fillna("")
+    cases = study.cases[(study.cases.status == "ok") & ((flags != "") | (reasons != ""))]
     if cases.empty:
         return []
     rows = [
-        [case["name"], case_text(case), case.status.replace("_", " "), case.reason or "", (key[:8], "key")]
+        [case["name"], case_text(case), case["flags"] or "", case.reason or "", (key[:8], "key")]
         for key, case in cases.sort_values(["test", "method", "nu", "deformation"]).iterrows()
     ]
     text = (
-        "These cases are extrapolated: strains or their rates leave the range to which the law of "
-        "their tissue was fitted."
+        "These cases reached an equilibrium, with a remark. Flagged as extrapolated: strains or their "
+        "rates leave the range to which the law of a tissue was fitted."
     )
-    headings = ["method", "case", "status", "beyond", "case's key"]
-    return [paragraph(text), table(headings, rows, name="extrapolated", limit=_MOST_ROWS)]
+    headings = ["method", "case", "flag", "remark", "case's key"]
+    return [paragraph(text), table(headings, rows, name="remarks", limit=_MOST_ROWS)]
 
 
 def _maps(study):

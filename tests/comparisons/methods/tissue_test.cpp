@@ -39,10 +39,17 @@ BOOST_AUTO_TEST_CASE(what_leaves_the_fitted_range_is_called_an_extrapolation) {
   BOOST_TEST(fast.ends_with("rates of 1 1/s (fitted from 0.0151 to 0.67)"), fast);
   BOOST_TEST(!beyond({{.time = 1000, .fraction = 1}}, 0.5).empty());
   // Small strains are linear; their range is that of the frequencies.
-  BOOST_TEST(beyond({{.time = 1e-3, .fraction = 1}}, 0.005).empty());
+  BOOST_TEST(beyond({{.time = 0.01, .fraction = 1}}, 0.005).empty());
+  BOOST_TEST(beyond({{.time = 100, .fraction = 1}}, 0.005).empty());
+  BOOST_TEST(
+      beyond({{.time = 1e-4, .fraction = 1}}, 0.005) ==
+      "extrapolated beyond the fitted range: a small strain within 0.0001 s (fitted "
+      "from 0.01 s)");
   // A hold has no rate.
   BOOST_TEST(
-      beyond({{.time = 1, .fraction = 1}, {.time = 1e3, .fraction = 1}}, 0.5).empty());
+      beyond({{.time = 1, .fraction = 1}, {.time = 101, .fraction = 1}}, 0.5).empty());
+  BOOST_TEST(beyond({{.time = 1, .fraction = 1}, {.time = 1e3, .fraction = 1}}, 0.5) ==
+             "extrapolated beyond the fitted range: a hold of 999 s (fitted to 100 s)");
 }
 
 // A mean of 2/pi omega times the strain: .16 1/s of .5 at .5 rad/s.
