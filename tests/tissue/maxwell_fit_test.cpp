@@ -155,6 +155,10 @@ BOOST_AUTO_TEST_CASE(moduli_go_with_the_consistency, *boost::unit_test::toleranc
   BOOST_TEST(ten.model.elastic.linear == 10 * fit.model.elastic.linear);
   BOOST_TEST(ten.model.viscosity == 10 * fit.model.viscosity);
   BOOST_TEST(ten.errors.loss == fit.errors.loss);
+  law.consistency *= 1e160;  // so large that squares of stresses overflow
+  const MaxwellFit huge = fit_maxwell_model(law);
+  BOOST_TEST(huge.model.viscosity == 1e161 * fit.model.viscosity);
+  BOOST_TEST(huge.errors.loss == fit.errors.loss);
 }
 
 // A single strain, rate, time and frequency can be had from two branches.
