@@ -48,7 +48,7 @@ inline constexpr int default_branches = 6, most_branches = 32;
 ///
 /// The range alone does not tell what a branch does that is faster than all in it: the
 /// stresses at constant rate beyond it count too, .05 of the others and twice that until
-/// errors.guess is at most largest_error_of_guess, or they count as much as the others.
+/// errors.guess is at most largest_error_of_guess, at most .8.
 /// At any rate the stress rises with the rate, as no modulus is negative.
 ///
 /// More branches hold over a wider range: about one per decade of time.

@@ -23,7 +23,8 @@ std::vector<Method> tissue_methods();
 /// empty where nothing is. Rates are means over the ways between the load's turning
 /// points, in proportion to it and to a tenth, and count where strains are within the
 /// range's. Smaller ones are linear: they have the range of angular frequencies, and
-/// where nothing swings a way may take no less than the inverse of the largest.
+/// where nothing swings a way may take no less than the inverse of the largest. A way on
+/// which the load stays is a hold, of the range's times.
 std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamics,
                           double largest_strain);
 

@@ -43,6 +43,32 @@ tissue::MaxwellFit fit_of(const CaseSettings& settings) {
   return tissue::fit_maxwell_model(settings.tissue.law, {}, settings.tissue.branches);
 }
 
+/// Of the ways between the turning points of a load.
+struct Pace {
+  double largest_fraction = 0;
+  double slowest = INFINITY, fastest = 0;  // [1/s] of the load fraction, where it changes
+  double shortest_way = INFINITY, longest_hold = 0;  // [s]
+};
+
+Pace pace_of(const Dynamics& dynamics) {
+  Pace pace;
+  dynamics::LoadPoint from{.time = 0, .fraction = 0};
+  for (const dynamics::LoadPoint& to : dynamics::turning_points(load_of(dynamics))) {
+    pace.largest_fraction = std::max(pace.largest_fraction, std::abs(to.fraction));
+    const double time = to.time - from.time;
+    const double rate = std::abs(to.fraction - from.fraction) / time;
+    if (rate > 0) {
+      pace.slowest = std::min(pace.slowest, rate);
+      pace.fastest = std::max(pace.fastest, rate);
+      pace.shortest_way = std::min(pace.shortest_way, time);
+    } else {
+      pace.longest_hold = std::max(pace.longest_hold, time);
+    }
+    from = to;
+  }
+  return pace;
+}
+
 /// Where it is far off the law in its own range; empty where it is not.
 std::string poor_fit(const tissue::MaxwellFit& fit) {
   constexpr double band = 0.02;  // at constant rate
@@ -225,34 +251,19 @@ std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamic
                       range.angular_frequencies.from, range.angular_frequencies.to));
     return text;
   }
-  double largest_fraction = 0, slowest = INFINITY, fastest = 0, longest_hold = 0,
-         shortest_way = INFINITY;
-  dynamics::LoadPoint from{.time = 0, .fraction = 0};
-  for (const dynamics::LoadPoint& to : dynamics::turning_points(load_of(dynamics))) {
-    largest_fraction = std::max(largest_fraction, std::abs(to.fraction));
-    const double time = to.time - from.time;
-    const double rate = std::abs(to.fraction - from.fraction) / time;
-    if (rate > 0) {
-      slowest = std::min(slowest, rate);
-      shortest_way = std::min(shortest_way, time);
-    } else {
-      longest_hold = std::max(longest_hold, time);
-    }
-    fastest = std::max(fastest, rate);
-    from = to;
-  }
-  if (longest_hold > leeway * range.times_held.to)
-    say(fmt::format("a hold of {:.4g} s (fitted to {:g} s)", longest_hold,
+  const Pace pace = pace_of(dynamics);
+  if (pace.longest_hold > leeway * range.times_held.to)
+    say(fmt::format("a hold of {:.4g} s (fitted to {:g} s)", pace.longest_hold,
                     range.times_held.to));
   if (is_small) {  // linear: what counts is the time alone
     const double least = 1 / range.angular_frequencies.to;
-    if (shortest_way * leeway < least)
-      say(fmt::format("a small strain within {:.3g} s (fitted from {:g} s)", shortest_way,
-                      least));
+    if (pace.shortest_way * leeway < least)
+      say(fmt::format("a small strain within {:.3g} s (fitted from {:g} s)",
+                      pace.shortest_way, least));
     return text;
   }
-  const double of_load = largest_strain / largest_fraction;
-  for (const double rate : {slowest * of_load, fastest * of_load}) {
+  const double of_load = largest_strain / pace.largest_fraction;
+  for (const double rate : {pace.slowest * of_load, pace.fastest * of_load}) {
     if (rate * leeway >= range.rates.from && rate <= leeway * range.rates.to) continue;
     say(fmt::format("rates of {:.3g} 1/s (fitted from {:g} to {:g})", rate,
                     range.rates.from, range.rates.to));

@@ -46,15 +46,14 @@ Sheet rates_sheet(std::span<const CaseResult> results) {
         const double law = tissue::constant_rate_stress(organ.law, strain, rate).total();
         const auto off = [&](double stress) { return 100 * (stress / law - 1); };
         const double branches = tissue::constant_rate_stress(model, strain, rate);
-        SheetRow row{
-            .cells = {organ.name, strain, rate, range.rates.contains(rate) ? "yes" : "no",
-                      law, branches, off(branches)},
-            .cases = {result.key}};
-        if (const auto& stress = result.measures.mean_stress)
-          row.cells.insert(row.cells.end(), {(*stress)(0, 2), off((*stress)(0, 2))});
-        else
-          row.cells.resize(row.cells.size() + 2, name_of(result.status));
-        sheet.rows.push_back(std::move(row));
+        const auto& found = result.measures.mean_stress;
+        const auto springs = found ? std::optional((*found)(0, 2)) : std::nullopt;
+        sheet.rows.push_back(
+            {.cells = {organ.name, strain, rate,
+                       range.rates.contains(rate) ? "yes" : "no", law, branches,
+                       off(branches), value_or_status(springs, result),
+                       springs ? Cell(off(*springs)) : Cell()},
+             .cases = {result.key}});
       }
   }
   return sheet;
