@@ -1,6 +1,7 @@
 #include "comparisons/cases/method.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "comparisons/cases/case.hpp"
 
@@ -12,6 +13,12 @@ bool has(const std::vector<std::string_view>& keys, std::string_view key) {
 }
 
 }  // namespace
+
+bool has_poisson_ratio(const Method& method, double poisson_ratio) {
+  constexpr double three_digits = 1e-3;
+  return !method.own_poisson_ratio ||
+         std::abs(*method.own_poisson_ratio - poisson_ratio) < three_digits;
+}
 
 bool reads(const Method& method, std::string_view key) {
   return has(method.reads, key);

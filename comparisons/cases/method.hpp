@@ -92,12 +92,16 @@ struct Method {
   /// Settings of its own, by their keys in the table of settings. A lattice of finite
   /// elements adds its own (LatticeName).
   std::vector<std::string_view> reads{};
-  std::string covers{};           // in words; it refuses the rest in its own
-  std::vector<CellType> cells{};  // it refuses others
-  std::vector<Solver> solvers{};  // the first is its own; it refuses others
-  bool follows_solver = true;     // no: static whatever solver a case names
-  bool is_elastic = true;         // its material has a Young's modulus
-  bool has_history = false;       // the way to a load matters without inertia too
+  std::string covers{};                       // in words; it refuses the rest in its own
+  std::vector<CellType> cells{};              // it refuses others
+  std::vector<Solver> solvers{};              // the first is its own; it refuses others
+  bool follows_solver = true;                 // no: static whatever solver a case names
+  bool is_elastic = true;                     // its material has a Young's modulus
+  std::optional<double> own_poisson_ratio{};  // which it has whatever is asked for
+  bool has_history = false;  // the way to a load matters without inertia too
+  // Fraction of its volume that a cube loses when it is compressed by 20 % at nu = .499,
+  // between glued plates; 0: not known, or a law of springs.
+  double volume_lost_near_half = 0;
   bool locks = false;             // too stiff near nu = 1/2
   bool belongs_to_cells = false;  // its constants are those of the case's own cells
   bool corrects_volume = false;   // by Golec 2018, Eq. 5.36, always
@@ -132,6 +136,10 @@ struct Method {
   /// What keys and JSON tell of it besides its name.
   std::vector<std::pair<std::string, std::string>> told{};
 };
+
+/// Whether a material of that Poisson's ratio is one that the method can have: any, or
+/// its own to three digits.
+bool has_poisson_ratio(const Method& method, double poisson_ratio);
 
 /// Whether settings of that key are the method's own.
 bool reads(const Method& method, std::string_view key);

@@ -41,18 +41,6 @@ std::optional<ChartTruth> truth_of(const StoredChart& chart,
   return truth;
 }
 
-ChartErrors errors_of(const StoredChart& chart, const ChartTruth& truth,
-                      const StoredCase& found, const StoredCase* compared) {
-  ChartErrors errors;
-  if (const auto answer = measure_of(found.measures, chart.answer))
-    errors.force = std::abs(*answer / truth.answer.value - 1);
-  if (const auto volume = found.measures.volume_change)
-    errors.volume =
-        std::abs(*volume - truth.volume_change.value) / (truth.imposed / chart.height);
-  if (compared != nullptr) errors.deviation = compared->measures.deviation_l2_relative;
-  return errors;
-}
-
 /// Of a candidate for the front; without a time or an error for other points.
 Cost cost_of(const Chart& chart, std::size_t place, ChartKind kind, ChartMeasure measure,
              std::size_t truth) {
@@ -145,6 +133,18 @@ std::vector<std::size_t> Chart::rivals(std::size_t point, ChartMeasure measure,
   return all;
 }
 
+ChartErrors errors_of(const StoredChart& chart, const ChartTruth& truth,
+                      const Measures& found, const Measures* compared) {
+  ChartErrors errors;
+  if (const auto answer = measure_of(found, chart.answer))
+    errors.force = std::abs(*answer / truth.answer.value - 1);
+  if (const auto volume = found.volume_change)
+    errors.volume =
+        std::abs(*volume - truth.volume_change.value) / (truth.imposed / chart.height);
+  if (compared != nullptr) errors.deviation = compared->deviation_l2_relative;
+  return errors;
+}
+
 Chart evaluated(const StoredChart& stored, const Cases& cases) {
   Chart chart{.stored = stored};
   for (const StoredChart::Truth& grids : stored.truths)
@@ -165,7 +165,8 @@ Chart evaluated(const StoredChart& stored, const Cases& cases) {
       const StoredCase* other =
           key == compared.end() ? nullptr : find(cases, key->second);
       if (other != nullptr) point.compared[i] = key->second;
-      point.errors[i] = errors_of(stored, truth, *point.found, other);
+      point.errors[i] = errors_of(stored, truth, point.found->measures,
+                                  other == nullptr ? nullptr : &other->measures);
       if (other == nullptr) continue;
       point.deviation_bars[i] = other->measures.reference_bar_l2_relative;
       if (point.deviation_bars[i])

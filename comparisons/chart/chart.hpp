@@ -31,7 +31,7 @@ inline constexpr std::array value_names<ChartMeasure>{
 /// An error, or what the truth itself may be off, of each measure; none where it is not
 /// known.
 struct ChartErrors {
-  std::optional<double> force, volume, deviation;
+  std::optional<double> force{}, volume{}, deviation{};
 
   [[nodiscard]] const std::optional<double>& of(ChartMeasure measure) const;
 };
@@ -98,6 +98,11 @@ struct Chart {
   [[nodiscard]] std::vector<std::size_t> rivals(std::size_t point, ChartMeasure measure,
                                                 std::size_t truth) const;
 };
+
+/// Of a case with these figures, and with those of its deviations from the truth, where
+/// they are known.
+ChartErrors errors_of(const StoredChart& chart, const ChartTruth& truth,
+                      const Measures& found, const Measures* compared);
 
 /// Tells the errors of what a chart holds, by the figures of its cases.
 Chart evaluated(const StoredChart& stored,

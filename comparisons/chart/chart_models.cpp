@@ -133,6 +133,13 @@ const std::vector<std::string>& truth_laws() {
   return all;
 }
 
+std::string truth_law_named(const std::string& name) {
+  if (!name.empty() && std::ranges::count(truth_laws(), name) == 0)
+    Given::from_text("--truth-law", name)
+        .refuse_name(name, {truth_laws().begin(), truth_laws().end()});
+  return name;
+}
+
 Cells cells_across(const std::array<double, 3>& size, int across) {
   const double edge = std::ranges::min(size) / across;
   Cells cells{};

@@ -36,6 +36,9 @@ bool is_chosen_by_charts(std::string_view key);
 /// of mss-cf.
 const std::vector<std::string>& truth_laws();
 
+/// The law of that name, or "" of none. Throws InputError for another.
+std::string truth_law_named(const std::string& name);
+
 /// Options for models of a kind: those of motion are for the ones that move.
 std::vector<GivenSetting> options_for(ChartKind kind, std::vector<GivenSetting> options);
 

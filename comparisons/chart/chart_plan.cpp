@@ -9,6 +9,7 @@
 #include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/chart/chart_models.hpp"
 #include "comparisons/measures/displacement_norms.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/settings/case_json.hpp"
 #include "comparisons/settings/scene_file.hpp"
@@ -34,9 +35,10 @@ RunSettings scene_of(const ChartPlan& plan) {
   return read_run(plan.scene, options_for(ChartKind::equilibrium, plan.options));
 }
 
-/// The law that `run` measures deviations from, by default or as the scene says;
-/// St-Venant-Kirchhoff's where that is none.
+/// The plan's, or that which `run` measures deviations from, by default or as the scene
+/// says; St-Venant-Kirchhoff's where that is none.
 std::string law_of(const ChartPlan& plan) {
+  if (!plan.law.empty()) return plan.law;
   const Request first = requests(scene_of(plan)).front();
   const Method& method = (first.reference ? *first.reference : first.settings).method;
   return reads(method, "element") ? method.name : usual_law(false).name;
@@ -82,6 +84,10 @@ std::vector<ThreeCases> planned_truths(const ChartPlan& plan) {
   for (const std::string& law : laws)
     truths.push_back(truth_grids(plan.scene, plan.options, law, plan.truth_across));
   return truths;
+}
+
+std::string caution_of_truth(const ChartPlan& plan) {
+  return caution_near_half(*find_method(law_of(plan)), scene_of(plan).common);
 }
 
 StoredChart planned_chart(const ChartPlan& plan, const std::vector<ThreeCases>& truths,

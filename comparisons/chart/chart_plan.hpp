@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ namespace springcheck {
 struct ChartPlan {
   std::string scene;
   std::vector<GivenSetting> options;  // that replace the scene's
+  std::string law{};                  // the scene's, in place of its reference's; or none
   std::vector<std::string> laws{};    // of truths, beside that of the scene
   std::vector<int> across{};          // cells across the shortest edge
   std::vector<int> threads;           // of the timed runs
@@ -24,6 +26,8 @@ struct ChartPlan {
   bool retime;                        // what the file has a time of, and nothing else
   int least_models;                   // ok on the finest at equilibrium, budget or not
   std::optional<int> truth_across{};  // of the coarsest grid, see truth_grids
+  // Where truths are kept for other charts too, and taken from:
+  std::optional<std::filesystem::path> truths_file{};
 };
 
 /// The case behind a point.
@@ -35,6 +39,9 @@ void check_plan(const ChartPlan& plan);
 
 /// The grids of the plan's truths, that of the scene's law first.
 std::vector<ThreeCases> planned_truths(const ChartPlan& plan);
+
+/// What is to be said of the law of the plan's own truth, see caution_near_half.
+std::string caution_of_truth(const ChartPlan& plan);
 
 /// The chart of a plan before anything is measured. Throws InputError for scenes without
 /// an answer to compare, those of traction and affine, and as chart_body.

@@ -60,7 +60,11 @@ ChartRun::ChartRun(const ChartPlan& plan, const std::filesystem::path& file)
   if (std::filesystem::exists(file)) stored_ = stored_cases({file}, Revisions::own);
   for (const auto& [key, place] : stored_) know(key, place.second);
   begin_chart();
-  find_truths();
+  if (plan.truths_file) kept_.emplace(*plan.truths_file);
+  std::vector<CaseSettings> truths;
+  for (const ThreeCases& grids : truths_planned_)
+    truths.insert(truths.end(), grids.begin(), grids.end());
+  find_references(truths);
 }
 
 Chart ChartRun::chart() const {
@@ -87,7 +91,7 @@ void ChartRun::measure(const ChartModel& model, int across,
     // New times are for the points that have one: which ones a chart has is not left to
     // how long smaller ones take this time.
     if (plan_.retime != (known != nullptr && known->timing)) continue;
-    const bool fits_now = fits(settings);
+    const bool fits_now = fits_in_memory(settings);
     if (plan_.retime && !fits_now) continue;
     is_new = true;
     StoredChart::Point& point = point_of(model, settings, across, key, threads);
@@ -118,7 +122,7 @@ void ChartRun::time_again(const ChartModel& model, int across, int round) {
   const CaseSettings settings = settings_of(model, across);
   const Mesh& mesh = meshes_.mesh(settings.body);
   const std::string key = key_of(settings);
-  if (!fits(settings)) return;
+  if (!fits_in_memory(settings)) return;
   bool is_new = false;
   for (const int threads : plan_.threads) {
     StoredChart::Point* const point = find_point(chart_, model.model, key, threads);
@@ -163,13 +167,17 @@ bool ChartRun::has_failed(const std::string& key) const {
   return found != outcomes_.end() && !found->second.has_state;
 }
 
-void ChartRun::find_truths() {
+void ChartRun::find_references(const std::vector<CaseSettings>& cases) {
   std::vector<Request> all;
-  for (const ThreeCases& grids : truths_planned_)
-    for (const CaseSettings& grid : grids) all.push_back({.settings = grid});
+  for (const CaseSettings& one : cases) all.push_back({.settings = one});
   check_memory(plan_.scene, all);
   Progress progress(plan_.scene + ": truths");
-  const KnownResult known = only_with_fields(known_from(stored_, meshes_));
+  const KnownResult in_file = only_with_fields(known_from(stored_, meshes_));
+  const KnownResult known = [&](const Request& request,
+                                const std::string& key) -> std::optional<CaseResult> {
+    if (auto result = in_file(request, key)) return result;
+    return kept_ ? kept_->known(request, key, meshes_) : std::nullopt;
+  };
   run_study(
       all, meshes_, plan_.jobs,
       [&](std::size_t done, std::size_t of) { progress.show(done, of); }, known,
@@ -177,8 +185,24 @@ void ChartRun::find_truths() {
         if (!stored_.contains(result.key) ||
             !file_.stored().with_fields.contains(result.key))
           put({&result, 1}, true);
-        truths_.insert_or_assign(result.key, std::move(result));
+        if (kept_) kept_->keep(result, meshes_);
+        references_.insert_or_assign(result.key, std::move(result));
       });
+}
+
+CaseResult ChartRun::result_of(const Request& request) {
+  const KnownResult in_file = known_figures(stored_);
+  const KnownResult known = [&](const Request& asked,
+                                const std::string& key) -> std::optional<CaseResult> {
+    if (const auto found = references_.find(key); found != references_.end())
+      return found->second;
+    return in_file(asked, key);
+  };
+  CaseResult result = run_study(
+                          {request}, meshes_, 1, [](std::size_t, std::size_t) {}, known)
+                          .front();
+  if (!is_known(result.key)) put({&result, 1}, false);
+  return result;
 }
 
 StoredChart::Point& ChartRun::point_of(const ChartModel& model,
@@ -234,7 +258,7 @@ void ChartRun::compare(const CaseSettings& settings, const std::string& key,
   }
   const KnownResult known = [&](const Request& request,
                                 const std::string& asked) -> std::optional<CaseResult> {
-    if (const auto truth = truths_.find(asked); truth != truths_.end())
+    if (const auto truth = references_.find(asked); truth != references_.end())
       return truth->second;
     if (request.reference || asked != key) return std::nullopt;
     return result;

@@ -9,7 +9,7 @@
 
 #include "comparisons/chart/chart_models.hpp"
 #include "comparisons/chart/chart_plan.hpp"
-#include "comparisons/chart/measurements.hpp"
+#include "comparisons/chart/kept_truths.hpp"
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/results/result_file.hpp"
 
@@ -23,7 +23,7 @@ namespace springcheck {
 /// the file has a time of it, or the memory that the machine has left.
 ///
 /// Bodies that are no blocks have no deviations: their meshes are not nested.
-class ChartRun : public Measurements {
+class ChartRun {
  public:
   /// Computes the truths. Throws InputError as planned_chart, and for a file with cases
   /// of another revision of the numerics.
@@ -31,7 +31,7 @@ class ChartRun : public Measurements {
 
   /// Measures a model on so many cells across. Throws InputError where their mesh alone
   /// would not fit into the memory.
-  void measure(const ChartModel& model, int across) override;
+  void measure(const ChartModel& model, int across);
 
   /// Until the plan's least number of models at equilibrium is timed, and ok, on the
   /// finest of its sizes, on the first of its numbers of threads: the one that is
@@ -48,14 +48,23 @@ class ChartRun : public Measurements {
   /// point that did not fail, if there is one, and the growth from the one before to it,
   /// as a power of the nodes from 1 to 5/2; from one point alone 1. 0 without any,
   /// infinite beyond the memory that is left.
-  [[nodiscard]] double expected_seconds(const ChartModel& model, int across) override;
+  [[nodiscard]] double expected_seconds(const ChartModel& model, int across);
 
-  /// Followed on 2 cells across and up, as long as the next size is expected to stay
-  /// within the plan's budget: by the time of the one before, times the nodes to 3/2.
-  StaticPath static_path(const ChartModel& model, int across) override;
+  /// What was measured, without errors.
+  [[nodiscard]] const StoredChart& stored() const { return chart_; }
+
+  /// The grids of the truth of the scene's own law.
+  [[nodiscard]] const ThreeCases& own_truth() const { return truths_planned_.front(); }
+
+  /// Runs cases that others are held against, as those of truths, and keeps them with
+  /// their fields.
+  void find_references(const std::vector<CaseSettings>& cases);
+
+  /// From the file, or else computed and kept there without its fields.
+  CaseResult result_of(const Request& request);
 
   /// With all that the file holds of the scene.
-  [[nodiscard]] Chart chart() const override;
+  [[nodiscard]] Chart chart() const;
 
  private:
   void measure(const ChartModel& model, int across, std::span<const int> on_threads,
@@ -72,12 +81,9 @@ class ChartRun : public Measurements {
   void know(const std::string& key, const auto& result);
   [[nodiscard]] bool is_known(const std::string& key) const;
   [[nodiscard]] bool has_failed(const std::string& key) const;
-  /// The truths' runs are kept with their fields, which every comparison needs.
-  void find_truths();
   StoredChart::Point& point_of(const ChartModel& model, const CaseSettings& settings,
                                int across, const std::string& key, int threads);
   [[nodiscard]] double seconds_of_round() const;
-  [[nodiscard]] static bool fits(const CaseSettings& settings);
   [[nodiscard]] CaseSettings settings_of(const ChartModel& model, int across) const;
   [[nodiscard]] double expected_seconds(const ChartModel& model, double nodes,
                                         int threads) const;
@@ -97,9 +103,9 @@ class ChartRun : public Measurements {
   StoredCases stored_;                       // of the file, before
   std::map<std::string, Outcome> outcomes_;  // by the keys of the file's cases
   MeshStore meshes_;
-  std::vector<ThreeCases> truths_planned_;  // of each law
-  std::map<std::string, CaseResult> truths_;
-  std::map<std::string, StaticPath> paths_;  // by settings
+  std::vector<ThreeCases> truths_planned_;        // of each law
+  std::map<std::string, CaseResult> references_;  // with their fields, by keys
+  std::optional<KeptTruths> kept_;
   StoredChart chart_{};
 };
 

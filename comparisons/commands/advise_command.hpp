@@ -10,14 +10,15 @@
 namespace springcheck {
 
 struct AdviseOptions {
-  std::string tolerance;               // "0.08" or "8%"
-  std::string measure = "force";       // force, volume or deviation
-  std::string real_time{};             // [s] of a frame; empty: an equilibrium is wanted
-  double budget = 20;                  // [s] that a solution may take
-  std::filesystem::path out{};         // result file; empty: none is kept
-  std::filesystem::path scene_file{};  // empty: NAME-advised.toml
-  std::optional<int> truth_across{};   // see truth_grids
-  int jobs = 1;                        // truths at once, at most
+  std::string tolerance;                // "0.08" or "8%"
+  std::vector<std::string> measures{};  // force, volume, deviation; empty: all there are
+  std::string law{};                    // of the truth; empty: the scene's
+  std::string real_time{};              // [s] of a frame; empty: an equilibrium is wanted
+  double budget = 20;                   // [s] that a solution may take
+  std::filesystem::path out{};          // result file; empty: none is kept
+  std::filesystem::path scene_file{};   // empty: NAME-advised.toml
+  std::optional<int> truth_across{};    // see truth_grids
+  int jobs = 1;                         // truths at once, at most
 };
 
 /// `springcheck advise`: the cheapest model of a scene that meets a tolerance, with its

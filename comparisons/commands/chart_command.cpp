@@ -51,10 +51,11 @@ Sheet own_front(const Chart& chart) {
   return sheet;
 }
 
-std::string chart_text(const Chart& chart) {
+std::string chart_text(const Chart& chart, const std::string& caution) {
   std::string text = fmt::format("{}\n\n{}\nFronts, law {}\n\n{}\n", chart.stored.scene,
                                  sheet_in_columns(truths_sheet({chart})),
                                  chart.stored.law, sheet_in_columns(own_front(chart)));
+  if (!caution.empty()) text += fmt::format("Caution: {}\n\n", caution);
   for (const Claim& claim : claims(chart))
     text += fmt::format("{}, {}: {}\n", name_of(claim.kind), name_of(claim.measure),
                         claim_text(chart, claim));
@@ -83,6 +84,7 @@ ExitStatus chart_command(const std::string& scene,
   for (const std::string& one : scenes)
     plans.push_back({.scene = one,
                      .options = options,
+                     .law = truth_law_named(chart.law),
                      .laws = truth_laws(),
                      .across = across,
                      .threads = threads,
@@ -96,7 +98,8 @@ ExitStatus chart_command(const std::string& scene,
   std::vector<Chart> charts;
   for (const ChartPlan& plan : plans) {
     charts.push_back(make_chart(plan, chart.out));
-    if (!chart.format) fmt::print("{}\n", chart_text(charts.back()));
+    if (!chart.format)
+      fmt::print("{}\n", chart_text(charts.back(), caution_of_truth(plan)));
   }
   if (chart.format) fmt::print("{}", format_sheets(chart_sheets(charts), *chart.format));
   return ExitStatus::done;

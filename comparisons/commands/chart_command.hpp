@@ -14,6 +14,7 @@ struct ChartOptions {
   std::string threads{};            // "1,2"; empty: 1 and all
   double budget = 8;                // [s] that a point's solution may take
   double repeat_for = 1;            // [s] of a point's repetitions, in all rounds
+  std::string law{};  // of the scene's own truth; empty: that of its reference
   std::filesystem::path out{};
   std::optional<TableFormat> format{};  // none: truths, fronts and claims for a terminal
   int jobs = 1;                         // truths at once, at most

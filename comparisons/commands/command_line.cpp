@@ -329,6 +329,13 @@ int run_arguments(int argc, char** argv) {
       ->add_option("--jobs", threads, "simulations at once, at most (default: all cores)")
       ->check(CLI::Range(1, 1024));
 
+  const auto add_truth_law = [](CLI::App* command, std::string& law) {
+    command
+        ->add_option("--truth-law", law,
+                     "method of the law that the truth is of: " + names_of(laws()) +
+                         " (default: that of the scene's reference)")
+        ->check(check_not_empty);
+  };
   ChartOptions chart_options;
   CLI::App* chart = app.add_subcommand(
       "chart", "Measure time against accuracy of every model on a scene");
@@ -361,6 +368,7 @@ int run_arguments(int argc, char** argv) {
                    "cells across of the coarsest of the three grids of q2 that tell the "
                    "truth (default 4; 2 for bodies much longer than wide)")
       ->check(CLI::Range(1, 1000));
+  add_truth_law(chart, chart_options.law);
   chart->add_flag("--retime", chart_options.retime,
                   "time again what the file has a time of, and nothing else");
   chart
@@ -379,9 +387,11 @@ int run_arguments(int argc, char** argv) {
       ->add_option("--tolerance", advise_options.tolerance,
                    "largest error, such as 0.08 or 8%")
       ->required();
-  advise->add_option("--measure", advise_options.measure,
-                     "of what: force (default; torque, or a tip's drop), volume or "
-                     "deviation");
+  advise
+      ->add_option("--measure", advise_options.measures,
+                   "of what: force (torque, or a tip's drop), volume, deviation (the "
+                   "shape); several with commas between (default: all that the body has)")
+      ->delimiter(',');
   advise->add_option("--real-time", advise_options.real_time,
                      "seconds of a frame of motion that must be simulated in as many "
                      "(default: an equilibrium is wanted)");
@@ -402,6 +412,7 @@ int run_arguments(int argc, char** argv) {
                    "cells across of the coarsest of the three grids of q2 that tell the "
                    "truth (default 4; 2 for bodies much longer than wide)")
       ->check(CLI::Range(1, 1000));
+  add_truth_law(advise, advise_options.law);
   advise->add_option("--jobs", threads, "truths at once, at most (default: all cores)")
       ->check(CLI::Range(1, 1024));
 

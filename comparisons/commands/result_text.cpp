@@ -100,6 +100,9 @@ std::string results_text(const std::vector<CaseResult>& results) {
           m.reference_bar ? fmt::format(", mean error bar {:.2g} m", *m.reference_bar)
                           : "",
           m.reference_order ? fmt::format(", order {:.2f}", *m.reference_order) : "");
+      const CaseSettings& by = *result.request.reference;
+      if (const std::string caution = caution_near_half(by.method, by); !caution.empty())
+        text += fmt::format("Caution: {}\n", caution);
       break;
     }
   return text;

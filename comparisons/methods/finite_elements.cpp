@@ -114,6 +114,7 @@ std::vector<Method> finite_element_methods() {
                                .source = "linear elasticity",
                                .law = "small-strain Hooke",
                                .look = {"#7F7F7F", "X"},
+                               .volume_lost_near_half = 0.032,
                                .foremost = 3,
                                .seconds = of_linear,
                                .charted = of_all_elements,
@@ -125,6 +126,7 @@ std::vector<Method> finite_element_methods() {
                              "Piola-Kirchhoff stress",
                    .law = "St-Venant-Kirchhoff",
                    .look = {"#D55E00", "P"},
+                   .volume_lost_near_half = 0.064,
                    .foremost = 2,
                    .bar_limit = {1 - std::numbers::inv_sqrt3,  // where d/dl (l^3 - l) = 0
                                  "the stretch 1/√3 at which a bar of St-Venant and "
@@ -136,6 +138,7 @@ std::vector<Method> finite_element_methods() {
                                 .source = "Hencky 1928",
                                 .law = "Hencky, logarithmic strain",
                                 .look = {"#000000", "s"},
+                                .volume_lost_near_half = 0.0008,
                                 .foremost = 1,
                                 .of_thesis = true,
                                 .seconds = of_others,

@@ -1,5 +1,7 @@
 #include "comparisons/methods/methods.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "comparisons/cases/case.hpp"
@@ -78,6 +80,26 @@ std::vector<const Method*> laws() {
 
 const Method& usual_law(bool is_small) {
   return *find_method(is_small ? "fem-hooke" : "fem-stvk");
+}
+
+std::string caution_near_half(const Method& law, const CaseSettings& settings) {
+  constexpr double near_half = 0.45;
+  const bool is_small = settings.deformation.value_or(1) <= small_deformation &&
+                        settings.deformation.value_or(1) >= -small_deformation;
+  if (settings.material.poisson_ratio < near_half || is_small) return {};
+  const Method* best = &law;
+  for (const Method* other : laws())
+    if (other->volume_lost_near_half > 0 &&
+        other->volume_lost_near_half < best->volume_lost_near_half)
+      best = other;
+  if (best == &law) return {};
+  const auto percent = [](const Method& of) {
+    return fmt::format("{:.2g} %", 100 * of.volume_lost_near_half);
+  };
+  return fmt::format(
+      "{} lets volume change near nu = 1/2, where the material hardly does: at nu = "
+      "0.499 and compressed by 20 % a cube loses {} of it, by {} {}.",
+      law.name, percent(law), best->name, percent(*best));
 }
 
 const Method& thesis_law() {

@@ -32,6 +32,14 @@ std::vector<const Method*> laws();
 /// deformations, St-Venant-Kirchhoff's beyond.
 const Method& usual_law(bool is_small);
 
+/// Deformations up to which Hooke's law is the usual one.
+inline constexpr double small_deformation = 0.02;
+
+/// A caution, as a sentence: that the law lets volume change where the material hardly
+/// does, from nu = .45 on and beyond small deformations; empty elsewhere, and where
+/// another law is no better.
+std::string caution_near_half(const Method& law, const CaseSettings& settings);
+
 /// The law that the thesis compares springs with, as errors that are split do.
 const Method& thesis_law();
 

@@ -81,6 +81,10 @@ double estimated_memory(const CaseSettings& settings) {
   return bytes;
 }
 
+bool fits_in_memory(const CaseSettings& settings) {
+  return estimated_memory(settings) <= available_memory();
+}
+
 void check_mesh_memory(const std::string& place, const Body& body) {
   refuse_if_too_large(place, "mesh", estimated_mesh_memory(body), available_memory());
 }

@@ -8,6 +8,9 @@ namespace springcheck {
 /// ones (memory.cpp).
 double estimated_memory(const CaseSettings& settings);
 
+/// Whether that is left at the moment (available_memory).
+bool fits_in_memory(const CaseSettings& settings);
+
 /// Throws InputError when the mesh alone would not fit into the memory that is available
 /// (available_memory).
 /// `place` says where the cell counts were given.

@@ -30,6 +30,14 @@ void Progress::show(std::size_t done, std::size_t all) {
   std::fflush(stderr);
 }
 
+void announce(const std::string& what) {
+  static const auto start = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  fmt::print(stderr, "{}{:.0f} s: {}\n", isatty(STDERR_FILENO) != 0 ? "\r\x1b[K" : "",
+             elapsed.count(), what);
+  std::fflush(stderr);
+}
+
 MarchProgress::MarchProgress(double duration)
     : duration_(duration),
       on_terminal_(isatty(STDERR_FILENO) != 0),

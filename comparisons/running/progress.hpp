@@ -23,6 +23,10 @@ class Progress {
   std::chrono::steady_clock::time_point start_;
 };
 
+/// Says on stderr what is being done, on a terminal or not: "12 s: WHAT", with the time
+/// since the program's first such line.
+void announce(const std::string& what);
+
 /// A line on stderr with the simulated time, the step and its limit, steps per second and
 /// the remaining time of one simulation; silent unless stderr is a terminal.
 class MarchProgress {

@@ -41,7 +41,6 @@ Body grid_beside(const ReferenceMethod& reference, const Body& body) {
 }  // namespace
 
 std::vector<Request> requests(const RunSettings& run) {
-  constexpr double small_deformation = 0.02;
   const bool is_small = std::abs(run.common.deformation.value_or(1)) <= small_deformation;
   const ReferenceMethod reference = run.reference.value_or(
       ReferenceMethod{usual_law(is_small), *find_element("q1-sri")});

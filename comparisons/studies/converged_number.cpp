@@ -1,5 +1,6 @@
 #include "comparisons/studies/converged_number.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace springcheck {
@@ -11,6 +12,10 @@ ConvergedNumber converged_number(const GridSizes& sizes,
     on_grids[i] = Eigen::MatrixXd::Constant(1, 1, values[i]);
   const Extrapolated limit = extrapolate(sizes, on_grids, noise);
   return {.value = limit.value(0), .order = limit.order, .bar = limit.bar(0)};
+}
+double bar_by_fourth_grid(const ConvergedNumber& coarser, const ConvergedNumber& limit) {
+  if (!coarser.order || !limit.order) return limit.bar;
+  return std::min(limit.bar, safety_with_order * std::abs(limit.value - coarser.value));
 }
 
 ConvergedNumber converged_number(const ThreeCases& cases,

@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "comparisons/studies/converged_number.hpp"
 #include "comparisons/studies/extrapolation.hpp"
 
 using namespace springcheck;
@@ -105,6 +106,15 @@ BOOST_AUTO_TEST_CASE(a_field_whose_changes_oppose_has_no_order) {
   BOOST_TEST(!limit.order.has_value());
   BOOST_TEST(limit.value(0) == 2);
   BOOST_TEST(limit.bar(0) == 6);
+}
+
+BOOST_AUTO_TEST_CASE(a_fourth_grid_narrows_a_bar_and_never_widens_it,
+                     *boost::unit_test::tolerance(1e-12)) {
+  const ConvergedNumber limit{.value = 2, .order = 1.2, .bar = 0.5};
+  BOOST_TEST(bar_by_fourth_grid({.value = 2.1, .order = 1.5, .bar = 1}, limit) == 0.125);
+  BOOST_TEST(bar_by_fourth_grid({.value = 1, .order = 1.5, .bar = 1}, limit) == 0.5);
+  // Without an order limits tell nothing.
+  BOOST_TEST(bar_by_fourth_grid({.value = 2.1, .order = {}, .bar = 1}, limit) == 0.5);
 }
 
 // Errors of C h^1.5 exactly: round-off. An error of zero has no logarithm.

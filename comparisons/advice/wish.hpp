@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "comparisons/chart/chart.hpp"
 
@@ -8,8 +9,8 @@ namespace springcheck {
 
 /// What a user wants of a simulation.
 struct Wish {
-  ChartMeasure measure;
-  double tolerance;  // of its error
+  std::vector<ChartMeasure> measures;  // whose errors count
+  double tolerance;                    // of each
   // [s] of a frame that must be simulated in as much real time; none: an equilibrium is
   // wanted.
   std::optional<double> frame{};
@@ -34,18 +35,26 @@ struct Frame {
 /// Of a motion's point, by its times without set-up. None without a limit.
 std::optional<Frame> frame_of(const ChartPoint& point, double duration);
 
+/// What can be shown of a point beside a tolerance, where its truth is known to a bar.
+enum class Proof { within, open, beyond };
+
 /// The points of a chart, by their places, as a wish judges them.
 class Judge {
  public:
   /// Both must outlive it, and the chart must have the truth of its own law.
   Judge(const Wish& wish, const Chart& chart);
 
-  /// Whether it is of the wish's kind, ok, timed and has the error that is asked for.
+  /// Whether it is of the wish's kind, ok, timed and has the errors that are asked for.
   [[nodiscard]] bool is_candidate(std::size_t point) const;
 
-  /// Error and what the truth may be off, together: what is held against the tolerance.
-  /// None where either is not known.
-  [[nodiscard]] std::optional<double> error(std::size_t point) const;
+  /// The largest of a candidate's errors, and of them with what the truth may be off:
+  /// what is held against the tolerance.
+  [[nodiscard]] double off(std::size_t point) const;
+  [[nodiscard]] double error(std::size_t point) const;
+
+  /// Within: no error and bar exceed the tolerance together. Beyond: an error exceeds it
+  /// by more than its bar.
+  [[nodiscard]] Proof proof(std::size_t point) const;
   [[nodiscard]] bool meets_tolerance(std::size_t point) const;
 
   /// [s] of a solution, or real per simulated.
@@ -53,6 +62,9 @@ class Judge {
 
   /// Whether a candidate costs less than another, as far as times can tell.
   [[nodiscard]] bool is_cheaper(std::size_t point, std::size_t other) const;
+
+  /// Whether a candidate keeps to budget and frame.
+  [[nodiscard]] bool is_affordable(std::size_t point) const;
 
   /// Tolerance, budget and frame.
   [[nodiscard]] bool meets(std::size_t point) const;
@@ -62,6 +74,8 @@ class Judge {
   [[nodiscard]] double distance(std::size_t point) const;
 
  private:
+  [[nodiscard]] double missed_cost(std::size_t point) const;
+
   const Wish& wish_;
   const Chart& chart_;
   std::size_t truth_;

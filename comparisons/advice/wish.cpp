@@ -1,4 +1,4 @@
-#include "comparisons/chart/wish.hpp"
+#include "comparisons/advice/wish.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,21 +28,42 @@ Judge::Judge(const Wish& wish, const Chart& chart)
 bool Judge::is_candidate(std::size_t point) const {
   const ChartPoint& of = chart_.points[point];
   return of.place.kind == wish_.kind() && of.is_ok() && of.seconds() &&
-         of.place.threads == wish_.threads && error(point) &&
+         of.place.threads == wish_.threads &&
+         std::ranges::all_of(wish_.measures,
+                             [&](ChartMeasure measure) {
+                               return of.errors[truth_].of(measure) &&
+                                      chart_.bar(point, measure, truth_);
+                             }) &&
          (!wish_.frame || frame_of(of, *wish_.frame));
 }
 
-std::optional<double> Judge::error(std::size_t point) const {
-  const ChartPoint& of = chart_.points[point];
-  const auto& error = of.errors[truth_].of(wish_.measure);
-  if (!error) return std::nullopt;
-  const auto bar = chart_.bar(point, wish_.measure, truth_);
-  if (!bar) return std::nullopt;
-  return *error + *bar;
+double Judge::off(std::size_t point) const {
+  double largest = 0;
+  for (const ChartMeasure measure : wish_.measures)
+    largest = std::max(largest, chart_.points[point].errors[truth_].of(measure).value());
+  return largest;
+}
+
+double Judge::error(std::size_t point) const {
+  double largest = 0;
+  for (const ChartMeasure measure : wish_.measures)
+    largest = std::max(largest, *chart_.points[point].errors[truth_].of(measure) +
+                                    chart_.bar(point, measure, truth_).value());
+  return largest;
+}
+
+Proof Judge::proof(std::size_t point) const {
+  if (error(point) <= wish_.tolerance) return Proof::within;
+  const bool is_beyond = std::ranges::any_of(wish_.measures, [&](ChartMeasure measure) {
+    return *chart_.points[point].errors[truth_].of(measure) -
+               *chart_.bar(point, measure, truth_) >
+           wish_.tolerance;
+  });
+  return is_beyond ? Proof::beyond : Proof::open;
 }
 
 bool Judge::meets_tolerance(std::size_t point) const {
-  return is_candidate(point) && *error(point) <= wish_.tolerance;
+  return is_candidate(point) && proof(point) == Proof::within;
 }
 
 std::optional<double> Judge::cost(std::size_t point) const {
@@ -59,14 +80,21 @@ bool Judge::is_cheaper(std::size_t point, std::size_t other) const {
                  frame_of(another, *wish_.frame).value().timing);
 }
 
+double Judge::missed_cost(std::size_t point) const {
+  const double frame = wish_.frame ? *cost(point) : 0;
+  return std::max(frame, chart_.points[point].place.timing->median / wish_.budget);
+}
+
+bool Judge::is_affordable(std::size_t point) const {
+  return missed_cost(point) <= 1;
+}
+
 bool Judge::meets(std::size_t point) const {
-  return is_candidate(point) && distance(point) <= 1;
+  return meets_tolerance(point) && is_affordable(point);
 }
 
 double Judge::distance(std::size_t point) const {
-  const double frame = wish_.frame ? *cost(point) : 0;
-  return std::max({*error(point) / wish_.tolerance, frame,
-                   chart_.points[point].place.timing->median / wish_.budget});
+  return std::max(error(point) / wish_.tolerance, missed_cost(point));
 }
 
 }  // namespace springcheck

@@ -1,4 +1,4 @@
-#include "comparisons/chart/wish.hpp"
+#include "comparisons/advice/wish.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -13,7 +13,7 @@ namespace {
 const auto round_off = boost::test_tools::tolerance(1e-12);
 
 Wish force_within(double tolerance) {
-  return {.measure = ChartMeasure::force,
+  return {.measures = {ChartMeasure::force},
           .tolerance = tolerance,
           .frame = std::nullopt,
           .budget = 10,
@@ -27,14 +27,37 @@ BOOST_AUTO_TEST_CASE(the_truths_own_bar_counts_as_error) {
   example.add("mss-cf", 4, 2, 9, 0.002);  // 10 % off a truth known to 12.5 %
   const Chart chart = evaluated(example.chart, example.cases);
   const Wish loose = force_within(0.23), tight = force_within(0.22);
-  BOOST_TEST(Judge(loose, chart).error(0).value() == 0.225, round_off);
+  BOOST_TEST(Judge(loose, chart).error(0) == 0.225, round_off);
   BOOST_TEST(Judge(loose, chart).meets(0));
   BOOST_TEST(!Judge(tight, chart).meets(0));
   BOOST_TEST(Judge(tight, chart).distance(0) == 0.225 / 0.22, round_off);
   Wish deviation = force_within(0.0031);  // .002, and .1 % for the truth on this mesh
-  deviation.measure = ChartMeasure::deviation;
-  BOOST_TEST(Judge(deviation, chart).error(0).value() == 0.003, round_off);
+  deviation.measures = {ChartMeasure::deviation};
+  BOOST_TEST(Judge(deviation, chart).error(0) == 0.003, round_off);
   BOOST_TEST(Judge(deviation, chart).meets(0));
+}
+
+BOOST_AUTO_TEST_CASE(what_the_bar_decides_is_open) {
+  ExampleChart example;
+  example.add("mss-cf", 4, 2, 9, 0.002);  // 10 % off a truth known to 12.5 %
+  const Chart chart = evaluated(example.chart, example.cases);
+  const Wish within = force_within(0.226), open = force_within(0.12);
+  BOOST_CHECK(Judge(within, chart).proof(0) == Proof::within);
+  BOOST_CHECK(Judge(open, chart).proof(0) == Proof::open);
+  example.cases["mss-cf4"].measures.plate_force = 7;
+  const Chart worse = evaluated(example.chart, example.cases);
+  BOOST_CHECK(Judge(open, worse).proof(0) == Proof::beyond);
+}
+
+BOOST_AUTO_TEST_CASE(every_measure_counts) {
+  ExampleChart example;
+  example.add("mss-cf", 4, 2, 9, 0.4);  // 10 +- 12.5 % in force, 40 +- .1 % in deviation
+  const Chart chart = evaluated(example.chart, example.cases);
+  Wish wish = force_within(0.3);
+  wish.measures.push_back(ChartMeasure::deviation);
+  BOOST_TEST(Judge(wish, chart).error(0) == 0.401, round_off);
+  BOOST_TEST(Judge(wish, chart).off(0) == 0.4, round_off);
+  BOOST_CHECK(Judge(wish, chart).proof(0) == Proof::beyond);
 }
 
 BOOST_AUTO_TEST_CASE(the_budget_is_part_of_a_wish) {

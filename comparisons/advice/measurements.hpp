@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "comparisons/chart/chart.hpp"
 #include "comparisons/chart/chart_models.hpp"
@@ -12,6 +13,14 @@ struct StaticPath {
   bool was_followed = false;  // not where it would have taken more than the budget
   std::string against{};      // why it ends before the full load; empty where it does not
   double nodes = 0, seconds = 0;
+};
+
+/// What a model shows in a scene beside the wished one.
+struct BesideScene {
+  std::string where;       // "at 0.8 times the load"
+  bool has_truth = false;  // no: nothing else is known
+  Status status{};         // of the model there
+  ChartErrors errors{};    // beyond what the truth there may be off
 };
 
 /// Where advice gets its figures from: a chart that grows while they are asked for.
@@ -32,6 +41,13 @@ class Measurements {
   /// The static path of a model's springs, on so many cells across; of finite elements it
   /// has nothing against.
   virtual StaticPath static_path(const ChartModel& model, int across) = 0;
+
+  /// The scenes beside, see Neighbour, and what the model shows in one of them.
+  [[nodiscard]] virtual std::size_t scenes_beside(const ChartModel& model) = 0;
+  virtual BesideScene beside(std::size_t scene, const ChartModel& model, int across) = 0;
+
+  /// Narrows what the truth may be off, once; whether it did.
+  virtual bool refine_truth() = 0;
 
   /// With all that was measured so far; places stay when more are.
   [[nodiscard]] virtual Chart chart() const = 0;

@@ -1,0 +1,62 @@
+#include "comparisons/chart/kept_truths.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdlib>
+
+#include "comparisons/build_info/build_info.hpp"
+
+namespace springcheck {
+namespace {
+
+constexpr std::uintmax_t most_bytes = 500'000'000;
+
+}  // namespace
+
+KeptTruths::KeptTruths(std::filesystem::path file) : file_(std::move(file)) {
+  try {
+    if (!std::filesystem::exists(file_)) return;
+    if (std::filesystem::file_size(file_) > most_bytes)
+      std::filesystem::remove(file_);
+    else
+      stored_ = stored_cases({file_}, Revisions::own);
+  } catch (const std::exception& error) {
+    leave_alone(error);
+  }
+}
+
+std::optional<CaseResult> KeptTruths::known(const Request& request,
+                                            const std::string& key,
+                                            MeshStore& meshes) const {
+  return only_with_fields(known_from(stored_, meshes))(request, key);
+}
+
+void KeptTruths::keep(const CaseResult& result, MeshStore& meshes) {
+  if (is_left_alone_ || stored_.contains(result.key) || result.status != Status::ok)
+    return;
+  try {
+    std::filesystem::create_directories(file_.parent_path());
+    ResultFile(file_).put({&result, 1}, true, meshes);
+  } catch (const std::exception& error) {
+    leave_alone(error);
+  }
+}
+
+void KeptTruths::leave_alone(const std::exception& why) {
+  is_left_alone_ = true;
+  spdlog::warn("truths are not kept for other scenes: {}", why.what());
+}
+
+std::optional<std::filesystem::path> users_truths_file() {
+  const auto folder_in = [](const char* variable) -> std::filesystem::path {
+    const char* value = std::getenv(variable);
+    return value == nullptr ? "" : value;
+  };
+  std::filesystem::path cache = folder_in("XDG_CACHE_HOME");
+  if (cache.empty() && !folder_in("HOME").empty()) cache = folder_in("HOME") / ".cache";
+  if (!cache.is_absolute()) return std::nullopt;
+  return cache / "springcheck" / fmt::format("truths-{}.h5", build_info::revision);
+}
+
+}  // namespace springcheck

@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <filesystem>
+
+#include "comparisons/advice/advise.hpp"
+#include "comparisons/advice/chart_measurements.hpp"
+#include "tests/comparisons/advice/options.hpp"
+
+using namespace springcheck;
+
+BOOST_AUTO_TEST_SUITE(exhaustive_test)
+
+// The search stops early, by forecasts and by errors that no longer fall. Here everything
+// runs that may cost less than two thirds of what was chosen, on every size.
+
+namespace {
+
+struct Scene {
+  std::string name;
+  double deformation;
+};
+
+std::ostream& operator<<(std::ostream& out, const Scene& scene) {
+  return out << scene.name;
+}
+
+const std::vector<Scene> scenes{
+    {"compression", 0.083}, {"shearing", 0.13}, {"torsion", 0.35}};
+const std::vector<double> ratios{0.1, 0.37, 0.45};
+constexpr double most_times_the_cheapest = 1.5;
+
+/// A result file of the test's own.
+struct File {
+  std::filesystem::path path = std::filesystem::temp_directory_path() /
+                               fmt::format("exhaustive-test-{}.h5", getpid());
+  File() { std::filesystem::remove(path); }
+  ~File() { std::filesystem::remove(path); }
+};
+
+ChartPlan plan_of(const Scene& scene, double poisson_ratio) {
+  return {
+      .scene = scene.name,
+      .options = options_of({{"nu", poisson_ratio}, {"deformation", scene.deformation}}),
+      .threads = {1},
+      .budget = 5,
+      .repeat_for = 0.3,
+      .jobs = 1,
+      .retime = false,
+      .least_models = 0,
+      .truth_across = 2};
+}
+
+Wish wish_of(double tolerance) {
+  return {
+      .measures = {ChartMeasure::force, ChartMeasure::volume, ChartMeasure::deviation},
+      .tolerance = tolerance,
+      .budget = 5,
+      .threads = 1};
+}
+
+bool is_candidate(const ChartModel& model, const Wish& wish, const ChartPlan& plan) {
+  const CaseSettings settings = model_case(plan.scene, plan.options, model, 2);
+  return model.kind == wish.kind() &&
+         has_poisson_ratio(settings.method, settings.material.poisson_ratio);
+}
+
+/// Least cost of what is sound and costs less than `below`, whatever the search thinks.
+double cheapest_sound(const Wish& wish, const ChartPlan& plan, Measurements& measurements,
+                      double below) {
+  for (const ChartModel& model : chart_models()) {
+    if (!is_candidate(model, wish, plan)) continue;
+    for (const int across : sizes_across) {
+      if (measurements.expected_seconds(model, across) > below) break;
+      measurements.measure(model, across);
+    }
+  }
+  Chart chart = measurements.chart();
+  Examiner examiner(wish, BodyShape::block, measurements, chart);
+  double least = below;
+  for (std::size_t i = 0; i < chart.points.size(); ++i) {
+    const Judge judge(wish, chart);
+    const ChartModel& model = chart_model(chart.points[i].place.model, BodyShape::block);
+    if (!judge.meets(i) || !is_candidate(model, wish, plan)) continue;
+    if (*judge.cost(i) < least && examiner.of(i).is_sound()) least = *judge.cost(i);
+  }
+  return least;
+}
+
+void check(const Scene& scene, double poisson_ratio,
+           const std::vector<double>& tolerances) {
+  const File file;
+  const ChartPlan plan = plan_of(scene, poisson_ratio);
+  ChartMeasurements measurements(plan, file.path);
+  double before = INFINITY;  // cost of the tighter tolerance
+  for (const double tolerance : tolerances) {
+    const Wish wish = wish_of(tolerance);
+    const Advice advice = advise(wish, plan, measurements);
+    if (!advice.chosen) {
+      BOOST_TEST(before == INFINITY, tolerance);
+      continue;
+    }
+    const std::size_t chosen = *advice.chosen;
+    const Judge judge(wish, advice.chart);
+    const double cost = *judge.cost(chosen);
+    BOOST_TEST(judge.error(chosen) <= tolerance);
+    for (const auto& [crossing, why] : advice.crossings) BOOST_TEST(crossing != chosen);
+    const double least = cheapest_sound(wish, plan, measurements, cost);
+    BOOST_TEST_MESSAGE(fmt::format(
+        "{} nu {} within {}: {} on {} across, {:.3g} s; cheapest {:.3g} s", scene.name,
+        poisson_ratio, tolerance, name_of(advice.chart.points[chosen].place.model),
+        advice.chart.points[chosen].place.across, cost, least));
+    BOOST_TEST(cost <= most_times_the_cheapest * least);
+    BOOST_TEST(cost <= before * most_times_the_cheapest);
+    before = cost;
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(advice_costs_little_more_than_the_cheapest) {
+  check(scenes[0], 0.37, {0.08});
+}
+
+BOOST_TEST_DECORATOR(*boost::unit_test::label("slow"))
+BOOST_DATA_TEST_CASE(advice_costs_little_more_than_the_cheapest_everywhere,
+                     boost::unit_test::data::make(scenes) *
+                         boost::unit_test::data::make(ratios),
+                     scene, poisson_ratio) {
+  check(scene, poisson_ratio, {0.01, 0.023, 0.05, 0.08, 0.2});
+}
+
+BOOST_AUTO_TEST_SUITE_END()
