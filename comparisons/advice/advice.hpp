@@ -9,7 +9,7 @@
 
 namespace springcheck {
 
-/// A recommended point and its neighbours, places in a chart.
+/// A recommended point and what it is told beside, places in a chart.
 struct Advice {
   Chart chart;
   std::size_t truth;                     // of the scene's law

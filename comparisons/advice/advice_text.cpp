@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -73,18 +74,22 @@ std::string words_of_bar(const Advice& advice, const Wish& wish) {
 }  // namespace
 
 std::string question(const Advice& advice, const Wish& wish) {
-  const ChartTruth& truth = advice.chart.truths[advice.truth];
-  std::vector<std::string> names, bars;
-  for (const ChartMeasure measure : wish.measures) {
-    names.emplace_back(name_of(measure));
-    if (const auto& bar = truth.bars.of(measure))
-      bars.push_back(fmt::format("{:.2g}", 100 * *bar));
-  }
+  std::vector<std::string> names;
+  for (const ChartMeasure measure : wish.measures) names.emplace_back(name_of(measure));
   return fmt::format(
-      "{}: {} within {:g} % of the truth of {}{}{}", advice.chart.stored.scene,
-      fmt::join(names, ", "), 100 * wish.tolerance, truth.grids.law,
-      bars.empty() ? "" : fmt::format(", itself known to {} %", fmt::join(bars, ", ")),
+      "{}: {} within {:g} % of the truth of {}{}", advice.chart.stored.scene,
+      fmt::join(names, ", "), 100 * wish.tolerance,
+      advice.chart.truths[advice.truth].grids.law,
       wish.frame ? fmt::format(", frames of {:g} s in real time", *wish.frame) : "");
+}
+
+std::string truth_text(const Advice& advice) {
+  const ChartTruth& truth = advice.chart.truths[advice.truth];
+  return fmt::format(
+      "The truth is {} = {:.6g}, known to {:.2g} %, and a change of volume of {:.6g} of "
+      "V0, known to {:.2g} % of V0 times the strain.\n",
+      advice.chart.stored.answer, truth.answer.value, 100 * truth.bars.force.value(),
+      truth.volume_change.value, 100 * truth.bars.volume.value());
 }
 
 std::string evidence_text(const Advice& advice, const Wish& wish) {
@@ -100,17 +105,14 @@ std::string evidence_text(const Advice& advice, const Wish& wish) {
   for (const auto& [role, point] :
        std::initializer_list<std::pair<const char*, std::optional<std::size_t>>>{
            {"cheaper, too far off", advice.cheaper},
-           {"cheaper, cannot be shown", advice.not_shown},
+           {"cannot be shown", advice.not_shown},
            {"chosen", advice.chosen},
            {"nearest", advice.nearest},
            {"dearer, more accurate", advice.dearer}})
     if (point) lines.push_back(line_of(role, advice, wish, *point));
   std::string text = in_columns(lines);
   if (!advice.crossings.empty())
-    text +=
-        "\nCrossings: within the tolerance here, but not by what their cells converge "
-        "to, "
-        "or not beside this scene.\n";
+    text += "\nCrossings: within the tolerance here, but not for a reason.\n";
   for (const auto& [point, against] : advice.crossings) {
     const StoredChart::Point& place = advice.chart.points[point].place;
     text += fmt::format("- {} on {} across: {}.\n", name_of(place.model), place.across,

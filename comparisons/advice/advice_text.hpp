@@ -7,8 +7,11 @@
 
 namespace springcheck {
 
-/// What was asked for, in a line: scene, measures, tolerance and truth.
+/// What was asked for, in a line: scene, measures, tolerance and law.
 std::string question(const Advice& advice, const Wish& wish);
+
+/// What the errors are of.
+std::string truth_text(const Advice& advice);
 
 /// The points that the advice stands on, a line each with all errors that are known, and
 /// what is against the crossings.

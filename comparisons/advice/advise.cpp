@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 #include "comparisons/advice/left_out.hpp"
 #include "comparisons/methods/methods.hpp"
@@ -48,7 +47,7 @@ class Search {
     }
     choose();
     find_not_shown();
-    find_neighbours();
+    find_alternatives();
     if (advice_.chosen) advice_.left_out = left_out(advice_, wish_.measures, plan_);
     return std::move(advice_);
   }
@@ -63,13 +62,7 @@ class Search {
   void take_in() {
     advice_.chart = measurements_.chart();
     const std::string& law = advice_.chart.stored.law;
-    const auto truth = advice_.chart.truth_of(law);
-    if (!truth)
-      throw std::runtime_error(fmt::format(
-          "{}: no truth to hold a model against: {}:q2 has no equilibrium on all of the "
-          "three grids that `springcheck chart` takes",
-          plan_.scene, law));
-    advice_.truth = *truth;
+    advice_.truth = advice_.chart.truth_of(law).value();
   }
 
   /// Runs every model that may still win on one size.
@@ -83,21 +76,32 @@ class Search {
     for (const std::size_t i : cheapest_first())
       if (*judge().cost(i) < best_ && examiner_.of(i).is_sound())
         best_ = *judge().cost(i);
-    std::erase_if(tried,
-                  [&](const ChartModel* model) { return !goes_on(*model, across); });
+    std::erase_if(tried, [&](const ChartModel* model) {
+      return !can_be_shown() || !goes_on(*model, across);
+    });
     alive_ = std::move(tried);
   }
 
   void refine_truth_if_it_decides() {
     if (is_refined_) return;
-    bool decides = false;
+    bool decides = !can_be_shown();
     for (std::size_t i = 0; i < advice_.chart.points.size(); ++i)
       decides = decides || is_open(i);
     if (!decides) return;
     is_refined_ = true;
     if (!measurements_.refine_truth()) return;
     examiner_.forget();
+    best_ = INFINITY;  // what was sound by wider bars need not be
     take_in();
+  }
+
+  /// Whether the truth is known well enough for any point to be within the tolerance.
+  [[nodiscard]] bool can_be_shown() const {
+    const ChartErrors& bars = advice_.chart.truths[advice_.truth].bars;
+    return std::ranges::all_of(wish_.measures, [&](ChartMeasure measure) {
+      return measure == ChartMeasure::deviation ||  // that of each mesh is another
+             bars.of(measure).value_or(0) < wish_.tolerance;
+    });
   }
 
   /// Of a point that might be chosen, being cheaper, if the truth were known better.
@@ -169,13 +173,18 @@ class Search {
       advice_.cautions.emplace_back(
           "Whether its path to the full load is stable was not looked at: that would "
           "take more than the budget or the memory that is left.");
-    if (!reasons.were_finer_cells_seen)
+    if (reasons.is_finest)
+      advice_.cautions.emplace_back(
+          "Whether its errors only cancel was not looked at on finer cells: there are "
+          "none "
+          "that advice tries.");
+    else if (!reasons.were_finer_cells_seen)
       advice_.cautions.emplace_back(
           "Whether its errors only cancel was not looked at on finer cells: they would "
-          "take more than the budget or the memory that is left.");
+          "take more than ten times as long, or the memory that is left.");
     if (!reasons.without_truth.empty())
       advice_.cautions.push_back(fmt::format(
-          "Whether it holds {} was not looked at: q2 has no equilibrium there.",
+          "Whether it holds {} was not looked at: there is no equilibrium of q2.",
           fmt::join(reasons.without_truth, " and ")));
   }
 
@@ -219,21 +228,22 @@ class Search {
     if (sound != open.end()) advice_.not_shown = *sound;
   }
 
-  void find_neighbours() {
+  /// Points that the advice is told beside.
+  void find_alternatives() {
+    if (!advice_.chosen) return;
     const Judge judged = judge();
-    const double cost = advice_.chosen ? *judged.cost(*advice_.chosen) : INFINITY;
+    const double cost = *judged.cost(*advice_.chosen);
     const auto costs_less = [&](std::size_t i, const std::optional<std::size_t>& other) {
       return !other || *judged.cost(i) < *judged.cost(*other);
     };
     for (std::size_t i = 0; i < advice_.chart.points.size(); ++i) {
       if (!is_candidate(i)) continue;
-      if (!advice_.chosen) continue;
       if (*judged.cost(i) < cost && judged.is_affordable(i) &&
           judged.proof(i) == Proof::beyond &&
           (!advice_.cheaper || judged.error(i) < judged.error(*advice_.cheaper)))
         advice_.cheaper = i;
       if (*judged.cost(i) > cost && judged.error(i) < judged.error(*advice_.chosen) &&
-          costs_less(i, advice_.dearer))
+          costs_less(i, advice_.dearer) && examiner_.against_law(i).empty())
         advice_.dearer = i;
     }
   }

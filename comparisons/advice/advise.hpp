@@ -15,13 +15,11 @@ namespace springcheck {
 /// candidates.
 ///
 /// Where the truth's bar decides of a point that would be the cheapest, the truth is
-/// refined, once.
+/// refined, once; where the bar alone exceeds the tolerance then, the search ends.
 ///
 /// Of points than which the cheapest one is not faster, as far as times can tell, it is
 /// the one that takes the least memory, then the first in chart_models, which go from
 /// plain to rich.
-///
-/// Throws std::runtime_error where the scene's law has no truth.
 Advice advise(const Wish& wish, const ChartPlan& plan, Measurements& measurements);
 
 }  // namespace springcheck

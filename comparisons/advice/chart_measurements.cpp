@@ -1,10 +1,12 @@
 #include "comparisons/advice/chart_measurements.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/measures/displacement_norms.hpp"
@@ -14,6 +16,8 @@
 #include "comparisons/running/progress.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/settings/case_json.hpp"
+#include "comparisons/studies/converged_number.hpp"
+#include "comparisons/studies/split.hpp"
 
 namespace springcheck {
 namespace {
@@ -28,8 +32,7 @@ const ChartPlan& announced(const ChartPlan& plan) {
   for (const CaseSettings& grid : grids) {
     cost.add({.settings = grid});
     sizes += fmt::format("{}{}", sizes.empty() ? "" : ", ",
-                         fmt::format("{}x{}x{}", grid.body.block.cells[0],
-                                     grid.body.block.cells[1], grid.body.block.cells[2]));
+                         fmt::join(grid.body.block.cells, "x"));
   }
   announce(fmt::format(
       "the truth, {}:q2 on {} cells: about {:.0f} s, where it is not kept already",
@@ -37,13 +40,21 @@ const ChartPlan& announced(const ChartPlan& plan) {
   return plan;
 }
 
-bool is_nested(const Body& body) {
-  return body.shape == BodyShape::block;
-}
-
-double imposed_by(const CaseSettings& grid, const Mesh& mesh, double answer) {
-  if (grid.test == Test::bending) return std::abs(answer);
-  return largest_imposed_displacement(mesh, mechanical_scene(grid, mesh));
+/// The law that a model's springs or elements have, by q2 on that grid; none where it is
+/// not known.
+std::optional<CaseSettings> law_of(const CaseSettings& model, const CaseSettings& grid) {
+  const Method& method = model.method;
+  const bool is_of_its_cells =
+      !method.lattice || !method.lattice->of_cubes || is_grid_of_cubes(model.body);
+  CaseSettings law = model;
+  if (method.lattice && is_of_its_cells)
+    law = continuum_of(model);
+  else if (!reads(method, "element"))
+    return std::nullopt;
+  law.body = grid.body;
+  law.elements.element = grid.elements.element;
+  law.elements.linear_solver = grid.elements.linear_solver;
+  return law;
 }
 
 }  // namespace
@@ -51,14 +62,25 @@ double imposed_by(const CaseSettings& grid, const Mesh& mesh, double answer) {
 ChartMeasurements::ChartMeasurements(const ChartPlan& plan,
                                      const std::filesystem::path& file)
     : plan_(plan), run_(announced(plan), file) {
+  for (const CaseSettings& grid : run_.own_truth()) {
+    const CaseResult result = run_.result_of({.settings = grid});
+    if (result.status != Status::ok)
+      throw std::runtime_error(
+          fmt::format("{}: no truth to hold a model against: {}:q2 is {} on {} "
+                      "cells{}{}. Other grids "
+                      "are taken by --truth, another law by --truth-law",
+                      plan.scene, grid.method.name, name_of(result.status),
+                      fmt::join(grid.body.block.cells, "x"),
+                      result.reason.empty() ? "" : ": ", result.reason));
+  }
   for (const Neighbour& neighbour : neighbours_of(run_.own_truth().front()))
     beside_.push_back({.neighbour = neighbour});
 }
 
-void ChartMeasurements::measure(const ChartModel& model, int across) {
+void ChartMeasurements::measure(const ChartModel& model, int across, double seconds) {
   if (across > finest_across_) announce(fmt::format("models on {} cells across", across));
   finest_across_ = std::max(finest_across_, across);
-  run_.measure(model, across);
+  run_.measure(model, across, seconds);
 }
 
 StaticPath ChartMeasurements::static_path(const ChartModel& model, int across) {
@@ -91,6 +113,31 @@ StaticPath ChartMeasurements::static_path(const ChartModel& model, int across) {
   return paths_[key] = path;
 }
 
+std::optional<ChartErrors> ChartMeasurements::law_errors(const ChartModel& model,
+                                                         int across) {
+  const CaseSettings& grid = run_.own_truth()[1];
+  const auto law = law_of(model_case(plan_.scene, plan_.options, model, across), grid);
+  if (!law) return std::nullopt;
+  if (law->method.name == grid.method.name &&
+      law->method.name != continuum_of_lattices().name)
+    return ChartErrors{.force = 0, .volume = 0, .deviation = 0};
+  const std::string key = settings_json(*law).dump();
+  if (const auto known = law_errors_.find(key); known != law_errors_.end())
+    return known->second;
+  announce(
+      fmt::format("what {} converges to: {}:q2", name_of(model.model), law->method.name));
+  Request request{.settings = *law};
+  if (is_nested(grid.body)) request.reference = grid;
+  const CaseResult result = run_.result_of(request);
+  if (result.status != Status::ok) return law_errors_[key] = std::nullopt;
+  ChartTruth by_grid = own_truth();
+  const Measures measures = figures_of(grid);
+  by_grid.answer.value = measure_of(measures, run_.stored().answer).value();
+  by_grid.volume_change.value = measures.volume_change.value();
+  return law_errors_[key] = errors_of(run_.stored(), by_grid, result.measures,
+                                      request.reference ? &result.measures : nullptr);
+}
+
 std::size_t ChartMeasurements::scenes_beside(const ChartModel& model) {
   if (!find_method(model.model.method)->own_poisson_ratio) return beside_.size();
   const double nu = run_.own_truth().front().material.poisson_ratio;
@@ -103,79 +150,103 @@ BesideScene ChartMeasurements::beside(std::size_t scene, const ChartModel& model
   Known& known = beside_[scene];
   if (!known.was_asked_for) find_truth_of(known);
   BesideScene shown{.where = name_of(known.neighbour)};
-  if (!known.truth) return shown;
-  Request request{.settings = moved(model_case(plan_.scene, plan_.options, model, across),
-                                    known.neighbour)};
-  if (is_nested(request.settings.body)) request.reference = known.grid;
-  const CaseResult result = run_.result_of(request);
+  const auto settings =
+      moved(model_case(plan_.scene, plan_.options, model, across), known.neighbour);
+  if (!known.has_truth || !settings) return shown;
+  Request request{.settings = *settings};
+  if (is_nested(settings->body)) request.reference = known.grid;
+  const std::string key = settings_json(*settings).dump();
+  if (!known.results.contains(key)) {
+    const CaseResult result = run_.result_of(request);
+    known.results[key] = {result.status, result.measures};
+  }
+  const auto& [status, measures] = known.results[key];
+  const ChartTruth truth = truth_of(known);
   shown.has_truth = true;
-  shown.status = result.status;
-  shown.errors = beyond_bars(errors_of(run_.stored(), *known.truth, result.measures,
-                                       request.reference ? &result.measures : nullptr),
-                             known.truth->bars);
+  shown.status = status;
+  shown.errors = beyond_bars(
+      errors_of(run_.stored(), truth, measures, request.reference ? &measures : nullptr),
+      truth.bars);
   return shown;
 }
 
 void ChartMeasurements::find_truth_of(Known& scene) {
   scene.was_asked_for = true;
-  const CaseSettings& grid = run_.own_truth()[1];
-  scene.grid = moved(grid, scene.neighbour);
+  const ThreeCases& grids = run_.own_truth();
   announce(fmt::format("what holds {}: {}:q2 there", name_of(scene.neighbour),
-                       grid.method.name));
-  run_.find_references({scene.grid});
-  const CaseResult here = run_.result_of({.settings = grid}),
-                   there = run_.result_of({.settings = scene.grid});
-  if (there.status != Status::ok) return;
-  const Chart known = chart();
-  const ChartTruth& truth = known.truths[known.truth_of(known.stored.law).value()];
-  const double answer = measure_of(there.measures, known.stored.answer).value();
-  scene.truth = carried_truth(
-      truth, known.stored.answer, here.measures, there.measures,
-      imposed_by(scene.grid, meshes_.mesh(scene.grid.body), answer), deviation_of_grid());
+                       grids[1].method.name));
+  for (std::size_t i = 0; i < 2; ++i) {
+    scene.grid = moved(grids[i], scene.neighbour);
+    if (!scene.grid) return;
+    run_.find_references({*scene.grid});
+    const CaseResult there = run_.result_of({.settings = *scene.grid});
+    if (there.status != Status::ok) return;
+    scene.figures[i] = there.measures;
+  }
+  if (scene.grid->test != Test::bending) {
+    const Mesh& mesh = meshes_.mesh(scene.grid->body);
+    scene.imposed =
+        largest_imposed_displacement(mesh, mechanical_scene(*scene.grid, mesh));
+  }
+  scene.has_truth = true;
 }
 
-std::optional<double> ChartMeasurements::deviation_of_grid() {
+ChartTruth ChartMeasurements::truth_of(const Known& scene) {
+  const TwoGrids here{figures_of(run_.own_truth()[0]), figures_of(run_.own_truth()[1])};
+  return carried_truth(own_truth(), run_.stored(), here, scene.figures, scene.imposed,
+                       deviation_of_grid());
+}
+
+ChartTruth ChartMeasurements::own_truth() const {
+  const Chart known = chart();
+  return known.truths[known.truth_of(known.stored.law).value()];
+}
+
+Measures ChartMeasurements::figures_of(const CaseSettings& grid) {
+  return run_.result_of({.settings = grid}).measures;
+}
+
+const std::optional<double>& ChartMeasurements::deviation_of_grid() {
   const ThreeCases& grids = run_.own_truth();
-  if (!is_nested(grids[1].body)) return std::nullopt;
-  return run_
-      .result_of({.settings = grids[1],
-                  .reference = grids[0],
-                  .reference_grid = ReferenceGrid::converged})
-      .measures.deviation_l2_relative;
+  if (!deviation_of_grid_)
+    deviation_of_grid_ =
+        is_nested(grids[1].body)
+            ? run_.result_of({.settings = grids[1],
+                              .reference = grids[0],
+                              .reference_grid = ReferenceGrid::converged})
+                  .measures.deviation_l2_relative
+            : std::nullopt;
+  return *deviation_of_grid_;
 }
 
 bool ChartMeasurements::refine_truth() {
-  CaseSettings coarser = run_.own_truth().front();
-  if (!is_nested(coarser.body)) return false;
-  for (int& cells : coarser.body.block.cells) {
+  const ThreeCases& grids = run_.own_truth();
+  ThreeCases coarser{grids[0], grids[0], grids[1]};
+  if (!is_nested(grids[0].body)) return false;
+  for (int& cells : coarser[0].body.block.cells) {
     if (cells % 2 != 0) return false;
     cells /= 2;
   }
-  const CaseResult result = run_.result_of({.settings = coarser});
-  if (result.status != Status::ok) return false;
-  const Chart known = run_.chart();
-  const ChartTruth& truth = known.truths[known.truth_of(known.stored.law).value()];
-  std::array<CaseResult, 2> finer{run_.result_of({.settings = run_.own_truth()[0]}),
-                                  run_.result_of({.settings = run_.own_truth()[1]})};
-  const auto bar_of = [&](const auto& value_of, const ConvergedNumber& limit,
-                          double noise) {
-    const ThreeCases coarse{coarser, run_.own_truth()[0], run_.own_truth()[1]};
-    return bar_by_fourth_grid(
-        converged_number(coarse,
-                         {value_of(result.measures), value_of(finer[0].measures),
-                          value_of(finer[1].measures)},
-                         noise),
-        limit);
-  };
+  const CaseResult coarsest = run_.result_of({.settings = coarser[0]});
+  if (coarsest.status != Status::ok) return false;
+  const std::array measures{coarsest.measures, figures_of(grids[0]),
+                            figures_of(grids[1])};
+  const ChartTruth truth = own_truth();
+  const StoredChart& stored = run_.stored();
+  std::array<double, 3> answers{}, volumes{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    answers[i] = measure_of(measures[i], stored.answer).value();
+    volumes[i] = measures[i].volume_change.value();
+  }
   const double answer = std::abs(truth.answer.value);
   refined_bars_.force =
-      bar_of([&](const Measures& m) { return *measure_of(m, known.stored.answer); },
-             truth.answer, solver_noise * answer) /
+      bar_by_fourth_grid(converged_number(coarser, answers, solver_noise * answer),
+                         truth.answer) /
       answer;
   refined_bars_.volume =
-      bar_of([&](const Measures& m) { return m.volume_change.value(); },
-             truth.volume_change, solver_noise) /
-      (truth.imposed / known.stored.height);
+      bar_by_fourth_grid(converged_number(coarser, volumes, solver_noise),
+                         truth.volume_change) /
+      (truth.imposed / stored.height);
   return true;
 }
 

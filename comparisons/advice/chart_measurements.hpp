@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "comparisons/advice/measurements.hpp"
@@ -15,22 +16,29 @@ namespace springcheck {
 /// Measurements that a chart in a result file keeps, with the cases beside it.
 class ChartMeasurements : public Measurements {
  public:
-  /// Computes the truth. Throws InputError as ChartRun.
+  /// Computes the truth. Throws InputError as ChartRun, and std::runtime_error where the
+  /// law has none.
   ChartMeasurements(const ChartPlan& plan, const std::filesystem::path& file);
 
   [[nodiscard]] double expected_seconds(const ChartModel& model, int across) override {
     return run_.expected_seconds(model, across);
   }
-  void measure(const ChartModel& model, int across) override;
+  void measure(const ChartModel& model, int across, double seconds) override;
 
   /// Followed on 2 cells across and up, as long as the next size is expected to stay
   /// within the plan's budget: by the time of the one before, times the nodes to 3/2.
   StaticPath static_path(const ChartModel& model, int across) override;
 
+  /// Of q2 by the model's law, or by the continuum of its lattice, beside q2 by the
+  /// truth's, both on the second of the truth's three grids: of what they converge to
+  /// their difference has next to nothing of the grid's error. None of springs without
+  /// such a continuum, of elements that step, and where q2 has no equilibrium.
+  std::optional<ChartErrors> law_errors(const ChartModel& model, int across) override;
+
   /// Those beside in Poisson's ratio only for models that have any (own_poisson_ratio).
   [[nodiscard]] std::size_t scenes_beside(const ChartModel& model) override;
 
-  /// By carried_truth from the second of the truth's three grids.
+  /// By carried_truth.
   BesideScene beside(std::size_t scene, const ChartModel& model, int across) override;
 
   /// By q2 on half as many cells across as the coarsest grid, see bar_by_fourth_grid: of
@@ -44,13 +52,20 @@ class ChartMeasurements : public Measurements {
   struct Known {
     Neighbour neighbour;
     bool was_asked_for = false;
-    CaseSettings grid{};                // q2 there
-    std::optional<ChartTruth> truth{};  // none: q2 has no equilibrium there
+    std::optional<CaseSettings> grid{};  // the truth's second one
+    TwoGrids figures{};
+    std::optional<double> imposed{};  // [m] there; none in bending
+    // Of points, by their settings:
+    std::map<std::string, std::pair<Status, Measures>> results{};
+    bool has_truth = false;
   };
   void find_truth_of(Known& scene);
+  [[nodiscard]] ChartTruth truth_of(const Known& scene);
+  [[nodiscard]] ChartTruth own_truth() const;
   /// What the second of the truth's grids is off in deviation; none of bodies whose
   /// meshes are not nested.
-  std::optional<double> deviation_of_grid();
+  const std::optional<double>& deviation_of_grid();
+  Measures figures_of(const CaseSettings& grid);
 
   ChartPlan plan_;
   ChartRun run_;
@@ -58,6 +73,8 @@ class ChartMeasurements : public Measurements {
   int finest_across_ = 0;                    // of what was measured
   std::map<std::string, StaticPath> paths_;  // by settings
   std::vector<Known> beside_;
+  std::map<std::string, std::optional<ChartErrors>> law_errors_;  // by settings
+  std::optional<std::optional<double>> deviation_of_grid_;        // none: not known yet
   ChartErrors refined_bars_{};  // of the truth of the scene's law; none before
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,12 +36,16 @@ class Measurements {
   /// without any, infinite where it would not fit into the memory.
   [[nodiscard]] virtual double expected_seconds(const ChartModel& model, int across) = 0;
 
-  /// Adds the point of a model on so many cells across, if the chart lacks it.
-  virtual void measure(const ChartModel& model, int across) = 0;
+  /// Adds the point of a model on so many cells across, if the chart lacks it and it is
+  /// not expected to take longer [s].
+  virtual void measure(const ChartModel& model, int across, double seconds) = 0;
 
   /// The static path of a model's springs, on so many cells across; of finite elements it
   /// has nothing against.
   virtual StaticPath static_path(const ChartModel& model, int across) = 0;
+
+  /// Errors of what the model converges to, where its law is known; none where not.
+  virtual std::optional<ChartErrors> law_errors(const ChartModel& model, int across) = 0;
 
   /// The scenes beside, see Neighbour, and what the model shows in one of them.
   [[nodiscard]] virtual std::size_t scenes_beside(const ChartModel& model) = 0;

@@ -9,13 +9,11 @@
 namespace springcheck {
 namespace {
 
-bool has_load(const CaseSettings& settings, double load) {
-  if (!settings.deformation) return true;
-  const double deformation = std::abs(load * *settings.deformation);
-  if (entry_of(settings.test).turns) return deformation <= 2 * std::numbers::pi;
-  const bool only_pulls =
-      settings.test == Test::tension || settings.test == Test::shearing;
-  return only_pulls || deformation < 1;
+bool has_load(Test test, double deformation) {
+  const double size = std::abs(deformation);
+  if (entry_of(test).turns) return size <= 2 * std::numbers::pi;
+  if (test == Test::compression) return size < 1;
+  return test != Test::uniaxial || deformation > -1;
 }
 
 std::optional<double> beyond(const std::optional<double>& error,
@@ -28,39 +26,54 @@ std::optional<double> beyond(const std::optional<double>& error,
 
 std::string name_of(const Neighbour& neighbour) {
   return neighbour.load != 1 ? fmt::format("at {:g} times the load", neighbour.load)
-                             : fmt::format("at nu = {:.4g}", neighbour.poisson_ratio);
+                             : fmt::format("at nu = {:.9g}", neighbour.poisson_ratio);
 }
 
 std::vector<Neighbour> neighbours_of(const CaseSettings& settings) {
   constexpr double aside = 0.02;
   const double nu = settings.material.poisson_ratio;
-  std::vector<Neighbour> all;
-  for (const double load : {0.8, 1.2})
-    if (has_load(settings, load)) all.push_back({.load = load, .poisson_ratio = nu});
+  std::vector<Neighbour> all{{.load = 0.8, .poisson_ratio = nu},
+                             {.load = 1.2, .poisson_ratio = nu}};
   if (nu - aside > -1) all.push_back({.poisson_ratio = nu - aside});
   all.push_back({.poisson_ratio = std::min(nu + aside, (nu + 0.5) / 2)});
   return all;
 }
 
-CaseSettings moved(CaseSettings settings, const Neighbour& neighbour) {
+std::optional<CaseSettings> moved(CaseSettings settings, const Neighbour& neighbour) {
   if (settings.deformation) *settings.deformation *= neighbour.load;
+  if (settings.deformation && !has_load(settings.test, *settings.deformation))
+    return std::nullopt;
   settings.gravity *= neighbour.load;
   settings.material.poisson_ratio = neighbour.poisson_ratio;
   return settings;
 }
 
-ChartTruth carried_truth(const ChartTruth& truth, const std::string& answer,
-                         const Measures& grid, const Measures& grid_there,
-                         double imposed_there, std::optional<double> deviation) {
-  ChartTruth there = truth;
-  there.answer.value *=
-      measure_of(grid_there, answer).value() / measure_of(grid, answer).value();
-  there.imposed = imposed_there;
-  there.volume_change.value = grid_there.volume_change.value() +
-                              (truth.volume_change.value - grid.volume_change.value()) *
-                                  imposed_there / truth.imposed;
-  there.bars.deviation = deviation;
-  return there;
+ChartTruth carried_truth(const ChartTruth& truth, const StoredChart& chart,
+                         const TwoGrids& here, const TwoGrids& there,
+                         const std::optional<double>& imposed,
+                         const std::optional<double>& deviation) {
+  const auto by = [&](std::size_t grid) {
+    ChartTruth carried = truth;
+    carried.answer.value *= measure_of(there[grid], chart.answer).value() /
+                            measure_of(here[grid], chart.answer).value();
+    carried.imposed = imposed.value_or(std::abs(carried.answer.value));
+    carried.volume_change.value =
+        there[grid].volume_change.value() +
+        (truth.volume_change.value - here[grid].volume_change.value()) * carried.imposed /
+            truth.imposed;
+    return carried;
+  };
+  ChartTruth carried = by(1);
+  const ChartTruth by_coarser = by(0);
+  const auto add = [](std::optional<double>& bar, double more) {
+    bar = bar.value_or(0) + std::abs(more);
+  };
+  add(carried.bars.force, by_coarser.answer.value / carried.answer.value - 1);
+  add(carried.bars.volume,
+      (by_coarser.volume_change.value - carried.volume_change.value) /
+          (carried.imposed / chart.height));
+  carried.bars.deviation = deviation;
+  return carried;
 }
 
 ChartErrors beyond_bars(const ChartErrors& errors, const ChartErrors& bars) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,22 +20,28 @@ struct Neighbour {
 std::string name_of(const Neighbour& neighbour);
 
 /// At .8 and 1.2 times the load, and .02 below and above in Poisson's ratio, but half way
-/// to 1/2 at most; without those that the test does not have.
+/// to 1/2 at most.
 std::vector<Neighbour> neighbours_of(const CaseSettings& settings);
 
-/// The case in a scene beside its own.
-CaseSettings moved(CaseSettings settings, const Neighbour& neighbour);
+/// The case in a scene beside its own; none where its test has no such load.
+std::optional<CaseSettings> moved(CaseSettings settings, const Neighbour& neighbour);
 
-/// The truth a* and V* of a neighbour from that of the scene and what q2 shows on one
-/// grid in both (a and V without neighbour, a' and V' in it):
+/// What q2 shows on the two coarser grids of a truth, from coarse to fine.
+using TwoGrids = std::array<Measures, 2>;
+
+/// The truth a* and V* of a neighbour from that of the scene and what q2 shows on the
+/// second grid in both (a and V in the scene, a' and V' in the neighbour):
 ///
 ///     a'* = a' a*/a,   V'* = V' + (V* - V) u'/u
 ///
-/// so that of the grid's own error only what changes with the scene is left. It is taken
-/// to be off by as much as the scene's; `deviation` is what the grid is off in that.
-ChartTruth carried_truth(const ChartTruth& truth, const std::string& answer,
-                         const Measures& grid, const Measures& grid_there,
-                         double imposed_there, std::optional<double> deviation);
+/// so that of the grid's own error only what changes with the scene is left. Its bars are
+/// those of the scene and what the same by the coarser grid differs by. `imposed`: u' in
+/// the neighbour; none where it is the answer. `deviation` is what the second grid is off
+/// in that.
+ChartTruth carried_truth(const ChartTruth& truth, const StoredChart& chart,
+                         const TwoGrids& here, const TwoGrids& there,
+                         const std::optional<double>& imposed,
+                         const std::optional<double>& deviation);
 
 /// Errors without what the truth may be off; none below 0.
 ChartErrors beyond_bars(const ChartErrors& errors, const ChartErrors& bars);

@@ -11,7 +11,7 @@ namespace springcheck {
 namespace {
 
 /// "5.2 % off in volume" of the first error above the tolerance; empty without.
-std::string beyond(const Wish& wish, const ChartErrors& errors) {
+std::string first_beyond(const Wish& wish, const ChartErrors& errors) {
   for (const ChartMeasure measure : wish.measures)
     if (const auto& error = errors.of(measure); error && *error > wish.tolerance)
       return fmt::format("{:.3g} % off in {}", 100 * *error, name_of(measure));
@@ -47,18 +47,19 @@ std::optional<double> limit_error(const Chart& chart,
     values[i] = *value;
   }
   const double unit = measure == ChartMeasure::force ? std::abs(values[2]) : 1;
-  const double limit = converged_number(sizes, values, solver_noise * unit).value;
+  const ConvergedNumber limit = converged_number(sizes, values, solver_noise * unit);
   const ChartTruth& of = chart.truths[truth];
   switch (measure) {
     case ChartMeasure::force:
-      return std::abs(limit / of.answer.value - 1);
+      return std::abs(limit.value / of.answer.value - 1) +
+             limit.bar / std::abs(of.answer.value);
     case ChartMeasure::volume:
-      return std::abs(limit - of.volume_change.value) /
+      return (std::abs(limit.value - of.volume_change.value) + limit.bar) /
              (of.imposed / chart.stored.height);
     case ChartMeasure::deviation:
       break;
   }
-  return std::abs(limit);
+  return std::abs(limit.value) + limit.bar;
 }
 
 Examiner::Examiner(const Wish& wish, BodyShape shape, Measurements& measurements,
@@ -77,19 +78,17 @@ Soundness Examiner::examined(std::size_t point) {
       measurements_.static_path(chart_model(place.model, shape_), place.across);
   Soundness found{.unstable = path.against, .is_path_known = path.was_followed};
   if (!found.unstable.empty()) return found;
-  const std::vector<std::size_t> sizes = convergence_of(point);
-  const auto own = std::ranges::find(sizes, point);
-  found.were_finer_cells_seen = sizes.size() == 3 && point != sizes.back();
-  found.crossing = against_finer_cells({std::next(own), sizes.end()});
-  if (found.crossing.empty() && sizes.size() == 3)
-    found.crossing = against_limit(std::span<const std::size_t, 3>(sizes));
+  found.crossing = against_law(point);
+  if (found.crossing.empty()) found.crossing = against_limit(point);
+  if (found.crossing.empty()) found.crossing = against_finer_cells(point, found);
   if (found.crossing.empty()) found.crossing = against_beside(point, found);
   return found;
 }
 
 bool Examiner::measure_if_within(const ChartModel& model, int across, double seconds) {
+  if (point_of(model.model, across)) return true;
   if (measurements_.expected_seconds(model, across) > seconds) return false;
-  measurements_.measure(model, across);
+  measurements_.measure(model, across, seconds);
   return true;
 }
 
@@ -107,60 +106,72 @@ std::size_t Examiner::truth() const {
   return chart_.truth_of(chart_.stored.law).value();
 }
 
-/// The model's points on three sizes with the own one: the next coarser and finer ones,
-/// without a coarser one that is ok two finer ones, and two coarser ones where the budget
-/// allows no finer one; fewer where there are none of these.
-std::vector<std::size_t> Examiner::convergence_of(std::size_t point) {
+/// The point on other cells; none where they take too long.
+std::optional<std::size_t> Examiner::measured(std::size_t point, int across) {
+  constexpr double most_times_as_long = 10;
   const StoredChart::Point place = chart_.points[point].place;
-  const ChartModel& model = chart_model(place.model, shape_);
-  const auto own = std::ranges::find(sizes_across, place.across);
-  std::vector<std::size_t> three{point}, coarser;
-  for (auto size = own; size != sizes_across.begin() && coarser.size() < 2;) {
-    const auto one = point_of(place.model, *--size);
-    if (!one || !chart_.points[*one].is_ok()) break;
-    coarser.push_back(*one);
+  const double most =
+      std::max(wish_.budget, most_times_as_long * place.timing.value().median);
+  if (!point_of(place.model, across)) {
+    if (!measure_if_within(chart_model(place.model, shape_), across, most))
+      return std::nullopt;
+    chart_ = measurements_.chart();
   }
-  const auto add_coarser = [&](std::size_t most) {
-    for (const std::size_t one : coarser)
-      if (three.size() < most && std::ranges::count(three, one) == 0)
-        three.insert(three.begin(), one);
-  };
-  add_coarser(2);
-  for (auto finer = std::next(own); finer != sizes_across.end() && three.size() < 3;
-       ++finer) {
-    if (!point_of(place.model, *finer)) {
-      if (!measure_if_within(model, *finer, wish_.budget)) break;
-      chart_ = measurements_.chart();
-    }
-    const auto next = point_of(place.model, *finer);
-    if (!next) break;
-    three.push_back(*next);
-  }
-  add_coarser(3);
-  return three;
+  return point_of(place.model, across);
 }
 
-/// By the errors alone: what the truth may be off differs from mesh to mesh.
-std::string Examiner::against_finer_cells(std::span<const std::size_t> finer) const {
-  for (const std::size_t i : finer) {
-    const ChartPoint& point = chart_.points[i];
-    const std::string off = point.is_ok() ? beyond(wish_, point.errors[truth()])
-                                          : std::string(name_of(point.found->status));
-    if (!off.empty())
-      return fmt::format("on {} across it is {}", point.place.across, off);
-  }
-  return {};
+std::string Examiner::against_law(std::size_t point) const {
+  const StoredChart::Point& place = chart_.points[point].place;
+  const auto law =
+      measurements_.law_errors(chart_model(place.model, shape_), place.across);
+  const std::string off = law ? first_beyond(wish_, *law) : "";
+  return off.empty() ? "" : fmt::format("its law is {}", off);
 }
 
-/// Elements of the truth's own law converge to it.
-std::string Examiner::against_limit(std::span<const std::size_t, 3> points) const {
-  if (chart_.points[points[0]].place.model.method == chart_.stored.law) return {};
+/// Of a model whose law is not known, by the next coarser and finer cells, or two finer
+/// ones where it is not ok on coarser ones.
+std::string Examiner::against_limit(std::size_t point) {
+  const StoredChart::Point place = chart_.points[point].place;
+  if (measurements_.law_errors(chart_model(place.model, shape_), place.across)) return {};
+  std::vector<std::size_t> three{point};
+  const auto next = std::ranges::upper_bound(sizes_across, place.across);
+  const auto own = std::ranges::lower_bound(sizes_across, place.across);
+  if (own != sizes_across.begin())
+    if (const auto coarser = measured(point, *std::prev(own));
+        coarser && chart_.points[*coarser].is_ok())
+      three.insert(three.begin(), *coarser);
+  for (auto finer = next; finer != sizes_across.end() && three.size() < 3; ++finer) {
+    const auto one = measured(point, *finer);
+    if (!one) break;
+    if (!chart_.points[*one].is_ok())
+      return fmt::format("on {} across it is {}", *finer,
+                         name_of(chart_.points[*one].found->status));
+    three.push_back(*one);
+  }
+  if (three.size() < 3) return "what it converges to is not known";
+  const std::span<const std::size_t, 3> points(three);
   ChartErrors limit;
   limit.force = limit_error(chart_, points, ChartMeasure::force, truth());
   limit.volume = limit_error(chart_, points, ChartMeasure::volume, truth());
   limit.deviation = limit_error(chart_, points, ChartMeasure::deviation, truth());
-  const std::string off = beyond(wish_, limit);
-  return off.empty() ? "" : fmt::format("finer cells lead it to what is {}", off);
+  const std::string off = first_beyond(wish_, limit);
+  return off.empty()
+             ? ""
+             : fmt::format("what it converges to may be {}, its bar included", off);
+}
+
+/// By the errors alone: what the truth may be off differs from mesh to mesh.
+std::string Examiner::against_finer_cells(std::size_t point, Soundness& found) {
+  const auto finer =
+      std::ranges::upper_bound(sizes_across, chart_.points[point].place.across);
+  found.is_finest = finer == sizes_across.end();
+  const auto next = found.is_finest ? std::nullopt : measured(point, *finer);
+  found.were_finer_cells_seen = next.has_value();
+  if (!next) return {};
+  const ChartPoint& there = chart_.points[*next];
+  const std::string off = there.is_ok() ? first_beyond(wish_, there.errors[truth()])
+                                        : std::string(name_of(there.found->status));
+  return off.empty() ? "" : fmt::format("on {} across it is {}", *finer, off);
 }
 
 std::string Examiner::against_beside(std::size_t point, Soundness& found) {
@@ -174,7 +185,7 @@ std::string Examiner::against_beside(std::size_t point, Soundness& found) {
     }
     if (shown.status != Status::ok)
       return fmt::format("{} it is {}", shown.where, name_of(shown.status));
-    const std::string off = beyond(wish_, shown.errors);
+    const std::string off = first_beyond(wish_, shown.errors);
     if (!off.empty()) return fmt::format("{} it is {}", shown.where, off);
   }
   return {};

@@ -21,6 +21,7 @@ struct Soundness {
   std::string crossing{};  // what else is against it, with figures; empty: nothing
   bool is_path_known = true;
   bool were_finer_cells_seen = true;
+  bool is_finest = false;                    // of the sizes that are tried
   std::vector<std::string> without_truth{};  // scenes beside that have none
 
   [[nodiscard]] bool is_sound() const { return unstable.empty() && crossing.empty(); }
@@ -32,22 +33,27 @@ class Examiner {
   /// All must outlive it. What it measures is added to the chart.
   Examiner(const Wish& wish, BodyShape shape, Measurements& measurements, Chart& chart);
 
-  /// Of a point that meets the wish's tolerance. It is sound where
+  /// Of a candidate of the wish (Judge). It is sound where
   ///
   /// - springs reach the full load by a stable path (solver limit), as far as the budget
   ///   lets it be followed,
-  /// - the model is ok on the next finer cells (the next two where it is not on coarser
-  ///   ones), with no error above the tolerance,
-  /// - nor are the errors of what it converges to by these three sizes, see limit_error;
-  ///   elements of the truth's own law converge to it,
+  /// - no error of what the model converges to exceeds the tolerance: by its law
+  ///   (Measurements::law_errors), or where that is not known by three sizes, and then
+  ///   bar and error together, see limit_error; three sizes must be known,
+  /// - the model is ok on the next finer cells, with no error above the tolerance,
   /// - it is ok in the scenes beside, see Neighbour, and shown to be beyond the tolerance
   ///   in none.
   ///
-  /// Finer cells and the path are looked at where the wish's budget allows.
+  /// Finer cells are looked at up to ten times the point's own seconds, or the budget.
   const Soundness& of(std::size_t point);
 
-  /// Runs a model unless it is expected to take longer [s]; whether it did.
+  /// Runs a model unless it is expected to take longer [s]; whether it did, or was run
+  /// before.
   bool measure_if_within(const ChartModel& model, int across, double seconds);
+
+  /// What is against the law of a point's model; empty where nothing is, or where its law
+  /// is not known.
+  [[nodiscard]] std::string against_law(std::size_t point) const;
 
   /// The model's point on so many cells across; none where it was not run.
   [[nodiscard]] std::optional<std::size_t> point_of(const Model& model, int across) const;
@@ -57,9 +63,9 @@ class Examiner {
 
  private:
   [[nodiscard]] Soundness examined(std::size_t point);
-  [[nodiscard]] std::vector<std::size_t> convergence_of(std::size_t point);
-  [[nodiscard]] std::string against_finer_cells(std::span<const std::size_t> finer) const;
-  [[nodiscard]] std::string against_limit(std::span<const std::size_t, 3> points) const;
+  [[nodiscard]] std::string against_limit(std::size_t point);
+  [[nodiscard]] std::string against_finer_cells(std::size_t point, Soundness& found);
+  [[nodiscard]] std::optional<std::size_t> measured(std::size_t point, int across);
   [[nodiscard]] std::string against_beside(std::size_t point, Soundness& found);
   [[nodiscard]] std::size_t truth() const;
 
@@ -70,10 +76,9 @@ class Examiner {
   std::map<std::string, Soundness> known_;  // by the key of the point's case
 };
 
-/// Error of what a model converges to, by its points on three sizes, from coarse to fine:
-/// of force and volume by the limit of their values, of deviations by their own limit
-/// (converged_number); the finest one's where these show no order. None where one lacks
-/// the figure.
+/// Error of what a model converges to, by its points on three sizes, from coarse to fine,
+/// with its bar: of force and volume by the limit of their values, of deviations by their
+/// own limit (converged_number). None where one lacks the figure.
 std::optional<double> limit_error(const Chart& chart,
                                   std::span<const std::size_t, 3> points,
                                   ChartMeasure measure, std::size_t truth);

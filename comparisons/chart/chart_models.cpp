@@ -124,6 +124,10 @@ Body chart_body(const std::string& scene, const std::vector<GivenSetting>& optio
   return body;
 }
 
+bool is_nested(const Body& body) {
+  return body.shape == BodyShape::block;
+}
+
 const std::vector<std::string>& truth_laws() {
   static const std::vector<std::string> all = [] {
     std::vector<std::string> names;

@@ -46,6 +46,10 @@ std::vector<GivenSetting> options_for(ChartKind kind, std::vector<GivenSetting> 
 /// InputError for another.
 Body chart_body(const std::string& scene, const std::vector<GivenSetting>& options);
 
+/// Whether all meshes of the body have its corners, edges and faces, so that a grid can
+/// refine them: a block's.
+bool is_nested(const Body& body);
+
 /// Cells along the extents of a body with so many across its shortest one, as near to
 /// cubes as counts allow.
 Cells cells_across(const std::array<double, 3>& size, int across);

@@ -74,8 +74,8 @@ Chart ChartRun::chart() const {
   return evaluated(chart_, cases);
 }
 
-void ChartRun::measure(const ChartModel& model, int across) {
-  measure(model, across, plan_.threads, plan_.budget);
+void ChartRun::measure(const ChartModel& model, int across, double seconds) {
+  measure(model, across, plan_.threads, seconds);
 }
 
 void ChartRun::measure(const ChartModel& model, int across,
@@ -243,14 +243,13 @@ void ChartRun::compare(const CaseSettings& settings, const std::string& key,
   if (!is_known(key)) missing.push_back({.settings = settings});
   const bool is_state =
       result ? result->measures.volume_error.has_value() : !has_failed(key);
-  const bool is_nested = settings.body.shape == BodyShape::block;
   for (const ThreeCases& grids : truths_planned_) {
     const CaseSettings& truth = grids.front();
     const Request request{.settings = settings,
                           .reference = truth,
                           .reference_grid = ReferenceGrid::converged};
     const std::string compared = case_key(request, meshes_.mesh(settings.body));
-    if (!is_state || !is_nested) continue;
+    if (!is_state || !is_nested(settings.body)) continue;
     if (!is_known(compared)) missing.push_back(request);
     if (!is_compared(compared))
       chart_.comparisons.push_back(
@@ -280,7 +279,7 @@ Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file) {
       for (const int across : plan.across) {
         progress.show(done++, most_rounds * models.size() * plan.across.size());
         if (round == 1)
-          run.measure(model, across);
+          run.measure(model, across, plan.budget);
         else
           run.time_again(model, across, round);
       }

@@ -29,9 +29,9 @@ class ChartRun {
   /// of another revision of the numerics.
   ChartRun(const ChartPlan& plan, const std::filesystem::path& file);
 
-  /// Measures a model on so many cells across. Throws InputError where their mesh alone
-  /// would not fit into the memory.
-  void measure(const ChartModel& model, int across);
+  /// Measures a model on so many cells across, unless it is expected to take longer [s].
+  /// Throws InputError where their mesh alone would not fit into the memory.
+  void measure(const ChartModel& model, int across, double seconds);
 
   /// Until the plan's least number of models at equilibrium is timed, and ok, on the
   /// finest of its sizes, on the first of its numbers of threads: the one that is

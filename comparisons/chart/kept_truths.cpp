@@ -3,14 +3,26 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <tuple>
 
 #include "comparisons/build_info/build_info.hpp"
+#include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {
 
 constexpr std::uintmax_t most_bytes = 500'000'000;
+
+bool is_finite(const CaseResult& result) {
+  const auto& [displacements, volumes] =
+      std::tie(result.solution.displacements, result.solution.cell_volumes);
+  return std::ranges::all_of(displacements,
+                             [](const Vector3& one) { return one.allFinite(); }) &&
+         std::ranges::all_of(volumes, [](double one) { return std::isfinite(one); });
+}
 
 }  // namespace
 
@@ -27,9 +39,16 @@ KeptTruths::KeptTruths(std::filesystem::path file) : file_(std::move(file)) {
 }
 
 std::optional<CaseResult> KeptTruths::known(const Request& request,
-                                            const std::string& key,
-                                            MeshStore& meshes) const {
-  return only_with_fields(known_from(stored_, meshes))(request, key);
+                                            const std::string& key, MeshStore& meshes) {
+  if (is_left_alone_) return std::nullopt;
+  try {
+    auto result = only_with_fields(known_from(stored_, meshes))(request, key);
+    if (!result || is_finite(*result)) return result;
+    throw InputError(file_.string(), "fields of case " + key, "finite numbers", "others");
+  } catch (const std::exception& error) {
+    leave_alone(error);
+    return std::nullopt;
+  }
 }
 
 void KeptTruths::keep(const CaseResult& result, MeshStore& meshes) {
@@ -45,7 +64,8 @@ void KeptTruths::keep(const CaseResult& result, MeshStore& meshes) {
 
 void KeptTruths::leave_alone(const std::exception& why) {
   is_left_alone_ = true;
-  spdlog::warn("truths are not kept for other scenes: {}", why.what());
+  spdlog::warn("truths are not kept for other scenes: {}. {} may be removed.", why.what(),
+               file_.string());
 }
 
 std::optional<std::filesystem::path> users_truths_file() {

@@ -12,7 +12,7 @@ namespace springcheck {
 /// numerics has its own. It may be removed at any time, and is begun anew beyond 500 MB.
 ///
 /// A file that cannot be read or written, or that another process is writing, is told on
-/// stderr once, and left alone.
+/// stderr once, and left alone for the rest.
 class KeptTruths {
  public:
   explicit KeptTruths(std::filesystem::path file);
@@ -20,7 +20,7 @@ class KeptTruths {
   /// With its fields; none where it is not kept.
   [[nodiscard]] std::optional<CaseResult> known(const Request& request,
                                                 const std::string& key,
-                                                MeshStore& meshes) const;
+                                                MeshStore& meshes);
 
   /// Keeps an equilibrium that has its fields.
   void keep(const CaseResult& result, MeshStore& meshes);

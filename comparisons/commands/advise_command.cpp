@@ -1,7 +1,6 @@
 #include "comparisons/commands/advise_command.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include "comparisons/settings/named_values.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/settings/setting.hpp"
+#include "comparisons/system/temporary_folder.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
 
@@ -26,18 +26,18 @@ const char* const first_line = "# Advised by springcheck";
 /// Those that are asked for, or all that bodies of this kind have.
 std::vector<ChartMeasure> measures_of(const std::vector<std::string>& names,
                                       const Body& body) {
-  const bool is_nested = body.shape == BodyShape::block;
   std::vector<ChartMeasure> measures;
   for (const std::string& name : names) {
-    measures.push_back(named<ChartMeasure>(Given::from_text("--measure", name)));
-    if (measures.back() == ChartMeasure::deviation && !is_nested)
+    const auto measure = named<ChartMeasure>(Given::from_text("--measure", name));
+    if (std::ranges::count(measures, measure) == 0) measures.push_back(measure);
+    if (measure == ChartMeasure::deviation && !is_nested(body))
       throw InputError("--measure", "",
                        "force or volume for a body whose meshes are not nested",
                        "'deviation'");
   }
   if (!measures.empty()) return measures;
   measures = {ChartMeasure::force, ChartMeasure::volume};
-  if (is_nested) measures.push_back(ChartMeasure::deviation);
+  if (is_nested(body)) measures.push_back(ChartMeasure::deviation);
   return measures;
 }
 
@@ -56,29 +56,6 @@ Wish wish_of(const AdviseOptions& options, const Body& body) {
   }
   return wish;
 }
-
-/// A result file that is removed in the end.
-class TemporaryFile {
- public:
-  TemporaryFile() {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "springcheck-advise-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw std::runtime_error("no folder could be made beside " + name);
-    folder_ = name;
-  }
-  ~TemporaryFile() {
-    std::error_code none;
-    std::filesystem::remove_all(folder_, none);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  [[nodiscard]] std::filesystem::path path() const { return folder_ / "advise.h5"; }
-
- private:
-  std::filesystem::path folder_;
-};
 
 /// Refuses a file that somebody else wrote.
 void check_scene_file(const std::filesystem::path& file) {
@@ -148,8 +125,8 @@ ExitStatus advise_command(const std::string& scene,
         std::filesystem::weakly_canonical(other))
       throw InputError("--scene-file", "", "a file that is not read or written otherwise",
                        "'" + scene_file.string() + "'");
-  std::optional<TemporaryFile> temporary;
-  if (given.out.empty()) temporary.emplace();
+  std::optional<TemporaryFolder> temporary;
+  if (given.out.empty()) temporary.emplace("advise");
   const ChartPlan plan{.scene = scene,
                        .options = options,
                        .law = truth_law_named(given.law),
@@ -161,9 +138,11 @@ ExitStatus advise_command(const std::string& scene,
                        .least_models = 0,
                        .truth_across = given.truth_across,
                        .truths_file = users_truths_file()};
-  ChartMeasurements measurements(plan, temporary ? temporary->path() : given.out);
+  ChartMeasurements measurements(plan,
+                                 temporary ? temporary->path() / "advise.h5" : given.out);
   const Advice advice = advise(wish, plan, measurements);
-  fmt::print("{}\n\n{}", question(advice, wish), evidence_text(advice, wish));
+  fmt::print("{}\n{}\n{}", question(advice, wish), truth_text(advice),
+             evidence_text(advice, wish));
   std::vector<std::string> cautions = advice.cautions;
   if (const std::string of_law = caution_of_truth(plan); !of_law.empty())
     cautions.push_back(of_law + " Another is taken by --truth-law.");

@@ -330,11 +330,9 @@ int run_arguments(int argc, char** argv) {
       ->check(CLI::Range(1, 1024));
 
   const auto add_truth_law = [](CLI::App* command, std::string& law) {
-    command
-        ->add_option("--truth-law", law,
-                     "method of the law that the truth is of: " + names_of(laws()) +
-                         " (default: that of the scene's reference)")
-        ->check(check_not_empty);
+    command->add_option("--truth-law", law,
+                        "method of the law that the truth is of: " + names_of(laws()) +
+                            " (default: that of the scene's reference)");
   };
   ChartOptions chart_options;
   CLI::App* chart = app.add_subcommand(
@@ -391,7 +389,8 @@ int run_arguments(int argc, char** argv) {
       ->add_option("--measure", advise_options.measures,
                    "of what: force (torque, or a tip's drop), volume, deviation (the "
                    "shape); several with commas between (default: all that the body has)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   advise->add_option("--real-time", advise_options.real_time,
                      "seconds of a frame of motion that must be simulated in as many "
                      "(default: an equilibrium is wanted)");

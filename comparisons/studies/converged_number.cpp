@@ -13,10 +13,6 @@ ConvergedNumber converged_number(const GridSizes& sizes,
   const Extrapolated limit = extrapolate(sizes, on_grids, noise);
   return {.value = limit.value(0), .order = limit.order, .bar = limit.bar(0)};
 }
-double bar_by_fourth_grid(const ConvergedNumber& coarser, const ConvergedNumber& limit) {
-  if (!coarser.order || !limit.order) return limit.bar;
-  return std::min(limit.bar, safety_with_order * std::abs(limit.value - coarser.value));
-}
 
 ConvergedNumber converged_number(const ThreeCases& cases,
                                  const std::array<double, 3>& values, double noise) {
@@ -26,6 +22,11 @@ ConvergedNumber converged_number(const ThreeCases& cases,
 ConvergedNumber converged_number(const ThreeCases& cases,
                                  const std::array<double, 3>& values) {
   return converged_number(cases, values, solver_noise * std::abs(values[2]));
+}
+
+double bar_by_fourth_grid(const ConvergedNumber& coarser, const ConvergedNumber& limit) {
+  if (!coarser.order || !limit.order) return limit.bar;
+  return std::min(limit.bar, safety_with_order * std::abs(limit.value - coarser.value));
 }
 
 }  // namespace springcheck

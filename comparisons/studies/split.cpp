@@ -222,6 +222,15 @@ SplitQuantity split_field(const CaseResult& springs, const ContinuumRuns& cauchy
 
 }  // namespace
 
+CaseSettings continuum_of(const CaseSettings& springs) {
+  CaseSettings continuum = springs;
+  continuum.method = continuum_of_lattices();
+  continuum.elements.element = *find_element("q1-sri");
+  continuum.elements.lattice = springs.method.lattice.value();
+  continuum.elements.lattice_direction = fem_reference::LatticeDirection::d100;
+  return continuum;
+}
+
 SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
   if (!reads(law, "element"))
     throw InputError("--split", "reference", "a law of finite elements",
@@ -238,12 +247,8 @@ SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
     throw InputError("--split", "cells", "cubes, whose lattice the continuum is of",
                      fmt::format("{} over {} m", fmt::join(springs.body.block.cells, "x"),
                                  fmt::join(springs.body.block.size, "x")));
-  CaseSettings lattice = springs;
+  CaseSettings lattice = continuum_of(springs);
   lattice.body = on_hexahedra(springs.body, springs.body.block.cells);
-  lattice.method = continuum_of_lattices();
-  lattice.elements.element = *find_element("q1-sri");
-  lattice.elements.lattice = *springs.method.lattice;
-  lattice.elements.lattice_direction = fem_reference::LatticeDirection::d100;
   CaseSettings reference = springs;
   reference.body = lattice.body;
   reference.method = law;

@@ -26,6 +26,10 @@ struct SplitPlan {
   ThreeCases reference, reference_check;
 };
 
+/// What springs of a lattice (Method::lattice) would converge to, on the cells of the
+/// case: by q1-sri.
+CaseSettings continuum_of(const CaseSettings& springs);
+
 /// Throws InputError unless `law` is one of finite elements, and fem-cauchy-born knows
 /// the springs' lattice.
 SplitPlan plan_split(const CaseSettings& springs, const Method& law);

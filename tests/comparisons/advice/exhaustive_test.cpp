@@ -77,7 +77,7 @@ double cheapest_sound(const Wish& wish, const ChartPlan& plan, Measurements& mea
     if (!is_candidate(model, wish, plan)) continue;
     for (const int across : sizes_across) {
       if (measurements.expected_seconds(model, across) > below) break;
-      measurements.measure(model, across);
+      measurements.measure(model, across, below);
     }
   }
   Chart chart = measurements.chart();
@@ -98,7 +98,7 @@ double error_by_finer_truth(const Wish& wish, ChartPlan plan,
   const File file;
   plan.truth_across = 2 * *plan.truth_across;
   ChartMeasurements finer(plan, file.path);
-  finer.measure(chart_model(place.model, BodyShape::block), place.across);
+  finer.measure(chart_model(place.model, BodyShape::block), place.across, INFINITY);
   const Chart chart = finer.chart();
   const Judge judge(wish, chart);
   BOOST_TEST_REQUIRE(judge.is_candidate(0));
