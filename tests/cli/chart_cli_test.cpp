@@ -154,6 +154,23 @@ BOOST_AUTO_TEST_CASE(a_crossing_is_told_and_not_chosen) {
   BOOST_TEST(!holds(chosen.substr(0, chosen.find('\n', 1)), "fem-hooke"), run.out);
 }
 
+// Sizes that the search does not try are points as good as others.
+BOOST_AUTO_TEST_CASE(a_chart_of_other_sizes_is_taken_in) {
+  const std::string scene = "compression --nu .3 --out sizes.h5" + quickest;
+  BOOST_TEST(run_springcheck("chart " + scene + "--sizes 1,7 --on-threads 1").status ==
+             0);
+  const Run run = run_springcheck("advise " + scene + "--tolerance 30% --measure force");
+  BOOST_TEST(run.status == 0, run.out + run.err);
+}
+
+// An option that takes several values leaves the scene alone.
+BOOST_AUTO_TEST_CASE(options_may_stand_before_the_scene) {
+  const Run run = run_springcheck(
+      "advise --measure force,force compression --out chart.h5 --tolerance 25%" + quick);
+  BOOST_TEST(run.status == 0, run.out + run.err);
+  BOOST_TEST(run.out.starts_with("compression: force within 25 %"), run.out);
+}
+
 BOOST_AUTO_TEST_CASE(near_a_half_the_usual_law_is_cautioned_against) {
   const std::string pressed = "compression --nu .46 --deformation 5%",
                     words = "fem-stvk lets volume change near nu = 1/2";
@@ -232,6 +249,7 @@ BOOST_AUTO_TEST_CASE(without_a_truth_there_is_no_advice,
       run_springcheck("advise compression --tolerance 8% --deformation 95%" + quick);
   BOOST_TEST(run.status == 1, run.out + run.err);
   BOOST_TEST(holds(run.err, "no truth"), run.err);
+  BOOST_TEST(holds(run.err, "--truth-law"), run.err);
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
