@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(a_crossing_is_told_and_not_chosen) {
       "--measure force");
   BOOST_TEST(run.status == 0, run.out + run.err);
   BOOST_TEST(holds(run.out, "a crossing, not chosen"), run.out);
-  BOOST_TEST(holds(run.out, "- fem-hooke:q2 on 2 across: "), run.out);
+  BOOST_TEST(holds(run.out, "- fem-hooke:q2 on 2 across: its law is 3.7"), run.out);
   const std::string chosen = run.out.substr(run.out.find("\nchosen"));
   BOOST_TEST(!holds(chosen.substr(0, chosen.find('\n', 1)), "fem-hooke"), run.out);
 }
