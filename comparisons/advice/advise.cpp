@@ -175,9 +175,8 @@ class Search {
           "take more than the budget or the memory that is left.");
     if (reasons.is_finest)
       advice_.cautions.emplace_back(
-          "Whether its errors only cancel was not looked at on finer cells: there are "
-          "none "
-          "that advice tries.");
+          "Whether its errors only cancel was not looked at on finer cells: advice tries "
+          "none.");
     else if (!reasons.were_finer_cells_seen)
       advice_.cautions.emplace_back(
           "Whether its errors only cancel was not looked at on finer cells: they would "

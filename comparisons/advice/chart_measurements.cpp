@@ -62,17 +62,20 @@ std::optional<CaseSettings> law_of(const CaseSettings& model, const CaseSettings
 ChartMeasurements::ChartMeasurements(const ChartPlan& plan,
                                      const std::filesystem::path& file)
     : plan_(plan), run_(announced(plan), file) {
-  for (const CaseSettings& grid : run_.own_truth()) {
+  for (std::size_t i = 0; i < figures_.size(); ++i) {
+    const CaseSettings& grid = run_.own_truth()[i];
     const CaseResult result = run_.result_of({.settings = grid});
     if (result.status != Status::ok)
-      throw std::runtime_error(
-          fmt::format("{}: no truth to hold a model against: {}:q2 is {} on {} "
-                      "cells{}{}. Other grids "
-                      "are taken by --truth, another law by --truth-law",
-                      plan.scene, grid.method.name, name_of(result.status),
-                      fmt::join(grid.body.block.cells, "x"),
-                      result.reason.empty() ? "" : ": ", result.reason));
+      throw std::runtime_error(fmt::format(
+          "{}: no truth to hold a model against: {}:q2 is {} on {} cells{}{}. "
+          "Other grids are taken by --truth, another law by --truth-law",
+          plan.scene, grid.method.name, name_of(result.status),
+          fmt::join(grid.body.block.cells, "x"), result.reason.empty() ? "" : ": ",
+          result.reason));
+    figures_[i] = result.measures;
   }
+  const Chart chart = run_.chart();
+  own_truth_ = chart.truths[chart.truth_of(chart.stored.law).value()];
   for (const Neighbour& neighbour : neighbours_of(run_.own_truth().front()))
     beside_.push_back({.neighbour = neighbour});
 }
@@ -130,10 +133,9 @@ std::optional<ChartErrors> ChartMeasurements::law_errors(const ChartModel& model
   if (is_nested(grid.body)) request.reference = grid;
   const CaseResult result = run_.result_of(request);
   if (result.status != Status::ok) return law_errors_[key] = std::nullopt;
-  ChartTruth by_grid = own_truth();
-  const Measures measures = figures_of(grid);
-  by_grid.answer.value = measure_of(measures, run_.stored().answer).value();
-  by_grid.volume_change.value = measures.volume_change.value();
+  ChartTruth by_grid = own_truth_;
+  by_grid.answer.value = measure_of(figures_[1], run_.stored().answer).value();
+  by_grid.volume_change.value = figures_[1].volume_change.value();
   return law_errors_[key] = errors_of(run_.stored(), by_grid, result.measures,
                                       request.reference ? &result.measures : nullptr);
 }
@@ -192,18 +194,8 @@ void ChartMeasurements::find_truth_of(Known& scene) {
 }
 
 ChartTruth ChartMeasurements::truth_of(const Known& scene) {
-  const TwoGrids here{figures_of(run_.own_truth()[0]), figures_of(run_.own_truth()[1])};
-  return carried_truth(own_truth(), run_.stored(), here, scene.figures, scene.imposed,
-                       deviation_of_grid());
-}
-
-ChartTruth ChartMeasurements::own_truth() const {
-  const Chart known = chart();
-  return known.truths[known.truth_of(known.stored.law).value()];
-}
-
-Measures ChartMeasurements::figures_of(const CaseSettings& grid) {
-  return run_.result_of({.settings = grid}).measures;
+  return carried_truth(own_truth_, run_.stored(), {figures_[0], figures_[1]},
+                       scene.figures, scene.imposed, deviation_of_grid());
 }
 
 const std::optional<double>& ChartMeasurements::deviation_of_grid() {
@@ -229,34 +221,34 @@ bool ChartMeasurements::refine_truth() {
   }
   const CaseResult coarsest = run_.result_of({.settings = coarser[0]});
   if (coarsest.status != Status::ok) return false;
-  const std::array measures{coarsest.measures, figures_of(grids[0]),
-                            figures_of(grids[1])};
-  const ChartTruth truth = own_truth();
+  const std::array measures{coarsest.measures, figures_[0], figures_[1]};
   const StoredChart& stored = run_.stored();
   std::array<double, 3> answers{}, volumes{};
   for (std::size_t i = 0; i < 3; ++i) {
     answers[i] = measure_of(measures[i], stored.answer).value();
     volumes[i] = measures[i].volume_change.value();
   }
-  const double answer = std::abs(truth.answer.value);
+  const double answer = std::abs(own_truth_.answer.value);
   refined_bars_.force =
       bar_by_fourth_grid(converged_number(coarser, answers, solver_noise * answer),
-                         truth.answer) /
+                         own_truth_.answer) /
       answer;
   refined_bars_.volume =
       bar_by_fourth_grid(converged_number(coarser, volumes, solver_noise),
-                         truth.volume_change) /
-      (truth.imposed / stored.height);
+                         own_truth_.volume_change) /
+      (own_truth_.imposed / stored.height);
+  narrow(own_truth_);
   return true;
+}
+
+void ChartMeasurements::narrow(ChartTruth& truth) const {
+  if (refined_bars_.force) truth.bars.force = refined_bars_.force;
+  if (refined_bars_.volume) truth.bars.volume = refined_bars_.volume;
 }
 
 Chart ChartMeasurements::chart() const {
   Chart chart = run_.chart();
-  if (const auto own = chart.truth_of(chart.stored.law)) {
-    ChartErrors& bars = chart.truths[*own].bars;
-    if (refined_bars_.force) bars.force = refined_bars_.force;
-    if (refined_bars_.volume) bars.volume = refined_bars_.volume;
-  }
+  narrow(chart.truths[chart.truth_of(chart.stored.law).value()]);
   return chart;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -61,14 +62,15 @@ class ChartMeasurements : public Measurements {
   };
   void find_truth_of(Known& scene);
   [[nodiscard]] ChartTruth truth_of(const Known& scene);
-  [[nodiscard]] ChartTruth own_truth() const;
+  void narrow(ChartTruth& truth) const;  // to the refined bars
   /// What the second of the truth's grids is off in deviation; none of bodies whose
   /// meshes are not nested.
   const std::optional<double>& deviation_of_grid();
-  Measures figures_of(const CaseSettings& grid);
 
   ChartPlan plan_;
   ChartRun run_;
+  std::array<Measures, 3> figures_{};  // of the grids of the scene's own truth
+  ChartTruth own_truth_{};             // with its latest bars of force and volume
   MeshStore meshes_;
   int finest_across_ = 0;                    // of what was measured
   std::map<std::string, StaticPath> paths_;  // by settings

@@ -20,7 +20,7 @@ struct Neighbour {
 std::string name_of(const Neighbour& neighbour);
 
 /// At .8 and 1.2 times the load, and .02 below and above in Poisson's ratio, but half way
-/// to 1/2 at most.
+/// to 1/2 at most; those by their load first.
 std::vector<Neighbour> neighbours_of(const CaseSettings& settings);
 
 /// The case in a scene beside its own; none where its test has no such load.

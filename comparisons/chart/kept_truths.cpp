@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <tuple>
 
 #include "comparisons/build_info/build_info.hpp"
 #include "meshing/input_error.hpp"
@@ -17,11 +16,11 @@ namespace {
 constexpr std::uintmax_t most_bytes = 500'000'000;
 
 bool is_finite(const CaseResult& result) {
-  const auto& [displacements, volumes] =
-      std::tie(result.solution.displacements, result.solution.cell_volumes);
-  return std::ranges::all_of(displacements,
+  const Solution& solution = result.solution;
+  return std::ranges::all_of(solution.displacements,
                              [](const Vector3& one) { return one.allFinite(); }) &&
-         std::ranges::all_of(volumes, [](double one) { return std::isfinite(one); });
+         std::ranges::all_of(solution.cell_volumes,
+                             [](double one) { return std::isfinite(one); });
 }
 
 }  // namespace
