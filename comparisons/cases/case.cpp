@@ -4,6 +4,26 @@
 
 namespace springcheck {
 
+CaseSettings at_load(CaseSettings settings, double fraction) {
+  if (settings.deformation) *settings.deformation *= fraction;
+  settings.gravity *= fraction;
+  settings.traction *= fraction;
+  settings.gradient *= fraction;
+  return settings;
+}
+
+double last_load(const Dynamics& dynamics) {
+  return dynamics.load.empty() ? 1 : dynamics.load.back().fraction;
+}
+
+CaseSettings at_last_load(const CaseSettings& settings) {
+  if (has_history(settings)) return settings;
+  CaseSettings there = at_load(settings, last_load(settings.dynamics));
+  there.dynamics.load.clear();
+  there.dynamics.oscillation.reset();
+  return there;
+}
+
 Solver solver_of(const CaseSettings& settings) {
   const Method& method = settings.method;
   if (!method.follows_solver) return Solver::static_equilibrium;

@@ -110,6 +110,17 @@ struct CaseSettings {
 /// The case's springs with what is fixed, and without what its method does not read.
 mss::NetworkSettings springs_of(const CaseSettings& settings, const FixedSprings& fixed);
 
+/// The case under so much of its load: deformation, gravity, traction and gradient times
+/// the fraction.
+CaseSettings at_load(CaseSettings settings, double fraction);
+
+/// The load fraction at which its path ends.
+double last_load(const Dynamics& dynamics);
+
+/// The case under the load at which its path ends, for methods that know no way to it;
+/// others go it themselves.
+CaseSettings at_last_load(const CaseSettings& settings);
+
 /// The solver given, or else the method's own; static where the method follows none.
 Solver solver_of(const CaseSettings& settings);
 

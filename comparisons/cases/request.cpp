@@ -16,7 +16,11 @@ std::vector<CaseSettings> reference_cases(const Request& request) {
 
 std::string reference_label(const Request& request) {
   if (!request.reference) return {};
-  const std::string name = label(*request.reference);
+  std::string name = label(*request.reference);
+  const Solver solver = solver_of(*request.reference);
+  if (request.reference->method.solvers.size() > 1 &&
+      solver != solver_of(request.settings))
+    name += fmt::format(":{}", name_of(solver));
   if (request.reference_grid == ReferenceGrid::converged) return name + "@converged";
   const Body& body = request.reference->body;
   if (body == request.settings.body) return name;

@@ -22,7 +22,8 @@ struct Request {
 /// The simulations its reference is made of: none, one, or three from coarse to fine.
 std::vector<CaseSettings> reference_cases(const Request& request);
 
-/// "fem-stvk:q1-sri"; with "@20,20,20" on cells other than the case's, "@converged" when
+/// "fem-stvk:q1-sri"; "mss-cf:static" beside a case of another solver, where the method
+/// has several; with "@20,20,20" on cells other than the case's, "@converged" when
 /// extrapolated. Empty without a reference.
 std::string reference_label(const Request& request);
 

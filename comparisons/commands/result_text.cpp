@@ -50,6 +50,18 @@ std::string dynamics_text(const CaseResult& result) {
                      energies, lacking_samples(result));
 }
 
+/// At what load bodies at rest are held beside a motion that ends below the whole one.
+std::string last_load_text(const std::vector<CaseResult>& results) {
+  for (const CaseResult& result : results) {
+    const double last = last_load(result.request.settings.dynamics);
+    if (has_history(result.request.settings) && last != 1 && last != 0)
+      return fmt::format(
+          "The load ends at {:g} % of the whole one: bodies at rest are held at that.\n",
+          100 * last);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string results_text(const std::vector<CaseResult>& results) {
@@ -85,6 +97,7 @@ std::string results_text(const std::vector<CaseResult>& results) {
     if (!result.revision.empty())
       text += fmt::format("{}: computed by revisions {} of the numerics, as accepted.\n",
                           variant_label(result.request.settings), result.revision);
+  text += last_load_text(results);
   for (const CaseResult& result : results)
     if (result.request.reference) {
       const std::string reference = reference_label(result.request);

@@ -55,7 +55,8 @@ std::optional<Vector3> on_face(const Mesh& mesh, const Region& region,
 
 std::optional<double> tip_deflection(const CaseSettings& settings, const Mesh& mesh,
                                      std::span<const Vector3> displacements) {
-  if (settings.body.shape != BodyShape::block) return std::nullopt;
+  if (settings.body.shape != BodyShape::block || settings.gravity.isZero(0))
+    return std::nullopt;
   const auto [width, depth, height] = settings.body.block.size;
   const auto tip = on_face(mesh, mesh.region(settings.body.moved), displacements,
                            Vector3(width / 2, depth / 2, height));
@@ -77,11 +78,9 @@ std::optional<Cantilever> cantilever(const std::array<double, 3>& size,
       .load_per_length = material.density * gravity.norm() * size_x * size_y};
 }
 
-void measure_beam(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
-                  std::span<const Vector3> displacements) {
-  if (settings.test != Test::bending || settings.gravity.isZero(0)) return;
-  if (settings.body.shape != BodyShape::block) return;
-  measures.tip_deflection = tip_deflection(settings, mesh, displacements);
+void measure_theory(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
+                    std::span<const Vector3> displacements) {
+  if (settings.gravity.isZero(0) || settings.body.shape != BodyShape::block) return;
   if (!settings.method.is_elastic) return;  // it has no modulus for a theory
   const auto of_settings =
       cantilever(settings.body.block.size, settings.material, settings.gravity);

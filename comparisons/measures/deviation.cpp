@@ -11,8 +11,8 @@ namespace {
 
 constexpr double in_layer = 1e-9;  // of the block's height: coordinates are exact
 
-/// The length deviations are divided by: the largest imposed displacement, or the
-/// reference's tip deflection in bending and face displacement in traction.
+/// The length deviations are divided by: the largest displacement that the load imposes,
+/// or the reference's tip deflection in bending and face displacement in traction.
 std::optional<double> imposed_length(const CaseSettings& settings, const Scene& scene,
                                      const Mesh& mesh, const Solution& reference) {
   if (settings.test == Test::bending)
@@ -26,7 +26,8 @@ std::optional<double> imposed_length(const CaseSettings& settings, const Scene& 
 
 void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
                        const Solution& solution, const Solution& reference) {
-  const Scene scene = mechanical_scene(settings, mesh);
+  const CaseSettings loaded = at_load(settings, solution.load_fraction);
+  const Scene scene = mechanical_scene(loaded, mesh);
   const double height = settings.body.block.size[2];
   const bool has_layers = settings.body.shape == BodyShape::block;
   const auto distance = [&](std::size_t n) {
@@ -45,7 +46,7 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
   measures.mean_deviation = sum / static_cast<double>(mesh.nodes().size());
   measures.max_deviation = largest;
   if (layer_nodes > 0) measures.middle_layer_deviation = layer_sum / layer_nodes;
-  const auto length = imposed_length(settings, scene, mesh, reference);
+  const auto length = imposed_length(loaded, scene, mesh, reference);
   const auto free = over_free_nodes(mesh, scene, distance);
   if (length && *length > 0 && free) {
     measures.deviation_l2_relative = free->root_mean_square / *length;

@@ -22,6 +22,7 @@ inline constexpr std::array<std::string_view, 21> history_columns{
 using HistorySample = std::array<double, history_columns.size()>;
 using History = std::vector<HistorySample>;
 
+/// Force, torque and stress are those of the load at that moment.
 HistorySample history_sample(const CaseSettings& settings, const Mesh& mesh,
                              const dynamics::Moment& moment);
 

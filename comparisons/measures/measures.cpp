@@ -42,6 +42,12 @@ void measure_volumes(Measures& measures, const Mesh& mesh, const Solution& solut
   measures.corner_jacobian_ratio_min = smallest_jacobian;
 }
 
+/// The whole load, in the direction that it has at the solution's: none at all has the
+/// usual one.
+CaseSettings wholly_loaded(const CaseSettings& settings, const Solution& solution) {
+  return at_load(settings, solution.load_fraction < 0 ? -1 : 1);
+}
+
 void measure_plate(Measures& measures, const CaseSettings& settings, const Scene& scene,
                    const Mesh& mesh, const Solution& solution,
                    std::span<const Vector3> positions) {
@@ -62,8 +68,9 @@ void measure_plate(Measures& measures, const CaseSettings& settings, const Scene
   measures.torque = torque;
   measures.plate_force_norm = force.norm();
   measures.plate_torque = torque.z();
-  if (!entry_of(settings.test).turns)
-    measures.plate_force = force.dot(plate.motion.translation.normalized());
+  if (entry_of(settings.test).turns) return;
+  const Scene whole = mechanical_scene(wholly_loaded(settings, solution), mesh);
+  measures.plate_force = force.dot(whole.plates.back().motion.translation.normalized());
 }
 
 void measure_traction(Measures& measures, const Scene& scene, const Mesh& mesh,
@@ -88,13 +95,12 @@ void measure_affine(Measures& measures, const Scene& scene, const Mesh& mesh,
     measures.mean_stress = stress;
   }
   const auto deviation = over_free_nodes(mesh, scene, [&](std::size_t n) {
-    return (solution.displacements[n] -
-            solution.load_fraction * (*scene.boundary_gradient * mesh.nodes()[n]))
+    return (solution.displacements[n] - *scene.boundary_gradient * mesh.nodes()[n])
         .norm();
   });
-  if (deviation)
-    measures.affine_deviation_relative =
-        deviation->root_mean_square / largest_imposed_displacement(mesh, scene);
+  const double imposed = largest_imposed_displacement(mesh, scene);
+  if (deviation && imposed > 0)
+    measures.affine_deviation_relative = deviation->root_mean_square / imposed;
 }
 
 }  // namespace
@@ -137,13 +143,18 @@ Measures::Value definite_up_to_deformation(const CaseSettings& settings,
 Measures measure(const CaseSettings& settings, const Mesh& mesh,
                  const Solution& solution) {
   Measures measures;
-  const Scene scene = mechanical_scene(settings, mesh);
+  const CaseSettings loaded = at_load(settings, solution.load_fraction);
+  const Scene scene = mechanical_scene(loaded, mesh);
   const std::vector<Vector3> positions = deformed(mesh, solution.displacements);
   measure_volumes(measures, mesh, solution, positions);
   measure_plate(measures, settings, scene, mesh, solution, positions);
   measure_traction(measures, scene, mesh, solution);
   measure_affine(measures, scene, mesh, solution);
-  measure_beam(measures, settings, mesh, solution.displacements);
+  if (settings.test == Test::bending) {
+    measures.tip_deflection =
+        tip_deflection(wholly_loaded(settings, solution), mesh, solution.displacements);
+    measure_theory(measures, loaded, mesh, solution.displacements);
+  }
   measures.definite_up_to_deformation = definite_up_to_deformation(settings, solution);
   if (settings.method.solve) measures.strain_energy = solution.strain_energy;
   return measures;

@@ -8,8 +8,9 @@
 
 namespace springcheck {
 
-/// What is measured on a solution. A value that was not computed is empty, never 0.
-/// SI units; fractions, not percent.
+/// What is measured on a solution, at the load that it reached: of a motion at the one
+/// with which its path ends. A value that was not computed is empty, never 0. SI units;
+/// fractions, not percent.
 struct Measures {
   using Value = std::optional<double>;
   using Vector = std::optional<Vector3>;
@@ -37,7 +38,8 @@ struct Measures {
   Vector torque{};  // [N m] about the plate's axis directions, through its centre; empty
                     // in traction, which has none about the loaded face's
   Value plate_force{};  // component along the imposed motion or the traction, so positive
-                        // where that is resisted; empty in torsion
+                        // where that is resisted; once the load is gone along what it
+                        // was; empty in torsion
   Value plate_force_norm{};  // length of the resultant
   Value plate_torque{};      // component about z
 
@@ -69,8 +71,8 @@ struct Measures {
   Value middle_layer_deviation{};  // mean over the nodes at half height (the thesis's
                                    // measure); even cell counts only
   // Over the nodes with a free component, divided by the largest displacement imposed on
-  // the way (bending: by the reference's tip deflection; traction: by its face
-  // displacement):
+  // the way to the load that the solution reached (bending: by the reference's tip
+  // deflection; traction: by its face displacement); empty without a load:
   Value deviation_l2_relative{};  // volume-weighted root mean square
   Value deviation_max_relative{};
   Value cell_volume_ratio_rms_difference{};  // volume-weighted, V/V0 against reference's
@@ -165,8 +167,8 @@ Measures measure(const CaseSettings& settings, const Mesh& mesh,
 void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
                        const Solution& solution, const Solution& reference);
 
-/// The measure of that name, of a reference on the mesh and the distance that it may be
-/// off at each node [m].
+/// The measure of that name, under the settings' whole load, of a reference on the mesh
+/// and the distance that it may be off at each node [m].
 Measures::Value reference_bar_l2_relative(const CaseSettings& settings, const Mesh& mesh,
                                           const Solution& reference,
                                           const std::vector<double>& node_bars);

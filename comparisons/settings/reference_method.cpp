@@ -1,5 +1,6 @@
 #include "comparisons/settings/reference_method.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 
@@ -12,7 +13,8 @@ namespace {
 /// "N" or "NX,NY,NZ" behind a reference's '@'.
 std::vector<int> reference_cells_of(const Given& given, const std::string& text) {
   const std::string expected =
-      "METHOD[:ELEMENT] and behind it @NX,NY,NZ, @N or @converged, counts of at least 1";
+      "a method, or METHOD:ELEMENT or METHOD:SOLVER, and behind it @NX,NY,NZ, @N or "
+      "@converged, counts of at least 1";
   std::vector<int> cells;
   std::istringstream counts(text);
   for (std::string count; std::getline(counts, count, ',');) {
@@ -28,7 +30,27 @@ std::vector<int> reference_cells_of(const Given& given, const std::string& text)
   return cells;
 }
 
+/// By which the method reaches the load.
+Solver reference_solver_of(const Given& given, const Method& method,
+                           const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Solver solver : method.solvers)
+    if (solver != Solver::path_limit) names.push_back(name_of(solver));
+  if (!method.follows_solver || names.size() < 2)
+    given.refuse(method.name + " without a solver: it has one");
+  if (std::ranges::count(names, name) == 0) given.refuse_name(name, names);
+  return value_named<Solver>(given, name);
+}
+
 }  // namespace
+
+CaseSettings with_reference_method(CaseSettings settings,
+                                   const ReferenceMethod& reference) {
+  settings.method = reference.method;
+  settings.elements.element = reference.element;
+  if (reference.solver) settings.solver = reference.solver;
+  return settings;
+}
 
 ReferenceMethod reference_named(const Given& given) {
   const std::string text = given.joined();
@@ -40,9 +62,11 @@ ReferenceMethod reference_named(const Given& given) {
                             .place = given.place(),
                             .text = text};
   if (colon != std::string::npos) {
-    if (!reads(reference.method, "element"))
-      given.refuse("an element for " + names_of(laws()) + " only");
-    reference.element = value_named<ElementName>(given, what.substr(colon + 1));
+    const std::string by = what.substr(colon + 1);
+    if (reads(reference.method, "element"))
+      reference.element = value_named<ElementName>(given, by);
+    else
+      reference.solver = reference_solver_of(given, reference.method, by);
   }
   if (at == std::string::npos) return reference;
   if (reference.method.belongs_to_cells)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,20 +9,26 @@
 
 namespace springcheck {
 
-/// A method with the element and the grid it runs on, as the user names it:
+/// A method with what it runs by, an element or a solver, and on, as the user names it:
 ///
-///     METHOD[:ELEMENT]              the element is q1-sri when none is named; the
-///                                   case's own mesh
-///     METHOD[:ELEMENT]@NX,NY,NZ     this many cells: whole multiples of the case's
-///     METHOD[:ELEMENT]@N            N along x, the others in proportion
-///     METHOD[:ELEMENT]@converged    extrapolated, see converged.hpp
+///     METHOD[:ELEMENT]       the element is q1-sri when none is named; the case's mesh
+///     METHOD[:SOLVER]        of methods without elements: the case's solver when none is
+///                            named
+///     ...@NX,NY,NZ           this many cells: whole multiples of the case's
+///     ...@N                  N along x, the others in proportion
+///     ...@converged          extrapolated, see converged.hpp
 struct ReferenceMethod {
   Method method;
   ElementName element;
+  std::optional<Solver> solver{};
   std::vector<int> cells{};  // none, N, or three
   ReferenceGrid grid = ReferenceGrid::one;
   std::string place{}, text{};  // where and how it was given, for messages
 };
+
+/// The case of that method, on the case's own mesh.
+CaseSettings with_reference_method(CaseSettings settings,
+                                   const ReferenceMethod& reference);
 
 /// Reads a reference; whether its cells fit the case's is seen in requests().
 ReferenceMethod reference_named(const Given& given);

@@ -46,17 +46,21 @@ std::vector<Request> requests(const RunSettings& run) {
       ReferenceMethod{usual_law(is_small), *find_element("q1-sri")});
   std::vector<Request> all;
   for (const Method& method : run.methods) {
-    Request request{.settings = run.common, .reference = run.common};
+    Request request{.settings = run.common,
+                    .reference = with_reference_method(run.common, reference)};
     request.settings.method = method;
-    request.reference->method = reference.method;
-    request.reference->elements.element = reference.element;
     if (reference.grid == ReferenceGrid::converged || !reference.cells.empty())
       request.reference->body = grid_beside(reference, run.common.body);
     request.reference_grid = reference.grid;
     const bool is_limit = solver_of(request.settings) == Solver::path_limit ||
                           solver_of(*request.reference) == Solver::path_limit;
-    if (is_limit || (!method.is_elastic && !run.reference)) {
-      // A limit is no state at the load, and the usual reference is elastic.
+    const bool has_no_load =
+        !has_history(*request.reference) && last_load(run.common.dynamics) == 0;
+    request.settings = at_last_load(request.settings);
+    request.reference = at_last_load(*request.reference);
+    if (is_limit || has_no_load || (!method.is_elastic && !run.reference)) {
+      // A limit is no state at the load, a body at rest without a load has none worth a
+      // comparison, and the usual reference is elastic.
       request.reference.reset();
       request.reference_grid = ReferenceGrid::one;
       all.push_back(request);

@@ -159,7 +159,7 @@ bool runs(const RunSettings& run,
     return is_one(with);
   };
   return std::ranges::any_of(run.methods, with_method) ||
-         (run.reference && with_method(run.reference->method));
+         (run.reference && is_one(with_reference_method(run.common, *run.reference)));
 }
 
 RunSettings make_run_settings(const std::string& name, const std::string& file,

@@ -36,7 +36,8 @@ constexpr Setting table[] = {
      "methods, see 'springcheck list methods'",
      {.standing = Standing::plan, .needed = "a list of methods"}},
     {"reference", what_runs, chosen, all, {read_reference, {}, texts}, {},
-     "METHOD[:ELEMENT][@CELLS|@converged] that deviations are measured against",
+     "METHOD[:ELEMENT|:SOLVER][@CELLS|@converged] that deviations are measured against, "
+     "at the load with which a path ends",
      {.standing = Standing::plan, .default_text =
       "on the same mesh: fem-hooke:q1-sri up to a deformation of .02, "
       "fem-stvk:q1-sri above and in tests without a deformation"}},

@@ -241,7 +241,8 @@ class Study {
       result.measures.reference_bar = reference->bar;
       if (reference->bar)
         result.measures.reference_bar_l2_relative = reference_bar_l2_relative(
-            request.settings, *own.mesh, reference->solution, reference->node_bars);
+            at_load(request.settings, result.solution.load_fraction), *own.mesh,
+            reference->solution, reference->node_bars);
     }
     result.request = request;
     result.key = key_of_identity(case_identity(request, *own.mesh), result.revision);

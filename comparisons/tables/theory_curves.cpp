@@ -1,12 +1,14 @@
 #include "comparisons/tables/theory_curves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "comparisons/cases/case.hpp"
+#include "comparisons/cases/status.hpp"
 #include "comparisons/measures/beam_measures.hpp"
 #include "comparisons/methods/methods.hpp"
 
@@ -67,6 +69,16 @@ bool has_text(const Row& row, const char* name, std::string_view text) {
   return value != nullptr && *value == text;
 }
 
+/// The part of the load that acts on what a case tells: the one that a path ended with;
+/// of a case that failed on its way the whole, which was asked for.
+double load_reached(const Row& row) {
+  const std::vector<double> fraction = numbers(row, "load_fraction", 1);
+  const bool has_failed = std::ranges::none_of(
+      std::array{Status::ok, Status::wrinkled, Status::inverted, Status::indefinite},
+      [&](Status status) { return has_text(row, "status", name_of(status)); });
+  return fraction.empty() || has_failed ? 1 : fraction.front();
+}
+
 /// A beam with all that tells it from others, for JSON.
 struct Beam {
   Cantilever theory;
@@ -82,7 +94,7 @@ std::optional<Beam> beam_of(const Row& row) {
              density = numbers(row, "density", 1);
   if (size.empty() || gravity.empty() || young.empty() || nu.empty() || density.empty())
     return std::nullopt;
-  const Vector3 g(gravity[0], gravity[1], gravity[2]);
+  const Vector3 g = load_reached(row) * Vector3(gravity[0], gravity[1], gravity[2]);
   const auto theory = cantilever(
       {size[0], size[1], size[2]},
       {.young_modulus = young[0], .poisson_ratio = nu[0], .density = density[0]}, g);

@@ -15,8 +15,9 @@ namespace springcheck {
 ///                      same of every nu in the file
 ///     beams            of every distinct beam among the cases of bending: cases (keys),
 ///                      length, width, height [m], young [Pa], nu, density [kg/m^3],
-///                      gravity [m/s^2], arc_length [m], and by euler_bernoulli,
-///                      timoshenko and elastica drop and axial of a BeamPoint [m]
+///                      gravity [m/s^2] as far as it acts where the cases end, arc_length
+///                      [m], and by euler_bernoulli, timoshenko and elastica drop and
+///                      axial of a BeamPoint [m]
 nlohmann::ordered_json theory_curves(const Columns& cases);
 
 }  // namespace springcheck

@@ -42,7 +42,10 @@ LoadPath oscillation(double angular_frequency, double cycles) {
   LoadPath path;
   for (int piece = 1; piece <= pieces; ++piece) {
     const double angle = 2 * std::numbers::pi * cycles * piece / pieces;
-    path.push_back({.time = angle / angular_frequency, .fraction = std::sin(angle)});
+    const double half_cycles = 2 * cycles * piece / pieces;
+    const bool passes_zero = half_cycles == std::round(half_cycles);
+    path.push_back({.time = angle / angular_frequency,
+                    .fraction = passes_zero ? 0 : std::sin(angle)});
   }
   return path;
 }

@@ -16,7 +16,8 @@ using LoadPath = std::vector<LoadPoint>;
 LoadPath ramp(double duration);
 
 /// sin(omega t) over so many cycles, a last one in part among them, in straight pieces of
-/// a cycle/64 or less: their first harmonic is 1 - (pi/64)^2/3, .08 % less than 1.
+/// a cycle/64 or less: their first harmonic is 1 - (pi/64)^2/3, .08 % less than 1. Each
+/// half cycle ends without a load, exactly.
 LoadPath oscillation(double angular_frequency, double cycles);
 
 /// The fraction at a time from 0 to that of the last point.

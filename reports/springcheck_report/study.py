@@ -39,9 +39,10 @@ class Study:
     cases: those of the file, and further columns: `name` (method, element and what else
         tells methods apart), `kind` ("springs", "finite elements" or "measured"),
         `problem` (the same for all methods on the same mesh, material and load), `load`
-        in words, `answer` (ANSWERS, SI), `counterpart` (key of the finite elements that
-        solve the same problem, or None), `volume_difference` and `answer_difference`
-        from them (volume as a fraction of V0, answer relative), `strain`: the size of the
+        in words: both at the load that was reached, which the columns of a load hold, too;
+        `whole_problem` and `whole_deformation` by the whole load of a path; `answer`
+        (ANSWERS, SI), `counterpart` (key of the finite elements that solve the same
+        problem, or None), `volume_difference` and `answer_difference` from them (volume as a fraction of V0, answer relative), `strain`: the size of the
         deformation (of a beam its tip's drop over its length).
         `is_judged`: whether that counterpart is good enough to judge by. `is_repeated`: the
         same simulation is there already, with another reference.
@@ -168,17 +169,37 @@ def problem_columns(settings):
     return columns
 
 
+def _load_columns(settings):
+    """Columns of what grows with the load."""
+    loads = {key: setting for key, setting in settings.items() if setting["group"] == "load"}
+    numbers = [_columns(key, setting) for key, setting in loads.items() if setting["kind"] == "number"]
+    return [column for columns, _ in numbers for column in columns]
+
+
+def _problems(cases, settings):
+    """The mechanical problem of each case. Loads to 12 digits: a part of one is computed."""
+    columns = problem_columns(settings)
+    shown = cases[columns].astype(object).where(cases[columns].notna(), None)
+    for column in _load_columns(settings):
+        shown[column] = [None if load is None else float(f"{load:.12g}") for load in shown[column]]
+    return [json.dumps(list(record)) for record in shown.itertuples(index=False)]
+
+
 def prepared(cases, settings):
     """Cases with all columns that a report reads and those that it adds, see Study."""
     lacking = dict.fromkeys(_TEXTS) | dict.fromkeys(_NUMBERS, np.nan)
     for key, setting in settings.items():
         names, nothing = _columns(key, setting)
         lacking |= dict.fromkeys(names, nothing)
-    problem = problem_columns(settings)
     further = {name: nothing for name, nothing in lacking.items() if name not in cases}
     cases = cases.assign(**further)
-    records = cases[problem].astype(object).where(cases[problem].notna(), None)
-    cases["problem"] = [json.dumps(list(record)) for record in records.itertuples(index=False)]
+    cases["whole_problem"], cases["whole_deformation"] = _problems(cases, settings), cases.deformation
+    loads = _load_columns(settings)
+    has_end = ~cases.status.isin(FAILED) & (cases.solver != "limit") & cases.load_fraction.notna()
+    cases["ends_early"] = has_end & (cases.load_fraction != 1)
+    reached = cases.load_fraction.where(cases.ends_early, 1)
+    cases[loads] = cases[loads].astype(float).mul(reached, axis=0)
+    cases["problem"] = _problems(cases, settings)
     added = {"kind": _kind, "name": method_name, "load": load_text, "answer": _answer}
     values = [[of(row) for of in added.values()] for _, row in cases.iterrows()]
     for place, name in enumerate(added):
@@ -242,6 +263,16 @@ def _setting_text(value):
 
 
 def load_text(case):
+    """The load in words, "5 %"; "5 % at its end" of a path that ends below its whole load."""
+    text = _load_words(case)
+    if not text or not case.get("ends_early"):
+        return text
+    if case.test == "bending":
+        return f"{text}, {100 * case.load_fraction:.4g} % of its weight"
+    return f"{text} at its end"
+
+
+def _load_words(case):
     """"5 %", "45°", "1 kPa"; of bending Young's modulus, which its drop depends on."""
     if case.test == "bending":
         return f"E = {case.young / 1e6:g} MPa"

@@ -55,6 +55,43 @@ BOOST_AUTO_TEST_CASE(every_solver_goes_by_its_name) {
   }
 }
 
+// The way to half of the load is slow and damped: it ends near rest there, which a finer
+// law would not be within 5 % of (measured: .1 and 1 %).
+BOOST_AUTO_TEST_CASE(a_motion_that_ends_early_is_compared_there) {
+  const std::string sheared =
+      "run shearing --cells 4,4,4 --deformation 10% --damping .3 --solver verlet ";
+  const std::string half = sheared + "--load-times 2 --load-fractions 0.5 --method ";
+  const Run told = run_springcheck(half + "mss-cf,fem-stvk");
+  BOOST_TEST(told.out.find("The load ends at 50 % of the whole one") !=
+             std::string::npos);
+  const Json results = json_of(half + "mss-cf,fem-stvk --json")["results"];
+  BOOST_TEST(results[0]["deviation_l2_relative"].get<double>() < 0.05);
+  BOOST_TEST(results[1]["deformation"] == 0.05);
+  const Json own = result_of(half + "mss-cf --reference mss-cf:static --json");
+  BOOST_TEST(own["reference"] == "mss-cf:static");
+  BOOST_TEST(own["deviation_l2_relative"].get<double>() < 0.005);
+  const Json unloaded =
+      result_of(sheared + "--load-times 1,2 --load-fractions 1,0 --method mss-cf --json");
+  BOOST_TEST(unloaded["reference"].is_null());
+  BOOST_TEST(unloaded["reason"] ==
+             "the load ends at 0: no deviation from bodies at rest");
+}
+
+// A traction's force grows with it, on the way and at the end.
+BOOST_AUTO_TEST_CASE(a_traction_at_part_of_its_load) {
+  const std::string pulled =
+      "run traction --cells 3,3,3 --method mss-cf --solver verlet --damping 1 --json ";
+  const Json whole = result_of(pulled + "--duration 4 --history 4");
+  const double force = whole["plate_force"];
+  for (std::size_t i = 0; i < 4; ++i)
+    BOOST_TEST(whole["history"]["force_z"][i].get<double>() ==
+                   force * whole["history"]["load_fraction"][i].get<double>(),
+               boost::test_tools::tolerance(1e-9));
+  const Json half = result_of(pulled + "--load-times 4 --load-fractions 0.5");
+  BOOST_TEST(half["plate_force"].get<double>() == force / 2,
+             boost::test_tools::tolerance(1e-9));
+}
+
 // 1e-5 of the deformations' size, as in march_test.
 BOOST_AUTO_TEST_CASE(single_precision_is_near_double_and_not_it) {
   const std::string run = pressed + "--duration 0.2 --solver semi-implicit --method ";

@@ -54,6 +54,22 @@ class Failures(unittest.TestCase):
         self.assertGreater(len(failures(study).blocks), 1)
 
 
+class Loads(unittest.TestCase):
+    def test_a_path_that_ends_early_is_a_problem_at_its_end(self):
+        half = {"solver": "verlet", "deformation": 0.1, "load_fraction": 0.5}
+        failed = {**half, "status": "diverged"}
+        limit = {**half, "solver": "limit", "status": "indefinite"}
+        cases = cases_of(half, fem("stvk", "q1-sri"), failed, limit)
+        self.assertEqual(list(cases.counterpart[:3]), ["key1", None, None])
+        self.assertEqual(list(cases.deformation), [0.05, 0.05, 0.1, 0.1])
+        self.assertEqual(list(cases.load), ["5 % at its end", "5 %", "10 %", "10 %"])
+        self.assertEqual(cases.whole_deformation.iloc[0], 0.1)
+        beam = {**half, "test": "bending", "deformation": np.nan, "gravity.x": -10.0}
+        cases = cases_of(beam)
+        self.assertEqual(cases["gravity.x"].iloc[0], -5)
+        self.assertEqual(cases.load.iloc[0], "E = 0.01 MPa, 50 % of its weight")
+
+
 class Counterparts(unittest.TestCase):
     def test_hencky_before_others_and_no_element_that_locks(self):
         cases = cases_of({}, fem("stvk", "q1-sri"), fem("hencky", "q1"), fem("hencky", "q1-sri"))

@@ -16,7 +16,8 @@ def beams_against_theory(study):
     figures = []
     for length, of_length in cases.groupby("size.z"):
         panels = []
-        for _, of_modulus in of_length.groupby("young"):
+        gravity = np.linalg.norm(of_length[[f"gravity.{axis}" for axis in "xyz"]].to_numpy(float), axis=1)
+        for _, of_modulus in of_length.groupby(["young", gravity]):
             lines = []
             for key, case in of_modulus.sort_values(["method", "cells.z"]).iterrows():
                 curve = _centre_line(study, key)

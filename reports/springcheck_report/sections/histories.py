@@ -28,23 +28,23 @@ def histories(study):
 def _shape(case):
     """What bodies of different size share that are deformed alike: blocks of the thesis are
     a hundred times larger in its raw units."""
-    if case.body != "block" or not np.isfinite(case.deformation):
-        return case.problem
+    if case.body != "block" or not np.isfinite(case.whole_deformation):
+        return case.whole_problem
     sides = [round(case[f"size.{axis}"] / case["size.z"], 9) for axis in "xy"]
-    settings = [case["cell-type"], case.get("distortion", 0), case.nu, case.deformation]
+    settings = [case["cell-type"], case.get("distortion", 0), case.nu, case.whole_deformation]
     return json.dumps([counts_text(case), sides, *settings])
 
 
 def _figure(study, name, cases, of_test):
     """Over E and the size where bodies differ in them, so that one equilibrium is one."""
     group = cases.sort_values(["scene", "method", "solver", "damping"]).iloc[:_MOST_CURVES]
-    test, is_scaled = group.test.iloc[0], group.problem.nunique() > 1
+    test, is_scaled = group.test.iloc[0], group.whole_problem.nunique() > 1
     force, strain, ratio = [], [], []
     for (key, case), style in zip(group.iterrows(), _styles(group)):
         history = study.history(key)
         label, time = _label(case, group), history.time.to_numpy()
         force_unit, energy_unit = _units(case) if is_scaled else (1, 1e-3)
-        answer = answer_along(test, history, case.deformation)
+        answer = answer_along(test, history, case.whole_deformation)
         if answer is not None:
             force.append(curves.Curve(label, time, answer / force_unit, style=style))
         energy = history.strain_energy.to_numpy()
@@ -64,7 +64,7 @@ def _figure(study, name, cases, of_test):
         force += _statics(study, group, is_scaled)
         panels.insert(0, curves.Panel(answer.capitalize(), "time [s]", y_label, force))
     text = case_text(group.iloc[0]).removeprefix(f"{group.iloc[0].scene}, ")
-    caption = f"On the way through time: {test}, {text}. Hollow rings are static equilibria at the full load."
+    caption = f"On the way through time: {test}, {text}. Hollow rings are equilibria at the last load."
     if is_scaled:
         caption += " Bodies of different size, over Young's modulus and section (A) or volume (V)."
     if of_test > len(group):

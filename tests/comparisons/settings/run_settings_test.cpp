@@ -157,11 +157,15 @@ const std::vector<Bad> bad_scenes{
     {good + "expect = \"fine\"\n",
      "scene.toml:9:10: expect: unknown value 'fine', expected one of ok, wrinkled"},
     {good + "reference = \"fem-stvk@fine\"\n",
-     "scene.toml:9:13: reference: expected METHOD[:ELEMENT] and behind it @NX,NY,NZ"},
+     "scene.toml:9:13: reference: expected a method, or METHOD:ELEMENT or METHOD:SOLVER, "
+     "and behind it @NX,NY,NZ"},
     {good + "reference = \"mss-cf:q1@4\"\n",
-     "scene.toml:9:13: reference: expected an element for fem-hooke, fem-stvk, "
-     "fem-hencky, "
-     "fem-cauchy-born only"},
+     "scene.toml:9:13: reference: unknown value 'q1', expected one of static, explicit, "
+     "semi-implicit, verlet, implicit"},
+    {good + "reference = \"mss-cf:limit\"\n",
+     "scene.toml:9:13: reference: unknown value 'limit', expected one of static"},
+    {good + "reference = \"fem-tissue:static\"\n",
+     "scene.toml:9:13: reference: expected fem-tissue without a solver: it has one"},
     {good + "reference = \"fem@converged\"\n",
      "scene.toml:9:13: reference: unknown value 'fem', expected one of mss-baudet"},
     {good + "traction = [0, 0, 1]\n",
@@ -364,6 +368,52 @@ BOOST_AUTO_TEST_CASE(the_default_reference_depends_on_the_deformation) {
              "fem-cauchy-born:q2");
   BOOST_TEST(reference("compression", "reference=fem-hooke:q1") == "fem-hooke:q1");
   BOOST_TEST(reference("compression", "reference=mss-fd") == "mss-fd");
+}
+
+const std::vector<std::string> half_sheared{"method=mss-cf,fem-stvk", "solver=verlet",
+                                            "deformation=.1", "load-times=2",
+                                            "load-fractions=.5"};
+
+// A motion is compared with rest at the load that it ends with.
+BOOST_AUTO_TEST_CASE(bodies_at_rest_are_held_at_the_load_that_a_path_ends_with) {
+  const auto all = requests(run_of("shearing", half_sheared));
+  BOOST_TEST_REQUIRE(all.size() == 2U);
+  BOOST_TEST(*all[0].settings.deformation == 0.1);
+  BOOST_TEST(all[0].settings.dynamics.load.back().fraction == 0.5);
+  BOOST_TEST(*all[0].reference->deformation == 0.05);
+  BOOST_TEST(*all[1].settings.deformation == 0.05);
+  BOOST_TEST(settings_json(all[1].settings) ==
+             settings_json(case_of("shearing", {"method=fem-stvk", "deformation=.05"})));
+
+  std::vector<std::string> back = half_sheared;
+  back.insert(back.end(), {"load-times=1,2", "load-fractions=1,0"});
+  BOOST_TEST(!requests(run_of("shearing", back))[0].reference.has_value());
+  back.insert(back.end(), {"method=mss-cf", "reference=mss-affine"});
+  const Request moved = requests(run_of("shearing", back))[0];
+  BOOST_TEST(*moved.reference->deformation == 0.1);  // it moves, too
+  BOOST_TEST(reference_label(moved) == "mss-affine");
+
+  const auto parts = [](const char* scene, const std::vector<std::string>& load) {
+    std::vector<std::string> changes{"method=mss-cf", "solver=verlet", "load-times=2",
+                                     "load-fractions=.5", "reference=mss-cf:static"};
+    changes.insert(changes.end(), load.begin(), load.end());
+    return *requests(run_of(scene, changes))[0].reference;
+  };
+  BOOST_TEST((parts("bending", {"gravity=-8,0,0"}).gravity == Vector3(-4, 0, 0)));
+  BOOST_TEST((parts("traction", {"traction=0,0,6"}).traction == Vector3(0, 0, 3)));
+  BOOST_TEST(parts("affine", {"gradient=.2,0,0,0,0,0,0,0,0"}).gradient(0, 0) == 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_is_held_against_its_own_statics) {
+  std::vector<std::string> changes = half_sheared;
+  changes.insert(changes.end(), {"method=mss-cf", "reference=mss-cf:static"});
+  const Request request = requests(run_of("shearing", changes))[0];
+  BOOST_TEST_REQUIRE(request.reference.has_value());
+  BOOST_TEST(settings_json(*request.reference) ==
+             settings_json(case_of("shearing", {"method=mss-cf", "deformation=.05"})));
+  BOOST_TEST(reference_label(request) == "mss-cf:static");
+  changes.back() = "reference=mss-cf";
+  BOOST_TEST(!requests(run_of("shearing", changes))[0].reference.has_value());
 }
 
 BOOST_AUTO_TEST_CASE(the_reference_itself_has_none) {
