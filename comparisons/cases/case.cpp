@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
 namespace springcheck {
 
 CaseSettings at_load(CaseSettings settings, double fraction) {
@@ -17,11 +21,32 @@ double last_load(const Dynamics& dynamics) {
 }
 
 CaseSettings at_last_load(const CaseSettings& settings) {
-  if (has_history(settings)) return settings;
+  if (has_history(settings) || solver_of(settings) == Solver::path_limit) return settings;
   CaseSettings there = at_load(settings, last_load(settings.dynamics));
   there.dynamics.load.clear();
   there.dynamics.oscillation.reset();
   return there;
+}
+
+double largest_load(const CaseSettings& settings, double reached) {
+  double largest = std::abs(reached);
+  if (has_history(settings))
+    for (const dynamics::LoadPoint& point : settings.dynamics.load)
+      largest = std::max(largest, std::abs(point.fraction));
+  return largest;
+}
+
+double load_direction(const CaseSettings& settings, double reached) {
+  double acted = reached;
+  if (has_history(settings))
+    for (const dynamics::LoadPoint& point : std::views::reverse(settings.dynamics.load))
+      if (acted == 0) acted = point.fraction;
+  return acted < 0 ? -1 : 1;
+}
+
+bool has_load(const CaseSettings& settings) {
+  return settings.deformation.value_or(0) != 0 || !settings.gravity.isZero(0) ||
+         !settings.traction.isZero(0) || !settings.gradient.isZero(0);
 }
 
 Solver solver_of(const CaseSettings& settings) {

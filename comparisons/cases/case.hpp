@@ -117,9 +117,20 @@ CaseSettings at_load(CaseSettings settings, double fraction);
 /// The load fraction at which its path ends.
 double last_load(const Dynamics& dynamics);
 
-/// The case under the load at which its path ends, for methods that know no way to it;
-/// others go it themselves.
+/// The case under the load at which its path ends, of methods at rest that know no way to
+/// it; others go it themselves.
 CaseSettings at_last_load(const CaseSettings& settings);
+
+/// The largest load fraction, whatever its sign, of a case's path; of one without a path
+/// the fraction that it reached.
+double largest_load(const CaseSettings& settings, double reached);
+
+/// 1, or -1 where the load at that fraction acts against its usual direction; without a
+/// load as it acted last.
+double load_direction(const CaseSettings& settings, double reached);
+
+/// Whether anything deforms the body.
+bool has_load(const CaseSettings& settings);
 
 /// The solver given, or else the method's own; static where the method follows none.
 Solver solver_of(const CaseSettings& settings);

@@ -17,14 +17,15 @@ struct Request {
   // On the same mesh or a refinement of it; on the same mesh when `converged`:
   std::optional<CaseSettings> reference{};
   ReferenceGrid reference_grid = ReferenceGrid::one;
+  std::string no_reference{};  // why there is none, where one was wanted
 };
 
 /// The simulations its reference is made of: none, one, or three from coarse to fine.
 std::vector<CaseSettings> reference_cases(const Request& request);
 
-/// "fem-stvk:q1-sri"; "mss-cf:static" beside a case of another solver, where the method
-/// has several; with "@20,20,20" on cells other than the case's, "@converged" when
-/// extrapolated. Empty without a reference.
+/// "fem-stvk:q1-sri"; "mss-cf:static" of a method with several solvers, where it is not
+/// by its own or the case is by another; with "@20,20,20" on cells other than the case's,
+/// "@converged" when extrapolated. Empty without a reference.
 std::string reference_label(const Request& request);
 
 }  // namespace springcheck

@@ -45,13 +45,15 @@ ExitStatus measure_command(const std::string& scene,
                            const std::optional<std::filesystem::path>& result_file,
                            Output output) {
   const RunSettings run = read_run(scene, options);
-  check_memory(run.cells_place, requests(run));
+  const std::vector<Request> all = requests(run);
+  check_memory(run.cells_place, all);
   if (result_file) check_results_writable(*result_file);
   MeshStore meshes;
   const Mesh& mesh = meshes.mesh(run.common.body);
   const MeasuredFields fields = read_fields(files, mesh);
+  const CaseSettings measured = at_load(run.common, last_load(run.common.dynamics));
   for (const std::string& words :
-       contradictions(mesh, mechanical_scene(run.common, mesh), fields))
+       contradictions(mesh, mechanical_scene(measured, mesh), fields))
     spdlog::warn("{}", words);
   std::vector<CaseResult> results;
   {

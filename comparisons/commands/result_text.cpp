@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/sheets/text_table.hpp"
 
@@ -52,6 +54,11 @@ std::string dynamics_text(const CaseResult& result) {
 
 /// At what load bodies at rest are held beside a motion that ends below the whole one.
 std::string last_load_text(const std::vector<CaseResult>& results) {
+  const bool any_at_rest = std::ranges::any_of(results, [](const CaseResult& result) {
+    const auto& [settings, reference, grid, why] = result.request;
+    return !has_history(settings) || (reference && !has_history(*reference));
+  });
+  if (!any_at_rest) return {};
   for (const CaseResult& result : results) {
     const double last = last_load(result.request.settings.dynamics);
     if (has_history(result.request.settings) && last != 1 && last != 0)

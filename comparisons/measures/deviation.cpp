@@ -11,12 +11,15 @@ namespace {
 
 constexpr double in_layer = 1e-9;  // of the block's height: coordinates are exact
 
-/// The length deviations are divided by: the largest displacement that the load imposes,
-/// or the reference's tip deflection in bending and face displacement in traction.
+/// The length deviations are divided by: the largest displacement that the settings' load
+/// imposes, or the reference's tip deflection in bending and face displacement in
+/// traction.
 std::optional<double> imposed_length(const CaseSettings& settings, const Scene& scene,
                                      const Mesh& mesh, const Solution& reference) {
-  if (settings.test == Test::bending)
-    return tip_deflection(settings, mesh, reference.displacements);
+  if (settings.test == Test::bending) {
+    const auto tip = tip_deflection(settings, mesh, reference.displacements);
+    return tip ? std::optional(std::abs(*tip)) : std::nullopt;
+  }
   if (settings.test == Test::traction)
     return loaded_face_displacement(mesh, scene, reference).norm();
   return largest_imposed_displacement(mesh, scene);
@@ -26,8 +29,9 @@ std::optional<double> imposed_length(const CaseSettings& settings, const Scene& 
 
 void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
                        const Solution& solution, const Solution& reference) {
-  const CaseSettings loaded = at_load(settings, solution.load_fraction);
-  const Scene scene = mechanical_scene(loaded, mesh);
+  const CaseSettings on_the_way =
+      at_load(settings, largest_load(settings, solution.load_fraction));
+  const Scene scene = mechanical_scene(on_the_way, mesh);
   const double height = settings.body.block.size[2];
   const bool has_layers = settings.body.shape == BodyShape::block;
   const auto distance = [&](std::size_t n) {
@@ -46,9 +50,12 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
   measures.mean_deviation = sum / static_cast<double>(mesh.nodes().size());
   measures.max_deviation = largest;
   if (layer_nodes > 0) measures.middle_layer_deviation = layer_sum / layer_nodes;
-  const auto length = imposed_length(loaded, scene, mesh, reference);
+  const auto length = imposed_length(on_the_way, scene, mesh, reference);
   const auto free = over_free_nodes(mesh, scene, distance);
-  if (length && *length > 0 && free) {
+  const bool is_answer =
+      settings.test == Test::bending || settings.test == Test::traction;
+  const bool has_length = !is_answer || solution.load_fraction != 0;
+  if (has_length && length && *length > 0 && free) {
     measures.deviation_l2_relative = free->root_mean_square / *length;
     measures.deviation_max_relative = free->largest / *length;
   }

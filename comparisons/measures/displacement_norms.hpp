@@ -18,8 +18,8 @@ std::optional<FreeDistance> over_free_nodes(
     const std::function<double(std::size_t)>& distance);
 
 /// Largest displacement that the plates or the boundary gradient impose on a node on the
-/// way to the full load [m]. A plate that turns moves its nodes farthest in half a turn;
-/// one that turns and moves along is looked at there and at the end only.
+/// way to the scene's load [m]. A plate that turns moves its nodes farthest in half a
+/// turn; one that turns and moves along is looked at there and at the end only.
 double largest_imposed_displacement(const Mesh& mesh, const Scene& scene);
 
 /// Mean displacement of the face that the scene's traction loads [m], int u dA/A over its

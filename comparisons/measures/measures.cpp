@@ -42,10 +42,9 @@ void measure_volumes(Measures& measures, const Mesh& mesh, const Solution& solut
   measures.corner_jacobian_ratio_min = smallest_jacobian;
 }
 
-/// The whole load, in the direction that it has at the solution's: none at all has the
-/// usual one.
+/// The whole load, in the direction in which the solution's acts.
 CaseSettings wholly_loaded(const CaseSettings& settings, const Solution& solution) {
-  return at_load(settings, solution.load_fraction < 0 ? -1 : 1);
+  return at_load(settings, load_direction(settings, solution.load_fraction));
 }
 
 void measure_plate(Measures& measures, const CaseSettings& settings, const Scene& scene,
@@ -85,8 +84,8 @@ void measure_traction(Measures& measures, const Scene& scene, const Mesh& mesh,
   measures.plate_force_norm = force.norm();
 }
 
-void measure_affine(Measures& measures, const Scene& scene, const Mesh& mesh,
-                    const Solution& solution) {
+void measure_affine(Measures& measures, const CaseSettings& settings, const Scene& scene,
+                    const Mesh& mesh, const Solution& solution) {
   if (!scene.boundary_gradient) return;
   if (!solution.reactions.empty()) {
     Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
@@ -98,7 +97,10 @@ void measure_affine(Measures& measures, const Scene& scene, const Mesh& mesh,
     return (solution.displacements[n] - *scene.boundary_gradient * mesh.nodes()[n])
         .norm();
   });
-  const double imposed = largest_imposed_displacement(mesh, scene);
+  const CaseSettings on_the_way =
+      at_load(settings, largest_load(settings, solution.load_fraction));
+  const double imposed =
+      largest_imposed_displacement(mesh, mechanical_scene(on_the_way, mesh));
   if (deviation && imposed > 0)
     measures.affine_deviation_relative = deviation->root_mean_square / imposed;
 }
@@ -149,7 +151,7 @@ Measures measure(const CaseSettings& settings, const Mesh& mesh,
   measure_volumes(measures, mesh, solution, positions);
   measure_plate(measures, settings, scene, mesh, solution, positions);
   measure_traction(measures, scene, mesh, solution);
-  measure_affine(measures, scene, mesh, solution);
+  measure_affine(measures, settings, scene, mesh, solution);
   if (settings.test == Test::bending) {
     measures.tip_deflection =
         tip_deflection(wholly_loaded(settings, solution), mesh, solution.displacements);

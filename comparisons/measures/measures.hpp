@@ -71,8 +71,8 @@ struct Measures {
   Value middle_layer_deviation{};  // mean over the nodes at half height (the thesis's
                                    // measure); even cell counts only
   // Over the nodes with a free component, divided by the largest displacement imposed on
-  // the way to the load that the solution reached (bending: by the reference's tip
-  // deflection; traction: by its face displacement); empty without a load:
+  // the way (bending: by the reference's tip deflection; traction: by its face
+  // displacement; both empty without a load at the end):
   Value deviation_l2_relative{};  // volume-weighted root mean square
   Value deviation_max_relative{};
   Value cell_volume_ratio_rms_difference{};  // volume-weighted, V/V0 against reference's
@@ -167,8 +167,8 @@ Measures measure(const CaseSettings& settings, const Mesh& mesh,
 void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
                        const Solution& solution, const Solution& reference);
 
-/// The measure of that name, under the settings' whole load, of a reference on the mesh
-/// and the distance that it may be off at each node [m].
+/// The measure of that name, of a reference on the mesh and the distance that it may be
+/// off at each node [m], divided by what the settings' whole load imposes.
 Measures::Value reference_bar_l2_relative(const CaseSettings& settings, const Mesh& mesh,
                                           const Solution& reference,
                                           const std::vector<double>& node_bars);

@@ -45,8 +45,7 @@ std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
 
 /// Above both it is wrinkled: zigzags shorter than three cells, cos(2 pi/3) = -1/2. Waves
 /// of three to four cells are not told from the bulges of few cells. Set on half of the
-/// states in tests/comparisons/running/labelled_states_test.cpp, judged on the other
-/// half.
+/// states in tests/comparisons/running/labelled_states_test.cpp, judged on the other half.
 ///
 /// Two nodes in a line, a side of three cells, cannot alternate by more: such sides are
 /// never called wrinkled.

@@ -147,10 +147,6 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
     result.reason += flag == Status::inverted ? "a cell is turned inside out at a corner"
                                               : "a free face zigzags from cell to cell";
   }
-  if (settings.method.is_elastic && goes_through_time(settings) &&
-      last_load(settings.dynamics) == 0)
-    result.reason += fmt::format("{}the load ends at 0: no deviation from bodies at rest",
-                                 result.reason.empty() ? "" : "; ");
   if (!solution.extrapolation.empty()) {
     result.flags.push_back(Status::extrapolated);
     result.reason += (result.reason.empty() ? "" : "; ") + solution.extrapolation;

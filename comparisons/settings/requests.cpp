@@ -41,7 +41,9 @@ Body grid_beside(const ReferenceMethod& reference, const Body& body) {
 }  // namespace
 
 std::vector<Request> requests(const RunSettings& run) {
-  const bool is_small = std::abs(run.common.deformation.value_or(1)) <= small_deformation;
+  const double last = last_load(run.common.dynamics);
+  const bool is_small = run.common.deformation &&
+                        std::abs(last * *run.common.deformation) <= small_deformation;
   const ReferenceMethod reference = run.reference.value_or(
       ReferenceMethod{usual_law(is_small), *find_element("q1-sri")});
   std::vector<Request> all;
@@ -54,13 +56,14 @@ std::vector<Request> requests(const RunSettings& run) {
     request.reference_grid = reference.grid;
     const bool is_limit = solver_of(request.settings) == Solver::path_limit ||
                           solver_of(*request.reference) == Solver::path_limit;
-    const bool has_no_load =
-        !has_history(*request.reference) && last_load(run.common.dynamics) == 0;
+    const bool has_no_load = !has_history(*request.reference) && last == 0;
     request.settings = at_last_load(request.settings);
     request.reference = at_last_load(*request.reference);
     if (is_limit || has_no_load || (!method.is_elastic && !run.reference)) {
-      // A limit is no state at the load, a body at rest without a load has none worth a
-      // comparison, and the usual reference is elastic.
+      // A limit is no state at the load, nor is a body at rest without one, and the usual
+      // reference is elastic.
+      if (has_no_load && (method.is_elastic || run.reference))
+        request.no_reference = "the load ends at 0: no deviation from bodies at rest";
       request.reference.reset();
       request.reference_grid = ReferenceGrid::one;
       all.push_back(request);

@@ -1,5 +1,7 @@
 #include "comparisons/stability/atlas.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -33,6 +35,11 @@ std::vector<CaseSettings> cases_at(const AtlasPlan& plan,
   for (const Method& method : run.methods) {
     cases.push_back(run.common);
     cases.back().method = method;
+    if (last_load(run.common.dynamics) != 1 && !has_history(cases.back()))
+      throw InputError(
+          "stability", "load-fractions",
+          "a path that ends with the whole load, at which " + method.name + " is at rest",
+          fmt::format("one that ends at {:g} of it", last_load(run.common.dynamics)));
   }
   return cases;
 }

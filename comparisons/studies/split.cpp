@@ -247,13 +247,15 @@ SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
     throw InputError("--split", "cells", "cubes, whose lattice the continuum is of",
                      fmt::format("{} over {} m", fmt::join(springs.body.block.cells, "x"),
                                  fmt::join(springs.body.block.size, "x")));
-  if (last_load(springs.dynamics) == 0)
+  if (!has_load(springs))
     throw InputError("--split", "load-fractions", "a load at the end of the path",
                      "none");
-  CaseSettings lattice = at_last_load(continuum_of(springs));
+  CaseSettings lattice = continuum_of(springs);
   lattice.body = on_hexahedra(springs.body, springs.body.block.cells);
-  CaseSettings reference = lattice;
+  CaseSettings reference = springs;
+  reference.body = lattice.body;
   reference.method = law;
+  reference.elements.element = lattice.elements.element;
   return {.springs = springs,
           .cauchy_born = convergence_grids(lattice),
           .cauchy_born_check = check_grids(lattice),

@@ -241,9 +241,12 @@ class Study {
       result.measures.reference_bar = reference->bar;
       if (reference->bar)
         result.measures.reference_bar_l2_relative = reference_bar_l2_relative(
-            at_load(request.settings, result.solution.load_fraction), *own.mesh,
-            reference->solution, reference->node_bars);
+            at_load(request.settings,
+                    largest_load(request.settings, result.solution.load_fraction)),
+            *own.mesh, reference->solution, reference->node_bars);
     }
+    if (!request.no_reference.empty() && result.measures.volume_error)
+      result.reason += (result.reason.empty() ? "" : "; ") + request.no_reference;
     result.request = request;
     result.key = key_of_identity(case_identity(request, *own.mesh), result.revision);
     hand_over(i, std::move(result));

@@ -90,6 +90,9 @@ SheetRow row_of(const Columns& cases, std::size_t row) {
     if (cell.number) *cell.number *= measure.factor;
     shown.cells.push_back(cell);
   }
+  if (const auto part = number(cases, "load_fraction", row);
+      part && *part != 1 && number(cases, "volume_change", row))
+    shown.notes.push_back(fmt::format("Ends at {:g} % of the load.", 100 * *part));
   shown.cells.push_back(text(cases, "reference", row));
   if (const std::string other = text(cases, "other_revision", row); !other.empty())
     shown.notes.push_back(fmt::format("Of revision {} of the numerics.", other));

@@ -40,10 +40,11 @@ class Study:
         tells methods apart), `kind` ("springs", "finite elements" or "measured"),
         `problem` (the same for all methods on the same mesh, material and load), `load`
         in words: both at the load that was reached, which the columns of a load hold, too;
-        `whole_problem` and `whole_deformation` by the whole load of a path; `answer`
+        `whole_problem`, `whole_deformation` and `whole_load` by all of a path's; `answer`
         (ANSWERS, SI), `counterpart` (key of the finite elements that solve the same
-        problem, or None), `volume_difference` and `answer_difference` from them (volume as a fraction of V0, answer relative), `strain`: the size of the
-        deformation (of a beam its tip's drop over its length).
+        problem, or None), `volume_difference` and `answer_difference` from them (volume
+        as a fraction of V0, answer relative), `strain`: the size of the deformation (of a
+        beam its tip's drop over its length).
         `is_judged`: whether that counterpart is good enough to judge by. `is_repeated`: the
         same simulation is there already, with another reference.
     limits: cases of solver limit, which end where a path does and not at their load, apart
@@ -198,12 +199,14 @@ def prepared(cases, settings):
     has_end = ~cases.status.isin(FAILED) & (cases.solver != "limit") & cases.load_fraction.notna()
     cases["ends_early"] = has_end & (cases.load_fraction != 1)
     reached = cases.load_fraction.where(cases.ends_early, 1)
+    whole = {key: load_words(case) for key, case in cases[cases.ends_early].iterrows()}
     cases[loads] = cases[loads].astype(float).mul(reached, axis=0)
     cases["problem"] = _problems(cases, settings)
     added = {"kind": _kind, "name": method_name, "load": load_text, "answer": _answer}
     values = [[of(row) for of in added.values()] for _, row in cases.iterrows()]
     for place, name in enumerate(added):
         cases[name] = [value[place] for value in values]
+    cases["whole_load"] = [whole.get(key, load) for key, load in cases.load.items()]
     cases["strain"] = cases.deformation.astype(float).abs()
     beams = (cases.test == "bending") & (cases.body == "block")
     cases.loc[beams, "strain"] = cases.tip_deflection / cases["size.z"]
@@ -264,7 +267,7 @@ def _setting_text(value):
 
 def load_text(case):
     """The load in words, "5 %"; "5 % at its end" of a path that ends below its whole load."""
-    text = _load_words(case)
+    text = load_words(case)
     if not text or not case.get("ends_early"):
         return text
     if case.test == "bending":
@@ -272,7 +275,7 @@ def load_text(case):
     return f"{text} at its end"
 
 
-def _load_words(case):
+def load_words(case):
     """"5 %", "45°", "1 kPa"; of bending Young's modulus, which its drop depends on."""
     if case.test == "bending":
         return f"E = {case.young / 1e6:g} MPa"

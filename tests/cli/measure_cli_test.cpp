@@ -85,6 +85,29 @@ BOOST_AUTO_TEST_CASE(another_program_s_result_is_measured_on_the_mesh_it_was_giv
   expect_bad_input(measure + "--displacements huge.csv", "none of 124 of them");
 }
 
+// What belongs to half of the load is right, and what to all of it is not.
+BOOST_AUTO_TEST_CASE(a_path_s_last_load_is_what_is_measured) {
+  const auto measured = [](double shear) {
+    std::ostringstream csv;
+    csv << "x,y,z,ux,uy,uz\n";
+    for (const double x : {0., 0.025, 0.05})
+      for (const double y : {0., 0.025, 0.05})
+        for (const double z : {0., 0.025, 0.05})
+          csv << x << "," << y << "," << z << "," << shear * z << ",0,0\n";
+    std::ofstream(folder / "sheared.csv") << csv.str();
+    return run_springcheck(
+        "measure shearing --cells 2,2,2 --deformation 10% --solver verlet "
+        "--load-times 2 --load-fractions 0.5 --displacements sheared.csv --label mine "
+        "--json");
+  };
+  const Run half = measured(0.05), whole = measured(0.1);
+  BOOST_TEST(half.err.find("do not follow") == std::string::npos, half.err);
+  const Json result = Json::parse(half.out)["results"][0];
+  BOOST_TEST(result["deformation"] == 0.05);
+  BOOST_TEST(result["reason"].is_null());
+  BOOST_TEST(whole.err.find("do not follow the scene's supports") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(a_measured_result_that_is_inverted_exits_3) {
   std::ofstream file(folder / "inverted.csv");
   file << "node,ux,uy,uz\n";

@@ -5,6 +5,15 @@
 
 BOOST_AUTO_TEST_SUITE(split_cli_test)
 
+// Beside a motion that ends without a load springs at rest have none.
+BOOST_AUTO_TEST_CASE(without_a_load_there_is_nothing_to_split) {
+  const Run run = run_springcheck(
+      "run shearing --cells 2,2,2 --method mss-cf,fem-explicit-1p --load-times 1,2 "
+      "--load-fractions 1,0 --split");
+  BOOST_TEST(run.status == 2);
+  BOOST_TEST(run.err.find("expected a load at the end of the path") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(split_is_an_object_for_springs_and_null_for_finite_elements) {
   const Json json = json_of(
       "run shearing --method mss-cf,fem-stvk --cells 2,2,2 --split --out split.h5 "

@@ -19,6 +19,18 @@ BOOST_AUTO_TEST_CASE(a_map_and_its_limits_are_printed) {
     BOOST_TEST(run.out.find(part) != std::string::npos, run.out);
 }
 
+// Half of a load for one method and all of it for another is no map.
+BOOST_AUTO_TEST_CASE(paths_that_end_early_have_no_map_beside_bodies_at_rest) {
+  const std::string path =
+      "--load-times 1 --load-fractions 0.5 --over deformation=2%,4% --method ";
+  const Run mixed = run_springcheck(stability + path + "fem-explicit-1p,mss-cf");
+  BOOST_TEST(mixed.status == 2);
+  BOOST_TEST(mixed.err.find("expected a path that ends with the whole load") !=
+                 std::string::npos,
+             mixed.err);
+  BOOST_TEST(run_springcheck(stability + path + "fem-explicit-1p").status == 0);
+}
+
 BOOST_AUTO_TEST_CASE(settings_named_without_values_go_over_usual_ones,
                      *boost::unit_test::label("slow")) {
   const Run run =

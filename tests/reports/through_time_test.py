@@ -47,6 +47,10 @@ class Cases(unittest.TestCase):
         early = "--method mss-cf --solver verlet --damping 0.3 --load-times 2 --load-fractions 0.5"
         springcheck(*f"run shearing --deformation 10% {SMALL} {early} --history 40 --out".split(), cls.file)
         springcheck(*f"run bending --cells 2,2,12 {early} --out".split(), cls.file)
+        back = f"{SMALL} --method mss-cf"
+        pulled = "--solver verlet --damping 0.3 --load-times 1,1.5 --load-fractions=-0.5,-0.5 --history 20"
+        springcheck(*f"run uniaxial --deformation -5% {back} {pulled} --out".split(), cls.file)
+        springcheck(*f"run uniaxial --deformation 2.5% {back} --out".split(), cls.file)
         springcheck("report", cls.file, "--out", cls.folder)
         cls.section = page_text.section(page_in(cls.folder), "through-time")
         cls.study = study_module.read(cls.file, cls.folder)
@@ -89,15 +93,27 @@ class Cases(unittest.TestCase):
                 beside += 1
                 difference = 100 * (case.answer / same.answer.iloc[0] - 1)
                 self.assertAlmostEqual(float(off), difference, delta=0.00051)
-        self.assertEqual(beside, len(DEFORMED) + 2)
+        self.assertEqual(beside, len(DEFORMED) + 3)
 
     def test_a_motion_that_ends_early_stands_beside_its_last_load(self):
         """Half of a shear by 10 %, slow and damped, is one by 5 %: 1 % is what moves."""
         rows = page_text.rows(self.section, "solvers")
-        (sheared,) = (row for row in rows if "5 % at its end" in row[0])
+        (sheared,) = (row for row in rows if ", 5 % at its end" in row[0])
         self.assertLess(abs(float(sheared[5])), 1)
         theory = json.loads((self.folder / "data" / "theory.json").read_text(encoding="utf-8"))
         self.assertEqual([beam["gravity"] for beam in theory["beams"]], [5])
+        cases = (self.folder / "tables" / "cases.md").read_text(encoding="utf-8")
+        self.assertIn("Ends at 50 % of the load.", cases)
+        self.assertIn("Ends at -50 % of the load.", cases)
+
+    def test_rings_are_where_and_as_a_path_ended(self):
+        """Pulled where the load presses, and then held: 2 % is what moves."""
+        (figure,) = (f for f in histories(self.study) if f.name == "history_uniaxial")
+        force, *_ = figure.arguments[0]
+        (curve,) = (c for c in force.curves if len(c.x) > 1 and c.x[-1] == 1.5)
+        (ring,) = (c for c in force.curves if "static" in c.name and c.x[0] == 1.5)
+        self.assertLess(ring.y[0], 0)
+        self.assertAlmostEqual(ring.y[0] / curve.y[-1], 1, delta=0.02)
 
     def test_numbers_are_those_of_the_file(self):
         numbers = [n for n in page_text.numbers(self.section) if "data-measure" in n]

@@ -17,7 +17,9 @@ def beams_against_theory(study):
     for length, of_length in cases.groupby("size.z"):
         panels = []
         gravity = np.linalg.norm(of_length[[f"gravity.{axis}" for axis in "xyz"]].to_numpy(float), axis=1)
-        for _, of_modulus in of_length.groupby(["young", gravity]):
+        of_length = of_length.assign(weight=gravity)[gravity > 0]
+        of_length = of_length.sort_values(["weight", "young"], ascending=[False, True], kind="stable")
+        for (young, weight), of_modulus in of_length.groupby(["young", "weight"], sort=False):
             lines = []
             for key, case in of_modulus.sort_values(["method", "cells.z"]).iterrows():
                 curve = _centre_line(study, key)
@@ -32,7 +34,10 @@ def beams_against_theory(study):
                 lines.append(beams.CentreLine(name, *curve, style))
             if lines:
                 theory = _theory_lines(study, of_modulus.index[0])
-                panels.append((f"{of_modulus.iloc[0].load}, nu = 0.25", theory, lines))
+                title = f"E = {young / 1e6:g} MPa, nu = 0.25"
+                if of_length.weight.nunique() > 1:
+                    title += f", {weight:g} m/s²"
+                panels.append((title, theory, lines))
         if panels:
             panels = sorted(panels, key=lambda panel: -len(panel[2]))[:2]
             caption = (

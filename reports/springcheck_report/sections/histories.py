@@ -63,8 +63,10 @@ def _figure(study, name, cases, of_test):
         y_label = f"{answer} / ({scale})" if scale else f"{answer} [{unit}]"
         force += _statics(study, group, is_scaled)
         panels.insert(0, curves.Panel(answer.capitalize(), "time [s]", y_label, force))
-    text = case_text(group.iloc[0]).removeprefix(f"{group.iloc[0].scene}, ")
-    caption = f"On the way through time: {test}, {text}. Hollow rings are equilibria at the last load."
+    first = group.iloc[0].copy()
+    first["load"] = first.whole_load
+    text = case_text(first).removeprefix(f"{first.scene}, ")
+    caption = f"On the way through time: {test}, {text}. Hollow rings are equilibria at a path's last load."
     if is_scaled:
         caption += " Bodies of different size, over Young's modulus and section (A) or volume (V)."
     if of_test > len(group):
@@ -119,11 +121,14 @@ def _statics(study, group, is_scaled):
     """Equilibria of the same methods on the same problems, at the end of time."""
     same = study.cases[study.cases.problem.isin(group.problem) & study.cases.method.isin(group.method)]
     same = same[(same.solver == "static") & (same.status == "ok") & ~same.is_repeated]
-    end = np.array([group.duration.max()])
     found = []
     for _, case in same.iterrows():
+        moved = group[group.problem == case.problem]
+        end = np.array([moved.duration.max()])
         ring = {"linestyle": "none", "marker": "o", "markersize": 5, "markerfacecolor": "none"}
         ring["color"] = colour(case["name"])
         answer = np.array([case.answer / (_units(case)[0] if is_scaled else 1)])
+        if ANSWERS[case.test][0] == "plate_force":  # it is positive whichever way a path has gone
+            answer *= np.sign(case.deformation * moved.whole_deformation.iloc[0])
         found.append(curves.Curve(f"{case['name']}, static", end, answer, style=ring))
     return found

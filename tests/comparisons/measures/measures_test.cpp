@@ -175,6 +175,18 @@ BOOST_AUTO_TEST_CASE(measures_without_a_load_at_the_end) {
   BOOST_TEST(*m.mean_deviation == 0.);
   BOOST_TEST(!m.deviation_l2_relative.has_value());
 
+  // Of a path there is the length that it went, and the direction that it came from.
+  CaseSettings path = settings;
+  path.solver = Solver::verlet;
+  path.dynamics.load = {{.time = 1, .fraction = -0.5}, {.time = 2, .fraction = 0}};
+  m = measure(path, mesh, solution);
+  BOOST_TEST(*m.plate_force == 2.);
+  const auto inside = static_cast<std::size_t>(2 + 5 * (2 + 5 * 4));
+  Solution off = solution;
+  off.displacements[inside].y() += 0.001;
+  measure_deviation(m, path, mesh, off, solution);
+  BOOST_TEST(std::abs(*m.deviation_max_relative - 0.001 / 0.04) < 1e-12);
+
   const CaseSettings bent = small_block("bending");
   const Mesh beam = build_mesh(bent.body);
   Solution after = moved(beam, [](const Vector3&) { return Vector3(-0.1, 0, 0); });
@@ -182,6 +194,8 @@ BOOST_AUTO_TEST_CASE(measures_without_a_load_at_the_end) {
   m = measure(bent, beam, after);
   BOOST_TEST(std::abs(*m.tip_deflection - 0.1) < 1e-15);
   BOOST_TEST(!m.tip_elastica.has_value());
+  measure_deviation(m, bent, beam, after, after);
+  BOOST_TEST(!m.deviation_l2_relative.has_value());
 }
 
 BOOST_AUTO_TEST_CASE(plate_force_is_positive_along_the_imposed_motion) {

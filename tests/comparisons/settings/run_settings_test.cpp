@@ -387,11 +387,24 @@ BOOST_AUTO_TEST_CASE(bodies_at_rest_are_held_at_the_load_that_a_path_ends_with) 
 
   std::vector<std::string> back = half_sheared;
   back.insert(back.end(), {"load-times=1,2", "load-fractions=1,0"});
-  BOOST_TEST(!requests(run_of("shearing", back))[0].reference.has_value());
+  const Request unloaded = requests(run_of("shearing", back))[0];
+  BOOST_TEST(!unloaded.reference.has_value());
+  BOOST_TEST(unloaded.no_reference ==
+             "the load ends at 0: no deviation from bodies at rest");
   back.insert(back.end(), {"method=mss-cf", "reference=mss-affine"});
   const Request moved = requests(run_of("shearing", back))[0];
   BOOST_TEST(*moved.reference->deformation == 0.1);  // it moves, too
-  BOOST_TEST(reference_label(moved) == "mss-affine");
+  BOOST_TEST(reference_label(moved) == "mss-affine:verlet");
+  BOOST_TEST(moved.no_reference == "");
+
+  // By the deformation at the end the usual law is chosen; a limit has no load of its
+  // own.
+  std::vector<std::string> small = half_sheared;
+  small.push_back("deformation=.04");
+  BOOST_TEST(label(*requests(run_of("shearing", small))[0].reference) ==
+             "fem-hooke:q1-sri");
+  small.insert(small.end(), {"method=mss-cf", "solver=limit", "reference=mss-cf:verlet"});
+  BOOST_TEST(*requests(run_of("shearing", small))[0].settings.deformation == 0.04);
 
   const auto parts = [](const char* scene, const std::vector<std::string>& load) {
     std::vector<std::string> changes{"method=mss-cf", "solver=verlet", "load-times=2",

@@ -34,7 +34,6 @@ BOOST_AUTO_TEST_CASE(a_ramp_is_in_proportion_to_the_time) {
   }
 }
 
-// Chords of an arc lie off it by an eighth of the square of their length in angle.
 // Whoever divides by the load must see that there is none.
 BOOST_AUTO_TEST_CASE(an_oscillation_of_half_cycles_ends_without_a_load) {
   for (const double cycles : {0.5, 1., 2.5, 5.})
@@ -42,6 +41,7 @@ BOOST_AUTO_TEST_CASE(an_oscillation_of_half_cycles_ends_without_a_load) {
   BOOST_TEST(oscillation(3, 5.1).back().fraction != 0);
 }
 
+// Chords of an arc lie off it by an eighth of the square of their length in angle.
 BOOST_AUTO_TEST_CASE(an_oscillation_is_a_sine_but_for_its_chords) {
   constexpr double frequency = 3, two_pi = 2 * std::numbers::pi;
   const LoadPath path = oscillation(frequency, 2.25);
