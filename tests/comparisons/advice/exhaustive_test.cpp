@@ -118,9 +118,12 @@ double cost_of(const StoredChart::Point& place, const Wish& wish,
       .value();
 }
 
+/// Times mean something where nothing else runs.
+enum class Costs { told, judged };
+
 /// Each from an empty file: what another search measured is not to help.
 void check(const Scene& scene, double poisson_ratio,
-           const std::vector<double>& tolerances, int truth_across) {
+           const std::vector<double>& tolerances, int truth_across, Costs costs) {
   const ChartPlan plan = plan_of(scene, poisson_ratio, truth_across);
   std::optional<StoredChart::Point> tighter;  // chosen within the tolerance before
   for (const double tolerance : tolerances) {
@@ -147,9 +150,9 @@ void check(const Scene& scene, double poisson_ratio,
         "cheapest {:.3g} s, {} crossings",
         scene.name, poisson_ratio, tolerance, name_of(place.model), place.across, error,
         cost, least, advice.crossings.size()));
-    BOOST_TEST(cost <= most_times_the_cheapest * least);
+    if (costs == Costs::judged) BOOST_TEST(cost <= most_times_the_cheapest * least);
     // Timed in one run: small times of two runs differ by more.
-    if (tighter)
+    if (tighter && costs == Costs::judged)
       BOOST_TEST(cost <= most_times_the_cheapest * cost_of(*tighter, wish, measurements));
     tighter = place;
   }
@@ -157,8 +160,8 @@ void check(const Scene& scene, double poisson_ratio,
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(advice_costs_little_more_than_the_cheapest) {
-  check({"shearing", 0.05}, 0.3, {0.08}, 1);
+BOOST_AUTO_TEST_CASE(advice_is_right_by_a_finer_truth) {
+  check({"shearing", 0.05}, 0.3, {0.08}, 1, Costs::told);
 }
 
 BOOST_TEST_DECORATOR(*boost::unit_test::label("slow"))
@@ -166,7 +169,7 @@ BOOST_DATA_TEST_CASE(advice_costs_little_more_than_the_cheapest_everywhere,
                      boost::unit_test::data::make(scenes) *
                          boost::unit_test::data::make(ratios),
                      scene, poisson_ratio) {
-  check(scene, poisson_ratio, {0.01, 0.023, 0.05, 0.08, 0.2}, 2);
+  check(scene, poisson_ratio, {0.01, 0.023, 0.05, 0.08, 0.2}, 2, Costs::judged);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
