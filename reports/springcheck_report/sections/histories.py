@@ -112,6 +112,8 @@ def _label(case, group):
     label = f"{method_name(case.drop('solver'))}, {case.solver}"
     if group.scene.nunique() > 1:
         label = f"{case.scene}: {label}"
+    if group.load.nunique() > 1:
+        label += f", {case.load}"
     if group.damping.nunique() > 1:
         label += f", damping {case.damping:g}"
     return f"{label}, single precision" if case.precision == "float" else label

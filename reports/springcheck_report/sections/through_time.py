@@ -21,10 +21,10 @@ def through_time(study):
     section.blocks.append(
         paragraph(
             "Elsewhere on this page springs are in equilibrium, unless their name says a solver. Here "
-            "plates move at constant velocity for a given time and the figure is read at its end, as "
-            "the thesis did. How near that is to rest depends on how often a pressure wave has run "
-            "through the body meanwhile (transits) and on the damping; the kinetic energy left, over "
-            "the strain energy, tells."
+            "plates move at constant velocity for a given time, or along a path of such pieces, and the "
+            "figure is read at its end, as the thesis did. How near that is to rest depends on how often "
+            "a pressure wave has run through the body meanwhile (transits) and on the damping; the "
+            "kinetic energy left, over the strain energy, tells."
         )
     )
     section.blocks += blocks
