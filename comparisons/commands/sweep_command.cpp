@@ -99,6 +99,9 @@ ExitStatus sweep_command(const std::string& name_or_path,
   const auto told = [&](const std::vector<PlannedCase>& missing) {
     fmt::print("{}: {} cases, {} of them to compute\n", sweep.name, wanted.size(),
                missing.size());
+    if (takes_usual_reference(sweep))
+      fmt::print("deviations are from {}:{}, where a case names no other reference\n",
+                 sweep.usual_reference.method.name, sweep.usual_reference.element.name);
   };
   if (options.dry_run) {  // beside a writer, too
     const bool exists = std::filesystem::exists(file);

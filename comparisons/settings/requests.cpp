@@ -40,12 +40,24 @@ Body grid_beside(const ReferenceMethod& reference, const Body& body) {
 
 }  // namespace
 
-std::vector<Request> requests(const RunSettings& run) {
+bool deforms_little(const RunSettings& run) {
+  const std::optional<double>& deformation = run.common.deformation;
   const double last = last_load(run.common.dynamics);
-  const bool is_small = run.common.deformation &&
-                        std::abs(last * *run.common.deformation) <= small_deformation;
-  const ReferenceMethod reference = run.reference.value_or(
-      ReferenceMethod{usual_law(is_small), *find_element("q1-sri")});
+  return deformation && std::abs(last * *deformation) <= small_deformation;
+}
+
+ReferenceMethod usual_reference(Deformations deformations) {
+  return {usual_law(deformations == Deformations::small), *find_element("q1-sri")};
+}
+
+std::vector<Request> requests(const RunSettings& run) {
+  return requests(run, usual_reference(deforms_little(run) ? Deformations::small
+                                                           : Deformations::any));
+}
+
+std::vector<Request> requests(const RunSettings& run, const ReferenceMethod& usual) {
+  const double last = last_load(run.common.dynamics);
+  const ReferenceMethod reference = run.reference.value_or(usual);
   std::vector<Request> all;
   for (const Method& method : run.methods) {
     Request request{.settings = run.common,

@@ -37,11 +37,18 @@ struct GivenSetting {
 RunSettings make_run_settings(const std::string& name, const std::string& file,
                               const std::vector<GivenSetting>& given);
 
-/// A request for each method, with the reference its deviations are measured against:
-/// on the same mesh, fem-hooke:q1-sri up to a deformation of .02 and fem-stvk:q1-sri
-/// above (and in tests without a deformation) unless the run names one. The reference
-/// itself has none.
+/// Whether what the run ends with is a deformation of .02 or less.
+bool deforms_little(const RunSettings& run);
+
+/// Of runs that name none, on their own mesh: fem-hooke:q1-sri where all deform little,
+/// else fem-stvk:q1-sri, as in tests without a deformation.
+enum class Deformations { small, any };
+ReferenceMethod usual_reference(Deformations deformations);
+
+/// A request for each method, with the reference its deviations are measured against, the
+/// usual one unless the run names another. The reference itself has none.
 /// Throws InputError where the named reference's cells are no refinement of the run's.
-std::vector<Request> requests(const RunSettings& run);
+std::vector<Request> requests(const RunSettings& run, const ReferenceMethod& usual);
+std::vector<Request> requests(const RunSettings& run);  // usual for its own deformation
 
 }  // namespace springcheck

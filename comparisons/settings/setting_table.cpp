@@ -40,7 +40,8 @@ constexpr Setting table[] = {
      "at the load with which a path ends",
      {.standing = Standing::plan, .default_text =
       "on the same mesh: fem-hooke:q1-sri up to a deformation of .02, "
-      "fem-stvk:q1-sri above and in tests without a deformation"}},
+      "fem-stvk:q1-sri above, in tests without a deformation and where another case of "
+      "a sweep deforms by more"}},
     {"expect", what_runs, chosen, all, in_run<statuses_of, &RunSettings::expect>, "ok",
      "statuses that end a run of one method with exit status 0",
      {.standing = Standing::scene_file}},

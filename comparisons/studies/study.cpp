@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <exception>
 #include <new>
+#include <span>
 #include <stdexcept>
 
 #include "comparisons/running/memory.hpp"
@@ -72,6 +73,17 @@ class MemoryBudget {
 std::vector<Vector3> difference(std::vector<Vector3> a, const std::vector<Vector3>& b) {
   for (std::size_t n = 0; n < a.size(); ++n) a[n] -= b[n];
   return a;
+}
+
+/// Of a case that is measured; empty where none was wanted.
+std::string why_no_deviation(const Request& request,
+                             std::span<const CaseResult* const> reference) {
+  for (const CaseResult* run : reference)
+    if (!run->measures.volume_error)
+      return fmt::format("no deviation, the reference {} is {}{}{}",
+                         reference_label(request), name_of(run->status),
+                         run->reason.empty() ? "" : ": ", run->reason);
+  return request.no_reference;
 }
 
 class Study {
@@ -245,8 +257,9 @@ class Study {
                     largest_load(request.settings, result.solution.load_fraction)),
             *own.mesh, reference->solution, reference->node_bars);
     }
-    if (!request.no_reference.empty() && result.measures.volume_error)
-      result.reason += (result.reason.empty() ? "" : "; ") + request.no_reference;
+    if (result.measures.volume_error && !result.measures.mean_deviation)
+      if (const std::string why = why_no_deviation(request, runs); !why.empty())
+        result.reason += (result.reason.empty() ? "" : "; ") + why;
     result.request = request;
     result.key = key_of_identity(case_identity(request, *own.mesh), result.revision);
     hand_over(i, std::move(result));

@@ -183,7 +183,47 @@ std::map<std::string, SceneFile> scenes_of(const Sweep& sweep) {
   return scenes;
 }
 
+RunSettings run_of(const Sweep& sweep, const std::vector<GivenSetting>& settings) {
+  const auto named = std::ranges::find(settings, "scene", &GivenSetting::key);
+  const SceneFile& scene = sweep.scenes.at(named->value.text());
+  std::vector<GivenSetting> all = scene.settings;
+  for (const GivenSetting& setting : settings)
+    if (setting.key != "scene") all.push_back(setting);
+  return make_run_settings(scene.name, scene.file, all);
+}
+
+/// The combinations of what says how far bodies deform, all else at its first value.
+std::vector<Choices> of_deformations(std::vector<Choices> product) {
+  for (Choices& choices : product) {
+    const bool deforms = choices.key == "scene" || choices.key == "deformation" ||
+                         choices.key == "load-fractions";
+    if (!deforms) choices.values.erase(choices.values.begin() + 1, choices.values.end());
+  }
+  return product;
+}
+
+Deformations deformations_of(const Sweep& sweep) {
+  for (const std::vector<Choices>& all : sweep.products) {
+    const std::vector<Choices> product = of_deformations(all);
+    for (std::size_t i = 0; i < size_of(product); ++i) {
+      try {
+        if (!deforms_little(run_of(sweep, combination(product, i))))
+          return Deformations::any;
+      } catch (const InputError&) {
+        // No test allows it; told when its turn comes.
+      }
+    }
+  }
+  return Deformations::small;
+}
+
 }  // namespace
+
+bool takes_usual_reference(const Sweep& sweep) {
+  return std::ranges::any_of(sweep.products, [](const std::vector<Choices>& product) {
+    return std::ranges::count(product, "reference", &Choices::key) == 0;
+  });
+}
 
 Sweep read_sweep(const std::string& name_or_path, std::size_t most) {
   const TomlFile file = toml_file(name_or_path, "sweep", shipped_sweeps());
@@ -194,6 +234,7 @@ Sweep read_sweep(const std::string& name_or_path, std::size_t most) {
   sweep.products = products(table, file.file);
   check_count(sweep, most);
   sweep.scenes = scenes_of(sweep);
+  sweep.usual_reference = usual_reference(deformations_of(sweep));
   return sweep;
 }
 
@@ -207,13 +248,7 @@ std::vector<Request> requests_of(const Sweep& sweep, std::size_t combination_ind
   std::size_t index = combination_index;
   auto product = sweep.products.begin();
   while (index >= size_of(*product)) index -= size_of(*product++);
-  const std::vector<GivenSetting> settings = combination(*product, index);
-  const auto named = std::ranges::find(settings, "scene", &GivenSetting::key);
-  const SceneFile& scene = sweep.scenes.at(named->value.text());
-  std::vector<GivenSetting> all = scene.settings;
-  for (const GivenSetting& setting : settings)
-    if (setting.key != "scene") all.push_back(setting);
-  return requests(make_run_settings(scene.name, scene.file, all));
+  return requests(run_of(sweep, combination(*product, index)), sweep.usual_reference);
 }
 
 std::vector<Request> all_requests(const Sweep& sweep) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comparisons/cases/request.hpp"
+#include "comparisons/settings/reference_method.hpp"
 #include "comparisons/settings/scene_file.hpp"
 
 namespace springcheck {
@@ -29,14 +30,19 @@ struct Choices {
 ///
 /// The cases are all combinations of the values, for each of the [[cases]] in turn, whose
 /// keys replace those above; the last key varies fastest. A scene's own methods are taken
-/// where no `method` is given.
+/// where no `method` is given. One law is the usual reference of all, or there would be a
+/// step where the deformation passes a limit.
 struct Sweep {
   std::string name;
   std::string file;  // as messages name it
   bool with_fields;
   std::vector<std::vector<Choices>> products{};  // of each of the [[cases]]
   std::map<std::string, SceneFile> scenes{};     // by their names in the file
+  ReferenceMethod usual_reference{};             // of cases that name none
 };
+
+/// Whether any of them names none.
+bool takes_usual_reference(const Sweep& sweep);
 
 /// The shipped sweep of that name or the file at that path. Throws InputError with file,
 /// line and column, also where there would be more than `most` combinations.

@@ -240,6 +240,9 @@ BOOST_AUTO_TEST_CASE(a_reference_that_fails_leaves_no_deviations) {
                 meshes);
   BOOST_TEST(result.measures.volume_error.has_value());
   BOOST_TEST(!result.measures.mean_deviation.has_value());
+  BOOST_TEST(result.reason.starts_with("no deviation, the reference "
+                                       "fem-cauchy-born:q1-sri@converged is refused: "),
+             result.reason);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

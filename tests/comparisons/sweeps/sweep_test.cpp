@@ -421,4 +421,25 @@ BOOST_AUTO_TEST_CASE(the_estimate_counts_each_simulation_once) {
   BOOST_TEST(seconds("[20, 20, 20]") > 8 * seconds("[10, 10, 10]"));
 }
 
+// A step from one law to another where the deformation passes .02 would be no finding.
+BOOST_AUTO_TEST_CASE(one_law_is_the_reference_of_all) {
+  const auto references = [](const std::string& more) {
+    std::set<std::string> labels;
+    for (const Request& request : all_requests(
+             sweep_of("scene = ['compression', 'torsion']\nmethod = 'mss-cf'\n" + more)))
+      labels.insert(reference_label(request));
+    return labels;
+  };
+  using Labels = std::set<std::string>;
+  BOOST_TEST((references("deformation = [0.01, 0.02]") == Labels{"fem-hooke:q1-sri"}));
+  BOOST_TEST((references("deformation = [0.01, 0.021]") == Labels{"fem-stvk:q1-sri"}));
+  BOOST_TEST((references("deformation = 0.01\nnu = [0, 0.3]\n[[cases]]\n[[cases]]\n"
+                         "deformation = 0.1") == Labels{"fem-stvk:q1-sri"}));
+  BOOST_TEST(
+      (references("deformation = 0.1\nsolver = 'verlet'\nload-times = 1\n"
+                  "load-fractions = [[0.1], [0.15]]") == Labels{"fem-hooke:q1-sri"}));
+  BOOST_TEST((references("deformation = [0.01, 0.1]\nreference = 'fem-hencky'") ==
+              Labels{"fem-hencky:q1-sri"}));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
