@@ -40,9 +40,10 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
 /// Whether what the run ends with is a deformation of .02 or less.
 bool deforms_little(const RunSettings& run);
 
+enum class Deformations { small, any };
+
 /// Of runs that name none, on their own mesh: fem-hooke:q1-sri where all deform little,
 /// else fem-stvk:q1-sri, as in tests without a deformation.
-enum class Deformations { small, any };
 ReferenceMethod usual_reference(Deformations deformations);
 
 /// A request for each method, with the reference its deviations are measured against, the

@@ -220,8 +220,9 @@ Deformations deformations_of(const Sweep& sweep) {
 }  // namespace
 
 bool takes_usual_reference(const Sweep& sweep) {
-  return std::ranges::any_of(sweep.products, [](const std::vector<Choices>& product) {
-    return std::ranges::count(product, "reference", &Choices::key) == 0;
+  return std::ranges::any_of(sweep.products, [&](const std::vector<Choices>& product) {
+    const RunSettings run = run_of(sweep, combination(product, 0));
+    return !run.reference && std::ranges::any_of(run.methods, &Method::is_elastic);
   });
 }
 

@@ -41,7 +41,8 @@ struct Sweep {
   ReferenceMethod usual_reference{};             // of cases that name none
 };
 
-/// Whether any of them names none.
+/// Whether any of them, by what the first of each of the [[cases]] is, takes that one:
+/// tissue takes none.
 bool takes_usual_reference(const Sweep& sweep);
 
 /// The shipped sweep of that name or the file at that path. Throws InputError with file,

@@ -440,6 +440,12 @@ BOOST_AUTO_TEST_CASE(one_law_is_the_reference_of_all) {
                   "load-fractions = [[0.1], [0.15]]") == Labels{"fem-hooke:q1-sri"}));
   BOOST_TEST((references("deformation = [0.01, 0.1]\nreference = 'fem-hencky'") ==
               Labels{"fem-hencky:q1-sri"}));
+  const auto takes_usual = [](const std::string& text) {
+    return takes_usual_reference(sweep_of(text));
+  };
+  BOOST_TEST(takes_usual("scene = 'compression'\nnu = [0.1, 0.2]"));
+  BOOST_TEST(!takes_usual("scene = 'compression'\nreference = 'fem-hencky'"));
+  BOOST_TEST(!takes_usual("scene = 'tissue-shearing'\ndeformation = [0.1, 0.2]"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
