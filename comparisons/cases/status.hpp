@@ -15,6 +15,7 @@ enum class Status {
   diverged,
   not_converged,
   refused,
+  error,
   extrapolated
 };
 
@@ -37,6 +38,10 @@ inline constexpr std::array value_names<Status>{
           "the solver gave up before the full load"},
     Named{Status::refused, "refused",
           "the method does not cover this mesh, material or time step"},
+    Named{
+        Status::error, "error",
+        "the program failed, not the body, as where memory ends: nothing is stored, and "
+        "the case is computed again when it is next asked for"},
     Named{
         Status::extrapolated, "extrapolated",
         "never alone, a flag beside one of the others: strains or rates leave the range "

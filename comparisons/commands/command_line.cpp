@@ -27,6 +27,7 @@
 #include "comparisons/commands/sweep_command.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/settings/suggestion.hpp"
+#include "comparisons/studies/study.hpp"
 #include "comparisons/system/blas.hpp"
 #include "comparisons/system/memory.hpp"
 #include "meshing/input_error.hpp"
@@ -543,6 +544,9 @@ int command_line(int argc, char** argv) {
         line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
     fmt::print(stderr, "{}\n", line);
     return ExitStatus::bad_input;
+  } catch (const NoAnswer& error) {
+    fmt::print(stderr, "springcheck: {}\n", error.what());
+    return ExitStatus::unexpected_status;
   } catch (const std::exception& error) {
     fmt::print(stderr, "springcheck: {}\n", error.what());
     return ExitStatus::fell_short;

@@ -149,7 +149,8 @@ Json exit_statuses() {
            "bad input: nothing was computed; or a gate that has no case"},
           {std::to_string(ExitStatus::unexpected_status),
            "a run of one method ended in a status that the scene's expect does not "
-           "list; one of several did, or all, where --fail-on says so"}};
+           "list; one of several did, or all, where --fail-on says so; or the program "
+           "failed on a case, whose status is error"}};
 }
 
 struct List {

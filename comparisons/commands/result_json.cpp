@@ -133,7 +133,8 @@ void for_each_told(const CaseResult& result, const Mesh& mesh, const Visit& visi
   visit("reference",
         where(reference.has_value(), reference ? reference_label(result.request) : ""));
   const bool is_ours = settings.method.solve != nullptr;
-  const bool ran = is_ours && result.status != Status::refused;
+  const bool ran =
+      is_ours && result.status != Status::refused && result.status != Status::error;
   visit("load_fraction", where(ran, solution.load_fraction));
   visit("steps", where(ran, solution.steps));
   visit("linear_iterations", solution.linear_iterations);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <ranges>
 #include <system_error>
 
 #include "comparisons/results/provenance.hpp"
@@ -111,7 +112,10 @@ void ResultFile::change_from(
 
 void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
                      MeshStore& meshes) {
-  if (results.empty()) return;
+  auto answers = results | std::views::filter([](const CaseResult& result) {
+                   return result.status != Status::error;
+                 });
+  if (answers.empty()) return;
   std::map<std::string, std::size_t> new_rows;
   std::map<std::string, std::size_t> sessions = sessions_;
   change([&](hid_t root) {
@@ -120,7 +124,7 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
                fields = hdf5::open_group(root, "fields"),
                mesh_group = hdf5::open_group(root, "meshes");
     std::vector<Row> added;
-    for (const CaseResult& result : results) {
+    for (const CaseResult& result : answers) {
       const Mesh& mesh = meshes.mesh(result.request.settings.body);
       if (!hdf5::has_link(mesh_group, mesh.sha256())) write_stored_mesh(mesh_group, mesh);
       const auto [session, is_new] =
@@ -141,7 +145,7 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
   });
   sessions_ = std::move(sessions);
   stored_.rows.merge(new_rows);
-  for (const CaseResult& result : results) {
+  for (const CaseResult& result : answers) {
     stored_.statuses[result.key] = result.status;
     if (with_fields && !result.solution.displacements.empty())
       stored_.with_fields.insert(result.key);

@@ -53,7 +53,8 @@ class ResultFile {
   [[nodiscard]] const StoredKeys& stored() const { return stored_; }
 
   /// Adds the results; those of keys in the file replace what it has. Fields are stored
-  /// where results have them and `with_fields` says so.
+  /// where results have them and `with_fields` says so. Nothing of status error is
+  /// stored.
   void put(std::span<const CaseResult> results, bool with_fields, MeshStore& meshes);
 
   /// Keeps a map of cases, see write_map.

@@ -159,6 +159,8 @@ std::vector<Status> statuses_of(const Given& given) {
     statuses.push_back(value_named<Status>(given, name));
     if (statuses.back() == Status::extrapolated)
       given.refuse("how a case ends (extrapolated is a flag beside that)");
+    if (statuses.back() == Status::error)
+      given.refuse("what a body may do: the program's own faults are not forgiven");
   }
   return statuses;
 }

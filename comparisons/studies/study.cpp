@@ -9,8 +9,8 @@
 #include <condition_variable>
 #include <exception>
 #include <new>
+#include <set>
 #include <span>
-#include <stdexcept>
 
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/simulate.hpp"
@@ -134,7 +134,10 @@ class Study {
       });
     }
     if (not_taken_) std::rethrow_exception(refusal_);
-    if (!failures_.empty()) rethrow_first();
+    if (failures_.empty()) return;
+    for (const auto& [place, failure] : failures_) deliver_without_answer(place, failure);
+    if (not_taken_) std::rethrow_exception(refusal_);
+    rethrow_first();
   }
 
  private:
@@ -162,23 +165,44 @@ class Study {
     if (parts.missing == 0) ready_.push_back(i);
   }
 
-  /// Throws the failure of the simulation that was planned first.
-  [[noreturn]] void rethrow_first() const {
-    const auto& [place, failure] = *failures_.begin();
+  /// What a simulation threw, in words. Throws it where it is an InputError.
+  [[nodiscard]] std::string words_of(std::size_t place,
+                                     const std::exception_ptr& failure) const {
+    const CaseSettings& settings = simulations_[place].settings;
+    std::string why;
     try {
       std::rethrow_exception(failure);
     } catch (const InputError&) {
       throw;
+    } catch (const std::bad_alloc&) {
+      why = fmt::format("the memory is not enough (about {:.2g} GB by estimate)",
+                        estimated_memory(settings) / 1e9);
     } catch (const std::exception& error) {
-      const bool no_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-      const CaseSettings& settings = simulations_[place].settings;
-      throw std::runtime_error(fmt::format(
-          "{}: no answer, {}; {} of {} simulations ended so", label(settings),
-          no_memory
-              ? fmt::format("the memory is not enough (about {:.2g} GB by estimate)",
-                            estimated_memory(settings) / 1e9)
-              : error.what(),
-          failures_.size(), to_run_.size()));
+      why = error.what();
+    }
+    return fmt::format("{}: no answer, {}", label(settings), why);
+  }
+
+  /// Throws the failure of the simulation that was planned first.
+  [[noreturn]] void rethrow_first() const {
+    const auto& [place, failure] = *failures_.begin();
+    throw NoAnswer(fmt::format("{}; {} of {} simulations ended so",
+                               words_of(place, failure), failures_.size(),
+                               to_run_.size()));
+  }
+
+  /// To the requests that wait for a simulation, each once.
+  void deliver_without_answer(std::size_t place, const std::exception_ptr& failure) {
+    const std::string reason = words_of(place, failure);
+    for (const std::size_t i : simulations_[place].requests) {
+      if (!without_answer_.insert(i).second) continue;
+      const Mesh& mesh = meshes_.mesh(requests_[i].settings.body);
+      hand_over(i, {.request = requests_[i],
+                    .key = case_key(requests_[i], mesh),
+                    .status = Status::error,
+                    .reason = reason,
+                    .wall_s = 0,
+                    .solve_wall_s = 0});
     }
   }
 
@@ -291,6 +315,7 @@ class Study {
   std::vector<std::size_t> to_run_, ready_;
   std::mutex planning_, finishing_;
   std::map<std::size_t, std::exception_ptr> failures_;  // by the simulation's place
+  std::set<std::size_t> without_answer_;                // requests, for one of these
   std::atomic<bool> not_taken_ = false;                 // a result, by deliver
   std::exception_ptr refusal_;                          // what it threw
 };

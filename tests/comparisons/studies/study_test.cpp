@@ -254,24 +254,47 @@ BOOST_AUTO_TEST_CASE(a_case_without_an_answer_leaves_the_others_theirs) {
     all[1].settings.method.solve = [](const auto&...) -> Solution {
       throw std::bad_alloc();
     };
-    std::set<std::string> taken;
+    std::map<std::string, CaseResult> taken;
     std::size_t done = 0;
     BOOST_CHECK_EXCEPTION(
         run_study(
             all, meshes, parallel, [&](std::size_t now, std::size_t) { done = now; }, {},
             [&](std::size_t, CaseResult&& result) {
-              taken.insert(result.request.settings.method.name);
+              const std::string name = result.request.settings.method.name;
+              BOOST_TEST(taken.emplace(name, std::move(result)).second);
             }),
-        std::runtime_error, [](const std::runtime_error& error) {
+        NoAnswer, [](const NoAnswer& error) {
           const std::string message = error.what();
           BOOST_TEST(message.starts_with("fem-hooke:q1-sri: no answer, the memory is not "
                                          "enough (about "),
                      message);
           return message.ends_with("; 1 of 3 simulations ended so");
         });
-    BOOST_TEST((taken == std::set<std::string>{"mss-cf", "mss-fd"}));
+    BOOST_TEST(taken.size() == 3U);
+    for (const auto& [name, result] : taken)
+      BOOST_TEST((result.status == Status::error) == (name == "fem-hooke"));
+    BOOST_TEST(taken.at("fem-hooke").reason.starts_with("fem-hooke:q1-sri: no answer, "));
+    BOOST_TEST(!taken.at("fem-hooke").key.empty());
     BOOST_TEST(done == 3U);
   }
+}
+
+// A case whose reference has none has none either, once.
+BOOST_AUTO_TEST_CASE(a_case_without_its_reference_s_answer_has_none) {
+  MeshStore meshes;
+  std::vector<Request> all =
+      requests(run_of("compression", {"cells=2,2,2", "method=mss-cf"}));
+  all[0].reference->method.solve = [](const auto&...) -> Solution {
+    throw std::logic_error("a fault");
+  };
+  all[0].settings.method.solve = all[0].reference->method.solve;
+  std::vector<Status> taken;
+  BOOST_CHECK_THROW(
+      run_study(
+          all, meshes, 1, [](std::size_t, std::size_t) {}, {},
+          [&](std::size_t, CaseResult&& result) { taken.push_back(result.status); }),
+      NoAnswer);
+  BOOST_TEST((taken == std::vector{Status::error}));
 }
 
 BOOST_AUTO_TEST_CASE(a_breakdown_is_an_answer) {
