@@ -173,6 +173,7 @@ void write_xdmf_for(const std::filesystem::path& file, const std::filesystem::pa
 }
 
 void write_xdmf_beside(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return;  // nothing was to be stored
   reading(file, [&](hid_t root) {
     write_xdmf(xdmf_beside(file), file.filename().string(), root, all_revisions(root));
     return 0;

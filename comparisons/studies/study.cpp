@@ -180,15 +180,15 @@ class Study {
     } catch (const std::exception& error) {
       why = error.what();
     }
-    return fmt::format("{}: no answer, {}", label(settings), why);
+    return "no answer, " + why;
   }
 
   /// Throws the failure of the simulation that was planned first.
   [[noreturn]] void rethrow_first() const {
     const auto& [place, failure] = *failures_.begin();
-    throw NoAnswer(fmt::format("{}; {} of {} simulations ended so",
-                               words_of(place, failure), failures_.size(),
-                               to_run_.size()));
+    throw NoAnswer(fmt::format(
+        "{}: {}; {} of {} simulations ended so", label(simulations_[place].settings),
+        words_of(place, failure), failures_.size(), to_run_.size()));
   }
 
   /// To the requests that wait for a simulation, each once.

@@ -332,6 +332,13 @@ BOOST_AUTO_TEST_CASE(a_case_without_an_answer_does_not_end_a_sweep) {
   BOOST_REQUIRE(outcome.failure);
   BOOST_CHECK_THROW(std::rethrow_exception(outcome.failure), NoAnswer);
   BOOST_TEST(file.stored().statuses.size() == 1U);
+
+  ResultFile none(own.path / "none.h5");
+  requests.pop_back();
+  run_into(
+      none, requests, true, meshes, 1, {}, [](std::size_t, std::size_t) {}, outcome);
+  BOOST_CHECK_NO_THROW(write_xdmf_beside(own.path / "none.h5"));
+  BOOST_TEST(!fs::exists(own.path / "none.h5"));
 }
 
 BOOST_AUTO_TEST_CASE(what_was_refused_is_told_with_its_reason) {
