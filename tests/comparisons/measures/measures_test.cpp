@@ -158,6 +158,13 @@ BOOST_AUTO_TEST_CASE(forces_and_torques_at_a_quarter_of_the_load,
     if (mesh.nodes()[n].x() == 0.4 && mesh.nodes()[n].y() == 0.2)
       solution.reactions[n] = Vector3(0, 0, 3);
   BOOST_TEST(measure(sheared, mesh, solution).torque->y() == -3 * (0.2 - 0.02));
+
+  const CaseSettings affine = case_of("affine", {"method=mss-cf"});
+  const Mesh body = build_mesh(affine.body);
+  Solution following = moved(
+      body, [&](const Vector3& x) { return Vector3(0.25 * (affine.gradient * x)); });
+  following.load_fraction = 0.25;
+  BOOST_TEST(*measure(affine, body, following).affine_deviation_relative < 1e-15);
 }
 
 // Nothing is imposed: there is no length to divide by, and no theory. What still resists
