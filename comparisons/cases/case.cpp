@@ -28,20 +28,20 @@ CaseSettings at_last_load(const CaseSettings& settings) {
   return there;
 }
 
-double largest_load(const CaseSettings& settings, double reached) {
+CaseSettings at_largest_load(const CaseSettings& settings, double reached) {
   double largest = std::abs(reached);
   if (has_history(settings))
     for (const dynamics::LoadPoint& point : settings.dynamics.load)
       largest = std::max(largest, std::abs(point.fraction));
-  return largest;
+  return at_load(settings, largest);
 }
 
-double load_direction(const CaseSettings& settings, double reached) {
+CaseSettings in_last_direction(const CaseSettings& settings, double reached) {
   double acted = reached;
   if (has_history(settings))
     for (const dynamics::LoadPoint& point : std::views::reverse(settings.dynamics.load))
       if (acted == 0) acted = point.fraction;
-  return acted < 0 ? -1 : 1;
+  return at_load(settings, acted < 0 ? -1 : 1);
 }
 
 bool has_load(const CaseSettings& settings) {

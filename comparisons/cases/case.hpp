@@ -121,13 +121,13 @@ double last_load(const Dynamics& dynamics);
 /// it; others go it themselves.
 CaseSettings at_last_load(const CaseSettings& settings);
 
-/// The largest load fraction, whatever its sign, of a case's path; of one without a path
-/// the fraction that it reached.
-double largest_load(const CaseSettings& settings, double reached);
+/// The case under the largest load of its path, whatever its sign; of a case without a
+/// path under the fraction that it reached.
+CaseSettings at_largest_load(const CaseSettings& settings, double reached);
 
-/// 1, or -1 where the load at that fraction acts against its usual direction; without a
-/// load as it acted last.
-double load_direction(const CaseSettings& settings, double reached);
+/// The case under the whole load, in the direction in which it acts at the fraction that
+/// was reached; where that is none as it acted last.
+CaseSettings in_last_direction(const CaseSettings& settings, double reached);
 
 /// Whether anything deforms the body.
 bool has_load(const CaseSettings& settings);

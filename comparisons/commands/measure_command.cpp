@@ -45,8 +45,7 @@ ExitStatus measure_command(const std::string& scene,
                            const std::optional<std::filesystem::path>& result_file,
                            Output output) {
   const RunSettings run = read_run(scene, options);
-  const std::vector<Request> all = requests(run);
-  check_memory(run.cells_place, all);
+  check_memory(run.cells_place, requests(run));
   if (result_file) check_results_writable(*result_file);
   MeshStore meshes;
   const Mesh& mesh = meshes.mesh(run.common.body);

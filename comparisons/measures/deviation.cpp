@@ -29,8 +29,7 @@ std::optional<double> imposed_length(const CaseSettings& settings, const Scene& 
 
 void measure_deviation(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
                        const Solution& solution, const Solution& reference) {
-  const CaseSettings on_the_way =
-      at_load(settings, largest_load(settings, solution.load_fraction));
+  const CaseSettings on_the_way = at_largest_load(settings, solution.load_fraction);
   const Scene scene = mechanical_scene(on_the_way, mesh);
   const double height = settings.body.block.size[2];
   const bool has_layers = settings.body.shape == BodyShape::block;

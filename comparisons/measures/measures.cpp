@@ -42,11 +42,6 @@ void measure_volumes(Measures& measures, const Mesh& mesh, const Solution& solut
   measures.corner_jacobian_ratio_min = smallest_jacobian;
 }
 
-/// The whole load, in the direction in which the solution's acts.
-CaseSettings wholly_loaded(const CaseSettings& settings, const Solution& solution) {
-  return at_load(settings, load_direction(settings, solution.load_fraction));
-}
-
 void measure_plate(Measures& measures, const CaseSettings& settings, const Scene& scene,
                    const Mesh& mesh, const Solution& solution,
                    std::span<const Vector3> positions) {
@@ -68,7 +63,8 @@ void measure_plate(Measures& measures, const CaseSettings& settings, const Scene
   measures.plate_force_norm = force.norm();
   measures.plate_torque = torque.z();
   if (entry_of(settings.test).turns) return;
-  const Scene whole = mechanical_scene(wholly_loaded(settings, solution), mesh);
+  const Scene whole =
+      mechanical_scene(in_last_direction(settings, solution.load_fraction), mesh);
   measures.plate_force = force.dot(whole.plates.back().motion.translation.normalized());
 }
 
@@ -97,8 +93,7 @@ void measure_affine(Measures& measures, const CaseSettings& settings, const Scen
     return (solution.displacements[n] - *scene.boundary_gradient * mesh.nodes()[n])
         .norm();
   });
-  const CaseSettings on_the_way =
-      at_load(settings, largest_load(settings, solution.load_fraction));
+  const CaseSettings on_the_way = at_largest_load(settings, solution.load_fraction);
   const double imposed =
       largest_imposed_displacement(mesh, mechanical_scene(on_the_way, mesh));
   if (deviation && imposed > 0)
@@ -154,7 +149,8 @@ Measures measure(const CaseSettings& settings, const Mesh& mesh,
   measure_affine(measures, settings, scene, mesh, solution);
   if (settings.test == Test::bending) {
     measures.tip_deflection =
-        tip_deflection(wholly_loaded(settings, solution), mesh, solution.displacements);
+        tip_deflection(in_last_direction(settings, solution.load_fraction), mesh,
+                       solution.displacements);
     measure_theory(measures, loaded, mesh, solution.displacements);
   }
   measures.definite_up_to_deformation = definite_up_to_deformation(settings, solution);

@@ -277,9 +277,8 @@ class Study {
       result.measures.reference_bar = reference->bar;
       if (reference->bar)
         result.measures.reference_bar_l2_relative = reference_bar_l2_relative(
-            at_load(request.settings,
-                    largest_load(request.settings, result.solution.load_fraction)),
-            *own.mesh, reference->solution, reference->node_bars);
+            at_largest_load(request.settings, result.solution.load_fraction), *own.mesh,
+            reference->solution, reference->node_bars);
     }
     if (result.measures.volume_error && !result.measures.mean_deviation)
       if (const std::string why = why_no_deviation(request, runs); !why.empty())
