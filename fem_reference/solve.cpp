@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "fem_reference/cells/discretisation.hpp"
 #include "fem_reference/statics/elasticity.hpp"
 #include "fem_reference/statics/equilibrium.hpp"
@@ -25,20 +28,26 @@ void check(const Scene& scene) {
     throw InputError("scene", "plates", "at least 1, or a boundary gradient", "0");
 }
 
-/// q2 has no pyramids or prisms. fem-cauchy-born of mss-baudet inherits the range in
-/// which its springs push back.
-std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Material& material,
+/// q2 has no pyramids or prisms. Hooke's law is solved in one step, which knows where
+/// plates end and not how far they turned. fem-cauchy-born of mss-baudet inherits the
+/// range in which its springs push back.
+std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Scene& scene,
                                             const Settings& settings) {
   const CellType first = type_of(mesh.cells().front());  // hexahedra are the last
   if (settings.element == Element::q2 && first != CellType::hexahedron)
     return fmt::format("q2 is for hexahedra; cells of type {} in the mesh: {}",
                        name_of(first), mesh.count(first));
+  for (const Plate& plate : scene.plates)
+    if (settings.law == Law::hooke && std::abs(plate.motion.angle) > std::numbers::pi)
+      return "Hooke's law of small strains sees where a plate ends, not the way there: "
+             "beyond half a turn that is a smaller one";
   const bool baudet =
       settings.law == Law::cauchy_born && settings.lattice.springs == Springs::baudet;
-  if (baudet && !(material.poisson_ratio > -0.25))
+  const double nu = scene.material.poisson_ratio;
+  if (baudet && !(nu > -0.25))
     return fmt::format(
         "the edge springs of the mss-baudet lattice are negative for nu <= -0.25; got {}",
-        material.poisson_ratio);
+        nu);
   return std::nullopt;
 }
 
@@ -63,7 +72,7 @@ std::vector<Vector3> by_node(const Eigen::VectorXd& nodal, std::size_t nodes) {
 
 Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
   check(scene);
-  if (const auto reason = reason_to_refuse(mesh, scene.material, settings))
+  if (const auto reason = reason_to_refuse(mesh, scene, settings))
     return refused(*reason);
   const Stopwatch stopwatch;
   const Discretisation body = discretise(mesh, settings.element);

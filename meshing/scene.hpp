@@ -80,7 +80,7 @@ struct Scene {
 enum class SolveStatus {
   ok,              // equilibrium, tangent positive definite
   indefinite,      // equilibrium, tangent not positive definite
-  no_equilibrium,  // a limit point before the full load
+  no_equilibrium,  // the path from rest ends before the full load
   inverted,        // a cell is turned inside out before the full load
   diverged,        // dynamics blew up
   not_converged,   // the solver gave up short of the full load

@@ -31,8 +31,8 @@ inline constexpr std::array value_names<Status>{
           "equilibrium with a cell turned inside out at a corner"},
     Named{Status::indefinite, "indefinite", "equilibrium that is not stable"},
     Named{Status::no_equilibrium, "no_equilibrium",
-          "the energy has no minimum before the full load; the fraction reached is "
-          "reported"},
+          "the path of equilibria from rest ends before the full load; the fraction "
+          "reached is reported"},
     Named{Status::diverged, "diverged", "the dynamics blew up"},
     Named{Status::not_converged, "not_converged",
           "the solver gave up before the full load"},

@@ -208,6 +208,11 @@ Given Given::in_si_units(Dimension dimension) const {
   return converted;
 }
 
+bool Given::had_units() const {
+  return !written_.empty() && std::holds_alternative<std::string>(written_.front()) &&
+         number_in(values_.front()).has_value();
+}
+
 double Given::in(Dimension dimension) const {
   return in_si_units(dimension).number(numbers_in_units(dimension));
 }

@@ -68,6 +68,9 @@ class Given {
   /// InputError for a unit of another dimension.
   [[nodiscard]] Given in_si_units(Dimension dimension) const;
 
+  /// Whether in_si_units() has converted its first value.
+  [[nodiscard]] bool had_units() const;
+
   /// One of them, finite.
   [[nodiscard]] double in(Dimension dimension) const;
 

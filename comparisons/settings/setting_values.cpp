@@ -117,8 +117,10 @@ double deformation_of(const Given& given, const CaseSettings& settings) {
     return deformation;
   }
   if (!(deformation > 0)) given.refuse("a positive number: the test gives its direction");
-  if (entry_of(test).turns && deformation > 2 * std::numbers::pi)
-    given.refuse("an angle of at most a turn: degrees are written '45deg'");
+  // A plain number above a turn is more often one of degrees.
+  if (entry_of(test).turns && deformation > 2 * std::numbers::pi && !given.had_units())
+    given.refuse(
+        "an angle of at most a turn, or one with a unit: degrees are written '45deg'");
   if (test == Test::compression && deformation >= 1)
     given.refuse("a strain below 1: the plates would meet");
   return deformation;

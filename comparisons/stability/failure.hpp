@@ -68,7 +68,7 @@ bool solver_fails(const CaseResult& result);
 bool blows_up(const CaseResult& result);
 /// Smallest corner Jacobian of a cell below 0; of solver limit, on the way.
 bool inverts(const CaseResult& result);
-/// The path turns back, or the energy falls without end.
+/// The path turns back, the energy falls without end, or what is left is another branch.
 bool ends_in_limit_point(const CaseResult& result);
 /// See is_wrinkled; of solver limit: the mode that becomes unstable is shorter than four
 /// cells.

@@ -29,7 +29,9 @@ constexpr int most_escapes = 5;               // from saddles, in a step of time
 constexpr double near_saddle = 1e-3;          // relative residual
 constexpr double first_escape = 0.01;         // along the softest mode, in cell edges
 constexpr double longest_move = 0.5;  // of a node where it is not stable, in cell edges
-constexpr double judged_parts = 20;   // of a way's time
+// Change of the displacement gradient after the prediction, past an unstable state:
+constexpr double jump = 0.5;
+constexpr double judged_parts = 20;  // of a way's time
 constexpr unsigned seed = 1;  // of where iterations start that end at the same place
 
 double mean_cell_edge(const Mesh& mesh) {
@@ -70,7 +72,12 @@ class QuasiStatic {
   /// Of the way that comes next, by which its states are judged.
   void set_judged_step(double dt) { judged_step_ = dt; }
 
-  [[nodiscard]] double residual() const { return residual_; }
+  /// How the last search that found nothing ended.
+  [[nodiscard]] bool jumped() const { return jumped_; }
+  [[nodiscard]] std::string failure() const {
+    return jumped_ ? "on another branch"
+                   : fmt::format("with a relative residual of {:.1e}", residual_);
+  }
 
   [[nodiscard]] Moment moment(double time) const {
     Moment moment{.time = time,
@@ -212,12 +219,30 @@ class QuasiStatic {
     return false;
   }
 
+  /// The largest change of the distance between two nodes of a cell, as a vector, over
+  /// that distance at rest: of a displacement gradient between two states.
+  [[nodiscard]] double largest_gradient(const Positions& from,
+                                        const Positions& to) const {
+    double largest = 0;
+    for (const CellNodes& cell : mesh_.cells()) {
+      const NodeIndex a = cell[0];
+      for (const NodeIndex b : cell)
+        if (b != a)
+          largest = std::max(largest, (to[b] - to[a] - (from[b] - from[a])).norm() /
+                                          (mesh_.nodes()[b] - mesh_.nodes()[a]).norm());
+    }
+    return largest;
+  }
+
   /// An equilibrium at the end of the step: a stable one where it is found from a saddle.
   std::optional<Equilibrium> find(double dt, double load_fraction) {
-    Positions there = predicted(dt, load_fraction);
+    const Positions start = predicted(dt, load_fraction);
+    Positions there = start;
     Field residual = on_free(forces(dt, there, load_fraction));
     std::optional<Equilibrium> saddle;
     int escapes = 0;
+    bool crossed = false;
+    jumped_ = false;
     for (int i = 0; i < most_iterations; ++i) {
       const double norm = residual.norm(), scale = body_.force_scale();
       residual_ = norm / scale;
@@ -226,8 +251,12 @@ class QuasiStatic {
       spdlog::debug("load {:.5f}, iteration {}: residual {:.2e}{}", load_fraction, i,
                     residual_, is_definite ? "" : ", indefinite");
       const bool is_found = norm <= relative_residual * scale;
-      if (is_found && is_definite)
+      crossed = crossed || !is_definite;
+      if (is_found && is_definite) {
+        jumped_ = crossed && largest_gradient(start, there) > jump;
+        if (jumped_) return std::nullopt;
         return Equilibrium{std::move(there), true, saddle.has_value()};
+      }
       if (is_found && !saddle) saddle = {there, false, true};
       // Near a saddle the tangent, made definite, hardly moves along the unstable mode.
       const bool is_buckling = saddle || !is_definite_;
@@ -252,7 +281,7 @@ class QuasiStatic {
   std::vector<Vector3> forces_;  // of the last equilibrium, without the load
   double residual_ = 0, load_fraction_ = 0, largest_shear_strain_ = 0;
   double judged_step_ = 0;  // [s]
-  bool is_definite_ = true;
+  bool is_definite_ = true, jumped_ = false;
   std::optional<double> definite_up_to_;
   int steps_ = 0, evaluations_ = 0;
 };
@@ -296,9 +325,9 @@ std::string follow(QuasiStatic& path, const Piece& piece, const Observers& obser
       length = (next - now) / 2;
       if (length > 0) continue;
       return fmt::format(
-          "not converged beyond {:.2f} % of the load, at {:.4g} s: the next {:.2g} s end "
-          "with a relative residual of {:.1e}",
-          100 * piece.fraction(now), piece.time(now), dt, path.residual());
+          "{} beyond {:.2f} % of the load, at {:.4g} s: the next {:.2g} s end {}",
+          path.jumped() ? "no equilibrium found" : "not converged",
+          100 * piece.fraction(now), piece.time(now), dt, path.failure());
     }
     if (observers.sample &&
         (next == piece.end() || samples_passed(next) > samples_passed(now)))
@@ -333,7 +362,8 @@ Solution find_quasi_static(const Mesh& mesh, const Scene& scene, RememberingBody
   Solution solution = path.solution();
   solution.setup_wall_s = setup_wall_s;
   if (!reason.empty()) {
-    solution.status = SolveStatus::not_converged;
+    solution.status =
+        path.jumped() ? SolveStatus::no_equilibrium : SolveStatus::not_converged;
     solution.reason = reason + (solution.reason.empty() ? "" : "; ") + solution.reason;
   }
   return solution;

@@ -69,8 +69,13 @@ struct QuasiStaticSettings {
 /// the equilibrium before, until the forces do not turn against it. Where an equilibrium
 /// is not stable, the softest mode leads away from it, and to a stable one if there is
 /// one near: a column buckles. Converged: the residual is below 1e-9 of the force scale.
+/// A search that passed unstable states may have jumped to another branch, such as a
+/// smaller turn of a plate: where it changes a displacement gradient by more than 1/2
+/// from the prediction it counts as none.
+///
 /// A step of time that finds no equilibrium is halved, down to 1/64; then the status is
-/// not_converged, and the solution that of the last state.
+/// no_equilibrium if a jump was found, else not_converged, and the solution that of the
+/// last state.
 ///
 /// Each equilibrium is judged by the tangent of a further step in which nothing moves, a
 /// twentieth of the time between the load's turning points, however long the steps are:

@@ -53,6 +53,8 @@ class Follower {
       evaluations_ += result.force_evaluations;
       spdlog::debug("load {:.5f}: {}, relative residual {:.2e}", to,
                     words(result.outcome), result.residual);
+      if (result.outcome == NewtonOutcome::converged && !leads_back(result, to))
+        result.outcome = NewtonOutcome::astray;
       if (result.outcome == NewtonOutcome::converged) {
         accept(std::move(result), to);
         if (!failed_before) step = std::min(2 * step, longest_step());
@@ -90,11 +92,29 @@ class Follower {
 
   /// The state that the tangent predicts, or the old one on moved supports.
   Eigen::VectorXd predicted(double to) {
-    const Eigen::VectorXd increment = program_.displacements(to) - path_.displacements;
+    return predicted(path_.displacements, path_.internal.forces, to);
+  }
+  Eigen::VectorXd predicted(const Eigen::VectorXd& from, const Eigen::VectorXd& forces,
+                            double to) {
+    const Eigen::VectorXd increment = program_.displacements(to) - from;
     const Eigen::VectorXd moved = increment - body_.free_part(increment);
-    return path_.displacements +
-           body_.step(to * program_.forces - path_.internal.forces, increment)
-               .value_or(moved);
+    return from + body_.step(to * program_.forces - forces, increment).value_or(moved);
+  }
+
+  /// Whether what was found with indefinite tangents, at which the body is linearised, is
+  /// on the path: to first order it leads back to the last state. Other branches, such as
+  /// a smaller turn of the supports, are not met with definite ones.
+  bool leads_back(const NewtonResult& result, double to) {
+    constexpr double clearly = 0.75;  // of the way; next to a limit point a half is usual
+    if (tangents_ == Tangents::definite) return true;
+    const Eigen::VectorXd back =
+        predicted(result.displacements, result.internal.forces, path_.load_fraction);
+    const auto distance = [&](const Eigen::VectorXd& state) {
+      return (state - path_.displacements).norm();
+    };
+    spdlog::debug("load {:.5f}: leads back to {:.2g} of the way", to,
+                  distance(back) / distance(result.displacements));
+    return distance(back) < clearly * distance(result.displacements);
   }
 
   /// Sets the length of the path: its chord, or longer where the supports turn.
@@ -172,9 +192,10 @@ class Follower {
     // An inverted cell, or a residual that rounding keeps from the tolerance, is no sign
     // that the path ends.
     constexpr double rounding = 1e-8;
-    const bool limit_point = tangents_ == Tangents::any &&
-                             result.outcome != NewtonOutcome::inverted &&
-                             result.residual > rounding && ends_in_limit_point(to);
+    const bool limit_point =
+        tangents_ == Tangents::any && result.outcome != NewtonOutcome::inverted &&
+        (result.residual > rounding || result.outcome == NewtonOutcome::astray) &&
+        ends_in_limit_point(to);
     if (limit_point)
       loss_.last_definite = std::min(loss_.last_definite, path_.load_fraction);
     std::string reason = fmt::format(
@@ -197,6 +218,8 @@ class Follower {
         return "met an indefinite tangent";
       case NewtonOutcome::inverted:
         return "turned a cell inside out";
+      case NewtonOutcome::astray:
+        return "found another branch";
       case NewtonOutcome::stalled:
         break;
     }

@@ -36,8 +36,9 @@ struct Equilibrium {
 /// Where steps below 1/1024 still meet an indefinite tangent, the path is followed with
 /// indefinite tangents allowed, so that a bifurcation is passed (`indefinite` if the
 /// tangent is still so at the full load) and a limit point is not: `no_equilibrium`, if
-/// the rates of displacement say so (limit_point.hpp). A step that fails otherwise ends
-/// in `not_converged`. Whenever definiteness was lost on the way, the reason says where,
+/// the rates of displacement say so (limit_point.hpp). States found so count where they
+/// lead back to the one before, to first order. A step that fails otherwise ends in
+/// `not_converged`. Whenever definiteness was lost on the way, the reason says where,
 /// also with `ok`.
 Equilibrium find_equilibrium(Elasticity& body, const LoadProgram& program);
 

@@ -4,7 +4,8 @@
 
 namespace springcheck::fem_reference {
 
-enum class NewtonOutcome { converged, indefinite, inverted, stalled };
+/// Only who follows a path knows whether what was found is astray, off it.
+enum class NewtonOutcome { converged, indefinite, inverted, stalled, astray };
 
 /// Tangents that Newton's method accepts at its iterates.
 enum class Tangents { definite, any };

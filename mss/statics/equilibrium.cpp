@@ -18,6 +18,21 @@ constexpr double smallest_load_step = 1. / 1024;
 // Three searches to their end. The state sought may be far away, or none.
 constexpr int most_lost_iterations = 450;
 
+/// Whether unloading from the minimum found, where the landscape is linearised, leads
+/// back to x, the path's last state. To first order, a step on the path leads back to
+/// within a tenth of its length (measured), a jump hardly a tenth of the way.
+bool leads_back(Landscape& landscape, const Positions& x, double reached,
+                const Minimum& minimum, std::mt19937_64& random) {
+  constexpr double clearly = 0.25, same = 1e-4;  // of the way between both states
+  const double way = landscape.gradient(x, minimum.positions);
+  Positions start = landscape.predicted(minimum.positions, reached);
+  if (landscape.gradient(x, start) < clearly * way) return true;
+  landscape.set_load(reached);
+  const Minimum back = minimise(landscape, std::move(start), random);
+  landscape.linearise(minimum.positions);
+  return back.found && landscape.gradient(x, back.positions) < same * way;
+}
+
 }  // namespace
 
 Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
@@ -47,6 +62,7 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
           : 1;
   double step = largest_step;
   int lost_iterations = 0;
+  bool left_path = false;  // by a longer step from the last state
   while (reached < 1) {
     // The last step may be a little longer, not a sliver.
     const double to = reached + 1.05 * step > 1 ? 1 : reached + step;
@@ -66,27 +82,34 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
           100 * to);
       break;
     }
-    if (minimum.found) {
+    const bool on_other_branch = minimum.found && minimum.crossed && definite &&
+                                 minimum.definite &&
+                                 !leads_back(landscape, x, reached, minimum, random);
+    if (minimum.found && !on_other_branch) {
       if (!minimum.definite && !definite_up_to) definite_up_to = reached;
       x = std::move(minimum.positions);
       definite = minimum.definite;
       reached = to;
+      left_path = false;
       ++steps;
       step = std::min(largest_step, 2 * step);
       continue;
     }
+    if (on_other_branch) spdlog::debug("load {:.5f}: on another branch", to);
+    left_path = left_path || on_other_branch;
     step = (to - reached) / 2;
-    if (!minimum.ran_away) lost_iterations += minimum.iterations;
+    if (!minimum.found && !minimum.ran_away) lost_iterations += minimum.iterations;
     if (step < smallest_load_step || lost_iterations >= most_lost_iterations) {
-      status =
-          minimum.ran_away ? SolveStatus::no_equilibrium : SolveStatus::not_converged;
-      if (minimum.ran_away && !definite_up_to) definite_up_to = reached;
+      const bool path_ends = minimum.ran_away || left_path;
+      status = path_ends ? SolveStatus::no_equilibrium : SolveStatus::not_converged;
+      if (path_ends && !definite_up_to) definite_up_to = reached;
       reason = fmt::format(
-          "{} beyond {:.2f} % of the load: the next step of {:.2g} % ends with {}",
-          minimum.ran_away ? "no equilibrium found" : "not converged", 100 * reached,
-          200 * step,
-          minimum.ran_away ? "a cell grown fourfold, the energy still falling"
-                           : fmt::format("relative residual {:.1e}", minimum.residual));
+          "{} beyond {:.2f} % of the load: steps down to {:.2g} % end {}",
+          path_ends ? "no equilibrium found" : "not converged", 100 * reached, 200 * step,
+          left_path ? "on another branch, from which unloading does not lead back"
+          : minimum.ran_away
+              ? "with a cell grown fourfold, the energy still falling"
+              : fmt::format("with relative residual {:.1e}", minimum.residual));
       break;
     }
     landscape.linearise(x);

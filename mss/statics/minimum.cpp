@@ -47,6 +47,7 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
                   .found = false,
                   .definite = false,
                   .undecided = false,
+                  .crossed = false,
                   .ran_away = false,
                   .residual = INFINITY,
                   .iterations = 0};
@@ -77,6 +78,7 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
     spdlog::debug("  newton {}: energy {:.9e}, residual {:.2e}{}", minimum.iterations,
                   energy, minimum.residual, minimum.definite ? "" : ", indefinite");
     if (minimum.found && (minimum.definite || minimum.undecided)) return minimum;
+    if (!minimum.definite) minimum.crossed = true;
 
     // Near a saddle the clamped tangent hardly moves along the unstable direction.
     if (!minimum.definite && minimum.residual < near_saddle) {

@@ -11,6 +11,7 @@ struct Minimum {
   bool found;
   bool definite;    // the true tangent there; its factor is in the landscape
   bool undecided;   // stationary; whether the tangent is definite could not be told
+  bool crossed;     // an iterate before the last had an indefinite tangent
   bool ran_away;    // the energy fell without a minimum nearby
   double residual;  // relative, see find_equilibrium
   int iterations;   // Newton's

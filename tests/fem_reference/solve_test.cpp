@@ -254,6 +254,19 @@ BOOST_AUTO_TEST_CASE(lattice_that_pushes_is_refused_with_its_range) {
   BOOST_TEST((status(-0.24) == SolveStatus::ok));
 }
 
+BOOST_AUTO_TEST_CASE(hooke_beyond_half_a_turn_is_refused) {
+  const auto turned = [](double degrees) {
+    Scene scene = between_plates(of_poisson_ratio(0.3), Vector3::Zero());
+    scene.plates[1].motion.axis = Vector3::UnitZ();
+    scene.plates[1].motion.angle = degrees * std::numbers::pi / 180;
+    return solve(cube(2), scene, {.law = Law::hooke, .element = Element::q1});
+  };
+  BOOST_TEST((turned(180).status == SolveStatus::ok));
+  const Solution beyond = turned(-181);
+  BOOST_TEST((beyond.status == SolveStatus::refused));
+  BOOST_TEST(beyond.reason.find("half a turn") != std::string::npos, beyond.reason);
+}
+
 BOOST_AUTO_TEST_CASE(triquadratic_elements_on_other_cells_are_refused_with_the_type) {
   const auto reason = [](CellPattern pattern) {
     const Solution solution =

@@ -220,7 +220,8 @@ const std::vector<Bad> bad_scenes{
     {of_test("uniaxial", "deformation = -1"),
      "scene.toml:7:15: deformation: expected a strain above -1 other than 0"},
     {of_test("torsion", "deformation = 45"),
-     "scene.toml:7:15: deformation: expected an angle of at most a turn"},
+     "scene.toml:7:15: deformation: expected an angle of at most a turn, or one with a "
+     "unit: degrees are written '45deg', got 45"},
     {of_test("uniaxial", "deformation = 101"),
      "scene.toml:7:15: deformation: expected a deformation of at most 100"},
     {of_test("uniaxial", "traction = [0, 0, 1]"),

@@ -34,13 +34,15 @@ Scene pressed() {
 
 /// Every free node has the energy
 ///
-///     W = k/2 (y^2 + z^2) + k/2 (1 - 2 s) x^2 + k b/4 x^4,   k = 1, h = 1
+///     W = k/2 (y^2 + z^2) + k/2 (1 - 2 s) x^2 + k b/4 x^4 + k c/6 x^6,   k = 1, h = 1
 ///
 /// of its displacement, s the load fraction as the upper plate tells it. At x = 0 it is
-/// stable up to s = 1/2; beyond, x^2 = (2 s - 1)/b is, if b > 0.
+/// stable up to s = 1/2; beyond, x^2 = (2 s - 1)/b is, if b > 0 and c = 0. With b < 0 the
+/// next stable state is at a distance, x^2 = -b/c at s = 1/2.
 class Pitchfork final : public RememberingBody {
  public:
-  Pitchfork(const Mesh& mesh, double hardening) : rest_(mesh.nodes()), b_(hardening) {
+  Pitchfork(const Mesh& mesh, double b, double c = 0)
+      : rest_(mesh.nodes()), b_(b), c_(c) {
     for (NodeIndex n = 0; n < rest_.size(); ++n) {
       if (rest_[n].z() == 2 * h) top_ = n;
       if (rest_[n].z() == h) free_.push_back(n);
@@ -56,7 +58,8 @@ class Pitchfork final : public RememberingBody {
     for (const NodeIndex n : free_) {
       const Vector3 u = positions[n] - rest_[n];
       forces[n] = -u;
-      forces[n].x() = -(1 - 2 * fraction(positions)) * u.x() - b_ * std::pow(u.x(), 3);
+      forces[n].x() = -(1 - 2 * fraction(positions)) * u.x() - b_ * std::pow(u.x(), 3) -
+                      c_ * std::pow(u.x(), 5);
     }
     return forces;
   }
@@ -66,7 +69,8 @@ class Pitchfork final : public RememberingBody {
     curvatures_.clear();
     for (const NodeIndex n : free_) {
       const double x = positions[n].x() - rest_[n].x();
-      const double along_x = 1 - 2 * fraction(positions) + 3 * b_ * x * x;
+      const double along_x =
+          1 - 2 * fraction(positions) + 3 * b_ * x * x + 5 * c_ * std::pow(x, 4);
       is_definite = is_definite && along_x > 0;
       curvatures_.insert(curvatures_.end(), {along_x, 1, 1});
     }
@@ -106,7 +110,7 @@ class Pitchfork final : public RememberingBody {
   }
 
   std::vector<Vector3> rest_;
-  double b_;
+  double b_, c_;
   NodeIndex top_ = 0;
   std::vector<NodeIndex> free_;
   std::vector<double> curvatures_;  // of the free components
@@ -156,6 +160,17 @@ BOOST_AUTO_TEST_CASE(an_equilibrium_without_a_stable_one_near_is_indefinite) {
   BOOST_TEST(solution.reason.starts_with("the tangent is not positive definite beyond"));
   BOOST_TEST(*solution.definite_up_to <= 0.5);
   BOOST_TEST(*solution.definite_up_to > 0.4);
+  for (const NodeIndex n : body.free()) BOOST_TEST(solution.displacements[n].x() == 0);
+}
+
+// To x = 2: no path leads there, however short the steps; they are halved to .0008.
+BOOST_AUTO_TEST_CASE(a_jump_to_another_branch_is_the_end_of_the_path) {
+  Pitchfork body(column(), -1, .25);
+  const Solution solution = solution_of(body, 1);
+  BOOST_TEST((solution.status == SolveStatus::no_equilibrium), solution.reason);
+  BOOST_TEST(solution.reason.find("on another branch") != std::string::npos,
+             solution.reason);
+  BOOST_TEST(solution.load_fraction == .5, boost::test_tools::tolerance(.002));
   for (const NodeIndex n : body.free()) BOOST_TEST(solution.displacements[n].x() == 0);
 }
 

@@ -303,6 +303,20 @@ BOOST_AUTO_TEST_CASE(a_turn_is_followed_along_its_way) {
   BOOST_TEST((whole.status != SolveStatus::ok || whole.energy > 2 * half.energy));
 }
 
+// Beyond 302 degrees Newton's method with indefinite tangents finds a state at 480 degrees
+// that is another branch's; steps are of 1/1024 of the load.
+BOOST_AUTO_TEST_CASE(a_turn_ends_where_the_path_does_whatever_the_load) {
+  const Settings law{.law = Law::hencky, .element = Element::q1_sri};
+  const auto degrees_reached = [&](double degrees) {
+    const Equilibrium found =
+        Problem(3, law, 0.4, 0, degrees * std::numbers::pi / 180).found();
+    BOOST_TEST((found.status != SolveStatus::ok), found.reason);
+    return degrees * found.load_fraction;
+  };
+  BOOST_TEST(degrees_reached(480) == degrees_reached(420),
+             boost::test_tools::tolerance(.005));
+}
+
 // Plates driven through each other. The reason names how far, the last residual and the
 // smallest det F; the last state is that of the fraction reached.
 BOOST_AUTO_TEST_CASE(giving_up_names_the_load_reached_the_residual_and_the_jacobian) {

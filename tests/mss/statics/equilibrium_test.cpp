@@ -7,6 +7,7 @@
 
 #include "mss/forces/forces.hpp"
 #include "mss/solve.hpp"
+#include "mss/statics/path_limit.hpp"
 #include "tests/mss/blocks.hpp"
 
 using namespace springcheck;
@@ -268,6 +269,36 @@ BOOST_AUTO_TEST_CASE(tension_without_equilibrium_ends_where_it_is_lost) {
   BOOST_TEST(solution.displacements.size() == mesh.nodes().size());  // the last state
   BOOST_TEST(solution.definite_up_to.value() == solution.load_fraction);
   BOOST_TEST(solution.reason.find("no equilibrium found") == 0U);
+}
+
+// The nodes of a plate that turned by 370 degrees lie where 10 would bring them, and the
+// springs have an equilibrium there, on another branch. The path ends where definiteness
+// is lost, found by a follower that never leaves it (to .1 % of its load); ours goes in
+// steps of 1/1024 of 370 degrees.
+BOOST_AUTO_TEST_CASE(a_turn_beyond_the_end_of_the_path_is_not_one_less_a_turn) {
+  const Mesh mesh = cube(3, edge);
+  const Vector3 centre(1.5 * edge, 1.5 * edge, 3 * edge);
+  const auto ends = [&](Method method, double degrees) {
+    const Scene scene = between_plates(.25, translation(Vector3::Zero()),
+                                       {.translation = Vector3::Zero(),
+                                        .axis = Vector3::UnitZ(),
+                                        .centre = centre,
+                                        .angle = degrees * degree});
+    const Network network =
+        build_network(mesh, scene.material, in_shear_modulus_form(method));
+    const Solution solution = find_equilibrium(mesh, scene, network, 1);
+    BOOST_TEST((solution.status == SolveStatus::no_equilibrium), solution.reason);
+    BOOST_TEST(solution.reason.find("another branch") != std::string::npos);
+    BOOST_TEST(solution.definite_up_to.value() == solution.load_fraction);
+    const PathLimit limit =
+        follow_to_limit(mesh, scene, network, .001, [](auto) { return true; });
+    BOOST_TEST(solution.load_fraction == limit.load_fraction,
+               boost::test_tools::tolerance(.005));
+    return degrees * solution.load_fraction;
+  };
+  for (const Method method : {Method::cf, Method::affine})
+    BOOST_TEST(ends(method, 370) == ends(method, 160),
+               boost::test_tools::tolerance(.005));
 }
 
 BOOST_AUTO_TEST_CASE(method_that_does_not_cover_the_material_is_refused) {
