@@ -277,11 +277,11 @@ std::vector<Method> spring_methods() {
                   .source = "own",
                   .same_law_as = "fem-stvk",
                   .look = {"#8F3D00", "D"},
-                  .reads = {"directions"},
                   .cells = any_cells,
                   .corrects_volume = true,
                   .foremost = 5,
-                  .fixed = {.strain = mss::StrainMeasure::green},
+                  // In squared lengths any that are isotropic are the same law.
+                  .fixed = {.strain = mss::StrainMeasure::green, .axes = mss::Axes::six},
                   .lattice = LatticeName{.springs = Springs::affine, .of_cubes = false},
                   .seconds = of_virtual_springs,
                   .charted = virtual_models,

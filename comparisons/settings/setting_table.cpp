@@ -141,7 +141,7 @@ constexpr Setting table[] = {
      "engineering, green (squared lengths) or logarithmic; or hencky, a function that "
      "follows Hencky's law", {.variant = ", {}"}},
     {"directions", of_lattices, chosen, of_methods_as_option,
-     in_digits<mss::Axes>(in_springs<numbered<mss::Axes>, &Network::axes>), "6",
+     in_digits<mss::Axes>(in_springs<numbered<mss::Axes>, &Network::axes>), "16",
      "of virtual springs in a cell, or in its continuum: 6, 16 or 25",
      {.counts = true, .variant = ", {} directions"}},
     {"correction", of_lattices, chosen, of_methods_alone,

@@ -59,8 +59,8 @@ constexpr std::array entries{
     Entry{"locking", "volumetric locking: plate force near nu = 0.5 with q1, q1-sri, q2",
           plan_locking_table},
     Entry{"orientation",
-          "uniaxial stress along 100, 110, 111 of the mss-cf lattice, Cauchy-Born and "
-          "turned springs",
+          "stress against the direction of the load, uniaxial and in simple shear: mss-cf "
+          "and mss-affine",
           plan_orientation_table},
     Entry{
         "modes",

@@ -46,8 +46,10 @@ struct AffineBlock {
   // constants[n cells.count + number of the cell].
   std::vector<Real> constants{};
   std::vector<std::uint8_t> is_cell{};  // where cells are alike
-  Real axis_modulus;                    // 5 mu/2, in squared lengths mu [Pa]
-  Real volume_modulus;                  // kappa [Pa]
+  // Of the icosahedron's axes and of the dodecahedron's dual to it: mu times their
+  // weight, see Axis; in squared lengths mu, and not read [Pa].
+  Real axis_modulus, dual_axis_modulus;
+  Real volume_modulus;  // kappa [Pa]
   // With the volume correction on stars, of each element: what makes of the nodal sum of
   // V (det F - 1) over cells the node's part, an eighth of p_n, of a cell's pressure.
   std::vector<Real> pressure_per_sum{};

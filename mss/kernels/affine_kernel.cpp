@@ -9,6 +9,7 @@
 #include "mss/forces/forces.hpp"
 #include "mss/kernels/affine_forces_paths.hpp"
 #include "mss/kernels/lattice_cells.hpp"
+#include "mss/networks/axes.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -155,12 +156,19 @@ Correction correction_of(const Network& network) {
   return network.volume_stars.size() > 0 ? Correction::of_stars : Correction::of_cells;
 }
 
+/// Of the icosahedron's axes and of the dodecahedron's, see AffineBlock.
+std::array<double, 2> axis_weights(const Network& network) {
+  if (is_squared(network)) return {1, 0};
+  const std::span<const Axis> axes = all_of(network.axes);
+  return {axes.front().weight, network.axes == Axes::six ? 0 : axes.back().weight};
+}
+
 }  // namespace
 
 bool takes_affine_kernel(const Network& network) {
   const bool has_law =
-      is_squared(network) ||
-      (network.strain_measure == StrainMeasure::engineering && network.axes == Axes::six);
+      is_squared(network) || (network.strain_measure == StrainMeasure::engineering &&
+                              network.axes != Axes::twenty_five);
   if (network.spring_modulus == 0 || !has_law) return false;
   for (std::size_t c = 0; c < network.cells.size(); ++c)
     if (network.cells.nodes(c).size() != 8) return false;
@@ -176,12 +184,13 @@ dynamics::BlockForces<Real> affine_kernel(const Network& network,
   const double rounding = dynamics::rounding_of(network.rest_positions);
   const Correction correction = correction_of(network);
   Dashpots dashpots(network, damping_ratio);
+  const std::array weights = axis_weights(network);
   const auto kernels = std::make_shared<std::vector<AffineKernel<Real>>>();
   for (const Block& block : blocks) {
     AffineBlock<Real> affine{
         .cells = dynamics::cells_in_arrays(block, lanes),
-        .axis_modulus =
-            static_cast<Real>((is_squared(network) ? 1 : 2.5) * network.spring_modulus),
+        .axis_modulus = static_cast<Real>(network.spring_modulus * weights.front()),
+        .dual_axis_modulus = static_cast<Real>(network.spring_modulus * weights.back()),
         .volume_modulus = static_cast<Real>(network.volume_moduli.kappa)};
     const auto edges = dynamics::common_edges(block, network.rest_positions, rounding);
     add_constants(affine, network, block, edges, lanes);

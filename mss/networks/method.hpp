@@ -33,7 +33,7 @@ struct NetworkSettings {
   std::optional<LatticeConstants> constants{};
   VolumeCorrection volume_correction = VolumeCorrection::on;  // of vangelder and lloyd
   StrainMeasure strain_measure = StrainMeasure::engineering;
-  Axes axes = Axes::six;  // of affine
+  Axes axes = Axes::sixteen;  // of affine
 };
 
 }  // namespace springcheck::mss

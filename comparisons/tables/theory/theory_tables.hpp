@@ -4,8 +4,9 @@
 
 namespace springcheck {
 
-/// The mss-cf lattice is not isotropic at finite strain: uniaxial stress along its
-/// directions 100, 110, 111, from Cauchy-Born and from the springs themselves.
+/// Springs are not isotropic at finite strain: uniaxial stress along directions 100, 110,
+/// 111 of mss-cf, from Cauchy-Born and from the springs themselves, and of mss-affine, of
+/// sixteen directions and of six; the same in simple shear, turned.
 SheetPlan plan_orientation_table();
 
 /// Lowest natural frequencies of the free cube and of the cantilever: springs against
