@@ -50,6 +50,7 @@ double distance(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
 
 /// Both residuals are below 1e-10 of the forces. The tangent's condition takes about two
 /// digits of that from displacements, and the volume correction near nu = 1/2 two more.
+/// With weight the strain energy is not stationary: it differs in the first order.
 void check_agreement(const Both& both, double nu, const std::string& name) {
   const double tolerance = nu < 0.49 ? 1e-8 : 1e-6;
   BOOST_TEST((both.direct.status == SolveStatus::ok), name << both.direct.reason);
@@ -64,7 +65,7 @@ void check_agreement(const Both& both, double nu, const std::string& name) {
                  tolerance * norm(direct.reactions),
              name);
   BOOST_TEST(std::abs(iterative.strain_energy - direct.strain_energy) <
-                 1e-12 * direct.strain_energy,
+                 1e-10 * direct.strain_energy,
              name);
 }
 
