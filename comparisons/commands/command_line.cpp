@@ -314,10 +314,10 @@ int run_arguments(int argc, char** argv) {
       ->required();
   const SettingOptions stability_settings(stability, is_any);
   stability
-      ->add_option(
-          "--over", stability_options.over,
-          "KEY=FROM:TO:COUNT or KEY=A,B,C, once or twice, or KEY[,KEY] over usual "
-          "values; limits are along the first")
+      ->add_option("--over", stability_options.over,
+                   "KEY=FROM:TO:COUNT, KEY=FROM:TO:log:COUNT or KEY=A,B,C, once or "
+                   "twice, or KEY[,KEY] over usual "
+                   "values; limits are along the first")
       ->required();
   stability->add_option("--out", out, "HDF5 file to add the cases to")
       ->check(check_not_empty);

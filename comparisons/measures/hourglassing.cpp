@@ -69,15 +69,19 @@ std::optional<Hourglassing> measure_hourglassing(const Mesh& mesh,
     ++inside;
   }
   if (inside == 0) return std::nullopt;
-  if (all == 0 || strains == 0) return Hourglassing{.alternation = 0, .amplitude = 0};
+  if (strains == 0) return Hourglassing{.alternation = {}, .amplitude = 0};
   const double strain = std::sqrt(strains / static_cast<double>(mesh.cells().size()));
-  return Hourglassing{
-      .alternation = alternating / all,
-      .amplitude = std::sqrt(alternating / inside / square_edges(mesh)) / strain};
+  const auto amplitude = [&](double squares) {
+    return std::sqrt(squares / inside / square_edges(mesh)) / strain;
+  };
+  constexpr double rounding = 1e-7;
+  Hourglassing seen{.alternation = {}, .amplitude = amplitude(alternating)};
+  if (amplitude(all) >= rounding) seen.alternation = alternating / all;
+  return seen;
 }
 
 bool is_hourglassing(const Hourglassing& hourglassing) {
-  return hourglassing.alternation > hourglassing_above.alternation &&
+  return hourglassing.alternation > *hourglassing_above.alternation &&
          hourglassing.amplitude > hourglassing_above.amplitude;
 }
 

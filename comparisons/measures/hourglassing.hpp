@@ -10,8 +10,10 @@ namespace springcheck {
 /// How much the inside of a body hourglasses: alternates from cell to cell in modes that
 /// the cells' mean deformation does not see.
 struct Hourglassing {
-  double alternation;  // part of the cells' hourglass displacement that does, 0 to 1
-  double amplitude;    // its height over edge length and strain
+  // Part of the cells' hourglass displacement that does, 0 to 1; none where that is
+  // round-off, below 1e-7 of edge length and strain:
+  std::optional<double> alternation;
+  double amplitude;  // its height over edge length and strain
 };
 
 /// With

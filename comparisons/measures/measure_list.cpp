@@ -14,12 +14,12 @@ const std::vector<Described>& measure_list() {
        ""},
       {"wrinkle_alternation",
        "how much of what the worst free side does between neighbouring nodes is a "
-       "zigzag from cell to cell",
+       "zigzag from cell to cell; none where the amplitude is round-off",
        ""},
       {"wrinkle_amplitude", "height of that zigzag over the cell edge", ""},
       {"hourglass_alternation",
        "how much of the hourglass displacement inside a body of hexahedra alternates "
-       "from cell to cell",
+       "from cell to cell; none where that displacement is round-off",
        ""},
       {"hourglass_amplitude", "height of that displacement over edge times strain", ""},
       {"force", "what the moved plate, or the traction, applies to the body (x, y, z)",

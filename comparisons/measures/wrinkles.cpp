@@ -21,6 +21,8 @@ struct Side {
 };
 using Sides = std::array<Side, 6>;
 
+constexpr double amplitude_rounding = 1e-7;
+
 /// A node that is looked at.
 struct Looked {
   Vector3 residual;      // r [m]
@@ -157,7 +159,10 @@ std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
   }
   if (seen.empty()) return std::nullopt;
   const double strain = std::sqrt(square_strains / nodes);
-  for (Wrinkling& side : seen) side.amplitude = strain > 0 ? side.amplitude / strain : 0;
+  for (Wrinkling& side : seen) {
+    side.amplitude = strain > 0 ? side.amplitude / strain : 0;
+    if (side.amplitude < amplitude_rounding) side.alternation.reset();
+  }
   return *std::ranges::max_element(seen, {}, [](const Wrinkling& side) {
     return std::pair(is_wrinkled(side), side.alternation);
   });
@@ -165,7 +170,7 @@ std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
 
 bool is_wrinkled(const Wrinkling& wrinkling) {
   constexpr double rounding = 1e-6;  // two nodes in a line may alternate by 1/2
-  return wrinkling.alternation > wrinkled_above.alternation + rounding &&
+  return wrinkling.alternation > *wrinkled_above.alternation + rounding &&
          wrinkling.amplitude > wrinkled_above.amplitude;
 }
 

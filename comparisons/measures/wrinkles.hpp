@@ -9,8 +9,10 @@ namespace springcheck {
 
 /// How much the free surface zigzags, on its worst side.
 struct Wrinkling {
-  double alternation;  // 1 for a zigzag from node to node, near -1 for a smooth curve
-  double amplitude;    // height of the zigzag over edge length and surface strain
+  // 1 for a zigzag from node to node, near -1 for a smooth curve; none where the
+  // amplitude is round-off, below 1e-7:
+  std::optional<double> alternation;
+  double amplitude;  // height of the zigzag over edge length and surface strain
 };
 
 /// On any cells. The boundary faces are sorted into six sides, each by the axis nearest

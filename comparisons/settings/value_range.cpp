@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <regex>
 
 #include "comparisons/settings/units.hpp"
 
@@ -44,6 +45,32 @@ std::vector<std::string> values_between(const std::string& from, const std::stri
   }
   values.push_back(exactly(*last));
   return values;
+}
+
+std::vector<std::string> values_of_range(const std::string& range) {
+  static const std::regex form("([^:]+):([^:]+):(log:)?([0-9]{1,4})");
+  std::smatch parts;
+  if (!std::regex_match(range, parts, form)) return {};
+  const auto first = written_number(parts[1]), last = written_number(parts[2]);
+  const int count = std::stoi(parts[4]);
+  if (!first || !last || first->unit != last->unit || !(first->value < last->value) ||
+      count < 2 || count > 1000)
+    return {};
+  std::vector<std::string> values = values_between(parts[1], parts[2], count);
+  if (!parts[3].matched) return values;
+  if (!(first->value > 0)) return {};
+  for (int i = 1; i < count - 1; ++i) {
+    const double part = static_cast<double>(i) / (count - 1);
+    const double value = first->value * std::pow(last->value / first->value, part);
+    values[static_cast<std::size_t>(i)] =
+        joined(fmt::format("{:.4g}", value), first->unit);
+  }
+  return values;
+}
+
+std::string short_text(const std::string& value) {
+  const auto number = written_number(value);
+  return number ? joined(fmt::format("{:.4g}", number->value), number->unit) : value;
 }
 
 }  // namespace springcheck

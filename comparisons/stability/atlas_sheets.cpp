@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "comparisons/settings/value_range.hpp"
+
 namespace springcheck {
 namespace {
 
@@ -16,11 +18,11 @@ std::string map_text(const Map& map, const AtlasPlan& plan) {
       is_plane ? plan.axes[1].values : std::vector<std::string>{""};
   std::size_t width = 0;
   for (const std::string& value : plan.axes[0].values)
-    width = std::max(width, value.size());
+    width = std::max(width, short_text(value).size());
   std::string text;
   for (auto value = plan.axes[0].values.rbegin(); value != plan.axes[0].values.rend();
        ++value) {
-    text += fmt::format("  {:>{}} ", *value, width);
+    text += fmt::format("  {:>{}} ", short_text(*value), width);
     for (const std::string& other : across) {
       const auto found = map.find({*value, other});  // labels may hold an axis: element
       text += fmt::format(" {}", found != map.end() ? found->second : ' ');
@@ -29,7 +31,7 @@ std::string map_text(const Map& map, const AtlasPlan& plan) {
   }
   if (is_plane)
     text += fmt::format("  {:>{}}  {} from {} to {}\n", "", width, plan.axes[1].key,
-                        across.front(), across.back());
+                        short_text(across.front()), short_text(across.back()));
   return text;
 }
 

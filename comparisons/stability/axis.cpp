@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -18,7 +17,8 @@ namespace springcheck {
 namespace {
 
 constexpr const char* expected =
-    "KEY=FROM:TO:COUNT with FROM < TO and COUNT from 2 to 1000, or KEY=A,B,C";
+    "KEY=FROM:TO:COUNT or KEY=FROM:TO:log:COUNT with FROM < TO (above 0 for log) and "
+    "COUNT from 2 to 1000, or KEY=A,B,C";
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
@@ -77,23 +77,9 @@ Axis axis_named(const std::string& place, const std::string& text) {
     refuse_name(place, "setting of a run", axis.key, keys);
   const std::string values = text.substr(equals + 1);
   if (values.empty()) refuse();
-  const std::vector<std::string> range = split(values, ':');
-  if (range.size() != 1 && range.size() != 3) refuse();
-  if (range.size() == 3) {
-    int count = 0;
-    const std::string& digits = range[2];
-    const auto [end, error] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), count);
-    if (error != std::errc{} || end != digits.data() + digits.size() || count < 2 ||
-        count > 1000)
-      refuse();
-    axis.values = values_between(range[0], range[1], count);
-    if (axis.values.empty() ||
-        !(written_number(range[0])->value < written_number(range[1])->value))
-      refuse();
-  } else {
-    axis.values = split(values, values.find(';') == std::string::npos ? ',' : ';');
-  }
+  axis.values = values.find(':') != std::string::npos
+                    ? values_of_range(values)
+                    : split(values, values.find(';') == std::string::npos ? ',' : ';');
   if (axis.values.empty() || std::ranges::count(axis.values, "") > 0) refuse();
   return axis_of(axis.key, axis.values);
 }

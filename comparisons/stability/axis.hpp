@@ -15,7 +15,7 @@ struct Axis {
   bool is_range;                      // ascending numbers: one can be between two others
 };
 
-/// "KEY=FROM:TO:COUNT", equal steps, both ends included, or "KEY=A,B,C"; semicolons
+/// "KEY=FROM:TO:COUNT" or "KEY=FROM:TO:log:COUNT", see values_of_range, or "KEY=A,B,C"; semicolons
 /// separate values that are lists ("cells=4,4,4;6,6,6"). Numbers may end in a unit.
 /// Throws InputError, naming `place`.
 Axis axis_named(const std::string& place, const std::string& text);

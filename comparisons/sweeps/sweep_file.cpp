@@ -71,12 +71,27 @@ std::vector<Given> range(const toml::table& table, const std::string& key,
   return values;
 }
 
+/// The value, or those of a range of a setting that is one number, "0.001:1:log:10".
+std::vector<Given> one_or_range(const Given& value, const std::string& key,
+                                const std::string& where) {
+  const Setting* setting = find_setting(key);
+  const bool is_range = setting != nullptr && is_number(setting->access.type) &&
+                        value.is_text() && value.text().find(':') != std::string::npos;
+  if (!is_range) return {value};
+  std::vector<Given> values;
+  for (const std::string& one : values_of_range(value.text()))
+    values.push_back(Given::from_text(where, one));
+  if (values.empty())
+    value.refuse("a value, or a range FROM:TO:COUNT or FROM:TO:log:COUNT with FROM < TO");
+  return values;
+}
+
 std::vector<Given> values_of(const std::string& key, const toml::node& node,
                              const std::string& file) {
   const std::string where = fmt::format("{}: {}", place(file, node.source()), key);
   if (const toml::table* table = node.as_table()) return range(*table, key, file, where);
   const toml::array* list = node.as_array();
-  if (list == nullptr) return {given(node, file, key)};
+  if (list == nullptr) return one_or_range(given(node, file, key), key, where);
   if (list->empty()) throw InputError(where, "", "at least one value", "an empty list");
   const bool one_value =
       is_list_valued(key) &&

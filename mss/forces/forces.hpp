@@ -17,7 +17,10 @@ namespace springcheck::mss {
 /// VirtualSprings, with mu and kappa of the network. By engineering strains these are
 /// k/2 (|d| - L)^2 and k/2 (|d| - |F r|)^2. For the methods of the thesis mu is 0, and
 /// what is left of psi is then kappa/2 (V - V0)^2/V0 with the volume V of the mean edges:
-/// on boxes that is V0 det F.
+/// on boxes that is V0 det F, F of the mean edges. It is not the volume of the deformed
+/// cell with bilinear faces, by which bodies are measured: hourglasses of a cell change
+/// that one alone, in the second order. As nu goes to 1/2 it is the mean edges' volume
+/// that is kept (docs/explanation/limits.md has figures).
 ///
 /// With shape stars a tetrahedron has V/4 psi(F), and 3/4 V_n psi(F_n) is at each node;
 /// with volume stars psi is without kappa, and V_n U(t_n) is at each node. F_n and t_n

@@ -47,10 +47,11 @@ struct State {
   /// Above 1 it is called wrinkled: the factor by which the thresholds of one detector
   /// would have to grow, or of both to shrink, for another verdict.
   [[nodiscard]] double score() const {
-    return std::max(std::min(surface.alternation / wrinkled_above.alternation,
-                             surface.amplitude / wrinkled_above.amplitude),
-                    std::min(inside.alternation / hourglassing_above.alternation,
-                             inside.amplitude / hourglassing_above.amplitude));
+    return std::max(
+        std::min(surface.alternation.value_or(-1) / *wrinkled_above.alternation,
+                 surface.amplitude / wrinkled_above.amplitude),
+        std::min(inside.alternation.value_or(0) / *hourglassing_above.alternation,
+                 inside.amplitude / hourglassing_above.amplitude));
   }
   [[nodiscard]] bool is_called() const {
     return springcheck::is_wrinkled(surface) || is_hourglassing(inside);
@@ -355,9 +356,10 @@ BOOST_AUTO_TEST_CASE(detectors_call_states_what_their_critical_modes_do,
     const std::string figures = fmt::format(
         "{} {:8} surface {:6.3f} {:6.3f}, inside {:5.3f} {:6.3f}, score {:6.3f}: {}",
         state.half == Half::setting ? "setting" : "judging",
-        state.is_wrinkled ? "wrinkled" : "smooth", state.surface.alternation,
-        state.surface.amplitude, state.inside.alternation, state.inside.amplitude,
-        state.score(), state.name);
+        state.is_wrinkled ? "wrinkled" : "smooth",
+        state.surface.alternation.value_or(NAN), state.surface.amplitude,
+        state.inside.alternation.value_or(NAN), state.inside.amplitude, state.score(),
+        state.name);
     BOOST_TEST_MESSAGE(figures);
     if (state.half == Half::judging)
       BOOST_TEST(state.is_called() == state.is_wrinkled, figures);

@@ -26,6 +26,18 @@ BOOST_AUTO_TEST_CASE(a_range_has_equal_steps_and_both_ends) {
   BOOST_TEST(axis.is_range);
 }
 
+BOOST_AUTO_TEST_CASE(a_logarithmic_range_has_equal_factors) {
+  const Axis axis = axis_named("--over", "density=0.001:1:log:10");
+  BOOST_TEST_REQUIRE(axis.values.size() == 10U);
+  BOOST_TEST(axis.values.front() == "0.001");
+  BOOST_TEST(axis.values[1] == "0.002154");  // 10^(1/3), four digits
+  BOOST_TEST(axis.values[3] == "0.01");
+  BOOST_TEST(axis.values.back() == "1");
+  BOOST_TEST(axis.is_range);
+  BOOST_TEST((axis_named("--over", "young=1kPa:100kPa:log:3").values ==
+              Values{"1kPa", "10kPa", "100kPa"}));
+}
+
 BOOST_AUTO_TEST_CASE(units_stay_with_their_numbers) {
   BOOST_TEST((axis_named("--over", "deformation=5%:20%:4").values ==
               Values{"5%", "10%", "15%", "20%"}));
@@ -58,9 +70,10 @@ BOOST_AUTO_TEST_CASE(units_that_begin_with_a_digit_stay_apart) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_axis_is_refused) {
-  for (const char* text : {"nu", "nu=", "nu=0:1", "nu=1:0:3", "nu=0:1:1", "nu=0:1:1001",
-                           "nu=0:1:2.5", "nu=0:x:3", "nu=0%:1:3", "nu=0:inf:3", "nu=0,,1",
-                           "mu=0:1:3", "method=mss-cf,mss-nfd", "=0:1:3", ""})
+  for (const char* text :
+       {"nu", "nu=", "nu=0:1", "nu=1:0:3", "nu=0:1:1", "nu=0:1:1001", "nu=0:1:2.5",
+        "nu=0:1:log:3", "young=1:10:log", "young=1:10:lin:3", "nu=0:x:3", "nu=0%:1:3",
+        "nu=0:inf:3", "nu=0,,1", "mu=0:1:3", "method=mss-cf,mss-nfd", "=0:1:3", ""})
     BOOST_CHECK_EXCEPTION(axis_named("--over", text), InputError, names_the_place);
 }
 

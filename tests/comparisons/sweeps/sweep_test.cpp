@@ -186,6 +186,19 @@ BOOST_AUTO_TEST_CASE(ranges_may_have_a_unit_and_hold_the_numbers_of_a_list) {
              0.1234567890123456);
 }
 
+BOOST_AUTO_TEST_CASE(ranges_may_be_written_as_texts) {
+  const std::string scene = "scene = \"compression\"\nmethod = \"mss-cf\"\n";
+  BOOST_TEST(cases_of(sweep_of(scene + "nu = \"0:0.4:3\"\n")) ==
+                 cases_of(sweep_of(scene + "nu = [0, 0.2, 0.4]\n")),
+             boost::test_tools::per_element());
+  BOOST_TEST(cases_of(sweep_of(scene + "deformation = \"0.1%:10%:log:3\"\n")) ==
+                 cases_of(sweep_of(scene + "deformation = [0.001, 0.01, 0.1]\n")),
+             boost::test_tools::per_element());
+  BOOST_TEST(message_of(scene + "nu = \"0:0.4:log:3\"\n") ==
+             "sweep.toml:3:6: nu: expected a value, or a range FROM:TO:COUNT or "
+             "FROM:TO:log:COUNT with FROM < TO, got '0:0.4:log:3'");
+}
+
 BOOST_AUTO_TEST_CASE(scenes_and_meshes_stand_beside_the_sweep) {
   const OwnFolder own;
   const fs::path folder = own.path / "below";
