@@ -103,4 +103,11 @@ std::vector<double> cell_volumes(std::span<const CellNodes> cells,
   return volumes;
 }
 
+bool has_inverted_cell(std::span<const CellNodes> cells,
+                       std::span<const Vector3> positions) {
+  return std::ranges::any_of(cells, [&](const CellNodes& cell) {
+    return !(smallest_corner_jacobian(corners(cell, positions)) > 0);
+  });
+}
+
 }  // namespace springcheck

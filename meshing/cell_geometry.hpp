@@ -55,6 +55,10 @@ Vector3 cell_centroid(const CornerPositions& x);
 /// Negative: the map folds over at a corner.
 double smallest_corner_jacobian(const CornerPositions& x);
 
+/// Whether a cell is turned inside out at a corner, or flat there.
+bool has_inverted_cell(std::span<const CellNodes> cells,
+                       std::span<const Vector3> positions);
+
 /// Exact volume of each cell with its nodes at `positions`.
 std::vector<double> cell_volumes(std::span<const CellNodes> cells,
                                  std::span<const Vector3> positions);

@@ -62,15 +62,14 @@ std::vector<std::string> values_of_range(const std::string& range) {
   for (int i = 1; i < count - 1; ++i) {
     const double part = static_cast<double>(i) / (count - 1);
     const double value = first->value * std::pow(last->value / first->value, part);
-    values[static_cast<std::size_t>(i)] =
-        joined(fmt::format("{:.4g}", value), first->unit);
+    values[static_cast<std::size_t>(i)] = text_of({value, first->unit});
   }
   return values;
 }
 
 std::string short_text(const std::string& value) {
   const auto number = written_number(value);
-  return number ? joined(fmt::format("{:.4g}", number->value), number->unit) : value;
+  return number ? joined(fmt::format("{:.6g}", number->value), number->unit) : value;
 }
 
 }  // namespace springcheck

@@ -21,12 +21,12 @@ std::string text_of(const WrittenNumber& number);
 std::vector<std::string> values_between(const std::string& from, const std::string& to,
                                         int count);
 
-/// Of FROM:TO:COUNT, at equal distances, or FROM:TO:log:COUNT, by equal factors and those
-/// inside to four digits; FROM < TO, COUNT from 2 to 1000. None where that is not what is
-/// written, or a logarithm has none.
+/// Of FROM:TO:COUNT, at equal distances, or FROM:TO:log:COUNT, by equal factors; FROM <
+/// TO in one unit, COUNT from 2 to 1000. None where that is not what is written, or a
+/// logarithm has none.
 std::vector<std::string> values_of_range(const std::string& range);
 
-/// With at most four digits: 43.33%.
+/// With at most six digits: 43.3333%.
 std::string short_text(const std::string& value);
 
 }  // namespace springcheck

@@ -55,6 +55,7 @@ class QuasiStatic {
   bool advance_to(double load_fraction, double dt) {
     auto found = find(dt, load_fraction);
     if (!found) return false;
+    jumped_ = false;
     positions_ = std::move(found->positions);
     forces_ = body_.forces_after(dt, positions_);
     body_.advance(dt, positions_);
@@ -72,7 +73,7 @@ class QuasiStatic {
   /// Of the way that comes next, by which its states are judged.
   void set_judged_step(double dt) { judged_step_ = dt; }
 
-  /// How the last search that found nothing ended.
+  /// How the searches since the last equilibrium ended.
   [[nodiscard]] bool jumped() const { return jumped_; }
   [[nodiscard]] std::string failure() const {
     return jumped_ ? "on another branch"
@@ -242,7 +243,6 @@ class QuasiStatic {
     std::optional<Equilibrium> saddle;
     int escapes = 0;
     bool crossed = false;
-    jumped_ = false;
     for (int i = 0; i < most_iterations; ++i) {
       const double norm = residual.norm(), scale = body_.force_scale();
       residual_ = norm / scale;
@@ -253,8 +253,10 @@ class QuasiStatic {
       const bool is_found = norm <= relative_residual * scale;
       crossed = crossed || !is_definite;
       if (is_found && is_definite) {
-        jumped_ = crossed && largest_gradient(start, there) > jump;
-        if (jumped_) return std::nullopt;
+        if (crossed && largest_gradient(start, there) > jump) {
+          jumped_ = true;
+          return std::nullopt;
+        }
         return Equilibrium{std::move(there), true, saddle.has_value()};
       }
       if (is_found && !saddle) saddle = {there, false, true};

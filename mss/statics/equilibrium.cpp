@@ -4,8 +4,11 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <optional>
 #include <random>
+#include <tuple>
 
+#include "meshing/cell_geometry.hpp"
 #include "meshing/random_vector.hpp"
 #include "meshing/stopwatch.hpp"
 #include "mss/statics/minimum.hpp"
@@ -48,6 +51,9 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
   std::string reason;
   std::optional<double> definite_up_to;
 
+  // The last state before one that has a cell turned inside out, and its load.
+  std::optional<std::pair<Positions, double>> last_unfolded;
+
   bool definite = true;
   landscape.linearise(x);
   // The chord of the whole path, or its length where that is longer: supports that turn.
@@ -62,7 +68,7 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
           : 1;
   double step = largest_step;
   int lost_iterations = 0;
-  bool left_path = false;  // by a longer step from the last state
+  bool left_path = false;  // by a step from the last state
   while (reached < 1) {
     // The last step may be a little longer, not a sliver.
     const double to = reached + 1.05 * step > 1 ? 1 : reached + step;
@@ -87,6 +93,8 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
                                  !leads_back(landscape, x, reached, minimum, random);
     if (minimum.found && !on_other_branch) {
       if (!minimum.definite && !definite_up_to) definite_up_to = reached;
+      if (!last_unfolded && has_inverted_cell(mesh.cells(), minimum.positions))
+        last_unfolded = {std::move(x), reached};
       x = std::move(minimum.positions);
       definite = minimum.definite;
       reached = to;
@@ -100,13 +108,14 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
     step = (to - reached) / 2;
     if (!minimum.found && !minimum.ran_away) lost_iterations += minimum.iterations;
     if (step < smallest_load_step || lost_iterations >= most_lost_iterations) {
-      const bool path_ends = minimum.ran_away || left_path;
+      const bool jumps = left_path && step < smallest_load_step;
+      const bool path_ends = minimum.ran_away || jumps;
       status = path_ends ? SolveStatus::no_equilibrium : SolveStatus::not_converged;
       if (path_ends && !definite_up_to) definite_up_to = reached;
       reason = fmt::format(
           "{} beyond {:.2f} % of the load: steps down to {:.2g} % end {}",
           path_ends ? "no equilibrium found" : "not converged", 100 * reached, 200 * step,
-          left_path ? "on another branch, from which unloading does not lead back"
+          jumps ? "on another branch, from which unloading does not lead back"
           : minimum.ran_away
               ? "with a cell grown fourfold, the energy still falling"
               : fmt::format("with relative residual {:.1e}", minimum.residual));
@@ -127,6 +136,15 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
       reason = fmt::format(
           "a noise of {:g} cell edges leads away from the equilibrium, to none", noise);
     }
+  }
+  if (status == SolveStatus::ok && last_unfolded && !has_inverted_cell(mesh.cells(), x)) {
+    status = SolveStatus::no_equilibrium;
+    std::tie(x, reached) = std::move(*last_unfolded);
+    reason = fmt::format(
+        "no equilibrium of whole cells beyond {:.2f} % of the load: a cell is turned "
+        "inside out there, and comes right again on another way",
+        100 * reached);
+    definite_up_to = std::min(reached, definite_up_to.value_or(reached));
   }
   if (status == SolveStatus::ok && !definite) {
     status = SolveStatus::indefinite;

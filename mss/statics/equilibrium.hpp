@@ -24,8 +24,10 @@ namespace springcheck::mss {
 ///
 /// A step that finds no minimum, or one that does not count, is halved, down to 1/1024 of
 /// the load, or until searches that did not converge have taken 450 iterations; then the
-/// status is no_equilibrium if the energy fell without end or the last minimum is on
-/// another branch, and not_converged otherwise. The solution's definite_up_to is about
+/// status is no_equilibrium if the energy fell without end or the steps led to another
+/// branch, and not_converged otherwise. It is no_equilibrium, too, where a cell is turned
+/// inside out on the way and is not at the full load: layers of cells that a turn twists
+/// by more than half of one come right again as if they were twisted the other way. The solution's definite_up_to is about
 /// the states that the path keeps: a saddle that it left for a minimum, wrinkled perhaps,
 /// does not count.
 ///

@@ -59,9 +59,7 @@ std::string reason_of(const PathLimit& limit, double wavelength) {
 Solution path_limit_solution(const Mesh& mesh, const Scene& scene,
                              const Network& network) {
   const auto not_inverted = [&](std::span<const Vector3> x) {
-    return std::ranges::all_of(mesh.cells(), [&](const CellNodes& cell) {
-      return smallest_corner_jacobian(corners(cell, x)) > 0;
-    });
+    return !has_inverted_cell(mesh.cells(), x);
   };
   const PathLimit limit = follow_to_limit(mesh, scene, network, resolution, not_inverted);
   Solution solution =

@@ -51,12 +51,12 @@ def _figure(study, name, cases, of_test):
         with np.errstate(divide="ignore", invalid="ignore"):
             share = history.kinetic_energy.to_numpy() / energy
         strain.append(curves.Curve(label, time, energy / energy_unit, style=style))
-        ratio.append(curves.Curve(label, time, share, style=style))
+        if np.any(share > 0):  # without inertia there is none
+            ratio.append(curves.Curve(label, time, share, style=style))
     energy_label = "energy / (E V)" if is_scaled else "energy [mJ]"
-    panels = [
-        curves.Panel("Strain energy", "time [s]", energy_label, strain),
-        curves.Panel("Kinetic over strain energy", "time [s]", "ratio", ratio, log_y=True),
-    ]
+    panels = [curves.Panel("Strain energy", "time [s]", energy_label, strain)]
+    if ratio:
+        panels.append(curves.Panel("Kinetic over strain energy", "time [s]", "ratio", ratio, log_y=True))
     if force:
         _, answer, unit = ANSWERS[test]
         scale = ("E V" if test == "torsion" else "E A") if is_scaled else None

@@ -1,10 +1,11 @@
 #include "mss/statics/equilibrium.hpp"
-#include "meshing/generators/generate_block.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 
+#include "meshing/cell_geometry.hpp"
+#include "meshing/generators/generate_block.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/solve.hpp"
 #include "mss/statics/path_limit.hpp"
@@ -299,6 +300,31 @@ BOOST_AUTO_TEST_CASE(a_turn_beyond_the_end_of_the_path_is_not_one_less_a_turn) {
   for (const Method method : {Method::cf, Method::affine})
     BOOST_TEST(ends(method, 370) == ends(method, 160),
                boost::test_tools::tolerance(.005));
+}
+
+// Three layers of cells in squared lengths go inside out at some 155 degrees, and at 370
+// are whole again, twisted by 10.
+BOOST_AUTO_TEST_CASE(a_path_through_cells_turned_inside_out_ends_before_them) {
+  const Mesh mesh = generate_block({.size = {.05, .05, .05}, .cells = {2, 2, 3}});
+  const auto solved_at = [&](double degrees) {
+    const Scene scene = between_plates(.25, translation(Vector3::Zero()),
+                                       {.translation = Vector3::Zero(),
+                                        .axis = Vector3::UnitZ(),
+                                        .centre = {.025, .025, .05},
+                                        .angle = degrees * degree});
+    NetworkSettings settings = in_shear_modulus_form(Method::cf);
+    settings.strain_measure = StrainMeasure::green;
+    return find_equilibrium(mesh, scene, build_network(mesh, scene.material, settings),
+                            1);
+  };
+  const Solution whole_turn = solved_at(370), less = solved_at(170);
+  BOOST_TEST((whole_turn.status == SolveStatus::no_equilibrium), whole_turn.reason);
+  BOOST_TEST(whole_turn.reason.find("whole cells") != std::string::npos);
+  std::vector<Vector3> x = mesh.nodes();
+  for (std::size_t n = 0; n < x.size(); ++n) x[n] += whole_turn.displacements[n];
+  BOOST_TEST(!has_inverted_cell(mesh.cells(), x));
+  // Where it stays so at the full load that is told by its measures.
+  BOOST_TEST((less.status == SolveStatus::ok), less.reason);
 }
 
 BOOST_AUTO_TEST_CASE(method_that_does_not_cover_the_material_is_refused) {
