@@ -15,9 +15,9 @@ struct Axis {
   bool is_range;                      // ascending numbers: one can be between two others
 };
 
-/// "KEY=FROM:TO:COUNT" or "KEY=FROM:TO:log:COUNT", see values_of_range, or "KEY=A,B,C"; semicolons
-/// separate values that are lists ("cells=4,4,4;6,6,6"). Numbers may end in a unit.
-/// Throws InputError, naming `place`.
+/// "KEY=FROM:TO:COUNT" or "KEY=FROM:TO:log:COUNT", see values_of_range, or "KEY=A,B,C";
+/// semicolons separate values that are lists ("cells=4,4,4;6,6,6"). Numbers may end in a
+/// unit. Throws InputError, naming `place`.
 Axis axis_named(const std::string& place, const std::string& text);
 
 /// What stands behind one --over: an axis with its values, or only keys, "KEY[,KEY]",

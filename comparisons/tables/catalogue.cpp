@@ -58,10 +58,11 @@ constexpr std::array entries{
           plan_subdivision_table},
     Entry{"locking", "volumetric locking: plate force near nu = 0.5 with q1, q1-sri, q2",
           plan_locking_table},
-    Entry{"orientation",
-          "stress against the direction of the load, uniaxial and in simple shear: mss-cf "
-          "and mss-affine",
-          plan_orientation_table},
+    Entry{
+        "orientation",
+        "stress against the direction of the load, uniaxial and in simple shear: mss-cf "
+        "and mss-affine",
+        plan_orientation_table},
     Entry{
         "modes",
         "lowest natural frequencies of a free cube and of a cantilever: springs against "
