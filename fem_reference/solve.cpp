@@ -12,6 +12,7 @@
 #include "fem_reference/statics/supports.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/stopwatch.hpp"
+#include "meshing/turn.hpp"
 
 namespace springcheck::fem_reference {
 namespace {
@@ -68,6 +69,13 @@ std::vector<Vector3> by_node(const Eigen::VectorXd& nodal, std::size_t nodes) {
   return vectors;
 }
 
+/// Positions of the mesh's nodes.
+std::vector<Vector3> deformed(const Mesh& mesh, const Eigen::VectorXd& displacements) {
+  std::vector<Vector3> positions = by_node(displacements, mesh.nodes().size());
+  for (std::size_t n = 0; n < positions.size(); ++n) positions[n] += mesh.nodes()[n];
+  return positions;
+}
+
 }  // namespace
 
 Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
@@ -81,7 +89,12 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
   const double setup_wall_s = stopwatch.seconds();
   const Equilibrium found = find_equilibrium(
       elasticity, {.displacements = [&](double s) { return supports.displacements(s); },
-                   .forces = load(body, scene)});
+                   .forces = load(body, scene),
+                   .follows_supports =
+                       [&](const Eigen::VectorXd& displacements, double s) {
+                         return shows_imposed_turn(mesh, scene,
+                                                   deformed(mesh, displacements), s);
+                       }});
 
   Solution solution{.status = found.status,
                     .reason = found.reason,

@@ -15,6 +15,8 @@ struct Advice {
   std::size_t truth;                     // of the scene's law
   std::optional<std::size_t> chosen;     // none: nothing meets the wish ...
   std::optional<std::size_t> nearest;    // ... and this comes closest
+  std::vector<std::size_t> equals;       // sound, as quick as far as times can tell, and
+                                         // of more memory
   std::optional<std::size_t> cheaper;    // most accurate of the cheaper ones
   std::optional<std::size_t> not_shown;  // cheapest of the sound cheaper ones, of which
                                          // the truth's own bar decides

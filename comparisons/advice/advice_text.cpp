@@ -102,6 +102,8 @@ std::string evidence_text(const Advice& advice, const Wish& wish) {
   lines[0].emplace_back("case");
   for (const auto& [point, against] : advice.crossings)
     lines.push_back(line_of("a crossing, not chosen", advice, wish, point));
+  for (const std::size_t point : advice.equals)
+    lines.push_back(line_of("as quick, but larger", advice, wish, point));
   for (const auto& [role, point] :
        std::initializer_list<std::pair<const char*, std::optional<std::size_t>>>{
            {"cheaper, too far off", advice.cheaper},

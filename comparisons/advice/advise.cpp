@@ -148,7 +148,23 @@ class Search {
            });
   }
 
+  /// Of those that meet the wish, as long as the first is not told to be cheaper for all
+  /// that a restless time may be too long by.
+  void time_contenders() {
+    constexpr double restless = 10;
+    const std::vector<std::size_t> meeting = cheapest_first();
+    Progress progress("times");
+    for (std::size_t n = 0; n < meeting.size(); ++n) {
+      if (*judge().cost(meeting[n]) > restless * *judge().cost(meeting.front())) break;
+      progress.show(n, meeting.size());
+      const StoredChart::Point& place = point(meeting[n]).place;
+      measurements_.time_again(chart_model(place.model, shape_), place.across);
+    }
+    take_in();
+  }
+
   void choose() {
+    time_contenders();
     std::vector<std::size_t> sound;  // that cannot be told from the first
     for (const std::size_t i : cheapest_first()) {
       if (!sound.empty() && judge().is_cheaper(sound.front(), i)) continue;
@@ -164,6 +180,9 @@ class Search {
     }
     if (sound.empty()) return find_nearest();
     advice_.chosen = smallest_of_equals(sound);
+    std::erase(sound, *advice_.chosen);
+    advice_.equals = std::move(sound);
+
     say_what_was_not_seen(examiner_.of(*advice_.chosen));
   }
 

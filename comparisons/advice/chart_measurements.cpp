@@ -86,6 +86,11 @@ void ChartMeasurements::measure(const ChartModel& model, int across, double seco
   run_.measure(model, across, seconds);
 }
 
+void ChartMeasurements::time_again(const ChartModel& model, int across) {
+  for (int round = 2; round <= most_rounds; ++round)
+    run_.time_again(model, across, round);
+}
+
 StaticPath ChartMeasurements::static_path(const ChartModel& model, int across) {
   const auto& solvers = find_method(model.model.method)->solvers;
   if (std::ranges::find(solvers, Solver::path_limit) == solvers.end())

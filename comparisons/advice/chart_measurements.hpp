@@ -25,6 +25,7 @@ class ChartMeasurements : public Measurements {
     return run_.expected_seconds(model, across);
   }
   void measure(const ChartModel& model, int across, double seconds) override;
+  void time_again(const ChartModel& model, int across) override;
 
   /// Followed on 2 cells across and up, as long as the next size is expected to stay
   /// within the plan's budget: by the time of the one before, times the nodes to 3/2.

@@ -19,6 +19,7 @@
 #include "comparisons/commands/advise_command.hpp"
 #include "comparisons/commands/chart_command.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/export_command.hpp"
 #include "comparisons/commands/gate_command.hpp"
 #include "comparisons/commands/measure_command.hpp"
 #include "comparisons/commands/report_command.hpp"
@@ -450,6 +451,22 @@ int run_arguments(int argc, char** argv) {
   report->add_option("--out", out, "folder for them")->required()->check(check_not_empty);
   add_revisions(report, "cases in the file");
 
+  std::vector<std::string> columns;
+  CLI::App* exported = app.add_subcommand(
+      "export", "Write the cases of a result file as a table for other programs");
+  exported->add_option("results", results, "HDF5 file of results")->required();
+  exported->add_option("--out", out, "a .csv, .parquet or .json file")
+      ->required()
+      ->check(check_not_empty);
+  exported
+      ->add_option("--columns", columns,
+                   "settings, measures and columns of 'springcheck list columns', with "
+                   "commas between (default: what differs between cases, and what was "
+                   "measured)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add_revisions(exported, "cases in the file");
+
   app.set_version_flag("--version", version);
   for (CLI::App* command : app.get_subcommands({}))
     command->set_version_flag("--version", version);
@@ -525,6 +542,8 @@ int run_arguments(int argc, char** argv) {
                           quality ? MeshReport::quality : MeshReport::counts);
   else if (*report)
     status = report_command(results, out, revisions());
+  else if (*exported)
+    status = export_command(results, out, columns, revisions());
   else
     status =
         reproduce_command(out, all ? Extent::all : Extent::without_long_tables, threads);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
+
 #include <utility>
 
 #include "comparisons/cases/mechanical_scene.hpp"
@@ -19,6 +21,7 @@
 #include "meshing/breakdown.hpp"
 #include "meshing/output_file.hpp"
 #include "meshing/stopwatch.hpp"
+#include "meshing/turn.hpp"
 
 namespace springcheck {
 namespace {
@@ -50,6 +53,26 @@ double transit_count(const CaseSettings& settings, const Mesh& mesh) {
       std::ranges::minmax(mesh.nodes(), {}, [](const Vector3& x) { return x.z(); });
   const double wave_speed = std::sqrt((lambda + 2 * mu) / settings.material.density);
   return settings.dynamics.duration * wave_speed / (high.z() - low.z());
+}
+
+/// "the body is turned by -170 degrees, its plates by 190"; empty where they agree.
+/// Solvers of equilibria let no path lead there; a motion may.
+std::string lost_turn(const CaseSettings& settings, const Mesh& mesh,
+                      const Solution& solution) {
+  constexpr double degree = std::numbers::pi / 180;
+  std::vector<Vector3> positions = mesh.nodes();
+  for (std::size_t n = 0; n < positions.size(); ++n)
+    positions[n] += solution.displacements[n];
+  const Scene scene = mechanical_scene(settings, mesh);
+  if (shows_imposed_turn(mesh, scene, positions, solution.load_fraction)) return {};
+  return fmt::format("the body is turned by {:.4g} degrees, its plates by {:.4g}",
+                     *shown_turn(mesh, scene, positions, solution.load_fraction) / degree,
+                     scene.plates.back().motion.angle * solution.load_fraction / degree);
+}
+
+void add_reason(CaseResult& result, const std::string& reason) {
+  if (reason.empty()) return;
+  result.reason += (result.reason.empty() ? "" : "; ") + reason;
 }
 
 /// Writes checkpoints as long as they can be written: what was computed is worth more.
@@ -128,6 +151,7 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
       measures.hourglass_alternation = seen->alternation;
       measures.hourglass_amplitude = seen->amplitude;
     }
+    add_reason(result, lost_turn(settings, mesh, solution));
     inverted = *measures.corner_jacobian_ratio_min < 0;
     // Springs that take the logarithm of a cell's volume have no finite energy there.
     if (inverted && measures.strain_energy && !std::isfinite(*measures.strain_energy))
@@ -143,14 +167,12 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
   result.flags = verdict.flags;
   for (const Status flag : verdict.flags) {
     if (flag == Status::indefinite) continue;  // the solver gave its reason
-    result.reason += result.reason.empty() ? "" : "; ";
-    result.reason += flag == Status::inverted ? "a cell is turned inside out at a corner"
-                                              : "a free face zigzags from cell to cell";
+    add_reason(result, flag == Status::inverted
+                           ? "a cell is turned inside out at a corner"
+                           : "a free face zigzags from cell to cell");
   }
-  if (!solution.extrapolation.empty()) {
-    result.flags.push_back(Status::extrapolated);
-    result.reason += (result.reason.empty() ? "" : "; ") + solution.extrapolation;
-  }
+  if (!solution.extrapolation.empty()) result.flags.push_back(Status::extrapolated);
+  add_reason(result, solution.extrapolation);
   return result;
 }
 

@@ -13,6 +13,7 @@
 
 #include "meshing/random_vector.hpp"
 #include "meshing/stopwatch.hpp"
+#include "meshing/turn.hpp"
 
 namespace springcheck::dynamics {
 namespace {
@@ -55,6 +56,10 @@ class QuasiStatic {
   bool advance_to(double load_fraction, double dt) {
     auto found = find(dt, load_fraction);
     if (!found) return false;
+    if (!shows_imposed_turn(mesh_, scene_, found->positions, load_fraction)) {
+      jumped_ = true;
+      return false;
+    }
     jumped_ = false;
     positions_ = std::move(found->positions);
     forces_ = body_.forces_after(dt, positions_);

@@ -53,7 +53,7 @@ class Follower {
       evaluations_ += result.force_evaluations;
       spdlog::debug("load {:.5f}: {}, relative residual {:.2e}", to,
                     words(result.outcome), result.residual);
-      if (result.outcome == NewtonOutcome::converged && !leads_back(result, to))
+      if (result.outcome == NewtonOutcome::converged && !is_on_path(result, to))
         result.outcome = NewtonOutcome::astray;
       if (result.outcome == NewtonOutcome::converged) {
         accept(std::move(result), to);
@@ -99,6 +99,13 @@ class Follower {
     const Eigen::VectorXd increment = program_.displacements(to) - from;
     const Eigen::VectorXd moved = increment - body_.free_part(increment);
     return from + body_.step(to * program_.forces - forces, increment).value_or(moved);
+  }
+
+  /// Where Hooke's law takes the supports is one place.
+  bool is_on_path(const NewtonResult& result, double to) {
+    if (body_.is_linear()) return true;
+    shows_other_turn_ = !program_.follows_supports(result.displacements, to);
+    return !shows_other_turn_ && leads_back(result, to);
   }
 
   /// Whether what was found with indefinite tangents, at which the body is linearised, is
@@ -198,19 +205,24 @@ class Follower {
         ends_in_limit_point(to);
     if (limit_point)
       loss_.last_definite = std::min(loss_.last_definite, path_.load_fraction);
+    const bool ends =
+        limit_point || (result.outcome == NewtonOutcome::astray && shows_other_turn_);
     std::string reason = fmt::format(
         "{} at {:.2f} % of the load: from there to {:.2f} % Newton's method {} (relative "
         "residual {:.1e}, smallest det F {:.3g})",
-        limit_point ? "limit point" : "gave up", 100 * path_.load_fraction, 100 * to,
-        words(result.outcome), result.residual, result.internal.smallest_jacobian);
+        limit_point ? "limit point"
+        : ends      ? "the path ends"
+                    : "gave up",
+        100 * path_.load_fraction, 100 * to, words(result.outcome), result.residual,
+        result.internal.smallest_jacobian);
     if (limit_point)
       reason += fmt::format("; the tangent loses positive definiteness at {:.2f} %",
                             100 * std::min(loss_.last_definite, path_.load_fraction));
-    return finish(limit_point ? SolveStatus::no_equilibrium : SolveStatus::not_converged,
+    return finish(ends ? SolveStatus::no_equilibrium : SolveStatus::not_converged,
                   std::move(reason));
   }
 
-  static std::string_view words(NewtonOutcome outcome) {
+  [[nodiscard]] std::string_view words(NewtonOutcome outcome) const {
     switch (outcome) {
       case NewtonOutcome::converged:
         return "converged";
@@ -219,7 +231,8 @@ class Follower {
       case NewtonOutcome::inverted:
         return "turned a cell inside out";
       case NewtonOutcome::astray:
-        return "found another branch";
+        return shows_other_turn_ ? "found a body that is not turned as its plates are"
+                                 : "found another branch";
       case NewtonOutcome::stalled:
         break;
     }
@@ -249,7 +262,8 @@ class Follower {
   Tangents tangents_ = Tangents::definite;
   LossOfDefiniteness loss_;
   std::vector<Rate> rates_;
-  double gradient_ = 0;  // of the whole path, see first_gradient
+  double gradient_ = 0;            // of the whole path, see first_gradient
+  bool shows_other_turn_ = false;  // what was found last
   int steps_ = 0;
   int evaluations_ = 0;
 };

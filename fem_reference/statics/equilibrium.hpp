@@ -14,6 +14,9 @@ struct LoadProgram {
   /// read.
   std::function<Eigen::VectorXd(double)> displacements;
   Eigen::VectorXd forces;  // external nodal forces at s = 1 [N], in proportion to s
+  /// Whether displacements found at s belong to where the supports went by then, and not
+  /// to another turn of theirs that ends in the same place.
+  std::function<bool(const Eigen::VectorXd&, double)> follows_supports;
 };
 
 struct Equilibrium {
@@ -37,7 +40,8 @@ struct Equilibrium {
 /// indefinite tangents allowed, so that a bifurcation is passed (`indefinite` if the
 /// tangent is still so at the full load) and a limit point is not: `no_equilibrium`, if
 /// the rates of displacement say so (limit_point.hpp). States found so count where they
-/// lead back to the one before, to first order. A step that fails otherwise ends in
+/// lead back to the one before, to first order; all count only where they follow the
+/// supports. A step that fails otherwise ends in
 /// `not_converged`. Whenever definiteness was lost on the way, the reason says where,
 /// also with `ok`.
 Equilibrium find_equilibrium(Elasticity& body, const LoadProgram& program);

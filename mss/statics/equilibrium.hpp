@@ -17,7 +17,9 @@ namespace springcheck::mss {
 /// curvature, the most negative where the solver is direct (`seed` starts the iteration
 /// that finds it, and so decides between equal directions).
 ///
-/// A minimum counts only where the path leads there. A search that met indefinite
+/// A minimum counts only where the path leads there and the body shows the turn of its
+/// plates (shows_imposed_turn): layers of cells that it twists by more than half of one
+/// come right again as if they were twisted the other way. A search that met indefinite
 /// tangents may have passed a bifurcation, or have jumped to another branch, such as a
 /// smaller turn of a plate. Its minimum is unloaded to the last state's load, and counts
 /// when that leads back to the last state.
@@ -25,11 +27,9 @@ namespace springcheck::mss {
 /// A step that finds no minimum, or one that does not count, is halved, down to 1/1024 of
 /// the load, or until searches that did not converge have taken 450 iterations; then the
 /// status is no_equilibrium if the energy fell without end or the steps led to another
-/// branch, and not_converged otherwise. It is no_equilibrium, too, where a cell is turned
-/// inside out on the way and is not at the full load: layers of cells that a turn twists
-/// by more than half of one come right again as if they were twisted the other way. The solution's definite_up_to is about
-/// the states that the path keeps: a saddle that it left for a minimum, wrinkled perhaps,
-/// does not count.
+/// branch, and not_converged otherwise. The solution's definite_up_to is about the states
+/// that the path keeps: a saddle that it left for a minimum, wrinkled perhaps, does not
+/// count.
 ///
 /// With noise every free component of the last state is moved by up to that many mean
 /// cell edges, at random from the seed, and the minimum is sought from there: a state

@@ -198,6 +198,13 @@ double Landscape::gradient(const Positions& from, const Positions& to) const {
   return std::sqrt(sum / static_cast<double>(count));
 }
 
+double Landscape::path_gradient(const Positions& rest, const Positions& whole) {
+  constexpr double little = 1. / 64, clearly = 1.01;
+  const double chord = gradient(rest, whole);
+  const double path = gradient(rest, predicted(rest, little)) / little;
+  return path > clearly * chord ? path : chord;
+}
+
 double Landscape::largest_volume_ratio(const Positions& x) const {
   std::vector<Vector3> u(x.size());
   for (std::size_t n = 0; n < x.size(); ++n) u[n] = x[n] - network_.rest_positions[n];

@@ -96,6 +96,11 @@ class Landscape {
   /// displacement gradient between two states.
   [[nodiscard]] double gradient(const Positions& from, const Positions& to) const;
 
+  /// The same of the whole path from rest, where the tangent is taken, to the state that
+  /// it predicts for the full load: of its chord, or of its length where that is longer,
+  /// since supports turn.
+  [[nodiscard]] double path_gradient(const Positions& rest, const Positions& whole);
+
   /// Largest volume of a cell over its rest volume.
   [[nodiscard]] double largest_volume_ratio(const Positions& x) const;
 

@@ -103,7 +103,7 @@ PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& n
   }
   limit.rest_curvature = least_curvature(landscape, random).curvature;
   const double whole =
-      landscape.gradient(limit.positions, landscape.predicted(limit.positions, 1));
+      landscape.path_gradient(limit.positions, landscape.predicted(limit.positions, 1));
   const double longest_step = std::min(first_step, gradient_per_step / whole);
   Mode mode;
   const auto softest = [&] {
@@ -121,7 +121,7 @@ PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& n
     Positions x = landscape.predicted(limit.positions, to);
     landscape.set_load(to);
     const bool is_stable = correct(landscape, x, random);
-    was_rejected = is_stable && !accept(x);
+    was_rejected = is_stable && !accept(x, to);
     spdlog::debug("load {:.6f}: {}", to,
                   was_rejected ? "not accepted"
                   : is_stable  ? "stable"

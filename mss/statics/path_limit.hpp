@@ -33,7 +33,8 @@ struct PathLimit {
 };
 
 /// Whether the caller takes a state for one of the path.
-using AcceptState = std::function<bool(std::span<const Vector3> positions)>;
+using AcceptState =
+    std::function<bool(std::span<const Vector3> positions, double load_fraction)>;
 
 /// Follows the equilibrium path from rest to the full load and stops where its tangent
 /// loses positive definiteness or a state is not accepted; found by bisection to

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "meshing/cell_geometry.hpp"
+#include "meshing/turn.hpp"
 #include "meshing/wavelength.hpp"
 #include "mss/statics/path_limit.hpp"
 #include "mss/statics/static_solution.hpp"
@@ -44,7 +45,10 @@ std::string reason_of(const PathLimit& limit, double wavelength) {
     case PathEnd::limit_point:
       return fmt::format("the path turns back {}: no equilibrium nearby beyond", where);
     case PathEnd::rejected:
-      return fmt::format("a cell is turned inside out {}", where);
+      return fmt::format(
+          "a cell is turned inside out, or layers of cells lose the turn of the plates, "
+          "{}",
+          where);
     case PathEnd::solver:
       break;
   }
@@ -58,10 +62,11 @@ std::string reason_of(const PathLimit& limit, double wavelength) {
 
 Solution path_limit_solution(const Mesh& mesh, const Scene& scene,
                              const Network& network) {
-  const auto not_inverted = [&](std::span<const Vector3> x) {
-    return !has_inverted_cell(mesh.cells(), x);
+  const auto is_whole = [&](std::span<const Vector3> x, double load_fraction) {
+    return !has_inverted_cell(mesh.cells(), x) &&
+           shows_imposed_turn(mesh, scene, x, load_fraction);
   };
-  const PathLimit limit = follow_to_limit(mesh, scene, network, resolution, not_inverted);
+  const PathLimit limit = follow_to_limit(mesh, scene, network, resolution, is_whole);
   Solution solution =
       static_solution(mesh, scene, network, limit.positions, limit.load_fraction);
   solution.status = status_of(limit.end);

@@ -2,6 +2,8 @@
 
 import base64
 from dataclasses import dataclass
+from itertools import groupby
+
 
 import methods
 import numpy as np
@@ -23,7 +25,8 @@ class Group:
 
 def groups(study, test):
     """The groups of a test, the most telling first: springs beside finite elements, many
-    methods, mss-cf among them, large loads. Only cases with an equilibrium's fields."""
+    methods, mss-cf among them, large loads; of those alike Poisson's ratios far apart. Only
+    cases with an equilibrium's fields."""
     cases = study.with_fields(study.cases[study.cases.test == test])
     found = []
     for _, members in cases.groupby("problem", sort=False):
@@ -38,11 +41,26 @@ def groups(study, test):
             -(load if np.isfinite(load) else 0),
             -len(study.mesh(members.index[0])["nodes"]),
             -members.method.nunique(),
-            abs(members.nu.iloc[0] - 0.25),
         )
-        found.append((rank, Group(group_text(members.iloc[0]), list(members.index))))
+        found.append((rank, members.nu.iloc[0], Group(group_text(members.iloc[0]), list(members.index))))
     found.sort(key=lambda entry: entry[0])
-    return [group for _, group in found[:_GROUPS]]
+    ordered = []
+    for _, alike in groupby(found, key=lambda entry: entry[0]):
+        alike = list(alike)
+        ordered += [alike[i][2] for i in far_apart([nu for _, nu, _ in alike], 0.25)]
+    return ordered[:_GROUPS]
+
+
+def far_apart(values, start):
+    """Indices of numbers: the nearest to the start, then always the farthest from those before."""
+    values = np.asarray(values, dtype=float)
+    order = [int(np.abs(values - start).argmin())]
+    distance = np.abs(values - values[order[0]])
+    for _ in values[1:]:
+        distance[order] = -1
+        order.append(int(distance.argmax()))
+        distance = np.minimum(distance, np.abs(values - values[order[-1]]))
+    return order
 
 
 def group_text(case):

@@ -46,7 +46,8 @@ class Study:
         as a fraction of V0, answer relative), `strain`: the size of the deformation (of a
         beam its tip's drop over its length).
         `is_judged`: whether that counterpart is good enough to judge by. `is_repeated`: the
-        same simulation is there already, with another reference.
+        same simulation is there already, with another reference. `further`: the settings that
+        tell a case from others of the same name and text, in words, or "".
     limits: cases of solver limit, which end where a path does and not at their load, apart
         from all others.
     tables: JSON documents of tables/ by name. theory: data/theory.json. atlas:
@@ -73,6 +74,11 @@ class Study:
         self._meshes = lru_cache(maxsize=64)(
             lambda name: self.results.mesh((self.cases["mesh"] == name).idxmax())
         )
+
+    @property
+    def distinct(self):
+        """Cases without those that are there already, with another reference."""
+        return self.cases[~self.cases.is_repeated]
 
     def _find_out_if_whole(self, key):
         if not (self.has(key, "displacement") and self.has(key, "cell_volume_ratio")):
@@ -211,7 +217,8 @@ def prepared(cases, settings):
     beams = (cases.test == "bending") & (cases.body == "block")
     cases.loc[beams, "strain"] = cases.tip_deflection / cases["size.z"]
     cases["counterpart"], cases["is_judged"] = _counterparts(cases)
-    cases["is_repeated"] = cases.duplicated(["problem", "name"])
+    cases["further"] = _further(cases, settings)
+    cases["is_repeated"] = cases.duplicated(["problem", "name", "further"])
     other = cases.reindex(cases["counterpart"].tolist())
     for measure, scale in (("volume_change", None), ("answer", "answer")):
         theirs = other[measure].to_numpy(dtype=float)
@@ -220,6 +227,25 @@ def prepared(cases, settings):
         with np.errstate(divide="ignore", invalid="ignore"):
             cases[name] = difference if scale is None else difference / np.abs(theirs)
     return cases
+
+
+def _further(cases, settings):
+    """The settings that differ between cases of one name and text, in words: "density 1060"."""
+    further = pd.Series("", index=cases.index)
+    texts = [case_text(case) for _, case in cases.iterrows()]
+    labels = cases.assign(text=texts)[["name", "text"]].agg("\n".join, axis=1)
+    alike = cases[labels.duplicated(keep=False).to_numpy()]
+    if alike.empty:
+        return further
+    for key, setting in settings.items():
+        columns, _ = _columns(key, setting)
+        if not setting["column"] or (alike[columns].nunique(dropna=False) == 1).all():
+            continue
+        values = alike[columns].agg(lambda row: "/".join(filter(None, map(_setting_text, row))), axis=1)
+        differs = values.groupby(labels[alike.index]).transform("nunique") > 1
+        told = values[differs & (values != "")]
+        further[told.index] += f", {key} " + told
+    return further.str.removeprefix(", ")
 
 
 def _kind(case):
@@ -315,7 +341,7 @@ def mesh_text(case):
 
 def case_text(case):
     """A case in words, for captions and lists."""
-    parts = [case.scene, mesh_text(case), f"nu {case.nu:g}", case.load]
+    parts = [case.scene, mesh_text(case), f"nu {case.nu:g}", case.load, case.get("further")]
     return ", ".join(part for part in parts if part)
 
 

@@ -69,6 +69,42 @@ BOOST_AUTO_TEST_CASE(gates_end_with_the_status_that_ci_reads) {
   BOOST_TEST(run_springcheck("gate stored.toml gated.h5").status == 0);
 }
 
+// Cases that differ in a setting alone have a column for it; all formats tell the same.
+BOOST_AUTO_TEST_CASE(cases_are_written_for_other_programs) {
+  std::ofstream(folder / "told.toml")
+      << "[[cases]]\nscene = 'compression'\ncells = [2, 2, 2]\nmethod = 'mss-cf'\n"
+         "stiffness-form = ['mu', 'E']\ndensity = [1000, 1060]\n";
+  BOOST_TEST(run_springcheck("sweep told.toml --out told.h5").status == 0);
+  const Run csv = run_springcheck("export told.h5 --out told.csv");
+  BOOST_TEST(csv.status == 0, csv.err);
+  BOOST_TEST(csv.out.starts_with("told.csv: 4 cases, "), csv.out);
+  const std::string text = text_of(folder / "told.csv");
+  const std::string head = text.substr(0, text.find('\n'));
+  for (const char* column :
+       {"density [kg/m^3]", "stiffness-form", "plate_force [N]", "status"})
+    BOOST_TEST(head.find(column) != std::string::npos, head);
+  BOOST_TEST(lines(text) == 5U);
+
+  BOOST_TEST(
+      run_springcheck("export told.h5 --out told.json --columns density,plate_force")
+          .status == 0);
+  const Json json = Json::parse(text_of(folder / "told.json"));
+  BOOST_TEST(json["columns"][0]["unit"] == "kg/m^3");
+  BOOST_TEST(json["cases"].size() == 4U);
+  BOOST_TEST(json["cases"][0].size() == 2U);
+  BOOST_TEST(json["cases"][0]["plate_force"].get<double>() > 0);
+
+  BOOST_TEST(run_springcheck("export told.h5 --out told.parquet").status == 0);
+  BOOST_TEST(text_of(folder / "told.parquet").starts_with("PAR1"));
+
+  expect_bad_input("export told.h5 --out told.xlsx", ".csv, .parquet or .json");
+  expect_bad_input("export told.h5 --out none/told.csv", "none/told.csv");
+  expect_bad_input("export told.h5 --out a.csv --columns plate_farce",
+                   "did you mean 'plate_force'?");
+  expect_bad_input("export told.csv --out a.csv", "told.csv");
+  BOOST_TEST(!fs::exists(folder / "a.csv"));
+}
+
 BOOST_AUTO_TEST_CASE(a_result_file_feeds_a_table_without_computing) {
   BOOST_TEST(run_springcheck("run compression --out one.h5 " + small).status == 0);
   BOOST_TEST(fs::exists(folder / "one.h5"));

@@ -11,6 +11,7 @@ import method_style  # noqa: E402
 import methods  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
+from bodies import far_apart  # noqa: E402
 from content import file_name, paragraph, table  # noqa: E402
 from figures import error_parts  # noqa: E402
 from figures.cost import pareto_front  # noqa: E402
@@ -242,6 +243,10 @@ class Figures(unittest.TestCase):
         ):
             row = pd.Series({**case, "method": method, "solver": solver})
             self.assertEqual(method_name(row), name)
+
+    def test_bodies_drawn_reach_to_both_ends_of_a_sweep(self):
+        self.assertEqual(far_apart([-0.5, -0.25, 0, 0.2, 0.4, 0.499], 0.25), [3, 0, 5, 1, 2, 4])
+        self.assertEqual(far_apart([0.3, 0.3, 0.3], 0.25), [0, 1, 2])
 
     def test_pareto_front(self):
         times, errors = np.array([1, 2, 3, 4, 1.0]), np.array([5, 6, 2, 2, 7.0])

@@ -26,6 +26,7 @@ class Stub:
 
     def __init__(self, cases):
         self.cases, self.theory = cases, {}
+        self.distinct = cases[~cases.is_repeated]
 
 
 def cases_of(*rows):
@@ -53,6 +54,15 @@ class Failures(unittest.TestCase):
         study.atlas = {}
         self.assertGreater(len(failures(study).blocks), 1)
 
+    def test_how_far_a_case_came_is_told(self):
+        given_up = {"status": "not_converged", "load_fraction": 0.25}
+        study = Stub(cases_of(given_up, {"status": "wrinkled", "load_fraction": 1.0}))
+        study.atlas = {}
+        text = str(failures(study).blocks[-1])
+        self.assertEqual(text.count("25.0 % of the load"), 1)
+        self.assertNotIn("100 % of the load", text)
+
+
 
 class Loads(unittest.TestCase):
     def test_a_path_that_ends_early_is_a_problem_at_its_end(self):
@@ -68,6 +78,22 @@ class Loads(unittest.TestCase):
         cases = cases_of(beam)
         self.assertEqual(cases["gravity.x"].iloc[0], -5)
         self.assertEqual(cases.load.iloc[0], "E = 0.01 MPa, 50 % of its weight")
+
+
+class Further(unittest.TestCase):
+    def test_cases_that_read_alike_are_told_apart(self):
+        cases = cases_of({"density": 1000.0}, {"density": 1060.0}, {"nu": 0.3}, fem("stvk", "q1"))
+        self.assertEqual(list(cases.further), ["density 1000", "density 1060", "", ""])
+        self.assertEqual(
+            study_module.case_text(cases.iloc[1]),
+            study_module.case_text(cases.iloc[0]).replace("1000", "1060"),
+        )
+        self.assertFalse(cases.is_repeated.any())
+
+    def test_the_same_with_another_reference_is_repeated(self):
+        cases = cases_of({"reference": "fem-stvk"}, {"reference": "fem-hencky"})
+        self.assertEqual(list(cases.further), ["", ""])
+        self.assertEqual(list(cases.is_repeated), [False, True])
 
 
 class Counterparts(unittest.TestCase):

@@ -21,7 +21,7 @@ _MOST_ROWS = 300
 
 def failing_sentences(study):
     """What goes wrong with each spring method, in words; one sentence if nothing does."""
-    cases = study.cases[study.cases.kind != "finite elements"]
+    cases = study.distinct[study.distinct.kind != "finite elements"]
     items = []
     for method, of_method in cases.groupby("method"):
         bad = of_method[~of_method.status.isin(["ok", "refused"])]
@@ -44,7 +44,7 @@ def failing_sentences(study):
 def failures(study):
     """A map by method and test, every case that is not ok with its reason, and what else is
     to be known of others."""
-    bad = study.cases[study.cases.status != "ok"]
+    bad = study.distinct[study.distinct.status != "ok"]
     section = Section("failures", "Where methods fail")
     if not bad.empty:
         _show_failed(section, study, bad)
@@ -61,11 +61,12 @@ def _show_failed(section, study, bad):
             "the load was carried."
         )
     )
-    tests = list(dict.fromkeys(study.cases.test))[:8]
-    methods = sorted(set(study.cases.method))[:24]
+    cases = study.distinct
+    tests = list(dict.fromkeys(cases.test))[:8]
+    methods = sorted(set(cases.method))[:24]
     shares = [
         [
-            study.cases[(study.cases.method == method) & (study.cases.test == test)]
+            cases[(cases.method == method) & (cases.test == test)]
             .status.value_counts()
             .to_dict()
             for test in tests
@@ -83,8 +84,9 @@ def _show_failed(section, study, bad):
 
 def _remarks(study):
     """Cases that ended well and of which something is to be known nevertheless."""
-    flags, reasons = study.cases["flags"].fillna(""), study.cases["reason"].fillna("")
-    cases = study.cases[(study.cases.status == "ok") & ((flags != "") | (reasons != ""))]
+    cases = study.distinct
+    is_remarkable = (cases["flags"].fillna("") != "") | (cases["reason"].fillna("") != "")
+    cases = cases[(cases.status == "ok") & is_remarkable]
     if cases.empty:
         return []
     rows = [
@@ -138,7 +140,7 @@ def _table(bad):
     rows = []
     for key, case in bad[bad.status != "refused"].iterrows():
         reached = ""
-        if case.status == "no_equilibrium" and case.load_fraction == case.load_fraction:
+        if case.load_fraction < 1:
             reached = f"{significant(100 * case.load_fraction, 3)} % of the load"
         reason = case.reason or ""
         rows.append(

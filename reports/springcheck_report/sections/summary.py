@@ -37,15 +37,15 @@ def _what(study):
         "are apart: in the force that holds the deformed body, in its volume, and in the place of "
         "its points.",
         " and ".join(solvers),
-        len(cases),
-        "simulation" if len(cases) == 1 else "simulations",
+        len(study.distinct),
+        "simulation" if len(study.distinct) == 1 else "simulations",
         ", ".join(tests),
     )
 
 
 def _agreement(study):
     """Two tables by method and test, for small and large deformation."""
-    cases = study.cases[(study.cases.kind != "finite elements") & ~study.cases.is_repeated]
+    cases = study.distinct[study.distinct.kind != "finite elements"]
     cases = cases[~cases["name"].map(is_variant) & (cases.status != "refused")]
     if cases.empty:
         return paragraph(

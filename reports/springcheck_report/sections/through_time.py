@@ -125,7 +125,7 @@ def _solvers(study):
     of the table dynamics."""
     document = study.tables.get("dynamics", {"rows": []})
     shown = {case for row in document["rows"] for case in row["cases"]}
-    cases = study.cases[study.cases.apply(is_through_time, axis=1)]
+    cases = study.distinct[study.distinct.apply(is_through_time, axis=1)]
     cases = cases[~cases.index.isin(shown) & cases.test.isin(ANSWERS) & (cases.status != "refused")]
     if cases.empty:
         return []

@@ -92,7 +92,7 @@ Limit limit_of(const Path& path) {
   const CaseSettings settings = loaded(path.scene, path.changes, path.far);
   const Mesh mesh = build_mesh(settings.body);
   const mss::Network network = settings.method.network(settings, mesh).value();
-  const auto is_upright = [&](std::span<const Vector3> x) {
+  const auto is_upright = [&](std::span<const Vector3> x, double) {
     return std::ranges::all_of(mesh.cells(), [&](const CellNodes& cell) {
       return smallest_corner_jacobian(corners(cell, x)) > 0;
     });

@@ -37,7 +37,8 @@ struct Problem {
     return find_equilibrium(
         elasticity,
         {.displacements = [&](double s) { return supports.displacements(way(s)); },
-         .forces = load});
+         .forces = load,
+         .follows_supports = [](const auto&, double) { return true; }});
   }
   Mesh mesh;
   Scene scene;
@@ -303,8 +304,8 @@ BOOST_AUTO_TEST_CASE(a_turn_is_followed_along_its_way) {
   BOOST_TEST((whole.status != SolveStatus::ok || whole.energy > 2 * half.energy));
 }
 
-// Beyond 302 degrees Newton's method with indefinite tangents finds a state at 480 degrees
-// that is another branch's; steps are of 1/1024 of the load.
+// Beyond 302 degrees Newton's method with indefinite tangents finds a state at 480
+// degrees that is another branch's; steps are of 1/1024 of the load.
 BOOST_AUTO_TEST_CASE(a_turn_ends_where_the_path_does_whatever_the_load) {
   const Settings law{.law = Law::hencky, .element = Element::q1_sri};
   const auto degrees_reached = [&](double degrees) {

@@ -117,6 +117,25 @@ BOOST_AUTO_TEST_CASE(mss_cf_in_torsion_holds_as_far_as_its_prototype) {
   }
 }
 
+// Plates turned by 370 degrees lie where 10 would bring them. On two layers of cells.
+BOOST_AUTO_TEST_CASE(a_limit_in_torsion_does_not_depend_on_the_turn_asked_for) {
+  const Mesh mesh = cube(2, h);
+  const Network network =
+      build_network(mesh, tissue_of(.25), in_shear_modulus_form(Method::cf));
+  const auto limit = [&](double degrees) {
+    Scene scene = between_plates(tissue_of(.25), Vector3::Zero());
+    scene.plates[1].motion = {.translation = Vector3::Zero(),
+                              .axis = Vector3::UnitZ(),
+                              .centre = {h, h, 2 * h},
+                              .angle = degrees * std::numbers::pi / 180};
+    const Solution end = path_limit_solution(mesh, scene, network);
+    BOOST_TEST((end.status == SolveStatus::no_equilibrium), end.reason);
+    return degrees * end.load_fraction;
+  };
+  for (const double degrees : {200., 370., -720.})
+    BOOST_TEST(std::abs(limit(degrees)) == limit(170), boost::test_tools::tolerance(.01));
+}
+
 // Isochoric springs lose a mode of few nodes whose curvature is a third of that at rest
 // until within .2 % of the load.
 BOOST_AUTO_TEST_CASE(
@@ -128,7 +147,7 @@ BOOST_AUTO_TEST_CASE(
   const Network network = build_network(mesh, tissue_of(.4), settings);
   const PathLimit limit =
       follow_to_limit(mesh, between_plates(tissue_of(.4), {0, 0, -.6 * 6 * h}), network,
-                      .002, [](auto) { return true; });
+                      .002, [](auto, double) { return true; });
   BOOST_TEST((limit.end == PathEnd::bifurcation));
   BOOST_TEST(limit.curvature < .1 * limit.rest_curvature);
   BOOST_TEST(limit.next_load_fraction - limit.load_fraction < .001 * limit.load_fraction);
@@ -141,7 +160,7 @@ BOOST_AUTO_TEST_CASE(a_path_without_a_limit_reaches_the_full_load) {
       build_network(mesh, tissue_of(.25), in_shear_modulus_form(Method::cf));
   const PathLimit limit =
       follow_to_limit(mesh, between_plates(tissue_of(.25), {0, 0, -.1 * 3 * h}), network,
-                      .01, [](auto) { return true; });
+                      .01, [](auto, double) { return true; });
   BOOST_TEST((limit.end == PathEnd::full_load));
   BOOST_TEST(limit.load_fraction == 1);
   BOOST_TEST(limit.curvature > 0);
@@ -156,9 +175,11 @@ BOOST_AUTO_TEST_CASE(a_state_that_is_not_accepted_ends_the_path) {
       std::ranges::max_element(mesh.nodes(), {}, [](const Vector3& x) { return x.z(); }) -
       mesh.nodes().begin());
   const double height = 3 * h;
-  const PathLimit limit = follow_to_limit(
-      mesh, between_plates(tissue_of(.25), {0, 0, -.1 * height}), network, .001,
-      [&](std::span<const Vector3> x) { return x[top].z() > (1 - .0437) * height; });
+  const PathLimit limit =
+      follow_to_limit(mesh, between_plates(tissue_of(.25), {0, 0, -.1 * height}), network,
+                      .001, [&](std::span<const Vector3> x, double) {
+                        return x[top].z() > (1 - .0437) * height;
+                      });
   BOOST_TEST((limit.end == PathEnd::rejected));
   BOOST_TEST(limit.load_fraction == .437, boost::test_tools::tolerance(.0011));
   BOOST_TEST(limit.load_fraction < .437);

@@ -1,0 +1,109 @@
+#include "comparisons/commands/export_command.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "comparisons/results/case_table.hpp"
+#include "comparisons/results/known_results.hpp"
+#include "comparisons/sheets/text_table.hpp"
+#include "comparisons/store/parquet.hpp"
+#include "meshing/input_error.hpp"
+#include "meshing/output_file.hpp"
+
+namespace springcheck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Texts = std::vector<std::string>;
+using Numbers = std::vector<double>;
+using CaseTable = std::vector<CaseColumn>;
+
+std::string heading(const CaseColumn& column) {
+  return column.unit.empty() ? column.name
+                             : fmt::format("{} [{}]", column.name, column.unit);
+}
+
+std::size_t size_of(const CaseColumn& column) {
+  return std::visit([](const auto& values) { return values.size(); }, column.values);
+}
+
+/// To all digits; empty or null where there is none.
+std::string text_at(const CaseColumn& column, std::size_t row) {
+  if (const auto* texts = std::get_if<Texts>(&column.values)) return (*texts)[row];
+  const double value = std::get<Numbers>(column.values)[row];
+  return std::isnan(value) ? "" : fmt::format("{}", value);
+}
+Json json_at(const CaseColumn& column, std::size_t row) {
+  const std::string text = text_at(column, row);
+  if (text.empty()) return {};
+  const auto* numbers = std::get_if<Numbers>(&column.values);
+  return numbers == nullptr ? Json(text) : Json((*numbers)[row]);
+}
+
+void write_csv(std::ostream& out, const CaseTable& table) {
+  TextLines lines(1 + size_of(table.front()));
+  for (const CaseColumn& column : table) {
+    lines.front().push_back(heading(column));
+    for (std::size_t row = 0; row + 1 < lines.size(); ++row)
+      lines[row + 1].push_back(text_at(column, row));
+  }
+  out << csv_text(lines);
+}
+
+void write_json(std::ostream& out, const CaseTable& table) {
+  Json columns = Json::array(), cases = Json::array();
+  for (const CaseColumn& column : table)
+    columns.push_back({{"name", column.name}, {"unit", column.unit}});
+  for (std::size_t row = 0; row < size_of(table.front()); ++row) {
+    Json one = Json::object();
+    for (const CaseColumn& column : table) one[column.name] = json_at(column, row);
+    cases.push_back(std::move(one));
+  }
+  out << Json{{"columns", columns}, {"cases", cases}}.dump(1) << "\n";
+}
+
+void write_as_parquet(std::ostream& out, const CaseTable& table) {
+  std::vector<ParquetColumn> columns;
+  for (const CaseColumn& column : table)
+    columns.push_back({heading(column), column.values});
+  write_parquet(out, columns);
+}
+
+struct Format {
+  std::string_view extension;
+  void (*write)(std::ostream&, const CaseTable&);
+};
+constexpr Format formats[] = {
+    {".csv", write_csv}, {".parquet", write_as_parquet}, {".json", write_json}};
+
+const Format& format_of(const std::filesystem::path& out) {
+  for (const Format& format : formats)
+    if (out.extension() == format.extension) return format;
+  throw InputError("--out", "", "a file named .csv, .parquet or .json",
+                   "'" + out.string() + "'");
+}
+
+}  // namespace
+
+ExitStatus export_command(const std::filesystem::path& results,
+                          const std::filesystem::path& out,
+                          const std::vector<std::string>& columns, Revisions revisions) {
+  const Format& format = format_of(out);
+  check_writable(out);
+  const Columns cases = read_cases(results, revisions);
+  const StoredKeys stored = stored_keys(results);
+  if (cases.rows == 0)
+    throw InputError(
+        results.string(), "", "cases",
+        stored.others.empty() ? "none" : note_of_other_revisions(stored, revisions));
+  warn_of_other_revisions(results, stored, revisions);
+  const CaseTable table = case_table(cases, columns);
+  write_whole_stream(out, [&](std::ostream& stream) { format.write(stream, table); });
+  fmt::print("{}: {} cases, {} columns\n", out.string(), cases.rows, table.size());
+  return ExitStatus::done;
+}
+
+}  // namespace springcheck

@@ -1,0 +1,175 @@
+#include "comparisons/results/case_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <span>
+#include <string_view>
+
+#include "comparisons/measures/measure_list.hpp"
+#include "comparisons/results/layout.hpp"
+#include "comparisons/settings/setting.hpp"
+#include "comparisons/settings/suggestion.hpp"
+
+namespace springcheck {
+namespace {
+
+using Texts = std::vector<std::string>;
+using Numbers = std::vector<double>;
+
+/// A name of the file's table of cases.
+struct Name {
+  std::string_view name, unit;
+  enum Kind { which, setting, measure, how } kind;
+};
+
+/// Every name, in the order of the columns: which case, settings, measures, how it ended.
+std::vector<Name> all_names() {
+  constexpr std::string_view before_settings[] = {"key", "identity", "scene", "family",
+                                                  "mesh"};
+  std::vector<Name> names, after;
+  for (const Described& column : case_columns()) {
+    const bool is_first = std::ranges::count(before_settings, column.name) > 0;
+    (is_first ? names : after)
+        .push_back({column.name, column.unit, is_first ? Name::which : Name::how});
+  }
+  for (const Setting& setting : all_settings())
+    if (setting.access.told != nullptr)
+      names.push_back({setting.key, si_unit_of(setting.dimension), Name::setting});
+  for (const Described& measure : measure_list())
+    names.push_back({measure.name, measure.unit, Name::measure});
+  names.insert(names.end(), after.begin(), after.end());
+  names.push_back({"other_revision", "", Name::how});
+  return names;
+}
+
+/// Of numbers in a row.
+std::span<const std::string_view> components(std::size_t width) {
+  static constexpr std::string_view vector[] = {"x", "y", "z"};
+  static constexpr std::string_view matrix[] = {"xx", "xy", "xz", "yx", "yy",
+                                                "yz", "zx", "zy", "zz"};
+  if (width == std::size(vector)) return vector;
+  if (width == std::size(matrix)) return matrix;
+  return {};
+}
+
+std::string component_name(std::string_view name, std::string_view component) {
+  return std::string(name) + "." + std::string(component);
+}
+
+/// Of one name, as many as it has components; none where no case has it.
+std::vector<CaseColumn> columns_of(const Columns& cases, const Name& name) {
+  const std::string key(name.name), unit(name.unit);
+  if (const auto found = cases.texts.find(key); found != cases.texts.end())
+    return {{key, unit, found->second}};
+  const auto found = cases.numbers.find(key);
+  if (found == cases.numbers.end()) return {};
+  const auto& [width, values] = found->second;
+  if (width == 1) return {{key, unit, values}};
+  std::vector<CaseColumn> columns;
+  for (std::size_t i = 0; i < width; ++i) {
+    Numbers component;
+    for (std::size_t row = 0; row < cases.rows; ++row)
+      component.push_back(values[row * width + i]);
+    columns.push_back(
+        {component_name(name.name, components(width)[i]), unit, std::move(component)});
+  }
+  return columns;
+}
+
+bool is_empty(const CaseColumn& column) {
+  if (const auto* texts = std::get_if<Texts>(&column.values))
+    return std::ranges::all_of(*texts, &std::string::empty);
+  return std::ranges::all_of(std::get<Numbers>(column.values),
+                             [](double x) { return std::isnan(x); });
+}
+
+bool is_same(double one, double other) {
+  return one == other || (std::isnan(one) && std::isnan(other));
+}
+
+bool differs(const Columns& cases, const std::string& key,
+             const std::vector<std::size_t>& rows) {
+  if (const auto found = cases.texts.find(key); found != cases.texts.end())
+    return std::ranges::any_of(rows, [&](std::size_t row) {
+      return found->second[row] != found->second[rows.front()];
+    });
+  const auto found = cases.numbers.find(key);
+  if (found == cases.numbers.end()) return false;
+  const auto& [width, values] = found->second;
+  for (const std::size_t row : rows)
+    for (std::size_t i = 0; i < width; ++i)
+      if (!is_same(values[row * width + i], values[rows.front() * width + i]))
+        return true;
+  return false;
+}
+
+/// With the unit of its name, which has no value in any case.
+CaseColumn empty_column(const std::string& name, const Name& of, std::size_t rows) {
+  return {name, std::string(of.unit),
+          Numbers(rows, std::numeric_limits<double>::quiet_NaN())};
+}
+
+std::vector<CaseColumn> chosen_columns(const Columns& cases, const std::string& chosen) {
+  const std::vector<Name> all = all_names();
+  const std::string name = chosen.substr(0, chosen.find('.'));
+  const auto found = std::ranges::find(all, name, &Name::name);
+  if (found == all.end()) {
+    std::vector<std::string_view> names;
+    for (const Name& one : all) names.push_back(one.name);
+    refuse_name("--columns", "column", chosen, names);
+  }
+  std::vector<CaseColumn> columns = columns_of(cases, *found);
+  if (columns.empty()) return {empty_column(chosen, *found, cases.rows)};
+  if (chosen == name) return columns;
+  const auto component = std::ranges::find(columns, chosen, &CaseColumn::name);
+  if (component != columns.end()) return {*component};
+  std::vector<std::string_view> names{name};
+  for (const CaseColumn& column : columns) names.push_back(column.name);
+  refuse_name("--columns", "column", chosen, names);
+}
+
+}  // namespace
+
+std::vector<std::string> differing_settings(const Columns& cases,
+                                            const std::vector<std::size_t>& rows) {
+  std::vector<std::string> keys;
+  for (const Setting& setting : all_settings()) {
+    const std::string key(setting.key);
+    if (setting.access.told != nullptr && !rows.empty() && differs(cases, key, rows))
+      keys.push_back(key);
+  }
+  return keys;
+}
+
+std::vector<CaseColumn> case_table(const Columns& cases,
+                                   const std::vector<std::string>& chosen) {
+  std::vector<CaseColumn> table;
+  const auto add = [&](std::vector<CaseColumn> columns) {
+    for (CaseColumn& column : columns)
+      if (!std::ranges::count(table, column.name, &CaseColumn::name))
+        table.push_back(std::move(column));
+  };
+  for (const std::string& name : chosen) add(chosen_columns(cases, name));
+  if (!chosen.empty()) return table;
+
+  std::vector<std::size_t> rows(cases.rows);
+  std::iota(rows.begin(), rows.end(), 0);
+  const std::vector<std::string> differing = differing_settings(cases, rows);
+  const auto is_wanted = [&](const Name& name) {
+    if (name.kind == Name::setting)
+      return name.name == "method" || std::ranges::count(differing, name.name) > 0;
+    return name.name != "reference_settings";
+  };
+  for (const Name& name : all_names())
+    if (is_wanted(name)) {
+      std::vector<CaseColumn> columns = columns_of(cases, name);
+      std::erase_if(columns, is_empty);
+      add(std::move(columns));
+    }
+  return table;
+}
+
+}  // namespace springcheck

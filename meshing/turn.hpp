@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "meshing/scene.hpp"
+
+namespace springcheck {
+
+/// How far the last plate of a scene is turned against the first at load fraction s, as
+/// the body between them shows it [rad]; none where there are no two plates or they turn
+/// by less than a right angle. A plate tells its turn but for whole ones; the body tells
+/// those as well. With a the unit vector along the last plate's axis, a cell's
+/// deformation gradient F (the least-squares fit to its nodes' positions) turns by
+///
+///     phi = atan2(a . (F_32 - F_23, F_13 - F_31, F_21 - F_12), tr F - a . F a)
+///
+/// about it, and from a cell to the next ones, which share a node, by less than half a
+/// turn. The first plate's cells are within half a turn of that plate; the value returned
+/// is the last plate's nearest to the mean of its own cells.
+std::optional<double> shown_turn(const Mesh& mesh, const Scene& scene,
+                                 std::span<const Vector3> positions,
+                                 double load_fraction);
+
+/// Whether that is the turn imposed; where none is looked at, too. Not so on a branch of
+/// equilibria that belongs to another turn of the plates, less or more by whole ones.
+bool shows_imposed_turn(const Mesh& mesh, const Scene& scene,
+                        std::span<const Vector3> positions, double load_fraction);
+
+}  // namespace springcheck
