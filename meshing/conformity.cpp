@@ -147,7 +147,7 @@ void check_conformity(const Mesh& mesh, const NodeName& name) {
 }
 
 void check_conformity(const Mesh& mesh) {
-  check_conformity(mesh, [](NodeIndex node) { return fmt::format("node {}", node); });
+  check_conformity(mesh, [](NodeIndex node) { return fmt::format("node {}", node + 1); });
 }
 
 }  // namespace springcheck

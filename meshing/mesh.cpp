@@ -32,13 +32,13 @@ struct FaceUse {
 /// By the faces' ascending nodes.
 using FaceUses = std::unordered_map<FaceNodes, FaceUse, FaceHash>;
 
-std::string cell_name(std::size_t number, const CellNodes& cell,
+std::string cell_name(std::size_t index, const CellNodes& cell,
                       const std::vector<Vector3>& nodes) {
   Vector3 centre = Vector3::Zero();
   for (const NodeIndex node : cell)
     centre += nodes[node] / static_cast<double>(cell.size());
   return fmt::format("{} {} near ({:.6g}, {:.6g}, {:.6g}) m", name_of(type_of(cell)),
-                     number, centre.x(), centre.y(), centre.z());
+                     index + 1, centre.x(), centre.y(), centre.z());
 }
 
 void check_nodes(const std::string& source, const std::vector<Vector3>& nodes,
@@ -46,20 +46,20 @@ void check_nodes(const std::string& source, const std::vector<Vector3>& nodes,
   if (cells.empty()) throw InputError(source, "cells", "at least 1", "0");
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (!nodes[i].allFinite())
-      throw InputError(source, fmt::format("node {}", i), "finite coordinates",
+      throw InputError(source, fmt::format("node {}", i + 1), "finite coordinates",
                        "infinity or not-a-number");
   std::vector<char> used(nodes.size(), 0);
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (const NodeIndex node : cells[c]) {
       if (node >= nodes.size())
-        throw InputError(source, fmt::format("{} {}", name_of(type_of(cells[c])), c),
-                         fmt::format("node numbers below {}", nodes.size()),
-                         std::to_string(node));
+        throw InputError(source, fmt::format("{} {}", name_of(type_of(cells[c])), c + 1),
+                         fmt::format("node numbers up to {}", nodes.size()),
+                         std::to_string(node + 1));
       used[node] = 1;
     }
   const auto unused = std::ranges::find(used, 0);
   if (unused != used.end())
-    throw InputError(source, fmt::format("node {}", unused - used.begin()),
+    throw InputError(source, fmt::format("node {}", 1 + (unused - used.begin())),
                      "a cell that uses it", "none");
 }
 
@@ -146,6 +146,14 @@ void check_region_name(const std::string& source, const std::string& name) {
                                              : "bytes that are no UTF-8");
 }
 
+/// "3, 7, 8"
+std::string numbers_of(const FaceNodes& face) {
+  std::string text;
+  for (const NodeIndex node : face)
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", node + 1);
+  return text;
+}
+
 Region checked_region(const std::string& source, const std::string& name,
                       std::vector<FaceNodes> faces, const FaceUses& uses) {
   check_region_name(source, name);
@@ -155,10 +163,10 @@ Region checked_region(const std::string& source, const std::string& name,
   for (const FaceNodes& face : region.faces) {
     const auto found = uses.find(ascending(face));
     if (found == uses.end() || found->second.cells != 1)
-      throw InputError(source,
-                       fmt::format("region '{}': face {}", name, fmt::join(face, "-")),
-                       "a face of exactly one cell",
-                       found == uses.end() ? "a face of none" : "a face inside the body");
+      throw InputError(
+          source, fmt::format("region '{}': face of nodes {}", name, numbers_of(face)),
+          "a face of exactly one cell",
+          found == uses.end() ? "a face of none" : "a face inside the body");
   }
   region.nodes = nodes_of(region.faces);
   return region;
@@ -185,8 +193,12 @@ void append_lists(std::string& bytes, const std::vector<List>& lists) {
 }  // namespace
 
 Mesh::Mesh(std::string source, std::vector<Vector3> nodes, std::vector<CellNodes> cells,
-           std::map<std::string, std::vector<FaceNodes>> regions)
-    : source_(std::move(source)), nodes_(std::move(nodes)), cells_(std::move(cells)) {
+           std::map<std::string, std::vector<FaceNodes>> regions,
+           std::set<std::string> surfaces_inside)
+    : source_(std::move(source)),
+      nodes_(std::move(nodes)),
+      cells_(std::move(cells)),
+      surfaces_inside_(std::move(surfaces_inside)) {
   std::ranges::stable_sort(cells_, {}, &CellNodes::size);
   check_nodes(source_, nodes_, cells_);
   check_cells(source_, nodes_, cells_);
@@ -216,6 +228,9 @@ std::size_t Mesh::count(CellType type) const {
 
 const Region& Mesh::region(const std::string& name) const {
   const auto found = regions_.find(name);
+  if (surfaces_inside_.contains(name))
+    throw InputError(source_, "region", "a surface on the boundary",
+                     fmt::format("'{}', which lies inside the body", name));
   if (found == regions_.end()) {
     std::vector<std::string_view> names;
     for (const auto& [known, region] : regions_) names.push_back(known);

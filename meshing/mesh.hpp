@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,10 @@ class Mesh {
   /// corner of every cell has a positive Jacobian, every face belongs to one cell or to
   /// two that lie on its two sides, every node to a cell, and every region consists of
   /// boundary faces. Takes time in proportion to the number of cells.
+  /// Messages number nodes and cells from 1, as files that are written do.
   Mesh(std::string source, std::vector<Vector3> nodes, std::vector<CellNodes> cells,
-       std::map<std::string, std::vector<FaceNodes>> regions);
+       std::map<std::string, std::vector<FaceNodes>> regions,
+       std::set<std::string> surfaces_inside = {});
 
   [[nodiscard]] const std::string& source() const { return source_; }
   [[nodiscard]] const std::vector<Vector3>& nodes() const { return nodes_; }
@@ -36,6 +39,11 @@ class Mesh {
   [[nodiscard]] std::size_t count(CellType type) const;
 
   [[nodiscard]] const std::map<std::string, Region>& regions() const { return regions_; }
+
+  /// Names of surfaces between cells, where nothing can hold the body.
+  [[nodiscard]] const std::set<std::string>& surfaces_inside() const {
+    return surfaces_inside_;
+  }
 
   /// Throws InputError listing the regions there are, when `name` is not one of them.
   [[nodiscard]] const Region& region(const std::string& name) const;
@@ -55,6 +63,7 @@ class Mesh {
   std::vector<Vector3> nodes_;
   std::vector<CellNodes> cells_;
   std::map<std::string, Region> regions_;
+  std::set<std::string> surfaces_inside_;
   Region boundary_;
   std::vector<double> cell_volumes_;
   double volume_ = 0;

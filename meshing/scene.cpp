@@ -72,8 +72,8 @@ std::vector<PrescribedComponent> prescribed_components(const Mesh& mesh,
   const auto twice = std::ranges::adjacent_find(all, {}, place);
   if (twice != all.end())
     throw InputError(mesh.source(),
-                     "node " + std::to_string(twice->node) + ", component " +
-                         std::to_string(twice->component),
+                     "node " + std::to_string(twice->node + 1) + ", component " +
+                         "xyz"[twice->component],
                      "prescribed at most once",
                      "twice: by " + holder(scene, *twice) + " and " +
                          holder(scene, *std::next(twice)));

@@ -106,4 +106,39 @@ double stress(const BipowerLaw& law, const StrainHistory& history, double time) 
   return sum;
 }
 
+double stress(const MaxwellModel& model, const StrainHistory& history, double time) {
+  check(model);
+  check(history);
+  const double first = history.strains.front(), now = strain_at(history, time);
+  std::vector<BranchStrain> branches(model.branches.size(), {first, first * first});
+  double rate = 0;
+  const auto advance = [&](double duration) {
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+      const double tau = model.branches[i].relaxation_time, step = rate * tau;
+      const double left = std::exp(-duration / tau), gone = -std::expm1(-duration / tau);
+      auto& [mean, mean_square] = branches[i];
+      mean_square = 2 * step * step * gone +
+                    (mean_square + 2 * rate * (mean - step) * duration) * left;
+      mean = step * gone + mean * left;
+    }
+  };
+  for (std::size_t i = 0; i < history.times.size() && history.times[i] < time; ++i) {
+    const bool is_held = i + 1 == history.times.size();
+    const double end = is_held ? time : std::min(time, history.times[i + 1]);
+    rate = is_held ? 0
+                   : (history.strains[i + 1] - history.strains[i]) /
+                         (history.times[i + 1] - history.times[i]);
+    advance(end - history.times[i]);
+  }
+  double sum = model.viscosity * rate;
+  const auto add = [&](const BranchModuli& moduli, const BranchStrain& strain) {
+    sum += strain.mean * branch_stiffness(moduli, strain.mean_square, model.linear_limit,
+                                          model.hardening_index);
+  };
+  add(model.elastic, {now, now * now});
+  for (std::size_t i = 0; i < branches.size(); ++i)
+    add(model.branches[i].moduli, branches[i]);
+  return sum;
+}
+
 }  // namespace springcheck::tissue

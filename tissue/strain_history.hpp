@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "tissue/bipower_law.hpp"
+#include "tissue/maxwell_branches.hpp"
 
 namespace springcheck::tissue {
 
@@ -30,5 +31,15 @@ double strain_at(const StrainHistory& history, double time);
 /// form; the others by tanh-sinh quadrature over ln(t-t'), cut where gamma(t) - gamma(t')
 /// changes its sign; 1e-10.
 double stress(const BipowerLaw& law, const StrainHistory& history, double time);
+
+/// The stress of branches for such a history [Pa]. Along a piece of the rate r, from a
+/// and b at its begin,
+///
+///     <D>   = r tau + (a - r tau) exp(-t/tau)
+///     <D^2> = 2 (r tau)^2 (1 - exp(-t/tau)) + (b + 2 r (a - r tau) t) exp(-t/tau)
+///
+/// which solve <D>' = r - <D>/tau and <D^2>' = 2 r <D> - <D^2>/tau: the means' definition
+/// (MaxwellModel) by t. The dashpot has the rate before `time`.
+double stress(const MaxwellModel& model, const StrainHistory& history, double time);
 
 }  // namespace springcheck::tissue

@@ -40,7 +40,7 @@ class Measurements {
   /// not expected to take longer [s].
   virtual void measure(const ChartModel& model, int across, double seconds) = 0;
 
-    /// Times a point that was measured in further rounds, where it is quick, up to
+  /// Times a point that was measured in further rounds, where it is quick, up to
   /// most_rounds in all: one restless time decides nothing, of a file's neither.
   virtual void time_again(const ChartModel& model, int across) = 0;
 

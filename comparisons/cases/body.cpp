@@ -27,6 +27,13 @@ bool is_grid_of_hexahedra(const Body& body) {
   return body.shape == BodyShape::block && body.block.pattern == CellPattern::hexahedron;
 }
 
+bool has_nodes_in_layers(const Body& body) {
+  constexpr std::array of_gmsh{CellPattern::free_tetrahedron, CellPattern::free_prism,
+                               CellPattern::free_hexahedron, CellPattern::transition};
+  return body.shape == BodyShape::block && body.block.distortion == 0 &&
+         std::ranges::count(of_gmsh, body.block.pattern) == 0;
+}
+
 bool is_grid_of_cubes(const Body& body) {
   std::array<double, 3> edges = body.block.size;
   for (std::size_t i = 0; i < 3; ++i) edges[i] /= body.block.cells[i];

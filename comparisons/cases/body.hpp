@@ -51,6 +51,11 @@ bool reads_seed(const Block& block);
 /// Whether it is a block whose cells are those of the regular grid, distorted or not.
 bool is_grid_of_hexahedra(const Body& body);
 
+/// Whether its nodes are those of a regular grid, and centres of its cells: no cells of
+/// gmsh's, and not distorted. Only then whole layers and lines of nodes lie in the
+/// middle.
+bool has_nodes_in_layers(const Body& body);
+
 /// Whether it is one of cubes, to 1e-6 of their edge, before they are distorted.
 bool is_grid_of_cubes(const Body& body);
 

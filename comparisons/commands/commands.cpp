@@ -1,6 +1,7 @@
 #include "comparisons/commands/commands.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -32,6 +33,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::vector<Method> methods_of(const RunSettings& run) {
+  std::vector<Method> all;
+  for (const MethodChoice& choice : run.methods) all.push_back(choice.method);
+  return all;
+}
+
 /// The splits of errors, of methods whose continuum is known, against the law of the
 /// named reference, or that which the springs follow, or Hencky's; others have none.
 /// Throws InputError where nothing can be split as asked.
@@ -40,11 +47,12 @@ std::vector<std::optional<SplitPlan>> split_plans(const RunSettings& run,
   const auto has_continuum = [](const Method& method) {
     return method.lattice.has_value();
   };
-  if (std::ranges::none_of(run.methods, has_continuum))
+  const std::vector<Method> asked = methods_of(run);
+  if (std::ranges::none_of(asked, has_continuum))
     throw InputError("--split", "method",
                      "at least one of springs whose continuum fem-cauchy-born is: " +
                          names_of(lattices()),
-                     names_of(run.methods));
+                     names_of(asked));
   if (run.reference &&
       (run.reference->grid == ReferenceGrid::converged || !run.reference->cells.empty() ||
        run.reference->element.name != "q1-sri"))
@@ -88,8 +96,7 @@ void check_checkpoint(const RunSettings& run, const std::filesystem::path& file,
   if (run.methods.size() != 1)
     throw InputError("--checkpoint", "", "one method",
                      fmt::to_string(run.methods.size()));
-  CaseSettings settings = run.common;
-  settings.method = run.methods.front();
+  const CaseSettings settings = with_method(run.common, run.methods.front());
   if (!goes_through_time(settings))
     throw InputError("--checkpoint", "", "a solver that goes through time",
                      std::string(name_of(solver_of(settings))));
@@ -234,6 +241,9 @@ ExitStatus mesh_command(const std::string& scene,
   fmt::print("{}: {} nodes, {}, {:.6g} m^3, SHA-256 {}\n",
              file ? file->string() : mesh.source(), mesh.nodes().size(),
              cell_counts(mesh), mesh.volume(), mesh.sha256());
+  if (!mesh.surfaces_inside().empty())
+    fmt::print("surfaces inside the body, which hold nothing: {}\n",
+               fmt::join(mesh.surfaces_inside(), ", "));
   if (report == MeshReport::quality) fmt::print("\n{}", quality_text(quality_of(mesh)));
   return ExitStatus::done;
 }

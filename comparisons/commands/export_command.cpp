@@ -8,8 +8,8 @@
 
 #include "comparisons/results/case_table.hpp"
 #include "comparisons/results/known_results.hpp"
+#include "comparisons/sheets/parquet.hpp"
 #include "comparisons/sheets/text_table.hpp"
-#include "comparisons/store/parquet.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
 

@@ -16,6 +16,7 @@
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
 #include "comparisons/settings/scene_file.hpp"
+#include "comparisons/settings/setting.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -37,6 +38,27 @@ MeasuredFields read_fields(const MeasuredFiles& files, const Mesh& mesh) {
   return fields;
 }
 
+/// Refuses options that only the scene's own methods would read. On a path of load those
+/// stay that say how far it goes.
+void check_read(const RunSettings& run, const Method& measured,
+                const std::vector<GivenSetting>& options) {
+  RunSettings of_measured = run;
+  of_measured.methods = {{.method = measured}};
+  const Request request = requests(of_measured).front();
+  const bool has_path = !run.common.dynamics.load.empty();
+  for (const GivenSetting& option : options) {
+    const Setting& setting = *find_setting(option.key);
+    const bool is_of_path = has_path && (setting.group == find_setting("dt")->group ||
+                                         setting.key == "solver");
+    if (is_of_path || setting.standing == Standing::plan ||
+        reads(request.settings, setting) ||
+        (request.reference && reads(*request.reference, setting)))
+      continue;
+    option.value.refuse(fmt::format(
+        "no {}, which neither what is measured nor its reference reads", option.key));
+  }
+}
+
 }  // namespace
 
 ExitStatus measure_command(const std::string& scene,
@@ -50,6 +72,7 @@ ExitStatus measure_command(const std::string& scene,
   MeshStore meshes;
   const Mesh& mesh = meshes.mesh(run.common.body);
   const MeasuredFields fields = read_fields(files, mesh);
+  check_read(run, measured_method(files.label, fields), options);
   const CaseSettings measured = at_load(run.common, last_load(run.common.dynamics));
   for (const std::string& words :
        contradictions(mesh, mechanical_scene(measured, mesh), fields))

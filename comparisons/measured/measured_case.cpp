@@ -123,7 +123,7 @@ CaseResult measured_case(const RunSettings& run, const std::string& label,
                          const MeasuredFields& fields, MeshStore& meshes,
                          const Finished& finished) {
   RunSettings measured = run;
-  measured.methods = {measured_method(label, fields)};
+  measured.methods = {{.method = measured_method(label, fields)}};
   const std::vector<Request> all = requests(measured);
   const CaseSettings& settings = all.front().settings;
   const Mesh& mesh = meshes.mesh(settings.body);

@@ -1,9 +1,9 @@
 #include "comparisons/measured/nodal_csv.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -17,56 +17,88 @@
 namespace springcheck {
 namespace {
 
+constexpr std::string_view csv_blanks = " \t\r";
+
 std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r"),
-             last = text.find_last_not_of(" \t\r");
+  const auto first = text.find_first_not_of(csv_blanks),
+             last = text.find_last_not_of(csv_blanks);
   return first == std::string_view::npos
              ? ""
              : std::string(text.substr(first, last - first + 1));
 }
 
-std::vector<std::string> fields_of(const std::string& line) {
+/// What stands between the fields of a line: the first of these that there is, or
+/// csv_blanks.
+char separator_of(const std::string& line) {
+  for (const char separator : {';', ',', '\t'})
+    if (line.find(separator) != std::string::npos) return separator;
+  return ' ';
+}
+
+std::vector<std::string> fields_of(const std::string& line, char separator) {
   std::vector<std::string> fields;
   for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t comma = std::min(line.find(',', begin), line.size());
-    fields.push_back(trimmed(std::string_view(line).substr(begin, comma - begin)));
-    begin = comma + 1;
+    const std::size_t end = std::min(line.find(separator, begin), line.size());
+    fields.push_back(trimmed(std::string_view(line).substr(begin, end - begin)));
+    begin = end + 1;
+    if (separator == ' ')
+      begin = std::min(line.find_first_not_of(csv_blanks, begin), line.size() + 1);
   }
   return fields;
 }
 
+/// In small letters, without quotes and what says nothing new: "ux" of "UX [m]".
+std::string plain_name(const std::string& field, std::string_view unit) {
+  std::string name;
+  for (const char c : field)
+    if (c != '"' && c != '\'')
+      name +=
+          c == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const std::string& bracketed :
+       {fmt::format("[{}]", unit), fmt::format("({})", unit)})
+    if (name.ends_with(bracketed)) name.resize(name.size() - bracketed.size());
+  return trimmed(name);
+}
+
 /// Where the columns stand that a row is read from.
 struct CsvColumns {
-  std::vector<std::string> names;
+  char separator = ',';
+  std::vector<std::string> names{};
   std::vector<std::size_t> place{};  // of x, y, z or of node
   std::vector<std::size_t> value{};  // of the three components
+
+  [[nodiscard]] bool are_known() const { return !place.empty() && !value.empty(); }
 };
 
-/// "x,y,z,ux,uy,uz" or "node,ux,uy,uz", in any order.
-CsvColumns columns_of(const std::string& where, const std::string& header,
-                      NodalQuantity quantity) {
-  const std::vector<std::string> by_point{"x", "y", "z"}, by_number{"node"},
-      displacement{"ux", "uy", "uz"}, force{"fx", "fy", "fz"};
-  const auto& components = quantity == NodalQuantity::displacement ? displacement : force;
-  CsvColumns columns{.names = fields_of(header)};
-  const auto find_all = [&](const std::vector<std::string>& wanted) {
-    std::vector<std::size_t> places;
-    for (const std::string& name : wanted) {
-      const auto found = std::ranges::find(columns.names, name);
-      if (found == columns.names.end()) return std::vector<std::size_t>{};
-      places.push_back(static_cast<std::size_t>(found - columns.names.begin()));
-    }
-    return places;
-  };
-  columns.place = find_all(by_point);
-  if (columns.place.empty()) columns.place = find_all(by_number);
-  columns.value = find_all(components);
-  // As many as are read: nothing unknown, nothing twice, no node beside x, y, z.
-  if (columns.place.empty() || columns.value.empty() ||
-      columns.names.size() != columns.place.size() + columns.value.size())
-    throw InputError(where, "columns",
-                     fmt::format("x,y,z,{0} or node,{0}", fmt::join(components, ",")),
-                     "'" + header + "'");
+/// Each of one of its names, once; empty where one is lacking or there twice.
+std::vector<std::size_t> places_of(const std::vector<std::string>& names,
+                                   const std::vector<std::vector<std::string>>& wanted) {
+  std::vector<std::size_t> places;
+  for (const std::vector<std::string>& aliases : wanted) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (std::ranges::count(aliases, names[i]) > 0) found.push_back(i);
+    if (found.size() != 1) return {};
+    places.push_back(found.front());
+  }
+  return places;
+}
+
+/// "x,y,z,ux,uy,uz" or "node,ux,uy,uz", in any order, among others. Numbers of nodes are
+/// often those of another program: coordinates come first.
+CsvColumns columns_of(const std::string& header, NodalQuantity quantity) {
+  const bool is_displacement = quantity == NodalQuantity::displacement;
+  CsvColumns columns{.separator = separator_of(header)};
+  for (const std::string& field : fields_of(header, columns.separator)) {
+    columns.names.push_back(plain_name(field, is_displacement ? "m" : "n"));
+    if (!is_displacement) columns.names.back() = plain_name(columns.names.back(), "m");
+  }
+  const std::string letter = is_displacement ? "u" : "f";
+  columns.place = places_of(columns.names, {{"x"}, {"y"}, {"z"}});
+  if (columns.place.empty())
+    columns.place = places_of(columns.names, {{"node", "id", "node id", "node number"}});
+  columns.value =
+      places_of(columns.names, {{letter + "x"}, {letter + "y"}, {letter + "z"}});
   return columns;
 }
 
@@ -74,10 +106,14 @@ CsvColumns columns_of(const std::string& where, const std::string& header,
 class CsvRow {
  public:
   CsvRow(const CsvColumns& columns, std::string where, const std::string& line)
-      : columns_(columns), where_(std::move(where)), fields_(fields_of(line)) {
+      : columns_(columns),
+        where_(std::move(where)),
+        fields_(fields_of(line, columns.separator)) {
     if (fields_.size() != columns.names.size())
-      throw InputError(where_, "", fmt::format("{} numbers", columns.names.size()),
+      throw InputError(where_, "", fmt::format("{} values", columns.names.size()),
                        fmt::format("{}: '{}'", fields_.size(), line));
+    if (columns.separator != ',')  // a comma is then that of decimals
+      for (std::string& field : fields_) std::ranges::replace(field, ',', '.');
   }
 
   [[nodiscard]] Vector3 vector(const std::vector<std::size_t>& columns) const {
@@ -130,11 +166,17 @@ std::vector<Vector3> read_nodal_csv(const std::filesystem::path& file, const Mes
     if (line_number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
     line = trimmed(line);
     if (line.empty()) continue;
-    if (columns.names.empty()) {
-      columns = columns_of(where, trimmed(line.substr(line.starts_with('#') ? 1 : 0)),
-                           quantity);
-      continue;
+    const bool is_comment = line.starts_with('#') || line.starts_with('%');
+    if (!columns.are_known()) {
+      const std::string header = trimmed(line.substr(is_comment ? 1 : 0));
+      columns = columns_of(header, quantity);
+      if (columns.are_known() || is_comment) continue;
+      const char* components = is_displacement ? "ux,uy,uz" : "fx,fy,fz";
+      throw InputError(where, "columns",
+                       fmt::format("x,y,z,{0} or node,{0}, each once", components),
+                       "'" + header + "'");
     }
+    if (is_comment) continue;
     ++rows;
     const CsvRow row(columns, where, line);
     const Vector3 value = row.vector(columns.value);
@@ -146,7 +188,7 @@ std::vector<Vector3> read_nodal_csv(const std::filesystem::path& file, const Mes
   if (in.bad()) throw InputError(name, "", "a readable CSV file", std::strerror(errno));
   if (rows == 0)
     throw InputError(name, "", "a line of column names and at least one row",
-                     columns.names.empty() ? "an empty file" : "no row");
+                     columns.are_known() ? "no row" : "none");
   return is_displacement ? vectors.complete(name) : vectors.or_zero();
 }
 

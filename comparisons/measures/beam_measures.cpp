@@ -8,10 +8,11 @@ namespace {
 
 constexpr double on_line = 1e-9;  // of the block's height: coordinates are exact
 
-/// Nodes of the centre line from the clamp to the tip; empty unless x and y counts are
-/// even.
+/// Nodes of the centre line from the clamp to the tip; empty unless they stand in a grid
+/// whose x and y counts are even.
 std::vector<NodeIndex> centre_line(const CaseSettings& settings, const Mesh& mesh) {
   std::vector<NodeIndex> line;
+  if (!has_nodes_in_layers(settings.body)) return line;
   const auto [width, depth, height] = settings.body.block.size;
   for (NodeIndex n = 0; n < mesh.nodes().size(); ++n)
     if (std::abs(mesh.nodes()[n].x() - width / 2) < on_line * height &&
@@ -87,6 +88,7 @@ void measure_theory(Measures& measures, const CaseSettings& settings, const Mesh
   if (!of_settings) return;
   const Cantilever& beam = *of_settings;
   const Vector3 down = settings.gravity.normalized();
+  const Vector3 across = down.cross(Vector3::UnitZ());  // to the plane of bending
   const std::vector<NodeIndex> line = centre_line(settings, mesh);
   std::vector<double> s;
   for (const NodeIndex n : line) s.push_back(mesh.nodes()[n].z());
@@ -98,8 +100,9 @@ void measure_theory(Measures& measures, const CaseSettings& settings, const Mesh
     distance = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
       const Vector3& u = displacements[line[i]];
-      distance = std::max(*distance, std::hypot(u.dot(down) - theory[i].drop,
-                                                s[i] + u.z() - theory[i].axial));
+      distance =
+          std::max(*distance, std::hypot(u.dot(down) - theory[i].drop,
+                                         s[i] + u.z() - theory[i].axial, u.dot(across)));
     }
   };
   if (line.empty()) s = {beam.length};

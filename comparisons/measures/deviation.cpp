@@ -32,7 +32,7 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
   const CaseSettings on_the_way = at_largest_load(settings, solution.load_fraction);
   const Scene scene = mechanical_scene(on_the_way, mesh);
   const double height = settings.body.block.size[2];
-  const bool has_layers = settings.body.shape == BodyShape::block;
+  const bool has_layers = has_nodes_in_layers(settings.body);
   const auto distance = [&](std::size_t n) {
     return (solution.displacements[n] - reference.displacements[n]).norm();
   };

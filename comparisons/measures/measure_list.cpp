@@ -56,8 +56,8 @@ const std::vector<Described>& measure_list() {
        "mean distance between nodes of this solution and the reference's", "m"},
       {"max_deviation", "largest such distance", "m"},
       {"middle_layer_deviation",
-       "mean distance over the nodes at half height (the thesis's measure); even cell "
-       "counts only",
+       "mean distance over the nodes at half height (the thesis's measure); of regular "
+       "grids of even cell counts only",
        "m"},
       {"deviation_l2_relative",
        "volume-weighted root mean square of that distance over the free nodes, divided "
@@ -80,7 +80,7 @@ const std::vector<Described>& measure_list() {
       {"tip_elastica", "bending: the tip by the elastica, of large rotations", "m"},
       {"centre_line_euler_bernoulli",
        "bending: largest distance between nodes of the centre line and that theory's "
-       "points",
+       "points, across the plane of bending too; of regular grids of even counts only",
        "m"},
       {"centre_line_timoshenko", "bending: the same, Timoshenko's", "m"},
       {"centre_line_elastica", "bending: the same, the elastica's", "m"},

@@ -69,7 +69,8 @@ struct Measures {
   Value mean_deviation{};  // mean over all nodes
   Value max_deviation{};
   Value middle_layer_deviation{};  // mean over the nodes at half height (the thesis's
-                                   // measure); even cell counts only
+                                   // measure); regular grids of even
+                                   // cell counts only
   // Over the nodes with a free component, divided by the largest displacement imposed on
   // the way (bending: by the reference's tip deflection; traction: by its face
   // displacement; both empty without a load at the end):

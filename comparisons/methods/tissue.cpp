@@ -12,6 +12,7 @@
 #include "mss/tissue/solve_tissue.hpp"
 #include "mss/tissue/thesis_springs.hpp"
 #include "mss/tissue/tissue_motion.hpp"
+#include "tissue/strain_history.hpp"
 
 namespace springcheck {
 namespace {
@@ -77,6 +78,33 @@ std::string poor_fit(const tissue::MaxwellFit& fit) {
                      fit.model.branches.size(), 100 * fit.errors.constant_rate);
 }
 
+/// Where they are far off the law on the case's path of load, as where it swings; empty
+/// where they are not. In simple shear by the largest strain, over the largest stress.
+std::string poor_path(const tissue::MaxwellFit& fit, const CaseSettings& settings,
+                      double largest_strain) {
+  constexpr double band = 0.1;
+  constexpr int samples = 48;
+  const double largest_fraction = pace_of(settings.dynamics).largest_fraction;
+  if (!(largest_strain > 0 && largest_fraction > 0)) return {};
+  tissue::StrainHistory history{.times = {0}, .strains = {0}};
+  for (const dynamics::LoadPoint& point : load_of(settings.dynamics)) {
+    history.times.push_back(point.time);
+    history.strains.push_back(point.fraction * largest_strain / largest_fraction);
+  }
+  double largest = 0, off = 0;
+  for (int i = 1; i <= samples; ++i) {
+    const double time = history.times.back() * i / samples;
+    const double stress = tissue::stress(settings.tissue.law, history, time);
+    largest = std::max(largest, std::abs(stress));
+    off = std::max(off, std::abs(tissue::stress(fit.model, history, time) - stress));
+  }
+  if (off <= band * largest) return {};
+  return fmt::format(
+      "on this path of the load the branches are off the law by up to {:.2g} % of its "
+      "largest stress",
+      100 * off / largest);
+}
+
 /// By a fit to the law: solve(tissue) is a solver's part.
 template <class Solve>
 Solution solve_with_memory(const CaseSettings& settings, const Solve& solve) {
@@ -91,8 +119,9 @@ Solution solve_with_memory(const CaseSettings& settings, const Solve& solve) {
   if (!has_end) return solution;
   solution.extrapolation =
       extrapolation(fit.range, settings.dynamics, solution.largest_shear_strain.value());
-  if (const std::string poor = poor_fit(fit); !poor.empty())
-    solution.reason += (solution.reason.empty() ? "" : "; ") + poor;
+  for (const std::string& poor :
+       {poor_fit(fit), poor_path(fit, settings, solution.largest_shear_strain.value())})
+    if (!poor.empty()) solution.reason += (solution.reason.empty() ? "" : "; ") + poor;
   return solution;
 }
 

@@ -99,6 +99,17 @@ std::string computed_with(const Columns& sessions, const Row& row) {
   return text;
 }
 
+/// "compression, fem-stvk:q1".
+std::string question_of(const Row& row) {
+  const auto text = [&](const char* name) {
+    const auto found = row.find(name);
+    return found == row.end() ? std::string() : std::get<std::string>(found->second);
+  };
+  const std::string element = text("element");
+  return fmt::format("{}, {}{}{}", text("scene"), text("method"),
+                     element.empty() ? "" : ":", element);
+}
+
 Columns sessions_of(const std::filesystem::path& file) {
   return reading(file, [](hid_t root) {
     return read_columns(hdf5::open_group(root, "provenance"));
@@ -138,9 +149,10 @@ ResultFile::Absorbed ResultFile::absorb(const std::filesystem::path& from,
       if (!found) continue;
       auto& list = found->is_rounding ? absorbed.roundings : absorbed.conflicts;
       list.push_back(fmt::format(
-          "case {}: {} differs in {}{}; computed with {} here, with {} there", key,
-          found->column, from.string(), found->is_rounding ? " by rounding" : "",
-          computed_with(our_sessions, own), computed_with(their_sessions, other)));
+          "case {} ({}): {} differs in {}{}; computed with {} here, with {} there", key,
+          question_of(own), found->column, from.string(),
+          found->is_rounding ? " by rounding" : "", computed_with(our_sessions, own),
+          computed_with(their_sessions, other)));
     }
   }
   copy_fields(from, std::move(without_fields));

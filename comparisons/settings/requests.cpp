@@ -59,10 +59,11 @@ std::vector<Request> requests(const RunSettings& run, const ReferenceMethod& usu
   const double last = last_load(run.common.dynamics);
   const ReferenceMethod reference = run.reference.value_or(usual);
   std::vector<Request> all;
-  for (const Method& method : run.methods) {
-    Request request{.settings = run.common,
+  for (const MethodChoice& choice : run.methods) {
+    const Method& method = choice.method;
+    Request request{.settings = with_method(run.common, choice),
                     .reference = with_reference_method(run.common, reference)};
-    request.settings.method = method;
+
     if (reference.grid == ReferenceGrid::converged || !reference.cells.empty())
       request.reference->body = grid_beside(reference, run.common.body);
     request.reference_grid = reference.grid;

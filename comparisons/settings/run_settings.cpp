@@ -153,12 +153,10 @@ void read(const Setting& setting, RunSettings& run, const Settings& settings,
 
 bool runs(const RunSettings& run,
           const std::function<bool(const CaseSettings&)>& is_one) {
-  CaseSettings with = run.common;
-  const auto with_method = [&](const Method& method) {
-    with.method = method;
-    return is_one(with);
+  const auto is_one_of_run = [&](const MethodChoice& choice) {
+    return is_one(with_method(run.common, choice));
   };
-  return std::ranges::any_of(run.methods, with_method) ||
+  return std::ranges::any_of(run.methods, is_one_of_run) ||
          (run.reference && is_one(with_reference_method(run.common, *run.reference)));
 }
 

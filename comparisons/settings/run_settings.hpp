@@ -9,6 +9,7 @@
 #include "comparisons/cases/request.hpp"
 #include "comparisons/cases/status.hpp"
 #include "comparisons/settings/given.hpp"
+#include "comparisons/settings/method_choice.hpp"
 #include "comparisons/settings/reference_method.hpp"
 
 namespace springcheck {
@@ -17,7 +18,7 @@ namespace springcheck {
 struct RunSettings {
   CaseSettings common;      // its method is replaced by each of `methods`
   std::string cells_place;  // where the cell counts or the mesh were given, for messages
-  std::vector<Method> methods;
+  std::vector<MethodChoice> methods;
   std::optional<ReferenceMethod> reference;  // none: chosen by the deformation
   std::vector<Status> expect;
 };

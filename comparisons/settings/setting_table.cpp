@@ -32,8 +32,8 @@ constexpr Setting table[] = {
      "compression, tension, shearing, torsion, bending, uniaxial, traction or affine",
      {.standing = Standing::scene_file, .needed = "the name of a test"}},
     {"method", what_runs, chosen, all,
-     telling(in_run<methods_of, &RunSettings::methods>, method_told), {},
-     "methods, see 'springcheck list methods'",
+     telling(in_run<method_choices, &RunSettings::methods>, method_told), {},
+     "methods, see 'springcheck list methods', or METHOD:ELEMENT",
      {.standing = Standing::plan, .needed = "a list of methods"}},
     {"reference", what_runs, chosen, all, {read_reference, {}, texts}, {},
      "METHOD[:ELEMENT|:SOLVER][@CELLS|@converged] that deviations are measured against, "

@@ -24,16 +24,6 @@ Vector3 vector_of(const Given& given, const char* unit) {
 
 }  // namespace
 
-std::vector<Method> methods_of(const Given& given) {
-  std::vector<Method> all;
-  for (const std::string& name : given.texts()) {
-    all.push_back(value_named<Method>(given, name));
-    if (std::ranges::count(all, name, &Method::name) > 1)
-      throw InputError(given.place(), "", "each name once", "'" + name + "' twice");
-  }
-  return all;
-}
-
 std::array<double, 3> size_of(const Given& given) {
   // Far beyond any body, and their cubes stay far from overflow.
   constexpr double shortest = 1e-9, longest = 1e9;

@@ -12,7 +12,6 @@ namespace springcheck {
 // Settings that are more than a number or a name (named), read from what the user
 // gave. All throw InputError.
 
-std::vector<Method> methods_of(const Given& given);  // each once
 std::vector<Status> statuses_of(const Given& given);
 
 /// A value whose names are digits, which read as a number where no quotes say otherwise.

@@ -8,24 +8,24 @@
 namespace springcheck {
 namespace {
 
-using Json = nlohmann::json;
-
 /// "5kPa": a number with one of the units behind it.
-Json measurement_schema(Dimension dimension) {
+nlohmann::json measurement_schema(Dimension dimension) {
   return {{"type", "string"},
           {"pattern",
            fmt::format(R"(^-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)? *({})?$)",
                        fmt::join(units_of(dimension), "|"))}};
 }
 
-Json one_of(Json alternatives) {
-  return alternatives.size() == 1 ? alternatives.front() : Json{{"anyOf", alternatives}};
+nlohmann::json one_of(nlohmann::json alternatives) {
+  return alternatives.size() == 1 ? alternatives.front()
+                                  : nlohmann::json{{"anyOf", alternatives}};
 }
 
-Json schema_of_one(const ValueType& type, Dimension dimension) {
+nlohmann::json schema_of_one(const ValueType& type, Dimension dimension) {
   if (type.kind == ValueType::Kind::text && type.names != nullptr)
     return {{"enum", type.names()}};
-  Json alternatives = Json::array({Json{{"type", name_of(type.kind)}}});
+  nlohmann::json alternatives =
+      nlohmann::json::array({nlohmann::json{{"type", name_of(type.kind)}}});
   if (type.names != nullptr) alternatives.push_back({{"enum", type.names()}});
   if (dimension != Dimension::none) alternatives.push_back(measurement_schema(dimension));
   return one_of(alternatives);
@@ -33,10 +33,10 @@ Json schema_of_one(const ValueType& type, Dimension dimension) {
 
 }  // namespace
 
-Json schema_of(const ValueType& type, Dimension dimension) {
-  const Json one = schema_of_one(type, dimension);
+nlohmann::json schema_of(const ValueType& type, Dimension dimension) {
+  const nlohmann::json one = schema_of_one(type, dimension);
   if (type.most == 1) return one;
-  Json list{{"type", "array"}, {"items", one}, {"minItems", type.least}};
+  nlohmann::json list{{"type", "array"}, {"items", one}, {"minItems", type.least}};
   if (type.most != ValueType::any_number) list["maxItems"] = type.most;
   return type.least == 1 ? one_of({one, list}) : list;
 }

@@ -32,13 +32,13 @@ std::vector<CaseSettings> cases_at(const AtlasPlan& plan,
   options.insert(options.end(), further.begin(), further.end());
   const RunSettings run = read_run(plan.scene, options);
   std::vector<CaseSettings> cases;
-  for (const Method& method : run.methods) {
-    cases.push_back(run.common);
-    cases.back().method = method;
+  for (const MethodChoice& choice : run.methods) {
+    cases.push_back(with_method(run.common, choice));
     if (last_load(run.common.dynamics) != 1 && !has_history(cases.back()))
       throw InputError(
           "stability", "load-fractions",
-          "a path that ends with the whole load, at which " + method.name + " is at rest",
+          "a path that ends with the whole load, at which " + choice.method.name +
+              " is at rest",
           fmt::format("one that ends at {:g} of it", last_load(run.common.dynamics)));
   }
   return cases;

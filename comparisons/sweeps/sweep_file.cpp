@@ -98,7 +98,9 @@ std::vector<Given> values_of(const std::string& key, const toml::node& node,
       std::ranges::none_of(*list, [](const toml::node& n) { return n.is_array(); });
   if (one_value) return {given(node, file, key)};
   std::vector<Given> values;
-  for (const toml::node& element : *list) values.push_back(given(element, file, key));
+  for (const toml::node& element : *list)
+    for (Given& value : one_or_range(given(element, file, key), key, where))
+      values.push_back(std::move(value));
   return values;
 }
 
@@ -237,7 +239,10 @@ Deformations deformations_of(const Sweep& sweep) {
 bool takes_usual_reference(const Sweep& sweep) {
   return std::ranges::any_of(sweep.products, [&](const std::vector<Choices>& product) {
     const RunSettings run = run_of(sweep, combination(product, 0));
-    return !run.reference && std::ranges::any_of(run.methods, &Method::is_elastic);
+    return !run.reference &&
+           std::ranges::any_of(run.methods, [](const MethodChoice& choice) {
+             return choice.method.is_elastic;
+           });
   });
 }
 

@@ -1,12 +1,15 @@
 #include "comparisons/tables/cases_sheet.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 
+#include "comparisons/results/case_table.hpp"
 #include "comparisons/settings/setting.hpp"
 
 namespace springcheck {
@@ -99,6 +102,43 @@ SheetRow row_of(const Columns& cases, std::size_t row) {
   return shown;
 }
 
+/// "solver verlet, duration 4": the settings that differ between those rows, in words.
+std::string words_of(const Columns& cases, const std::vector<std::string>& keys,
+                     std::size_t row) {
+  std::vector<std::string> words;
+  for (const std::string& key : keys) {
+    std::string value = text(cases, key, row);
+    if (const auto found = cases.numbers.find(key); found != cases.numbers.end()) {
+      std::vector<std::string> numbers;
+      for (std::size_t i = 0; i < found->second.width; ++i)
+        if (const auto one = number(cases, key, row, i))
+          numbers.push_back(fmt::format("{:g}", *one));
+      value = fmt::format("{}", fmt::join(numbers, "/"));
+    }
+    if (!value.empty()) words.push_back(key + " " + value);
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// What tells each row from others that read alike; by places in the file.
+std::map<std::size_t, std::string> further_settings(const Columns& cases) {
+  std::map<std::vector<std::string>, std::vector<std::size_t>> alike;
+  for (std::size_t row = 0; row < cases.rows; ++row) {
+    std::vector<std::string> shown{text(cases, "scene", row), method_of(cases, row),
+                                   mesh_of(cases, row), text(cases, "reference", row)};
+    for (const char* key : {"nu", "young", "deformation"})
+      shown.push_back(fmt::format("{:g}", number(cases, key, row).value_or(0)));
+    alike[shown].push_back(row);
+  }
+  std::map<std::size_t, std::string> words;
+  for (const auto& [shown, rows] : alike) {
+    if (rows.size() == 1) continue;
+    const std::vector<std::string> keys = differing_settings(cases, rows);
+    for (const std::size_t row : rows) words[row] = words_of(cases, keys, row);
+  }
+  return words;
+}
+
 }  // namespace
 
 Sheet cases_sheet(const Columns& cases) {
@@ -124,7 +164,15 @@ Sheet cases_sheet(const Columns& cases) {
                       mesh_of(cases, row), number(cases, "nu", row),
                       number(cases, "deformation", row), text(cases, "key", row));
   });
-  for (const std::size_t row : order) sheet.rows.push_back(row_of(cases, row));
+  const auto further = further_settings(cases);
+  if (!further.empty()) sheet.columns.push_back({"further", "further settings"});
+  for (const std::size_t row : order) {
+    sheet.rows.push_back(row_of(cases, row));
+    if (further.empty()) continue;
+    const auto words = further.find(row);
+    sheet.rows.back().cells.emplace_back(words == further.end() ? std::string()
+                                                                : words->second);
+  }
   return sheet;
 }
 

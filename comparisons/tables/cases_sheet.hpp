@@ -7,7 +7,8 @@ namespace springcheck {
 
 /// All cases of a result file (read_cases) as one table, in the order of scene, method,
 /// nu and deformation: settings that tell them apart, status, and the measures of the
-/// comparisons. A case without a measure shows its status instead.
+/// comparisons. A case without a measure shows its status instead. Rows that would read
+/// alike have in a last column the settings that differ between them.
 Sheet cases_sheet(const Columns& cases);
 
 }  // namespace springcheck

@@ -51,7 +51,8 @@ std::string reason_to_refuse(const MarchedBody& body, const Protocol& protocol,
         wanted, limit, body.step_setters);
   if (std::isinf(wanted) && is_anything_free)
     return protocol.integrator == Integrator::implicit_euler
-               ? "implicit Euler is stable with every step: dt = auto has none to choose"
+               ? "implicit Euler is stable with every step: name one by dt, auto has "
+                 "none to choose"
                : "dt = auto has no swing to go by: no motion about the rest state has a "
                  "positive stiffness";
   if (!(protocol.duration / wanted < std::numeric_limits<int>::max()))

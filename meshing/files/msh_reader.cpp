@@ -1,6 +1,8 @@
 #include "meshing/files/msh_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
 
 #include <cmath>
 
@@ -16,10 +18,13 @@ Mesh read_msh(const std::filesystem::path& file, double metres_per_unit) {
                      fmt::format("{}", metres_per_unit));
   const MshFile msh = parse_msh(file);
   const TaggedCells cells = tagged_cells(file.string(), msh, metres_per_unit);
-  const std::vector<CellFace> boundary = checked_boundary(cells);
-  Mesh mesh(file.string(), cells.nodes, cells.cells,
-            tagged_regions(cells, msh, boundary));
+  TaggedSurfaces surfaces = tagged_surfaces(cells, msh, checked_faces(cells));
+  Mesh mesh(file.string(), cells.nodes, cells.cells, std::move(surfaces.regions),
+            std::move(surfaces.inside));
   check_conformity(mesh, [&](NodeIndex node) { return name_of_node(cells, node); });
+  if (const std::set<std::string> volumes = volumes_apart(msh); !volumes.empty())
+    spdlog::warn("{}: the physical volumes {} become one body of one material",
+                 file.string(), fmt::join(volumes, ", "));
   return mesh;
 }
 

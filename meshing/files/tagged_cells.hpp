@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,15 +40,29 @@ struct CellFace {
   std::size_t cell;
 };
 
-/// The faces of exactly one cell, by ascending keys. Throws InputError for cells that are
-/// flat, turned over or huge beyond numbers, that lie on the same side of a face, and for
-/// third ones at a face.
-std::vector<CellFace> checked_boundary(const TaggedCells& cells);
+/// The faces of one cell, and the keys of those between two; by ascending keys.
+struct CellFaces {
+  std::vector<CellFace> boundary{};
+  std::vector<FaceNodes> inside{};
+};
 
-/// The outward regions of the file's physical surfaces, by name, or by number where they
-/// have none. Throws InputError for elements of theirs that are no boundary face, or
-/// there twice.
-std::map<std::string, std::vector<FaceNodes>> tagged_regions(
-    const TaggedCells& cells, const MshFile& msh, const std::vector<CellFace>& boundary);
+/// Throws InputError for cells that are flat, turned over or huge beyond numbers, that
+/// lie on the same side of a face, and for third ones at a face.
+CellFaces checked_faces(const TaggedCells& cells);
+
+/// The file's physical surfaces, by name, or by number where they have none.
+struct TaggedSurfaces {
+  std::map<std::string, std::vector<FaceNodes>> regions{};  // outward
+  std::set<std::string> inside{};                           // between cells throughout
+};
+
+/// Throws InputError for elements of theirs that are no cell's face, or there twice, and
+/// for surfaces that lie partly on the boundary.
+TaggedSurfaces tagged_surfaces(const TaggedCells& cells, const MshFile& msh,
+                               const CellFaces& faces);
+
+/// Names of the physical volumes, or their numbers, where not all cells belong to the
+/// same ones.
+std::set<std::string> volumes_apart(const MshFile& msh);
 
 }  // namespace springcheck

@@ -52,36 +52,52 @@ void check_neighbours(const TaggedCells& cells, const CellFace& first,
                                name_of_cell(cells, first.cell)));
 }
 
+/// Of a physical group.
+std::string name_of_group(const MshFile& msh, int dimension, std::int64_t group) {
+  const auto named = msh.names.find({dimension, group});
+  return named == msh.names.end() || named->second.empty() ? std::to_string(group)
+                                                           : named->second;
+}
+
+/// Outward, as the cell has it; `refuse` throws.
+FaceNodes outward(FaceNodes face, const CellFace& of_cell, const auto& refuse) {
+  if (!turn_alike(face, of_cell.face)) std::ranges::reverse(face.begin() + 1, face.end());
+  // Not even the other way round: a quadrilateral whose sides cross.
+  if (!turn_alike(face, of_cell.face))
+    refuse("the nodes around the face", "them across it");
+  return face;
+}
+
 }  // namespace
 
-std::vector<CellFace> checked_boundary(const TaggedCells& cells) {
+CellFaces checked_faces(const TaggedCells& cells) {
   check_jacobians(cells);
   const std::vector<CellFace> all = sorted_faces(cells);
-  std::vector<CellFace> boundary;
+  CellFaces faces;
   for (auto first = all.begin(); first != all.end();) {
     const auto last = std::ranges::find_if(
         first, all.end(), [&](const CellFace& face) { return face.key != first->key; });
-    if (last - first == 1) boundary.push_back(*first);
     if (last - first > 1) check_neighbours(cells, first[0], first[1]);
     if (last - first > 2)
       throw InputError(cells.file, name_of_cell(cells, first[2].cell),
                        "at most two cells at each of its faces", "three");
+    if (last - first == 1)
+      faces.boundary.push_back(*first);
+    else
+      faces.inside.push_back(first->key);
     first = last;
   }
-  return boundary;
+  return faces;
 }
 
-std::map<std::string, std::vector<FaceNodes>> tagged_regions(
-    const TaggedCells& cells, const MshFile& msh, const std::vector<CellFace>& boundary) {
-  std::map<std::string, std::vector<FaceNodes>> regions;
+TaggedSurfaces tagged_surfaces(const TaggedCells& cells, const MshFile& msh,
+                               const CellFaces& faces) {
+  TaggedSurfaces surfaces;
   std::set<std::pair<std::string, FaceNodes>> found;
   for (const MshElement& element : msh.elements) {
     if (element.type->dimension != 2) continue;
     for (const std::int64_t group : msh.groups[element.groups]) {
-      const auto named = msh.names.find({2, group});
-      const std::string name = named == msh.names.end() || named->second.empty()
-                                   ? std::to_string(group)
-                                   : named->second;
+      const std::string name = name_of_group(msh, 2, group);
       const auto refuse = [&](const char* expected, const char* got) {
         throw InputError(cells.file,
                          fmt::format("{} {} of surface '{}'", element.type->name,
@@ -92,20 +108,39 @@ std::map<std::string, std::vector<FaceNodes>> tagged_regions(
       for (const NodeTag tag : element.nodes)
         if (const auto node = find_node(cells, tag)) face.push_back(*node);
       const FaceNodes key = ascending(face);
-      const auto place = std::ranges::lower_bound(boundary, key, {}, &CellFace::key);
-      if (face.size() != element.nodes.size() || place == boundary.end() ||
-          place->key != key)
-        refuse("a face of exactly one cell", "a face inside the body, or of no cell");
+      const auto place =
+          std::ranges::lower_bound(faces.boundary, key, {}, &CellFace::key);
+      const bool is_of_boundary = place != faces.boundary.end() && place->key == key;
+      if (face.size() != element.nodes.size() ||
+          (!is_of_boundary && !std::ranges::binary_search(faces.inside, key)))
+        refuse("the face of a cell", "one of none");
       if (!found.insert({name, key}).second) refuse("each face once", "it twice");
-      if (!turn_alike(face, place->face))
-        std::ranges::reverse(face.begin() + 1, face.end());
-      // Not even the other way round: a quadrilateral whose sides cross.
-      if (!turn_alike(face, place->face))
-        refuse("the nodes around the face", "them across it");
-      regions[name].push_back(face);
+      if (is_of_boundary)
+        surfaces.regions[name].push_back(outward(face, *place, refuse));
+      else
+        surfaces.inside.insert(name);
+      if (surfaces.regions.contains(name) && surfaces.inside.contains(name))
+        refuse("a surface on the boundary throughout, or nowhere on it",
+               is_of_boundary ? "a face on it, others not" : "a face inside the body");
     }
   }
-  return regions;
+  return surfaces;
+}
+
+std::set<std::string> volumes_apart(const MshFile& msh) {
+  // Version 2.2 lists a cell once for each of its groups.
+  std::map<ShortList<NodeTag, 8>, std::set<std::string>> names_of;
+  for (const MshElement& element : msh.elements)
+    if (element.type->dimension == 3)
+      for (const std::int64_t group : msh.groups[element.groups])
+        names_of[element.nodes].insert(name_of_group(msh, 3, group));
+  std::set<std::string> names;
+  bool are_apart = false;
+  for (const auto& [cell, of_cell] : names_of) {
+    are_apart = are_apart || of_cell != names_of.begin()->second;
+    names.insert(of_cell.begin(), of_cell.end());
+  }
+  return are_apart ? names : std::set<std::string>{};
 }
 
 }  // namespace springcheck

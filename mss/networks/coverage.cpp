@@ -8,24 +8,24 @@
 namespace springcheck::mss {
 namespace {
 
-/// Why the cell has no springs of the lattices made for hexahedra.
-std::optional<std::string> reason_against(std::size_t number, const CornerPositions& x,
+/// Why the cell has no springs of the lattices made for hexahedra. Numbers are from 1.
+std::optional<std::string> reason_against(std::size_t index, const CornerPositions& x,
                                           CellShapes shapes) {
   const bool takes_boxes = shapes == CellShapes::boxes;
   const char* shape = takes_boxes ? "box-shaped" : "cubic";
   const CellType type = type_with(static_cast<std::size_t>(x.cols()));
   if (type != CellType::hexahedron)
-    return fmt::format("its springs need {} cells, and cell {} is a {}", shape, number,
+    return fmt::format("its springs need {} cells, and cell {} is a {}", shape, index + 1,
                        name_of(type));
   const auto box = box_edges(x);
   if (!box || (!takes_boxes && !is_cube(*box)))
     return fmt::format("its springs need {} cells, and hexahedron {} is none", shape,
-                       number);
+                       index + 1);
   if (!is_cube(*box) && !box_lattice(1, *box))
     return fmt::format(
         "no springs without a negative stiffness make hexahedron {}, a box of {:.4g} : "
         "{:.4g} : {:.4g}, isotropic",
-        number, 1., (*box)[1] / (*box)[0], (*box)[2] / (*box)[0]);
+        index + 1, 1., (*box)[1] / (*box)[0], (*box)[2] / (*box)[0]);
   return std::nullopt;
 }
 
@@ -44,7 +44,7 @@ std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Material& ma
               reason_against(c, corners(mesh.cells()[c], mesh.nodes()), entry.cells))
         return reason;
     } else if (type != CellType::tetrahedron) {
-      return fmt::format("its springs need tetrahedra, and cell {} is a {}", c,
+      return fmt::format("its springs need tetrahedra, and cell {} is a {}", c + 1,
                          name_of(type));
     }
   }

@@ -218,7 +218,7 @@ def prepared(cases, settings):
     cases.loc[beams, "strain"] = cases.tip_deflection / cases["size.z"]
     cases["counterpart"], cases["is_judged"] = _counterparts(cases)
     cases["further"] = _further(cases, settings)
-    cases["is_repeated"] = cases.duplicated(["problem", "name", "further"])
+    cases["is_repeated"] = cases.duplicated(["problem", "name", "load", "further"])
     other = cases.reindex(cases["counterpart"].tolist())
     for measure, scale in (("volume_change", None), ("answer", "answer")):
         theirs = other[measure].to_numpy(dtype=float)

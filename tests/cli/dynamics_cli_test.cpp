@@ -78,6 +78,20 @@ BOOST_AUTO_TEST_CASE(a_motion_that_ends_early_is_compared_there) {
 }
 
 // A traction's force grows with it, on the way and at the end.
+// Two layers of cells can go through themselves: nothing that bends holds them apart.
+BOOST_AUTO_TEST_CASE(a_motion_that_lost_its_turn_says_so) {
+  const auto reason = [](const std::string& turn) {
+    const Json run = json_of(
+        "run torsion --cells 2,2,2 --method mss-cf --solver verlet --damping 0.5 "
+        "--duration 4 --json --deformation " +
+        turn);
+    return run["results"][0]["reason"].dump();
+  };
+  BOOST_TEST(reason("300deg").find("the body is turned by -60 degrees, its plates by "
+                                   "300") != std::string::npos);
+  BOOST_TEST(reason("100deg").find("degrees") == std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(a_traction_at_part_of_its_load) {
   const std::string pulled =
       "run traction --cells 3,3,3 --method mss-cf --solver verlet --damping 1 --json ";

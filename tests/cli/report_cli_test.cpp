@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <fstream>
@@ -88,6 +89,25 @@ BOOST_AUTO_TEST_CASE(cases_of_one_s_own_fill_the_table_of_all_cases_alone) {
   BOOST_TEST(cases["rows"][1]["mesh"] == "2x2x2 hexahedron");
   BOOST_TEST(cases["rows"][1]["nu"] == .3);
   BOOST_TEST(json_in("own/data/theory.json")["beams"].empty());
+}
+
+BOOST_AUTO_TEST_CASE(rows_that_would_read_alike_tell_the_settings_that_differ) {
+  for (const char* motion :
+       {"", "--solver verlet --duration 0.01", "--solver verlet --duration 0.02"})
+    BOOST_TEST(
+        run_springcheck(std::string("run compression --cells 2,2,2 --method mss-cf --out "
+                                    "alike.h5 ") +
+                        motion)
+            .status == 0);
+  BOOST_TEST(run_springcheck("report alike.h5 --out alike").status == 0);
+  const Json rows = json_in("alike/tables/cases.json")["rows"];
+  std::set<std::string> words;
+  for (const Json& row : rows) words.insert(row["further"].get<std::string>());
+  BOOST_TEST(rows.size() == 3U);
+  BOOST_TEST(words.size() == 3U);
+  BOOST_TEST(std::ranges::count_if(words, [](const std::string& text) {
+               return text.find("solver verlet, duration 0.02") != std::string::npos;
+             }) == 1);
 }
 
 // kappa/E = (4 nu - 1)/(2 (1 + nu)(1 - 2 nu)); on a beam w L^4/(8 E I), and

@@ -69,35 +69,35 @@ BOOST_AUTO_TEST_CASE(bodies_apart_pass) {
 // Shares a face's place but not its nodes: never merged, or cracked.
 BOOST_AUTO_TEST_CASE(two_nodes_in_one_place_are_refused) {
   check_refusal(on_cube(box({0, 0, 1}, {1, 1, 2}), {second_cube}),
-                "body: node 4: expected a place of its own, or cells merged there, got "
-                "node 8 in the same place");
+                "body: node 5: expected a place of its own, or cells merged there, got "
+                "node 9 in the same place");
   // As near as coordinates printed to six digits:
   check_refusal(on_cube(box({1e-6, 0, 1}, {1.5, 1.5, 2}), {second_cube}),
-                "body: node 4: expected a place of its own, or cells merged there, got "
-                "node 8 in the same place");
+                "body: node 5: expected a place of its own, or cells merged there, got "
+                "node 9 in the same place");
 }
 
 BOOST_AUTO_TEST_CASE(node_hanging_in_a_face_is_refused) {
   check_refusal(on_cube(box({0.2, 0.3, 1}, {0.4, 0.6, 2}), {second_cube}),
-                "body: node 8: expected a corner of every face that it lies in, got it "
-                "inside the face of node 4, node 5, node 6, node 7");
+                "body: node 9: expected a corner of every face that it lies in, got it "
+                "inside the face of node 5, node 6, node 7, node 8");
 }
 
 // A prism with one corner on the middle of an edge of the cube, two of its own.
 BOOST_AUTO_TEST_CASE(node_hanging_on_an_edge_is_refused) {
   check_refusal(
       on_cube({{0.5, 1, 1}, {0.5, 1, 2}, {0, 0, 2}, {1, 0, 2}}, {{4, 5, 8, 10, 11, 9}}),
-      "body: node 8: expected a corner of every face that it lies in, got it inside the "
-      "face of node 4, node 5, node 6, node 7");
+      "body: node 9: expected a corner of every face that it lies in, got it inside the "
+      "face of node 5, node 6, node 7, node 8");
 }
 
 // Two prisms on the cube, which has one quadrilateral against their two triangles.
 BOOST_AUTO_TEST_CASE(quadrilateral_against_two_triangles_is_refused) {
   check_refusal(on_cube({{0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}},
                         {{4, 5, 6, 8, 9, 10}, {4, 6, 7, 8, 10, 11}}),
-                "body: quadrilateral of node 4, node 5, node 6, node 7: expected a "
-                "quadrilateral against it, got triangles with an edge from node 4 to "
-                "node 6");
+                "body: quadrilateral of node 5, node 6, node 7, node 8: expected a "
+                "quadrilateral against it, got triangles with an edge from node 5 to "
+                "node 7");
 }
 
 // Prisms above and below, cut along different diagonals, flat or warped between them.
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(triangles_along_different_diagonals_are_refused) {
                         {4, 5, 7, 8, 9, 11},
                         {5, 6, 7, 9, 10, 11}},
                        {}),
-                  "body: triangles of node 4, node 5, node 6, node 7: expected two cut "
+                  "body: triangles of node 5, node 6, node 7, node 8: expected two cut "
                   "along the same diagonal, got two pairs cut along different ones");
   }
 }
@@ -131,8 +131,8 @@ BOOST_AUTO_TEST_CASE(warped_faces_are_the_bilinear_ones) {
     return Mesh("body", all, {{0, 1, 2, 3, 4, 5, 6, 7}, second_cube}, {});
   };
   check_refusal(with_box_at(1 + 0.4 * 0.2 * 0.9),
-                "body: node 8: expected a corner of every face that it lies in, got it "
-                "inside the face of node 4, node 5, node 6, node 7");
+                "body: node 9: expected a corner of every face that it lies in, got it "
+                "inside the face of node 5, node 6, node 7, node 8");
   BOOST_CHECK_NO_THROW(check_conformity(with_box_at(1.2)));
 }
 

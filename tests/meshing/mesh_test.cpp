@@ -67,13 +67,13 @@ BOOST_AUTO_TEST_CASE(mesh_without_cells_is_refused) {
 BOOST_AUTO_TEST_CASE(node_number_out_of_range_is_refused) {
   Parts parts = tower();
   parts.cells[1][7] = 12;
-  check_refusal(parts, "tower: hexahedron 1: expected node numbers below 12, got 12");
+  check_refusal(parts, "tower: hexahedron 2: expected node numbers up to 12, got 13");
 }
 
 BOOST_AUTO_TEST_CASE(node_that_no_cell_uses_is_refused) {
   Parts parts = tower();
   parts.nodes.emplace_back(5, 5, 5);
-  check_refusal(parts, "tower: node 12: expected a cell that uses it, got none");
+  check_refusal(parts, "tower: node 13: expected a cell that uses it, got none");
 }
 
 BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused) {
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused) {
     Parts parts = tower();
     parts.nodes[3].y() = bad;
     check_refusal(parts,
-                  "tower: node 3: expected finite coordinates, got infinity or "
+                  "tower: node 4: expected finite coordinates, got infinity or "
                   "not-a-number");
   }
 }
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(inverted_cell_is_refused_with_its_place) {
   std::swap_ranges(parts.cells[1].begin(), parts.cells[1].begin() + 4,
                    parts.cells[1].begin() + 4);
   check_refusal(parts,
-                "tower: hexahedron 1 near (0.5, 0.5, 1.5) m: expected positive Jacobians "
+                "tower: hexahedron 2 near (0.5, 0.5, 1.5) m: expected positive Jacobians "
                 "at its corners, got -1 m^3");
 }
 
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(cell_folded_at_one_corner_is_refused) {
   Parts parts = tower();
   parts.nodes[0] = Vector3::Constant(0.5);
   check_refusal(parts,
-                "tower: hexahedron 0 near (0.5625, 0.5625, 0.5625) m: expected positive "
+                "tower: hexahedron 1 near (0.5625, 0.5625, 0.5625) m: expected positive "
                 "Jacobians at its corners, got -0.5 m^3");
 }
 
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(flat_cell_is_refused) {
   for (std::size_t i = 8; i < 12; ++i) parts.nodes[i].z() = 1;
   check_refusal(
       parts,
-      "tower: hexahedron 1 near (0.5, 0.5, 1) m: expected positive Jacobians at "
+      "tower: hexahedron 2 near (0.5, 0.5, 1) m: expected positive Jacobians at "
       "its corners, got 0 m^3");
 }
 
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(third_cell_at_a_face_is_refused) {
     parts.nodes.emplace_back(parts.nodes[i] + Vector3::UnitZ());
   parts.cells.push_back({4, 5, 6, 7, 12, 13, 14, 15});
   check_refusal(parts,
-                "tower: hexahedron 2 near (0.5, 0.5, 2) m: expected at most two cells at "
+                "tower: hexahedron 3 near (0.5, 0.5, 2) m: expected at most two cells at "
                 "each of its faces, got three");
 }
 
@@ -133,16 +133,18 @@ BOOST_AUTO_TEST_CASE(region_without_faces_is_refused) {
 BOOST_AUTO_TEST_CASE(region_face_inside_the_body_is_refused) {
   Parts parts = tower();
   parts.regions["middle"] = {{4, 5, 6, 7}};
-  check_refusal(parts,
-                "tower: region 'middle': face 4-5-6-7: expected a face of exactly one "
-                "cell, got a face inside the body");
+  check_refusal(
+      parts,
+      "tower: region 'middle': face of nodes 5, 6, 7, 8: expected a face of exactly one "
+      "cell, got a face inside the body");
 }
 
 BOOST_AUTO_TEST_CASE(region_face_of_no_cell_is_refused) {
   Parts parts = tower();
   parts.regions["diagonal"] = {{0, 2, 6, 4}};
   check_refusal(parts,
-                "tower: region 'diagonal': face 0-2-6-4: expected a face of exactly one "
+                "tower: region 'diagonal': face of nodes 1, 3, 7, 5: expected a face of "
+                "exactly one "
                 "cell, got a face of none");
 }
 

@@ -124,8 +124,8 @@ BOOST_AUTO_TEST_CASE(component_prescribed_twice_is_refused) {
       prescribed_components(mesh, scene_with_plates({"bottom", "x_max"})), InputError,
       [](const InputError& error) {
         BOOST_TEST(error.what() ==
-                   std::string("block 1 x 1 x 1 m in 1 x 1 x 1 cells: node 1, component "
-                               "0: expected prescribed at most once, got twice: by plate "
+                   std::string("block 1 x 1 x 1 m in 1 x 1 x 1 cells: node 2, component "
+                               "x: expected prescribed at most once, got twice: by plate "
                                "'bottom' and plate 'x_max'"));
         return true;
       });

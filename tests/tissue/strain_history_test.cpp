@@ -160,4 +160,43 @@ BOOST_AUTO_TEST_CASE(what_is_no_history_is_refused) {
   refuses({{1}, {0.5}});  // the stress of a jump at its own time is infinite
 }
 
+// By the closed forms for ramps, and through a cycle by steps so small that the mean over
+// the past is summed as MaxwellModel defines it: rectangles of the middle, of second
+// order.
+BOOST_AUTO_TEST_CASE(branches_remember_any_history) {
+  const MaxwellModel model{.elastic = {300, 200},
+                           .branches = {{.02, {500, 900}}, {3, {400, 100}}},
+                           .viscosity = 5,
+                           .linear_limit = .4,
+                           .hardening_index = 1.7};
+  const StrainHistory ramp{{0, 2}, {0, .6}};
+  for (const double time : {.3, 1.9})
+    BOOST_TEST(stress(model, ramp, time) == constant_rate_stress(model, .3 * time, .3),
+               boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(stress(model, ramp, 2.7) == ramp_and_hold_stress(model, .6, .3, .7),
+             boost::test_tools::tolerance(1e-12));
+
+  const StrainHistory cycle{{0, .5, 1.5, 2}, {.1, .5, -.5, 0}};
+  constexpr double time = 1.8;
+  constexpr int parts = 200000;
+  double sum = model.viscosity;  // at the rate 1
+  const auto add = [&](const BranchModuli& moduli, double mean, double mean_square) {
+    sum += mean * branch_stiffness(moduli, mean_square, .4, 1.7);
+  };
+  const double now = strain_at(cycle, time);
+  add(model.elastic, now, now * now);
+  for (const auto& [tau, moduli] : model.branches) {
+    double mean = std::exp(-time / tau) * now, square = std::exp(-time / tau) * now * now;
+    for (int i = 0; i < parts; ++i) {
+      const double ago = time * (i + .5) / parts;
+      const double D = now - strain_at(cycle, time - ago);
+      const double weight = std::exp(-ago / tau) / tau * time / parts;
+      mean += D * weight;
+      square += D * D * weight;
+    }
+    add(moduli, mean, square);
+  }
+  BOOST_TEST(stress(model, cycle, time) == sum, boost::test_tools::tolerance(1e-7));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

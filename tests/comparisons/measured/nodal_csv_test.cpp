@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 
 #include "comparisons/measured/nodal_csv.hpp"
@@ -93,17 +96,48 @@ BOOST_AUTO_TEST_CASE(nodes_without_a_force_have_none) {
       "mine.csv: expected a line of column names and at least one row, got no row");
 }
 
+// All say u = (n, 2 n, -n) of the n-th node.
+BOOST_AUTO_TEST_CASE(files_are_read_as_people_have_them) {
+  const auto expected = read(by_number(), NodalQuantity::displacement);
+  const auto with_header = [&](const std::string& header) {
+    return header + by_number().substr(by_number().find('\n'));
+  };
+  const auto with_separator = [&](const std::string& text, char separator) {
+    std::string changed = text;
+    std::ranges::replace(changed, ',', separator);
+    return changed;
+  };
+  std::string more = "# of step 3\nx,Node,UX,UY,UZ,name\n\n",
+              decimals = "Node;UX;UY;UZ\n";
+  for (int n = 1; n <= 12; ++n) {
+    more += fmt::format("7,{0},{0},{1},-{0},\"corner {0}\"\n# of {0}\n", n, 2 * n);
+    decimals += fmt::format("{0};{0},0;{1},00;-{0}\n", n, 2 * n);
+  }
+  for (const std::string& text :
+       {with_header("Node,UX,UY,UZ"), with_header("\"node id\",\"Ux [m]\",uy (m),uz"),
+        with_header("% ID,UX,UY,UZ"), with_separator(by_number(), ';'),
+        with_separator(by_number(), '\t'), with_separator(by_number(), ' '), more,
+        decimals})
+    BOOST_TEST((read(text, NodalQuantity::displacement) == expected), text);
+}
+
+// Numbers beside coordinates are those of another program.
+BOOST_AUTO_TEST_CASE(coordinates_come_before_numbers) {
+  const auto f = read("node,x,y,z,fx,fy,fz\n999,0,0,0,0,0,-1.5\n", NodalQuantity::force);
+  BOOST_TEST((f[0] == Vector3(0, 0, -1.5)));
+}
+
 BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_line) {
   const std::string good = by_number();
   BOOST_TEST(refusal(good) == "accepted");
   BOOST_TEST(refusal("") ==
-             "mine.csv: expected a line of column names and at least one row, got an "
-             "empty file");
+             "mine.csv: expected a line of column names and at least one row, got none");
   for (const char* header :
-       {"node,ux,uy", "node,fx,fy,fz", "node,ux,uy,uz,t", "node,x,y,z,ux,uy,uz",
-        "x,y,ux,uy,uz", "node,ux,uy,uz,uz", "1,2,3,4"})
+       {"node,ux,uy", "node,fx,fy,fz", "x,y,ux,uy,uz", "node,ux,uy,uz,UZ", "1,2,3,4",
+        "node,id,ux,uy,uz", "node,ux [mm],uy [mm],uz [mm]"})
     BOOST_TEST(refusal(std::string(header) + "\n1,2,3,4\n") ==
-               "mine.csv:1: columns: expected x,y,z,ux,uy,uz or node,ux,uy,uz, got '" +
+               "mine.csv:1: columns: expected x,y,z,ux,uy,uz or node,ux,uy,uz, each "
+               "once, got '" +
                    std::string(header) + "'");
   BOOST_TEST(refusal(good + "13,0,0,0\n") ==
              "mine.csv:14: node: expected a number from 1 to 12, the mesh's nodes, got "
@@ -126,7 +160,7 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_line) {
   BOOST_TEST(with_row("1,0,inf,0").find("finite") != std::string::npos);
   BOOST_TEST(with_row("1,0,zero,0") == "mine.csv:2: uy: expected a number, got 'zero'");
   BOOST_TEST(with_row("1,0,,0") == "mine.csv:2: uy: expected a number, got ''");
-  BOOST_TEST(with_row("1,0,0") == "mine.csv:2: expected 4 numbers, got 3: '1,0,0'");
+  BOOST_TEST(with_row("1,0,0") == "mine.csv:2: expected 4 values, got 3: '1,0,0'");
   BOOST_TEST(
       message_of(file, [] {
         read_nodal_csv(own.path / "none.csv", mesh, NodalQuantity::force);

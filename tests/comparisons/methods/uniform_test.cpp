@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(boxes_are_refused_in_words) {
   const Solution solution =
       settings.method.solve(settings, mesh, mechanical_scene(settings, mesh), 1, {});
   BOOST_TEST((solution.status == SolveStatus::refused));
-  BOOST_TEST(solution.reason == "its springs need cubic cells, and hexahedron 0 is none");
+  BOOST_TEST(solution.reason == "its springs need cubic cells, and hexahedron 1 is none");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

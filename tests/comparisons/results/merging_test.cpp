@@ -168,7 +168,8 @@ BOOST_AUTO_TEST_CASE(conflicts_of_a_merge_are_reported) {
   BOOST_TEST(absorbed.added == 0U);
   BOOST_TEST(absorbed.already_there == results.size());
   BOOST_TEST_REQUIRE(absorbed.conflicts.size() == 1U);
-  BOOST_TEST(absorbed.conflicts[0].find(results[0].key + ": plate_force differs") !=
+  BOOST_TEST(absorbed.conflicts[0].find(results[0].key +
+                                        " (compression, mss-cf): plate_force differs") !=
              std::string::npos);
   BOOST_TEST(*read_results(own.path / "ours.h5", Revisions::own)
                   .at(results[0].key)

@@ -430,6 +430,34 @@ BOOST_AUTO_TEST_CASE(a_motion_is_held_against_its_own_statics) {
   BOOST_TEST(!requests(run_of("shearing", changes))[0].reference.has_value());
 }
 
+// As tables write it; before the setting `element`, which the others keep.
+BOOST_AUTO_TEST_CASE(a_method_may_name_its_element) {
+  const auto all = requests(
+      run_of("compression", {"method=mss-cf,fem-hooke:q2,fem-hooke", "element=q1"}));
+  BOOST_TEST_REQUIRE(all.size() == 3U);
+  BOOST_TEST(all[1].settings.method.name == "fem-hooke");
+  BOOST_TEST(all[1].settings.elements.element.name == "q2");
+  BOOST_TEST(all[2].settings.elements.element.name == "q1");
+  BOOST_TEST(settings_json(all[1].settings) ==
+             settings_json(case_of("compression", {"method=fem-hooke", "element=q2"})));
+  const auto message = [](const std::string& method) {
+    try {
+      run_of("compression", {"method=" + method});
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  BOOST_TEST(message("fem-hooke:q3").find("'q3'") != std::string::npos);
+  BOOST_TEST(message("mss-cf:q2").find("mss-cf without ':': it has no elements") !=
+             std::string::npos);
+  BOOST_TEST(message("fem-hook:q2").find("did you mean 'fem-hooke'?") !=
+             std::string::npos);
+  BOOST_TEST(message("fem-hooke:q2,fem-hooke:q2").find("each name once") !=
+             std::string::npos);
+  BOOST_TEST(message("fem-hooke:q2,fem-hooke:q1") == "accepted");
+}
+
 BOOST_AUTO_TEST_CASE(the_reference_itself_has_none) {
   const auto all = requests(run_of("compression", {"method=mss-cf,fem-stvk"}));
   BOOST_TEST_REQUIRE(all.size() == 2U);

@@ -64,10 +64,8 @@ BOOST_AUTO_TEST_CASE(defaults_are_what_users_could_write) {
     RunSettings run = usual;
     BOOST_CHECK_NO_THROW(
         setting.access.read(run, Given::from_text("default", setting.otherwise)));
-    const auto reader = [&](const Method& method) {
-      CaseSettings settings = run.common;
-      settings.method = method;
-      return reads(settings, setting);
+    const auto reader = [&](const MethodChoice& choice) {
+      return reads(with_method(run.common, choice), setting);
     };
     if (setting.access.told != nullptr && std::ranges::any_of(run.methods, reader))
       BOOST_TEST(setting.access.told(run.common) == setting.access.told(usual.common),

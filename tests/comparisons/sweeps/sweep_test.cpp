@@ -191,6 +191,9 @@ BOOST_AUTO_TEST_CASE(ranges_may_be_written_as_texts) {
   BOOST_TEST(cases_of(sweep_of(scene + "nu = \"0:0.4:3\"\n")) ==
                  cases_of(sweep_of(scene + "nu = [0, 0.2, 0.4]\n")),
              boost::test_tools::per_element());
+  BOOST_TEST(cases_of(sweep_of(scene + "nu = [\"0:0.4:3\", 0.45]\n")) ==
+                 cases_of(sweep_of(scene + "nu = [0, 0.2, 0.4, 0.45]\n")),
+             boost::test_tools::per_element());
   BOOST_TEST(cases_of(sweep_of(scene + "deformation = \"0.1%:10%:log:3\"\n")) ==
                  cases_of(sweep_of(scene + "deformation = [0.001, 0.01, 0.1]\n")),
              boost::test_tools::per_element());

@@ -6,6 +6,7 @@
 
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
+#include "meshing/input_error.hpp"
 #include "tests/meshing/files/test_directory.hpp"
 
 using namespace springcheck;
@@ -41,6 +42,15 @@ const std::string tetrahedron_4 =
     "3 1 0 2\n20\n30\n1000 0 0\n0 1000 0\n$EndNodes\n"
     "$Elements\n5 5 1 5\n0 1 15 1\n1 7\n1 1 1 1\n2 10 20\n2 1 2 1\n3 10 20 30\n"
     "2 2 2 1\n4 10 20 40\n3 1 4 1\n5 10 20 30 40\n$EndElements\n";
+
+/// Two tetrahedra, each a physical volume, with a named surface between them.
+const std::string two_materials =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+    "$PhysicalNames\n4\n2 5 \"bottom\"\n2 6 \"capsule\"\n3 8 \"liver\"\n3 9 \"tumour\"\n"
+    "$EndPhysicalNames\n"
+    "$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 0 0 -1\n$EndNodes\n"
+    "$Elements\n4\n1 2 2 6 1 1 2 3\n2 2 2 5 1 1 2 5\n3 4 2 8 1 1 2 3 4\n"
+    "4 4 2 9 1 1 3 2 5\n$EndElements\n";
 
 /// The mesh as gmsh writes it.
 std::filesystem::path through_gmsh(const Mesh& mesh, double version, int is_binary) {
@@ -139,6 +149,20 @@ BOOST_AUTO_TEST_CASE(cells_of_any_order_are_sorted_by_type) {
   const Mesh mesh = mixed_block();
   const Mesh back = read_msh(through_gmsh(mesh, 2.2, 0), 1);
   BOOST_TEST(std::ranges::is_sorted(back.cells(), {}, &CellNodes::size));
+}
+
+BOOST_AUTO_TEST_CASE(a_surface_between_cells_is_a_name_and_no_plate) {
+  const Mesh mesh = read_msh(file_with(two_materials), 1);
+  BOOST_TEST(mesh.cells().size() == 2U);
+  BOOST_TEST(mesh.regions().size() == 1U);
+  BOOST_TEST((mesh.surfaces_inside() == std::set<std::string>{"capsule"}));
+  BOOST_CHECK_EXCEPTION((void)mesh.region("capsule"), InputError, [](const auto& error) {
+    return std::string(error.what())
+        .ends_with(
+            "region: expected a surface on the boundary, got 'capsule', which lies "
+            "inside "
+            "the body");
+  });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

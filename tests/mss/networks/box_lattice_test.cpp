@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(square_boxes_are_covered_up_to_the_root_of_three) {
   }
   BOOST_TEST(
       reason_to_refuse(box({2, 2, 4}), quarter, Method::cf).value_or("") ==
-      "no springs without a negative stiffness make hexahedron 0, a box of 1 : 1 : "
+      "no springs without a negative stiffness make hexahedron 1, a box of 1 : 1 : "
       "2, isotropic");
 }
 
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(leaning_box_is_none) {
   leaning(0, 2) = 1e-3;
   BOOST_TEST(
       reason_to_refuse(box({1, 1.2, 1.1}, leaning), quarter, Method::cf).value_or("") ==
-      "its springs need box-shaped cells, and hexahedron 0 is none");
+      "its springs need box-shaped cells, and hexahedron 1 is none");
 }
 
 // What E and nu mean, on 3 x 2 x 2 boxes 1 : 1.2 : .9 between sliding plates. The

@@ -302,9 +302,9 @@ BOOST_AUTO_TEST_CASE(cells_that_are_no_cubes_are_refused) {
   };
   for (const auto& [name, method] : methods) {
     const bool takes_boxes = method == Method::cf || method == Method::fd;
-    const std::string no_cube = "its springs need cubic cells, and hexahedron 0 is none",
+    const std::string no_cube = "its springs need cubic cells, and hexahedron 1 is none",
                       no_box =
-                          "its springs need box-shaped cells, and hexahedron 0 is none";
+                          "its springs need box-shaped cells, and hexahedron 1 is none";
     BOOST_TEST(reason(stretched, method) == (takes_boxes ? "" : no_cube), name);
     BOOST_TEST(reason(leaning, method) == (takes_boxes ? no_box : no_cube), name);
     const Eigen::Matrix3d turned =

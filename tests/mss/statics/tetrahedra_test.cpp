@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(cells_that_are_no_tetrahedra_are_refused) {
     BOOST_TEST(!reason_to_refuse(block(CellPattern::tetrahedron, 0.2), material, method));
     BOOST_TEST(
         reason_to_refuse(block(CellPattern::prism, 0), material, method).value_or("") ==
-        "its springs need tetrahedra, and cell 0 is a prism");
+        "its springs need tetrahedra, and cell 1 is a prism");
     BOOST_TEST(
         reason_to_refuse(block(CellPattern::mixed, 0), material, method).has_value());
   }

@@ -1,4 +1,4 @@
-#include "comparisons/store/parquet.hpp"
+#include "comparisons/sheets/parquet.hpp"
 
 #include <algorithm>
 #include <bit>
