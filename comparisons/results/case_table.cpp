@@ -1,8 +1,13 @@
 #include "comparisons/results/case_table.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <span>
@@ -36,8 +41,10 @@ std::vector<Name> all_names() {
         .push_back({column.name, column.unit, is_first ? Name::which : Name::how});
   }
   for (const Setting& setting : all_settings())
-    if (setting.access.told != nullptr)
-      names.push_back({setting.key, si_unit_of(setting.dimension), Name::setting});
+    if (setting.access.told != nullptr) {
+      const std::string_view unit = si_unit_of(setting.dimension);
+      names.push_back({setting.key, unit == "-" ? "" : unit, Name::setting});
+    }
   for (const Described& measure : measure_list())
     names.push_back({measure.name, measure.unit, Name::measure});
   names.insert(names.end(), after.begin(), after.end());
@@ -86,24 +93,38 @@ bool is_empty(const CaseColumn& column) {
                              [](double x) { return std::isnan(x); });
 }
 
-bool is_same(double one, double other) {
-  return one == other || (std::isnan(one) && std::isnan(other));
+std::string text_at(const Columns& cases, const char* key, std::size_t row) {
+  const auto found = cases.texts.find(key);
+  return found == cases.texts.end() ? "" : found->second[row];
 }
 
+/// The value, or nothing where the case lacks it.
+std::string value_at(const Columns& cases, const std::string& key, std::size_t row) {
+  if (cases.texts.contains(key)) return text_at(cases, key.c_str(), row);
+  const auto found = cases.numbers.find(key);
+  if (found == cases.numbers.end()) return "";
+  const auto& [width, all] = found->second;
+  const std::span numbers(all.data() + row * width, width);
+  if (std::ranges::all_of(numbers, [](double x) { return std::isnan(x); })) return "";
+  return fmt::format("{}", fmt::join(numbers, "/"));
+}
+
+/// Between rows that have it, or of rows of one test, method and solver, of which some
+/// lack it: other methods and solvers do not read it, which tells them apart already.
 bool differs(const Columns& cases, const std::string& key,
              const std::vector<std::size_t>& rows) {
-  if (const auto found = cases.texts.find(key); found != cases.texts.end())
-    return std::ranges::any_of(rows, [&](std::size_t row) {
-      return found->second[row] != found->second[rows.front()];
-    });
-  const auto found = cases.numbers.find(key);
-  if (found == cases.numbers.end()) return false;
-  const auto& [width, values] = found->second;
-  for (const std::size_t row : rows)
-    for (std::size_t i = 0; i < width; ++i)
-      if (!is_same(values[row * width + i], values[rows.front() * width + i]))
-        return true;
-  return false;
+  std::set<std::string> values;
+  std::map<std::array<std::string, 3>, std::set<bool>> is_there;
+  for (const std::size_t row : rows) {
+    const std::string value = value_at(cases, key, row);
+    if (!value.empty()) values.insert(value);
+    is_there[{text_at(cases, "test", row), text_at(cases, "method", row),
+              text_at(cases, "solver", row)}]
+        .insert(!value.empty());
+  }
+  return values.size() > 1 || std::ranges::any_of(is_there, [](const auto& of_one) {
+           return of_one.second.size() > 1;
+         });
 }
 
 /// With the unit of its name, which has no value in any case.

@@ -26,7 +26,8 @@ struct CaseColumn {
 std::vector<CaseColumn> case_table(const Columns& cases,
                                    const std::vector<std::string>& chosen);
 
-/// Keys of the settings that differ between those rows, in the order of the settings.
+/// Keys of the settings that differ between those of the rows that have them, or that
+/// only some of the same test, method and solver have; in the order of the settings.
 std::vector<std::string> differing_settings(const Columns& cases,
                                             const std::vector<std::size_t>& rows);
 
