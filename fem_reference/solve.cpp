@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "fem_reference/cells/discretisation.hpp"
@@ -69,11 +72,46 @@ std::vector<Vector3> by_node(const Eigen::VectorXd& nodal, std::size_t nodes) {
   return vectors;
 }
 
-/// Positions of the mesh's nodes.
-std::vector<Vector3> deformed(const Mesh& mesh, const Eigen::VectorXd& displacements) {
-  std::vector<Vector3> positions = by_node(displacements, mesh.nodes().size());
-  for (std::size_t n = 0; n < positions.size(); ++n) positions[n] += mesh.nodes()[n];
+std::vector<Vector3> deformed(const Discretisation& body,
+                              const Eigen::VectorXd& displacements) {
+  std::vector<Vector3> positions = by_node(displacements, body.nodes.size());
+  for (std::size_t n = 0; n < positions.size(); ++n) positions[n] += body.nodes[n];
   return positions;
+}
+
+/// The mesh's cells, or the eight parts of each that q2's intermediate nodes make.
+std::vector<CellNodes> finest_cells(const Mesh& mesh, const Discretisation& body) {
+  if (body.parents.empty()) return mesh.cells();
+  std::map<std::vector<NodeIndex>, NodeIndex> node_between;
+  for (std::size_t i = 0; i < body.parents.size(); ++i)
+    node_between[body.parents[i]] = static_cast<NodeIndex>(body.vertices + i);
+  constexpr std::array<std::array<int, 3>, 8> place{{{0, 0, 0},
+                                                     {1, 0, 0},
+                                                     {1, 1, 0},
+                                                     {0, 1, 0},
+                                                     {0, 0, 1},
+                                                     {1, 0, 1},
+                                                     {1, 1, 1},
+                                                     {0, 1, 1}}};  // of a corner
+  std::vector<CellNodes> parts;
+  for (const CellNodes& cell : mesh.cells())
+    for (const auto& of_part : place) {
+      CellNodes part;
+      for (const auto& corner : place) {
+        // Between all corners of the cell that agree with it where it is at an end.
+        std::vector<NodeIndex> between;
+        for (std::size_t i = 0; i < place.size(); ++i) {
+          bool agrees = true;
+          for (std::size_t k = 0; k < 3; ++k)
+            agrees = agrees && (of_part[k] != corner[k] || place[i][k] == corner[k]);
+          if (agrees) between.push_back(cell[i]);
+        }
+        std::ranges::sort(between);
+        part.push_back(between.size() == 1 ? between.front() : node_between.at(between));
+      }
+      parts.push_back(part);
+    }
+  return parts;
 }
 
 }  // namespace
@@ -86,14 +124,15 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
   const Discretisation body = discretise(mesh, settings.element);
   const Supports supports(mesh, scene, body);
   Elasticity elasticity(body, scene.material, settings, supports.prescribed());
+  const std::vector<CellNodes> cells = finest_cells(mesh, body);
   const double setup_wall_s = stopwatch.seconds();
   const Equilibrium found = find_equilibrium(
       elasticity, {.displacements = [&](double s) { return supports.displacements(s); },
                    .forces = load(body, scene),
                    .follows_supports =
                        [&](const Eigen::VectorXd& displacements, double s) {
-                         return shows_imposed_turn(mesh, scene,
-                                                   deformed(mesh, displacements), s);
+                         return shows_imposed_turn(mesh, scene, {cells, body.nodes},
+                                                   deformed(body, displacements), s);
                        }});
 
   Solution solution{.status = found.status,

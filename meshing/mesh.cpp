@@ -194,11 +194,11 @@ void append_lists(std::string& bytes, const std::vector<List>& lists) {
 
 Mesh::Mesh(std::string source, std::vector<Vector3> nodes, std::vector<CellNodes> cells,
            std::map<std::string, std::vector<FaceNodes>> regions,
-           std::set<std::string> surfaces_inside)
+           std::set<std::string> surfaces_elsewhere)
     : source_(std::move(source)),
       nodes_(std::move(nodes)),
       cells_(std::move(cells)),
-      surfaces_inside_(std::move(surfaces_inside)) {
+      surfaces_elsewhere_(std::move(surfaces_elsewhere)) {
   std::ranges::stable_sort(cells_, {}, &CellNodes::size);
   check_nodes(source_, nodes_, cells_);
   check_cells(source_, nodes_, cells_);
@@ -228,9 +228,9 @@ std::size_t Mesh::count(CellType type) const {
 
 const Region& Mesh::region(const std::string& name) const {
   const auto found = regions_.find(name);
-  if (surfaces_inside_.contains(name))
+  if (surfaces_elsewhere_.contains(name))
     throw InputError(source_, "region", "a surface on the boundary",
-                     fmt::format("'{}', which lies inside the body", name));
+                     fmt::format("'{}', which is not on it throughout", name));
   if (found == regions_.end()) {
     std::vector<std::string_view> names;
     for (const auto& [known, region] : regions_) names.push_back(known);

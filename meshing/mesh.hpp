@@ -29,7 +29,7 @@ class Mesh {
   /// Messages number nodes and cells from 1, as files that are written do.
   Mesh(std::string source, std::vector<Vector3> nodes, std::vector<CellNodes> cells,
        std::map<std::string, std::vector<FaceNodes>> regions,
-       std::set<std::string> surfaces_inside = {});
+       std::set<std::string> surfaces_elsewhere = {});
 
   [[nodiscard]] const std::string& source() const { return source_; }
   [[nodiscard]] const std::vector<Vector3>& nodes() const { return nodes_; }
@@ -40,9 +40,10 @@ class Mesh {
 
   [[nodiscard]] const std::map<std::string, Region>& regions() const { return regions_; }
 
-  /// Names of surfaces between cells, where nothing can hold the body.
-  [[nodiscard]] const std::set<std::string>& surfaces_inside() const {
-    return surfaces_inside_;
+  /// Names of surfaces that are not on the boundary throughout, where nothing can hold
+  /// the body.
+  [[nodiscard]] const std::set<std::string>& surfaces_elsewhere() const {
+    return surfaces_elsewhere_;
   }
 
   /// Throws InputError listing the regions there are, when `name` is not one of them.
@@ -63,7 +64,7 @@ class Mesh {
   std::vector<Vector3> nodes_;
   std::vector<CellNodes> cells_;
   std::map<std::string, Region> regions_;
-  std::set<std::string> surfaces_inside_;
+  std::set<std::string> surfaces_elsewhere_;
   Region boundary_;
   std::vector<double> cell_volumes_;
   double volume_ = 0;

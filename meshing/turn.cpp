@@ -24,9 +24,9 @@ double turn_of_plates(const Scene& scene, double load_fraction) {
 }
 
 /// phi of a cell, in [-pi, pi].
-double turn_of_cell(const CellNodes& cell, const Mesh& mesh,
+double turn_of_cell(const CellNodes& cell, std::span<const Vector3> nodes,
                     std::span<const Vector3> positions, const Vector3& axis) {
-  CornerPositions X = corners(cell, mesh.nodes()), x = corners(cell, positions);
+  CornerPositions X = corners(cell, nodes), x = corners(cell, positions);
   X.colwise() -= X.rowwise().mean().eval();
   x.colwise() -= x.rowwise().mean().eval();
   const Matrix3 F = (x * X.transpose()) * (X * X.transpose()).inverse();
@@ -34,16 +34,18 @@ double turn_of_cell(const CellNodes& cell, const Mesh& mesh,
   return std::atan2(axis.dot(skew), F.trace() - axis.dot(F * axis));
 }
 
-std::vector<CellIndices> cells_at_nodes(const Mesh& mesh) {
-  std::vector<CellIndices> cells(mesh.nodes().size());
-  for (std::size_t c = 0; c < mesh.cells().size(); ++c)
-    for (const NodeIndex n : mesh.cells()[c]) cells[n].push_back(c);
-  return cells;
+std::vector<CellIndices> cells_at_nodes(std::span<const CellNodes> cells,
+                                        std::size_t nodes) {
+  std::vector<CellIndices> cells_at(nodes);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (const NodeIndex n : cells[c]) cells_at[n].push_back(c);
+  return cells_at;
 }
 
 }  // namespace
 
 std::optional<double> shown_turn(const Mesh& mesh, const Scene& scene,
+                                 const CellsBetween& between,
                                  std::span<const Vector3> positions,
                                  double load_fraction) {
   if (scene.plates.size() < 2) return std::nullopt;
@@ -51,17 +53,17 @@ std::optional<double> shown_turn(const Mesh& mesh, const Scene& scene,
   const double imposed = turn_of_plates(scene, load_fraction);
   if (std::abs(imposed) <= std::numbers::pi / 2) return std::nullopt;
 
-  const std::vector<CellIndices> cells_at = cells_at_nodes(mesh);
-  std::vector<double> turns(mesh.cells().size());
-  std::vector<bool> is_known(mesh.cells().size(), false);
+  const auto& [cells, rest] = between;
+  const std::vector<CellIndices> cells_at = cells_at_nodes(cells, rest.size());
+  std::vector<double> turns(cells.size());
+  std::vector<bool> is_known(cells.size(), false);
   CellIndices next;
   const auto visit = [&](const auto& nodes, double from) {
     for (const NodeIndex n : nodes)
       for (const std::size_t c : cells_at[n]) {
         if (is_known[c]) continue;
         is_known[c] = true;
-        const double turn =
-            turn_of_cell(mesh.cells()[c], mesh, positions, last.motion.axis);
+        const double turn = turn_of_cell(cells[c], rest, positions, last.motion.axis);
         turns[c] = from + principal(turn - from);
         next.push_back(c);
       }
@@ -69,7 +71,7 @@ std::optional<double> shown_turn(const Mesh& mesh, const Scene& scene,
   visit(mesh.region(first.region).nodes, load_fraction * first.motion.angle);
   for (std::size_t i = 0; i < next.size(); ++i) {
     const std::size_t c = next[i];
-    visit(mesh.cells()[c], turns[c]);
+    visit(cells[c], turns[c]);
   }
 
   double sum = 0, count = 0;
@@ -83,11 +85,23 @@ std::optional<double> shown_turn(const Mesh& mesh, const Scene& scene,
   return sum / count + principal(imposed - sum / count);
 }
 
-bool shows_imposed_turn(const Mesh& mesh, const Scene& scene,
+std::optional<double> shown_turn(const Mesh& mesh, const Scene& scene,
+                                 std::span<const Vector3> positions,
+                                 double load_fraction) {
+  return shown_turn(mesh, scene, {mesh.cells(), mesh.nodes()}, positions, load_fraction);
+}
+
+bool shows_imposed_turn(const Mesh& mesh, const Scene& scene, const CellsBetween& between,
                         std::span<const Vector3> positions, double load_fraction) {
-  const auto shown = shown_turn(mesh, scene, positions, load_fraction);
+  const auto shown = shown_turn(mesh, scene, between, positions, load_fraction);
   return !shown ||
          std::abs(*shown - turn_of_plates(scene, load_fraction)) < std::numbers::pi;
+}
+
+bool shows_imposed_turn(const Mesh& mesh, const Scene& scene,
+                        std::span<const Vector3> positions, double load_fraction) {
+  return shows_imposed_turn(mesh, scene, {mesh.cells(), mesh.nodes()}, positions,
+                            load_fraction);
 }
 
 }  // namespace springcheck

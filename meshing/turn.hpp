@@ -7,6 +7,14 @@
 
 namespace springcheck {
 
+/// Cells that the mesh's plates are turned against each other by, and their nodes at
+/// rest, the mesh's first: those of the mesh, or parts of them where a field bends within
+/// one.
+struct CellsBetween {
+  std::span<const CellNodes> cells;
+  std::span<const Vector3> nodes;
+};
+
 /// How far the last plate of a scene is turned against the first at load fraction s, as
 /// the body between them shows it [rad]; none where there are no two plates or they turn
 /// by less than a right angle. A plate tells its turn but for whole ones; the body tells
@@ -17,13 +25,22 @@ namespace springcheck {
 ///
 /// about it, and from a cell to the next ones, which share a node, by less than half a
 /// turn. The first plate's cells are within half a turn of that plate; the value returned
-/// is the last plate's nearest to the mean of its own cells.
+/// is the last plate's nearest to the mean of its own cells. So a single layer of cells
+/// shows less than half a turn: beyond, its linear field is inside out.
 std::optional<double> shown_turn(const Mesh& mesh, const Scene& scene,
+                                 const CellsBetween& between,
                                  std::span<const Vector3> positions,
                                  double load_fraction);
 
 /// Whether that is the turn imposed; where none is looked at, too. Not so on a branch of
 /// equilibria that belongs to another turn of the plates, less or more by whole ones.
+bool shows_imposed_turn(const Mesh& mesh, const Scene& scene, const CellsBetween& between,
+                        std::span<const Vector3> positions, double load_fraction);
+
+// By the mesh's own cells.
+std::optional<double> shown_turn(const Mesh& mesh, const Scene& scene,
+                                 std::span<const Vector3> positions,
+                                 double load_fraction);
 bool shows_imposed_turn(const Mesh& mesh, const Scene& scene,
                         std::span<const Vector3> positions, double load_fraction);
 

@@ -28,7 +28,9 @@ inline constexpr std::array value_names<Status>{
     Named{Status::wrinkled, "wrinkled",
           "equilibrium whose free faces zigzag from cell to cell"},
     Named{Status::inverted, "inverted",
-          "equilibrium with a cell turned inside out at a corner"},
+          "equilibrium with a cell turned inside out at a corner; or a motion in which "
+          "the body "
+          "went through itself, so that it shows another turn than its plates"},
     Named{Status::indefinite, "indefinite", "equilibrium that is not stable"},
     Named{Status::no_equilibrium, "no_equilibrium",
           "the path of equilibria from rest ends before the full load; the fraction "

@@ -241,9 +241,9 @@ ExitStatus mesh_command(const std::string& scene,
   fmt::print("{}: {} nodes, {}, {:.6g} m^3, SHA-256 {}\n",
              file ? file->string() : mesh.source(), mesh.nodes().size(),
              cell_counts(mesh), mesh.volume(), mesh.sha256());
-  if (!mesh.surfaces_inside().empty())
-    fmt::print("surfaces inside the body, which hold nothing: {}\n",
-               fmt::join(mesh.surfaces_inside(), ", "));
+  if (!mesh.surfaces_elsewhere().empty())
+    fmt::print("surfaces that are not on the boundary, and hold nothing: {}\n",
+               fmt::join(mesh.surfaces_elsewhere(), ", "));
   if (report == MeshReport::quality) fmt::print("\n{}", quality_text(quality_of(mesh)));
   return ExitStatus::done;
 }

@@ -45,11 +45,13 @@ void check_read(const RunSettings& run, const Method& measured,
   RunSettings of_measured = run;
   of_measured.methods = {{.method = measured}};
   const Request request = requests(of_measured).front();
+  constexpr std::string_view of_path[] = {"solver",   "load-times", "load-fractions",
+                                          "duration", "rate",       "angular-frequency",
+                                          "cycles"};
   const bool has_path = !run.common.dynamics.load.empty();
   for (const GivenSetting& option : options) {
     const Setting& setting = *find_setting(option.key);
-    const bool is_of_path = has_path && (setting.group == find_setting("dt")->group ||
-                                         setting.key == "solver");
+    const bool is_of_path = has_path && std::ranges::count(of_path, option.key) > 0;
     if (is_of_path || setting.standing == Standing::plan ||
         reads(request.settings, setting) ||
         (request.reference && reads(*request.reference, setting)))

@@ -35,25 +35,29 @@ char separator_of(const std::string& line) {
   return ' ';
 }
 
+/// Without their quotes, between which a separator is none.
 std::vector<std::string> fields_of(const std::string& line, char separator) {
-  std::vector<std::string> fields;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(separator, begin), line.size());
-    fields.push_back(trimmed(std::string_view(line).substr(begin, end - begin)));
-    begin = end + 1;
-    if (separator == ' ')
-      begin = std::min(line.find_first_not_of(csv_blanks, begin), line.size() + 1);
+  std::vector<std::string> fields(1);
+  bool is_quoted = false;
+  for (const char c : line) {
+    if (c == '"')
+      is_quoted = !is_quoted;
+    else if (c == separator && !is_quoted)
+      fields.emplace_back();
+    else
+      fields.back() += c;
   }
+  for (std::string& field : fields) field = trimmed(field);
+  if (separator == ' ') std::erase(fields, "");  // several blanks part as one does
   return fields;
 }
 
-/// In small letters, without quotes and what says nothing new: "ux" of "UX [m]".
+/// In small letters, without what says nothing new: "ux" of "UX [m]".
 std::string plain_name(const std::string& field, std::string_view unit) {
   std::string name;
   for (const char c : field)
-    if (c != '"' && c != '\'')
-      name +=
-          c == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    name +=
+        c == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const std::string& bracketed :
        {fmt::format("[{}]", unit), fmt::format("({})", unit)})
     if (name.ends_with(bracketed)) name.resize(name.size() - bracketed.size());
@@ -164,17 +168,20 @@ std::vector<Vector3> read_nodal_csv(const std::filesystem::path& file, const Mes
   for (std::string line; std::getline(in, line);) {
     const std::string where = fmt::format("{}:{}", name, ++line_number);
     if (line_number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
-    line = trimmed(line);
-    if (line.empty()) continue;
+    if (line.ends_with('\r')) line.pop_back();
+    if (trimmed(line).empty()) continue;
     const bool is_comment = line.starts_with('#') || line.starts_with('%');
+    if (rows == 0) {  // a comment may tell the names, and a line behind it again
+      const std::string header = line.substr(is_comment ? 1 : 0);
+      const CsvColumns found = columns_of(header, quantity);
+      if (found.are_known()) columns = found;
+      if (found.are_known() || is_comment) continue;
+    }
     if (!columns.are_known()) {
-      const std::string header = trimmed(line.substr(is_comment ? 1 : 0));
-      columns = columns_of(header, quantity);
-      if (columns.are_known() || is_comment) continue;
       const char* components = is_displacement ? "ux,uy,uz" : "fx,fy,fz";
       throw InputError(where, "columns",
                        fmt::format("x,y,z,{0} or node,{0}, each once", components),
-                       "'" + header + "'");
+                       "'" + trimmed(line) + "'");
     }
     if (is_comment) continue;
     ++rows;

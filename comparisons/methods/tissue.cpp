@@ -78,22 +78,37 @@ std::string poor_fit(const tissue::MaxwellFit& fit) {
                      fit.model.branches.size(), 100 * fit.errors.constant_rate);
 }
 
+/// Times at which a path of load is looked at: parts of each way between its turning
+/// points, of many ways the first and the last ones.
+std::vector<double> times_looked_at(const dynamics::LoadPath& load) {
+  constexpr std::size_t ways_at_an_end = 8, parts = 4;
+  const dynamics::LoadPath turns = dynamics::turning_points(load);
+  std::vector<double> times;
+  for (std::size_t way = 0; way < turns.size(); ++way) {
+    if (way >= ways_at_an_end && way + ways_at_an_end < turns.size()) continue;
+    const double from = way == 0 ? 0 : turns[way - 1].time;
+    for (std::size_t part = 1; part <= parts; ++part)
+      times.push_back(std::lerp(from, turns[way].time,
+                                static_cast<double>(part) / static_cast<double>(parts)));
+  }
+  return times;
+}
+
 /// Where they are far off the law on the case's path of load, as where it swings; empty
 /// where they are not. In simple shear by the largest strain, over the largest stress.
 std::string poor_path(const tissue::MaxwellFit& fit, const CaseSettings& settings,
                       double largest_strain) {
   constexpr double band = 0.1;
-  constexpr int samples = 48;
+  const dynamics::LoadPath load = load_of(settings.dynamics);
   const double largest_fraction = pace_of(settings.dynamics).largest_fraction;
   if (!(largest_strain > 0 && largest_fraction > 0)) return {};
   tissue::StrainHistory history{.times = {0}, .strains = {0}};
-  for (const dynamics::LoadPoint& point : load_of(settings.dynamics)) {
+  for (const dynamics::LoadPoint& point : load) {
     history.times.push_back(point.time);
     history.strains.push_back(point.fraction * largest_strain / largest_fraction);
   }
   double largest = 0, off = 0;
-  for (int i = 1; i <= samples; ++i) {
-    const double time = history.times.back() * i / samples;
+  for (const double time : times_looked_at(load)) {
     const double stress = tissue::stress(settings.tissue.law, history, time);
     largest = std::max(largest, std::abs(stress));
     off = std::max(off, std::abs(tissue::stress(fit.model, history, time) - stress));

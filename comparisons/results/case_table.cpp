@@ -66,9 +66,22 @@ std::string component_name(std::string_view name, std::string_view component) {
   return std::string(name) + "." + std::string(component);
 }
 
+/// Where bodies are turned, the deformation is an angle.
+std::string unit_of(const Name& name, const Columns& cases) {
+  const auto tests = cases.texts.find("test");
+  if (name.name != "deformation" || tests == cases.texts.end())
+    return std::string(name.unit);
+  const auto turning = std::ranges::count_if(tests->second, [](const std::string& text) {
+    const auto* test = find_value<Test>(text);
+    return test != nullptr && test->turns;
+  });
+  if (turning == 0) return "";
+  return turning == std::ssize(tests->second) ? "rad" : "1 or rad";
+}
+
 /// Of one name, as many as it has components; none where no case has it.
 std::vector<CaseColumn> columns_of(const Columns& cases, const Name& name) {
-  const std::string key(name.name), unit(name.unit);
+  const std::string key(name.name), unit = unit_of(name, cases);
   if (const auto found = cases.texts.find(key); found != cases.texts.end())
     return {{key, unit, found->second}};
   const auto found = cases.numbers.find(key);
@@ -129,6 +142,9 @@ bool differs(const Columns& cases, const std::string& key,
 
 /// With the unit of its name, which has no value in any case.
 CaseColumn empty_column(const std::string& name, const Name& of, std::size_t rows) {
+  const Setting* setting = find_setting(of.name);
+  if (setting != nullptr && !holds_numbers(setting->access.type))
+    return {name, std::string(of.unit), Texts(rows)};
   return {name, std::string(of.unit),
           Numbers(rows, std::numeric_limits<double>::quiet_NaN())};
 }
@@ -148,7 +164,8 @@ std::vector<CaseColumn> chosen_columns(const Columns& cases, const std::string& 
   const auto component = std::ranges::find(columns, chosen, &CaseColumn::name);
   if (component != columns.end()) return {*component};
   std::vector<std::string_view> names{name};
-  for (const CaseColumn& column : columns) names.push_back(column.name);
+  if (columns.size() > 1)
+    for (const CaseColumn& column : columns) names.push_back(column.name);
   refuse_name("--columns", "column", chosen, names);
 }
 

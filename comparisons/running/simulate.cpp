@@ -55,19 +55,22 @@ double transit_count(const CaseSettings& settings, const Mesh& mesh) {
   return settings.dynamics.duration * wave_speed / (high.z() - low.z());
 }
 
-/// "the body is turned by -170 degrees, its plates by 190"; empty where they agree.
-/// Solvers of equilibria let no path lead there; a motion may.
+/// How a motion lost the turn of its plates, which solvers of equilibria let no path do;
+/// empty where it did not.
 std::string lost_turn(const CaseSettings& settings, const Mesh& mesh,
                       const Solution& solution) {
+  if (!goes_through_time(settings)) return {};
   constexpr double degree = std::numbers::pi / 180;
   std::vector<Vector3> positions = mesh.nodes();
   for (std::size_t n = 0; n < positions.size(); ++n)
     positions[n] += solution.displacements[n];
   const Scene scene = mechanical_scene(settings, mesh);
   if (shows_imposed_turn(mesh, scene, positions, solution.load_fraction)) return {};
-  return fmt::format("the body is turned by {:.4g} degrees, its plates by {:.4g}",
-                     *shown_turn(mesh, scene, positions, solution.load_fraction) / degree,
-                     scene.plates.back().motion.angle * solution.load_fraction / degree);
+  return fmt::format(
+      "the body went through itself: it is turned by {:.4g} degrees, its plates by "
+      "{:.4g}",
+      *shown_turn(mesh, scene, positions, solution.load_fraction) / degree,
+      scene.plates.back().motion.angle * solution.load_fraction / degree);
 }
 
 void add_reason(CaseResult& result, const std::string& reason) {
@@ -133,7 +136,7 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
   result.measures.definite_up_to_deformation =
       definite_up_to_deformation(settings, solution);
   result.measures.critical_wavelength = solution.critical_wavelength;
-  bool inverted = false, wrinkled = false;
+  bool inverted = false, is_folded = false, wrinkled = false;
   SolveStatus solved = solution.status;
   if (has_equilibrium(solution)) {
     Measures& measures = result.measures;
@@ -151,10 +154,12 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
       measures.hourglass_alternation = seen->alternation;
       measures.hourglass_amplitude = seen->amplitude;
     }
-    add_reason(result, lost_turn(settings, mesh, solution));
-    inverted = *measures.corner_jacobian_ratio_min < 0;
+    const std::string lost = lost_turn(settings, mesh, solution);
+    add_reason(result, lost);
+    is_folded = *measures.corner_jacobian_ratio_min < 0;
+    inverted = is_folded || !lost.empty();
     // Springs that take the logarithm of a cell's volume have no finite energy there.
-    if (inverted && measures.strain_energy && !std::isfinite(*measures.strain_energy))
+    if (is_folded && measures.strain_energy && !std::isfinite(*measures.strain_energy))
       measures.strain_energy.reset();
     if (const auto name = not_finite(measures)) {
       measures = {};
@@ -166,10 +171,10 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
   result.status = verdict.status;
   result.flags = verdict.flags;
   for (const Status flag : verdict.flags) {
-    if (flag == Status::indefinite) continue;  // the solver gave its reason
-    add_reason(result, flag == Status::inverted
-                           ? "a cell is turned inside out at a corner"
-                           : "a free face zigzags from cell to cell");
+    if (flag == Status::inverted && is_folded)
+      add_reason(result, "a cell is turned inside out at a corner");
+    if (flag == Status::wrinkled)
+      add_reason(result, "a free face zigzags from cell to cell");
   }
   if (!solution.extrapolation.empty()) result.flags.push_back(Status::extrapolated);
   add_reason(result, solution.extrapolation);

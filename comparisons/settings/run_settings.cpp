@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "comparisons/settings/body_checks.hpp"
 #include "comparisons/settings/setting.hpp"
@@ -100,6 +101,28 @@ void check_read(const RunSettings& run, const Settings& settings) {
   }
 }
 
+/// Each method once, whether its element is named or is that of the setting, which some
+/// method must be left to read.
+void check_elements(const RunSettings& run, const Settings& settings) {
+  const auto has_open_element = [](const MethodChoice& choice) {
+    return reads(choice.method, "element") && !choice.element;
+  };
+  const Given& methods = *find(settings, "method");
+  const Given* element = find(settings, "element");
+  if (element != nullptr && is_own_option(*element, "element") &&
+      std::ranges::none_of(run.methods, has_open_element))
+    element->refuse("no element beside methods that name theirs");
+  std::set<std::pair<std::string, std::string>> known;
+  for (const MethodChoice& choice : run.methods) {
+    const std::string of_run(run.common.elements.element.name);
+    const std::string name = choice.element ? std::string(choice.element->name) : of_run;
+    if (reads(choice.method, "element") &&
+        !known.insert({choice.method.name, name}).second)
+      throw InputError(methods.place(), "", "each method once",
+                       fmt::format("'{}:{}' twice", choice.method.name, name));
+  }
+}
+
 /// Where the load is negative: what is drawn apart comes together.
 void check_reversed(const RunSettings& run, const Settings& settings) {
   const CaseSettings& common = run.common;
@@ -177,6 +200,7 @@ RunSettings make_run_settings(const std::string& name, const std::string& file,
     if (&setting != &test) read(setting, run, settings, file);
   check_read(run, settings);
   check_body(run.common, settings, file);
+  check_elements(run, settings);
   check_reversed(run, settings);
   const bool is_file = run.common.body.shape == BodyShape::file;
   run.cells_place = find(settings, is_file ? "mesh" : "cells")->place();

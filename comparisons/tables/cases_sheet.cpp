@@ -9,6 +9,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/results/case_table.hpp"
 #include "comparisons/settings/setting.hpp"
 
@@ -51,7 +52,7 @@ std::optional<double> number(const Columns& cases, const std::string& column,
   return value;
 }
 
-/// "fem-stvk:q1-sri", "mss-cf, E-form, A = 0.5".
+/// "fem-stvk:q1-sri", "mss-cf, E-form, A = 0.5", "mss-cf, verlet".
 std::string method_of(const Columns& cases, std::size_t row) {
   std::string name = text(cases, "method", row);
   if (const auto element = text(cases, "element", row); !element.empty())
@@ -63,12 +64,18 @@ std::string method_of(const Columns& cases, std::size_t row) {
     const std::string words = value ? fmt::format("{:g}", *value) : text(cases, key, row);
     name += variant_of(setting, words);
   }
+  const Method* method = find_method(text(cases, "method", row));
+  const std::string solver = text(cases, "solver", row);
+  if (method != nullptr && !solver.empty() && solver != name_of(method->solvers.front()))
+    name += ", " + solver;
   return name;
 }
 
-/// "10x10x10 hexahedron"; of other bodies than blocks their name.
+/// "10x10x10 hexahedron"; of files' meshes the beginning of their hash, of other bodies
+/// their name.
 std::string mesh_of(const Columns& cases, std::size_t row) {
   const std::string body = text(cases, "body", row);
+  if (body == "file") return "mesh " + text(cases, "mesh", row).substr(0, 8);
   if (body != "block" || !number(cases, "cells", row)) return body;
   std::string mesh =
       fmt::format("{:.0f}x{:.0f}x{:.0f} {}", *number(cases, "cells", row),
@@ -112,7 +119,7 @@ std::string words_of(const Columns& cases, const std::vector<std::string>& keys,
       std::vector<std::string> numbers;
       for (std::size_t i = 0; i < found->second.width; ++i)
         if (const auto one = number(cases, key, row, i))
-          numbers.push_back(fmt::format("{:g}", *one));
+          numbers.push_back(fmt::format("{}", *one));
       value = fmt::format("{}", fmt::join(numbers, "/"));
     }
     if (!value.empty()) words.push_back(key + " " + value);

@@ -18,9 +18,9 @@ Mesh read_msh(const std::filesystem::path& file, double metres_per_unit) {
                      fmt::format("{}", metres_per_unit));
   const MshFile msh = parse_msh(file);
   const TaggedCells cells = tagged_cells(file.string(), msh, metres_per_unit);
-  TaggedSurfaces surfaces = tagged_surfaces(cells, msh, checked_faces(cells));
+  TaggedSurfaces surfaces = tagged_surfaces(cells, msh, checked_boundary(cells));
   Mesh mesh(file.string(), cells.nodes, cells.cells, std::move(surfaces.regions),
-            std::move(surfaces.inside));
+            std::move(surfaces.elsewhere));
   check_conformity(mesh, [&](NodeIndex node) { return name_of_node(cells, node); });
   if (const std::set<std::string> volumes = volumes_apart(msh); !volumes.empty())
     spdlog::warn("{}: the physical volumes {} become one body of one material",

@@ -40,26 +40,20 @@ struct CellFace {
   std::size_t cell;
 };
 
-/// The faces of one cell, and the keys of those between two; by ascending keys.
-struct CellFaces {
-  std::vector<CellFace> boundary{};
-  std::vector<FaceNodes> inside{};
-};
-
-/// Throws InputError for cells that are flat, turned over or huge beyond numbers, that
-/// lie on the same side of a face, and for third ones at a face.
-CellFaces checked_faces(const TaggedCells& cells);
+/// The faces of exactly one cell, by ascending keys. Throws InputError for cells that are
+/// flat, turned over or huge beyond numbers, that lie on the same side of a face, and for
+/// third ones at a face.
+std::vector<CellFace> checked_boundary(const TaggedCells& cells);
 
 /// The file's physical surfaces, by name, or by number where they have none.
 struct TaggedSurfaces {
   std::map<std::string, std::vector<FaceNodes>> regions{};  // outward
-  std::set<std::string> inside{};                           // between cells throughout
+  std::set<std::string> elsewhere{};  // not on the boundary of those cells throughout
 };
 
-/// Throws InputError for elements of theirs that are no cell's face, or there twice, and
-/// for surfaces that lie partly on the boundary.
+/// Throws InputError for boundary faces that one of them has twice, or across its nodes.
 TaggedSurfaces tagged_surfaces(const TaggedCells& cells, const MshFile& msh,
-                               const CellFaces& faces);
+                               const std::vector<CellFace>& boundary);
 
 /// Names of the physical volumes, or their numbers, where not all cells belong to the
 /// same ones.

@@ -70,10 +70,10 @@ FaceNodes outward(FaceNodes face, const CellFace& of_cell, const auto& refuse) {
 
 }  // namespace
 
-CellFaces checked_faces(const TaggedCells& cells) {
+std::vector<CellFace> checked_boundary(const TaggedCells& cells) {
   check_jacobians(cells);
   const std::vector<CellFace> all = sorted_faces(cells);
-  CellFaces faces;
+  std::vector<CellFace> boundary;
   for (auto first = all.begin(); first != all.end();) {
     const auto last = std::ranges::find_if(
         first, all.end(), [&](const CellFace& face) { return face.key != first->key; });
@@ -81,17 +81,14 @@ CellFaces checked_faces(const TaggedCells& cells) {
     if (last - first > 2)
       throw InputError(cells.file, name_of_cell(cells, first[2].cell),
                        "at most two cells at each of its faces", "three");
-    if (last - first == 1)
-      faces.boundary.push_back(*first);
-    else
-      faces.inside.push_back(first->key);
+    if (last - first == 1) boundary.push_back(*first);
     first = last;
   }
-  return faces;
+  return boundary;
 }
 
 TaggedSurfaces tagged_surfaces(const TaggedCells& cells, const MshFile& msh,
-                               const CellFaces& faces) {
+                               const std::vector<CellFace>& boundary) {
   TaggedSurfaces surfaces;
   std::set<std::pair<std::string, FaceNodes>> found;
   for (const MshElement& element : msh.elements) {
@@ -108,22 +105,18 @@ TaggedSurfaces tagged_surfaces(const TaggedCells& cells, const MshFile& msh,
       for (const NodeTag tag : element.nodes)
         if (const auto node = find_node(cells, tag)) face.push_back(*node);
       const FaceNodes key = ascending(face);
-      const auto place =
-          std::ranges::lower_bound(faces.boundary, key, {}, &CellFace::key);
-      const bool is_of_boundary = place != faces.boundary.end() && place->key == key;
-      if (face.size() != element.nodes.size() ||
-          (!is_of_boundary && !std::ranges::binary_search(faces.inside, key)))
-        refuse("the face of a cell", "one of none");
+      const auto place = std::ranges::lower_bound(boundary, key, {}, &CellFace::key);
+      const bool is_of_boundary = face.size() == element.nodes.size() &&
+                                  place != boundary.end() && place->key == key;
+      if (!is_of_boundary) {
+        surfaces.elsewhere.insert(name);
+        continue;
+      }
       if (!found.insert({name, key}).second) refuse("each face once", "it twice");
-      if (is_of_boundary)
-        surfaces.regions[name].push_back(outward(face, *place, refuse));
-      else
-        surfaces.inside.insert(name);
-      if (surfaces.regions.contains(name) && surfaces.inside.contains(name))
-        refuse("a surface on the boundary throughout, or nowhere on it",
-               is_of_boundary ? "a face on it, others not" : "a face inside the body");
+      surfaces.regions[name].push_back(outward(face, *place, refuse));
     }
   }
+  for (const std::string& name : surfaces.elsewhere) surfaces.regions.erase(name);
   return surfaces;
 }
 

@@ -45,10 +45,7 @@ std::string reason_of(const PathLimit& limit, double wavelength) {
     case PathEnd::limit_point:
       return fmt::format("the path turns back {}: no equilibrium nearby beyond", where);
     case PathEnd::rejected:
-      return fmt::format(
-          "a cell is turned inside out, or layers of cells lose the turn of the plates, "
-          "{}",
-          where);
+      return fmt::format("a cell is turned inside out {}", where);
     case PathEnd::solver:
       break;
   }
@@ -62,9 +59,10 @@ std::string reason_of(const PathLimit& limit, double wavelength) {
 
 Solution path_limit_solution(const Mesh& mesh, const Scene& scene,
                              const Network& network) {
+  bool lost_turn = false;  // what was tried last
   const auto is_whole = [&](std::span<const Vector3> x, double load_fraction) {
-    return !has_inverted_cell(mesh.cells(), x) &&
-           shows_imposed_turn(mesh, scene, x, load_fraction);
+    lost_turn = !shows_imposed_turn(mesh, scene, x, load_fraction);
+    return !lost_turn && !has_inverted_cell(mesh.cells(), x);
   };
   const PathLimit limit = follow_to_limit(mesh, scene, network, resolution, is_whole);
   Solution solution =
@@ -75,6 +73,12 @@ Solution path_limit_solution(const Mesh& mesh, const Scene& scene,
   if (limit.end == PathEnd::full_load) return solution;
   solution.critical_wavelength = shortest_wavelength(mesh, limit.critical_mode);
   solution.reason = reason_of(limit, *solution.critical_wavelength);
+  if (limit.end == PathEnd::rejected && lost_turn) {
+    solution.status = SolveStatus::no_equilibrium;
+    solution.reason = fmt::format(
+        "beyond {:.4g} % of the load the body is not turned as its plates are",
+        100 * limit.load_fraction);
+  }
   if (limit.end != PathEnd::solver) solution.definite_up_to = limit.load_fraction;
   return solution;
 }

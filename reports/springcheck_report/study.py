@@ -288,7 +288,7 @@ def _setting_text(value):
     """As it is written on the command line; "" of what a case lacks."""
     if value is None or isinstance(value, str):
         return value or ""
-    return f"{value:g}" if np.isfinite(value) else ""
+    return f"{value:.12g}" if np.isfinite(value) else ""
 
 
 def load_text(case):

@@ -89,6 +89,19 @@ BOOST_AUTO_TEST_CASE(the_turn_is_that_of_one_plate_against_the_other,
              -450 * degree);
 }
 
+// As of elements whose field bends within them: half a turn and more in one layer.
+BOOST_AUTO_TEST_CASE(parts_of_cells_show_more_than_half_a_turn,
+                     *boost::unit_test::tolerance(1e-13)) {
+  const Mesh whole = block(CellPattern::hexahedron, {2, 2, 1});
+  const Mesh parts = block(CellPattern::hexahedron, {4, 4, 2});
+  const Scene scene = turned_plates(0, 250);
+  BOOST_TEST(shown_turn(whole, scene, twisted(whole, 0, 250), 1).value() ==
+             -110 * degree);
+  BOOST_TEST(
+      shown_turn(parts, scene, {parts.cells(), parts.nodes()}, twisted(parts, 0, 250), 1)
+          .value() == 250 * degree);
+}
+
 BOOST_AUTO_TEST_CASE(where_nothing_turns_far_no_turn_is_looked_at) {
   const Mesh mesh = block(CellPattern::hexahedron, {1, 1, 1});
   BOOST_TEST(!shown_turn(mesh, turned_plates(0, 90), mesh.nodes(), 1));

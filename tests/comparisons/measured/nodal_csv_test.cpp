@@ -107,17 +107,21 @@ BOOST_AUTO_TEST_CASE(files_are_read_as_people_have_them) {
     std::ranges::replace(changed, ',', separator);
     return changed;
   };
+  std::string quoted = "\"Node\",\"UX\",\"UY\",\"UZ\",\"name\"\n",
+              tabs = "\tnode\tux\tuy\tuz\tnote\n";
   std::string more = "# of step 3\nx,Node,UX,UY,UZ,name\n\n",
               decimals = "Node;UX;UY;UZ\n";
   for (int n = 1; n <= 12; ++n) {
     more += fmt::format("7,{0},{0},{1},-{0},\"corner {0}\"\n# of {0}\n", n, 2 * n);
     decimals += fmt::format("{0};{0},0;{1},00;-{0}\n", n, 2 * n);
+    quoted += fmt::format("\"{0}\",\"{0}\",\"{1}\",\"-{0}\",\"a, {0}\"\n", n, 2 * n);
+    tabs += fmt::format("7\t{0}\t{0}\t{1}\t-{0}\t\n", n, 2 * n);
   }
   for (const std::string& text :
        {with_header("Node,UX,UY,UZ"), with_header("\"node id\",\"Ux [m]\",uy (m),uz"),
         with_header("% ID,UX,UY,UZ"), with_separator(by_number(), ';'),
         with_separator(by_number(), '\t'), with_separator(by_number(), ' '), more,
-        decimals})
+        decimals, quoted, tabs, "% node, ux, uy, uz\n" + by_number()})
     BOOST_TEST((read(text, NodalQuantity::displacement) == expected), text);
 }
 

@@ -68,6 +68,19 @@ BOOST_AUTO_TEST_CASE(a_column_stands_for_what_tells_cases_apart) {
   BOOST_TEST((differing_settings(cases, {0}).empty()));
 }
 
+BOOST_AUTO_TEST_CASE(a_deformation_has_the_unit_of_its_tests) {
+  const auto unit = [](std::vector<std::string> tests) {
+    const std::vector<double> loads(tests.size(), .1);
+    const Columns cases{.rows = tests.size(),
+                        .texts = {{"test", std::move(tests)}},
+                        .numbers = {{"deformation", {1, loads}}}};
+    return case_table(cases, {"deformation"})[0].unit;
+  };
+  BOOST_TEST(unit({"compression", "shearing"}) == "");
+  BOOST_TEST(unit({"torsion"}) == "rad");
+  BOOST_TEST(unit({"torsion", "compression"}) == "1 or rad");
+}
+
 BOOST_AUTO_TEST_CASE(columns_are_those_chosen_in_their_order) {
   const Columns cases = four_cases();
   BOOST_TEST(names_of(case_table(cases, {"nu", "cells", "key", "size.z"})) ==

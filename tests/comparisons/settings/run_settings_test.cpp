@@ -455,7 +455,11 @@ BOOST_AUTO_TEST_CASE(a_method_may_name_its_element) {
              std::string::npos);
   BOOST_TEST(message("fem-hooke:q2,fem-hooke:q2").find("each name once") !=
              std::string::npos);
+  BOOST_TEST(message("fem-hooke:q1-sri,fem-hooke").find("'fem-hooke:q1-sri' twice") !=
+             std::string::npos);
   BOOST_TEST(message("fem-hooke:q2,fem-hooke:q1") == "accepted");
+  BOOST_CHECK_THROW(run_of("compression", {"method=fem-hooke:q2,mss-cf", "element=q1"}),
+                    InputError);
 }
 
 BOOST_AUTO_TEST_CASE(the_reference_itself_has_none) {

@@ -155,13 +155,13 @@ BOOST_AUTO_TEST_CASE(a_surface_between_cells_is_a_name_and_no_plate) {
   const Mesh mesh = read_msh(file_with(two_materials), 1);
   BOOST_TEST(mesh.cells().size() == 2U);
   BOOST_TEST(mesh.regions().size() == 1U);
-  BOOST_TEST((mesh.surfaces_inside() == std::set<std::string>{"capsule"}));
+  BOOST_TEST((mesh.surfaces_elsewhere() == std::set<std::string>{"capsule"}));
   BOOST_CHECK_EXCEPTION((void)mesh.region("capsule"), InputError, [](const auto& error) {
     return std::string(error.what())
         .ends_with(
-            "region: expected a surface on the boundary, got 'capsule', which lies "
-            "inside "
-            "the body");
+            "region: expected a surface on the boundary, got 'capsule', which is not on "
+            "it "
+            "throughout");
   });
 }
 
