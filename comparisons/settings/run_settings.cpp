@@ -104,12 +104,16 @@ void check_read(const RunSettings& run, const Settings& settings) {
 /// Each method once, whether its element is named or is that of the setting, which some
 /// method must be left to read.
 void check_elements(const RunSettings& run, const Settings& settings) {
-  const auto has_open_element = [](const MethodChoice& choice) {
-    return reads(choice.method, "element") && !choice.element;
+  const auto names_element = [](const MethodChoice& choice) {
+    return choice.element.has_value();
+  };
+  const auto has_open_element = [&](const MethodChoice& choice) {
+    return reads(choice.method, "element") && !names_element(choice);
   };
   const Given& methods = *find(settings, "method");
   const Given* element = find(settings, "element");
   if (element != nullptr && is_own_option(*element, "element") &&
+      std::ranges::any_of(run.methods, names_element) &&
       std::ranges::none_of(run.methods, has_open_element))
     element->refuse("no element beside methods that name theirs");
   std::set<std::pair<std::string, std::string>> known;

@@ -102,7 +102,8 @@ BOOST_AUTO_TEST_CASE(rows_that_would_read_alike_tell_the_settings_that_differ) {
   BOOST_TEST(run_springcheck("report alike.h5 --out alike").status == 0);
   const Json rows = json_in("alike/tables/cases.json")["rows"];
   std::set<std::string> words;
-  for (const Json& row : rows) words.insert(row["further"].get<std::string>());
+  for (const Json& row : rows)
+    words.insert(row["further"].is_null() ? "" : row["further"].get<std::string>());
   BOOST_TEST(rows.size() == 3U);
   BOOST_TEST(words.size() == 3U);
   BOOST_TEST((words == std::set<std::string>{"", "duration 0.01", "duration 0.02"}));
