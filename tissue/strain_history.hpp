@@ -38,7 +38,7 @@ double stress(const BipowerLaw& law, const StrainHistory& history, double time);
 ///     <D>   = r tau + (a - r tau) exp(-t/tau)
 ///     <D^2> = 2 (r tau)^2 (1 - exp(-t/tau)) + (b + 2 r (a - r tau) t) exp(-t/tau)
 ///
-/// which solve <D>' = r - <D>/tau and <D^2>' = 2 r <D> - <D^2>/tau: the means' definition
+/// which solve a' = r - a/tau and b' = 2 r a - b/tau: the means' definition
 /// (MaxwellModel) by t. The dashpot has the rate before `time`.
 double stress(const MaxwellModel& model, const StrainHistory& history, double time);
 

@@ -35,6 +35,9 @@ struct Hourglassing {
 /// node: d = u, alternation 1, amplitude a/(h e). A zigzag in one direction, a (-1)^i, is
 /// shear or stretch of each cell, and no hourglass.
 ///
+/// Corners and cells count alike, whatever their size: a convention that the amplitude
+/// depends on where meshes are irregular.
+///
 /// None on other cells than hexahedra, and without a node inside.
 std::optional<Hourglassing> measure_hourglassing(const Mesh& mesh,
                                                  std::span<const Vector3> displacements);

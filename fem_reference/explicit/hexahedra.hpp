@@ -66,8 +66,9 @@ CornerVectors shape_gradients(const GaussPoint& at, std::size_t point);
 /// Measured against fem-stvk q1-sri: torque of a cube of 6^3 cells + 3.1 to 3.4 %, 10^3
 /// + 1.2 to 1.5 % (nu = 0 to .499, 1 degree; at 45 degrees + 2.0 to 2.3 and + .7 to .9).
 /// Small drop of the tip of a 1:6 beam of 2 x 2 x 12 cells + 3.5 to 6.6 %, of 4 x 4 x 24
-/// + 1.0 to 1.7 % (nu = 0 to .45), where q2 gives + 1.0 to 3.9 and + .7 to 1.1. Half of k_s would make the
-/// torque of 10^3 cells right to .5 % and the beams' tips 18 and 4 % too soft.
+/// + 1.0 to 1.7 % (nu = 0 to .45), where q2 gives + 1.0 to 3.9 and + .7 to 1.1. Half of
+/// k_s would make the torque of 10^3 cells right to .5 % and the beams' tips 18 and 4 %
+/// too soft.
 ///
 /// Source: B, gamma and the form of the energy: Flanagan and Belytschko 1981, A uniform
 /// strain hexahedron and quadrilateral with orthogonal hourglass control, International
