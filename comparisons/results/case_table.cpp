@@ -88,13 +88,15 @@ std::vector<CaseColumn> columns_of(const Columns& cases, const Name& name) {
   if (found == cases.numbers.end()) return {};
   const auto& [width, values] = found->second;
   if (width == 1) return {{key, unit, values}};
+  const auto names = components(width);
   std::vector<CaseColumn> columns;
   for (std::size_t i = 0; i < width; ++i) {
     Numbers component;
     for (std::size_t row = 0; row < cases.rows; ++row)
       component.push_back(values[row * width + i]);
-    columns.push_back(
-        {component_name(name.name, components(width)[i]), unit, std::move(component)});
+    columns.push_back({component_name(name.name, names.empty() ? std::to_string(i + 1)
+                                                               : std::string(names[i])),
+                       unit, std::move(component)});
   }
   return columns;
 }
