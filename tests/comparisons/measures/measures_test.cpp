@@ -288,6 +288,28 @@ BOOST_AUTO_TEST_CASE(the_centre_line_is_compared_with_each_theory) {
   BOOST_TEST(std::abs(*m.centre_line_timoshenko -
                       (*m.tip_timoshenko - *m.tip_euler_bernoulli)) < 1e-12);
   BOOST_TEST(*m.centre_line_elastica > 0.3);
+
+  // Gravity is along x: what goes along y counts, too.
+  const Solution aside = moved(mesh, [&](const Vector3&) { return Vector3(0, 0.4, 0); });
+  const Solution still = moved(mesh, [&](const Vector3&) { return Vector3(0, 0, 0); });
+  BOOST_TEST(
+      *measure(settings, mesh, aside).centre_line_euler_bernoulli ==
+          std::hypot(0.4, *measure(settings, mesh, still).centre_line_euler_bernoulli),
+      boost::test_tools::tolerance(1e-12));
+}
+
+// Of other meshes some nodes lie there by chance.
+BOOST_AUTO_TEST_CASE(layers_and_lines_of_nodes_are_those_of_regular_grids) {
+  for (const char* cells : {"cell-type=free-tetrahedron", "distortion=0.1"}) {
+    const CaseSettings settings = case_of("bending", {"cells=2,2,12", cells});
+    const Mesh mesh = build_mesh(settings.body);
+    const Solution still = moved(mesh, [](const Vector3&) { return Vector3(0, 0, 0); });
+    Measures m = measure(settings, mesh, still);
+    measure_deviation(m, settings, mesh, still, still);
+    BOOST_TEST(m.tip_elastica.has_value());
+    BOOST_TEST(!m.centre_line_elastica.has_value(), cells);
+    BOOST_TEST(!m.middle_layer_deviation.has_value(), cells);
+  }
 }
 
 // Round-off: pressed by a tenth, so that the sides' strain is (1/2)(.9^2 - 1) along z.
