@@ -124,14 +124,17 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
   const Discretisation body = discretise(mesh, settings.element);
   const Supports supports(mesh, scene, body);
   Elasticity elasticity(body, scene.material, settings, supports.prescribed());
-  const std::vector<CellNodes> cells = finest_cells(mesh, body);
+  const bool turns = turns_far(scene);
+  const std::vector<CellNodes> cells =
+      turns ? finest_cells(mesh, body) : std::vector<CellNodes>{};
   const double setup_wall_s = stopwatch.seconds();
   const Equilibrium found = find_equilibrium(
       elasticity, {.displacements = [&](double s) { return supports.displacements(s); },
                    .forces = load(body, scene),
                    .follows_supports =
                        [&](const Eigen::VectorXd& displacements, double s) {
-                         return shows_imposed_turn(mesh, scene, {cells, body.nodes},
+                         return !turns ||
+                                shows_imposed_turn(mesh, scene, {cells, body.nodes},
                                                    deformed(body, displacements), s);
                        }});
 

@@ -18,6 +18,9 @@ double principal(double angle) {
   return std::remainder(angle, 2 * std::numbers::pi);
 }
 
+constexpr double right_angle = std::numbers::pi / 2;
+
+/// Of the last against the first.
 double turn_of_plates(const Scene& scene, double load_fraction) {
   return load_fraction *
          (scene.plates.back().motion.angle - scene.plates.front().motion.angle);
@@ -44,6 +47,10 @@ std::vector<CellIndices> cells_at_nodes(std::span<const CellNodes> cells,
 
 }  // namespace
 
+bool turns_far(const Scene& scene) {
+  return scene.plates.size() >= 2 && std::abs(turn_of_plates(scene, 1)) > right_angle;
+}
+
 std::optional<double> shown_turn(const Mesh& mesh, const Scene& scene,
                                  const CellsBetween& between,
                                  std::span<const Vector3> positions,
@@ -51,7 +58,7 @@ std::optional<double> shown_turn(const Mesh& mesh, const Scene& scene,
   if (scene.plates.size() < 2) return std::nullopt;
   const Plate &first = scene.plates.front(), &last = scene.plates.back();
   const double imposed = turn_of_plates(scene, load_fraction);
-  if (std::abs(imposed) <= std::numbers::pi / 2) return std::nullopt;
+  if (std::abs(imposed) <= right_angle) return std::nullopt;
 
   const auto& [cells, rest] = between;
   const std::vector<CellIndices> cells_at = cells_at_nodes(cells, rest.size());

@@ -7,6 +7,10 @@
 
 namespace springcheck {
 
+/// Whether the full load turns the last plate of a scene against the first by more than a
+/// right angle: below, no turn is looked at.
+bool turns_far(const Scene& scene);
+
 /// Cells that the mesh's plates are turned against each other by, and their nodes at
 /// rest, the mesh's first: those of the mesh, or parts of them where a field bends within
 /// one.

@@ -108,22 +108,6 @@ bool is_empty(const CaseColumn& column) {
                              [](double x) { return std::isnan(x); });
 }
 
-std::string text_at(const Columns& cases, const char* key, std::size_t row) {
-  const auto found = cases.texts.find(key);
-  return found == cases.texts.end() ? "" : found->second[row];
-}
-
-/// The value, or nothing where the case lacks it.
-std::string value_at(const Columns& cases, const std::string& key, std::size_t row) {
-  if (cases.texts.contains(key)) return text_at(cases, key.c_str(), row);
-  const auto found = cases.numbers.find(key);
-  if (found == cases.numbers.end()) return "";
-  const auto& [width, all] = found->second;
-  const std::span numbers(all.data() + row * width, width);
-  if (std::ranges::all_of(numbers, [](double x) { return std::isnan(x); })) return "";
-  return fmt::format("{}", fmt::join(numbers, "/"));
-}
-
 /// Between rows that have it, or of rows of one test, method and solver, of which some
 /// lack it: other methods and solvers do not read it, which tells them apart already.
 bool differs(const Columns& cases, const std::string& key,
@@ -133,8 +117,8 @@ bool differs(const Columns& cases, const std::string& key,
   for (const std::size_t row : rows) {
     const std::string value = value_at(cases, key, row);
     if (!value.empty()) values.insert(value);
-    is_there[{text_at(cases, "test", row), text_at(cases, "method", row),
-              text_at(cases, "solver", row)}]
+    is_there[{value_at(cases, "test", row), value_at(cases, "method", row),
+              value_at(cases, "solver", row)}]
         .insert(!value.empty());
   }
   return values.size() > 1 || std::ranges::any_of(is_there, [](const auto& of_one) {
@@ -172,6 +156,17 @@ std::vector<CaseColumn> chosen_columns(const Columns& cases, const std::string& 
 }
 
 }  // namespace
+
+std::string value_at(const Columns& cases, const std::string& key, std::size_t row) {
+  if (const auto texts = cases.texts.find(key); texts != cases.texts.end())
+    return texts->second[row];
+  const auto found = cases.numbers.find(key);
+  if (found == cases.numbers.end()) return "";
+  const auto& [width, all] = found->second;
+  const std::span numbers(all.data() + row * width, width);
+  if (std::ranges::all_of(numbers, [](double x) { return std::isnan(x); })) return "";
+  return fmt::format("{}", fmt::join(numbers, "/"));
+}
 
 std::vector<std::string> differing_settings(const Columns& cases,
                                             const std::vector<std::size_t>& rows) {

@@ -26,6 +26,10 @@ struct CaseColumn {
 std::vector<CaseColumn> case_table(const Columns& cases,
                                    const std::vector<std::string>& chosen);
 
+/// The value of a text or number column in a row, in words, "0.05/0.05/0.2"; empty where
+/// the case lacks it.
+std::string value_at(const Columns& cases, const std::string& key, std::size_t row);
+
 /// Keys of the settings that differ between those of the rows that have them, or that
 /// only some of the same test, method and solver have; in the order of the settings.
 std::vector<std::string> differing_settings(const Columns& cases,

@@ -18,7 +18,7 @@ struct ParquetColumn {
 /// plain values without compression, which every reader knows. Debian 12 has no library
 /// that writes it. Throws std::runtime_error where a column holds 2 GB or more.
 ///
-/// Source: Apache Parquet's format specification 2.10 (parquet.thrift, Encodings.md),
+/// Source: Apache Parquet's format specification (parquet.thrift, Encodings.md),
 /// metadata in Thrift's compact protocol.
 void write_parquet(std::ostream& out, const std::vector<ParquetColumn>& columns);
 

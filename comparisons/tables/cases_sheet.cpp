@@ -113,17 +113,9 @@ SheetRow row_of(const Columns& cases, std::size_t row) {
 std::string words_of(const Columns& cases, const std::vector<std::string>& keys,
                      std::size_t row) {
   std::vector<std::string> words;
-  for (const std::string& key : keys) {
-    std::string value = text(cases, key, row);
-    if (const auto found = cases.numbers.find(key); found != cases.numbers.end()) {
-      std::vector<std::string> numbers;
-      for (std::size_t i = 0; i < found->second.width; ++i)
-        if (const auto one = number(cases, key, row, i))
-          numbers.push_back(fmt::format("{}", *one));
-      value = fmt::format("{}", fmt::join(numbers, "/"));
-    }
-    if (!value.empty()) words.push_back(key + " " + value);
-  }
+  for (const std::string& key : keys)
+    if (const std::string value = value_at(cases, key, row); !value.empty())
+      words.push_back(key + " " + value);
   return fmt::format("{}", fmt::join(words, ", "));
 }
 

@@ -26,8 +26,8 @@ std::string bytes(std::string_view digits) {
 
 }  // namespace
 
-// These very bytes are read, with both nulls, by hyparquet 1.x and by arrow-rs
-// (parquet-wasm): independent readers.
+// These very bytes are read, with both nulls, by hyparquet 1.33 and by arrow-rs
+// (parquet-wasm 0.8): independent readers.
 BOOST_AUTO_TEST_CASE(a_table_is_bytes_that_others_read) {
   const std::string text_page =  // head; runs of what is there; values
       "15 00 15 3c 15 3c 2c 15 08 15 00 15 06 15 06 00 00 "
