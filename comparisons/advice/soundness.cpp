@@ -47,8 +47,11 @@ std::optional<double> limit_error(const Chart& chart,
     values[i] = *value;
   }
   const double unit = measure == ChartMeasure::force ? std::abs(values[2]) : 1;
-  const ConvergedNumber limit = converged_number(sizes, values, solver_noise * unit);
   const ChartTruth& of = chart.truths[truth];
+  const double order_of_cells = 2;  // of springs and of linear elements
+  const ConvergedNumber limit =
+      converged_number(sizes, values, solver_noise * unit,
+                       std::min(order_of_cells, of.grids.formal_order));
   switch (measure) {
     case ChartMeasure::force:
       return std::abs(limit.value / of.answer.value - 1) +

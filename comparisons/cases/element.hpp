@@ -26,7 +26,8 @@ struct ElementName {
   std::string_view name;
   fem_reference::Element element;
   std::string_view description;
-  int divisions;                  // of a cell's edge by the element's nodes
+  int order;      // of the error of displacements in the mean, where they are smooth
+  int divisions;  // of a cell's edge by the element's nodes
   double multigrid_bytes;         // of memory for each of the parts so made, measured
   double entries_per_node;        // of a stiffness matrix, inside a large grid
   std::vector<Omission> omits{};  // elements that do not

@@ -32,8 +32,9 @@ std::optional<ChartTruth> truth_of(const StoredChart& chart,
   ChartTruth truth{
       .grids = grids,
       .answer = converged_number(grids.cell_sizes, answers,
-                                 solver_noise * std::abs(answers[2])),
-      .volume_change = converged_number(grids.cell_sizes, volumes, solver_noise),
+                                 solver_noise * std::abs(answers[2]), grids.formal_order),
+      .volume_change =
+          converged_number(grids.cell_sizes, volumes, solver_noise, grids.formal_order),
       .imposed = 0};
   truth.imposed = chart.imposed.value_or(std::abs(truth.answer.value));
   truth.bars.force = truth.answer.bar / std::abs(truth.answer.value);

@@ -14,6 +14,7 @@
 #include "comparisons/settings/case_json.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/studies/converged.hpp"
+#include "comparisons/studies/formal_order.hpp"
 #include "comparisons/system/processor.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/sha256.hpp"
@@ -106,7 +107,8 @@ StoredChart planned_chart(const ChartPlan& plan, const std::vector<ThreeCases>& 
     chart.imposed = largest_imposed_displacement(mesh, mechanical_scene(first, mesh));
   for (const ThreeCases& grids : truths) {
     StoredChart::Truth truth{.law = grids.front().method.name,
-                             .cell_sizes = grid_sizes(grids)};
+                             .cell_sizes = grid_sizes(grids),
+                             .formal_order = formal_order(grids.front())};
     std::ranges::transform(grids, truth.keys.begin(), [&](const CaseSettings& grid) {
       return case_key({.settings = grid}, meshes.mesh(grid.body));
     });

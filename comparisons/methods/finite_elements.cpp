@@ -79,6 +79,7 @@ std::vector<ElementName> finite_elements() {
   return {{.name = "q1",
            .element = Element::q1,
            .description = "linear or trilinear, full integration: locks near nu = 0.5",
+           .order = 2,
            .divisions = 1,
            .multigrid_bytes = 13e3,
            .entries_per_node = of_q1,
@@ -88,6 +89,7 @@ std::vector<ElementName> finite_elements() {
            .element = Element::q1_sri,
            .description = "the same, volumetric part from the cell's mean (selective "
                           "reduced integration; on tetrahedra it is q1)",
+           .order = 2,
            .divisions = 1,
            .multigrid_bytes = 13e3,
            .entries_per_node = of_q1,
@@ -95,6 +97,7 @@ std::vector<ElementName> finite_elements() {
           {.name = "q2",
            .element = Element::q2,
            .description = "triquadratic (27 nodes), 3x3x3 points; hexahedra only",
+           .order = 3,
            .divisions = 2,
            .multigrid_bytes = 24e3,
            .entries_per_node = of_q2}};

@@ -51,6 +51,7 @@ Row row_of(const StoredChart::Truth& truth) {
     put(row, size_columns[i], truth.cell_sizes[i]);
     put(row, key_columns[i], truth.keys[i]);
   }
+  put(row, "formal_order", truth.formal_order);
   return row;
 }
 
@@ -146,6 +147,8 @@ StoredChart read_chart(hid_t group) {
       truth.cell_sizes[grid] = truths.number(size_columns[grid], i);
       truth.keys[grid] = truths.text(key_columns[grid], i);
     }
+    truth.formal_order =
+        truths.find_number("formal_order", i).value_or(least_formal_order);
     chart.truths.push_back(std::move(truth));
   }
   const TableRows points(hdf5::open_group(group, "points"), "a chart's point");

@@ -13,6 +13,7 @@
 #include "comparisons/cases/named.hpp"
 #include "comparisons/running/case_result.hpp"
 #include "comparisons/running/timing.hpp"
+#include "comparisons/studies/formal_order.hpp"
 
 namespace springcheck {
 
@@ -32,6 +33,7 @@ struct StoredChart {
     std::string law;  // its method
     std::array<double, 3> cell_sizes{};
     std::array<std::string, 3> keys{};
+    double formal_order = least_formal_order;  // of its grids; in older files none
   };
   struct Point {
     Model model;
@@ -83,7 +85,7 @@ StoredChart merged(StoredChart chart, const StoredChart& other);
 ///
 ///     IDENTITY              attributes scene, settings, law, answer, height, imposed,
 ///                           machine, revision
-///     IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3
+///     IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3, formal_order
 ///     IDENTITY/points       columns model (its name) and its parts method, element,
 ///                           cell-type, linear-solver, precision, its family, then kind,
 ///                           across, cells, nodes, threads, key, left_out, repetitions,

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "comparisons/cases/grids.hpp"
+#include "comparisons/studies/formal_order.hpp"
 
 namespace springcheck {
 namespace {
@@ -50,7 +51,9 @@ std::vector<Vector3> face_displacements(std::span<const CaseResult* const> runs)
   if (runs.size() == 1) return {*runs.front()->measures.face_displacement};
   OnThreeGrids on_grids;
   for (std::size_t i = 0; i < 3; ++i) on_grids[i] = *runs[i]->measures.face_displacement;
-  return {extrapolate(sizes_of(runs), on_grids, solver_noise * on_grids[2].norm()).value};
+  return {extrapolate(sizes_of(runs), on_grids, solver_noise * on_grids[2].norm(),
+                      formal_order(runs[0]->request.settings))
+              .value};
 }
 
 /// Least order by which the root mean square of an interpolation's error falls: where
@@ -58,8 +61,8 @@ std::vector<Vector3> face_displacements(std::span<const CaseResult* const> runs)
 constexpr double order_of_interpolation = 1.5;
 
 /// The finest run's field. Its own error is known at the middle grid's nodes, by the
-/// order that the coarsest's show; between its nodes there is that of the interpolation,
-/// known from what every other node would give.
+/// order and safety that the coarsest's show; between its nodes there is that of the
+/// interpolation, known from what every other node would give.
 ConvergedField finest_with_bars(std::span<const CaseResult* const> runs, const Body& body,
                                 MeshStore& meshes) {
   const GridSizes sizes = sizes_of(runs);
@@ -68,22 +71,25 @@ ConvergedField finest_with_bars(std::span<const CaseResult* const> runs, const B
   const Body& finest = runs[2]->request.settings.body;
   const std::vector<Vector3>& nodes = meshes.mesh(body).nodes();
   ConvergedField field = finest_field(runs, body, meshes);
-  field.order = converged_field(runs, runs[0]->request.settings.body, meshes).order;
-  const double part = field.order
-                          ? safety_with_order / (std::pow(ratio, *field.order) - 1)
-                          : safety_without_order;
+  const ConvergedField shown =
+      converged_field(runs, runs[0]->request.settings.body, meshes);
+  field.order = shown.order;
+  // The coarsest may have none but held nodes.
+  if (shown.index) field.index = shown.index;
   const std::vector<Vector3> thinned = displacements_on(middle, *runs[2], meshes);
   const std::vector<Vector3>& coarser = runs[1]->solution.displacements;
   std::vector<Vector3> own_bars;
   for (std::size_t n = 0; n < thinned.size(); ++n)
-    own_bars.emplace_back(part * (thinned[n] - coarser[n]).norm(), 0, 0);
+    own_bars.emplace_back(*field.index * (thinned[n] - coarser[n]).norm(), 0, 0);
   const auto own_bars_here = interpolated(own_bars, middle.block, nodes),
              thinned_here = interpolated(thinned, middle.block, nodes);
   const double part_between =
-      safety_with_order / (std::pow(ratio, order_of_interpolation) - 1);
+      asymptotic_safety * rest_by_order(ratio, order_of_interpolation);
+  const double noise =
+      solver_noise * matrix_of(field.displacements).colwise().norm().maxCoeff();
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     // Quadratic, and so below 0 beside a node of a large bar.
-    field.node_bars[n] = std::abs(own_bars_here[n].x());
+    field.node_bars[n] = std::max(std::abs(own_bars_here[n].x()), noise);
     if (!are_nodes_of(finest.block, std::span(&nodes[n], 1)))
       field.node_bars[n] +=
           part_between * (thinned_here[n] - field.displacements[n]).norm();
@@ -118,15 +124,18 @@ ConvergedField converged_field(std::span<const CaseResult* const> runs, const Bo
     volumes[i] = matrix_of(cell_volumes_on(body, *runs[i], meshes));
   }
   const double largest = displacements[2].colwise().norm().maxCoeff();
-  const Extrapolated field = extrapolate(sizes, displacements, solver_noise * largest);
+  const double order = formal_order(runs[0]->request.settings);
+  const Extrapolated field =
+      extrapolate(sizes, displacements, solver_noise * largest, order);
   const Extrapolated cell_volumes =
-      extrapolate(sizes, volumes, solver_noise * volumes[2].mean());
+      extrapolate(sizes, volumes, solver_noise * volumes[2].mean(), order);
 
   ConvergedField converged{
       .displacements = {},
       .cell_volumes = {cell_volumes.value.data(),
                        cell_volumes.value.data() + cell_volumes.value.size()},
       .order = field.order,
+      .index = field.index,
       .bar = field.bar.colwise().norm().mean()};
   for (const auto& bar : field.bar.colwise()) converged.node_bars.push_back(bar.norm());
   for (const auto& u : field.value.colwise()) converged.displacements.emplace_back(u);
@@ -144,9 +153,14 @@ ConvergedField finest_field(std::span<const CaseResult* const> runs, const Body&
   const Eigen::MatrixXd change =
       u - matrix_of(displacements_on(body, *runs[runs.size() - 2], meshes));
   const double noise = solver_noise * u.colwise().norm().maxCoeff();
+  const CaseSettings& coarser = runs[runs.size() - 2]->request.settings;
+  const double ratio =
+      cell_size(coarser.body.block) / cell_size(finest.request.settings.body.block);
+  field.index =
+      cautious_safety * rest_by_order(ratio, formal_order(finest.request.settings));
   for (const auto& of_node : change.colwise())
-    field.node_bars.push_back(std::max(safety_without_order * of_node.norm(), noise));
-  field.bar = std::max(safety_without_order * change.colwise().norm().mean(), noise);
+    field.node_bars.push_back(std::max(*field.index * of_node.norm(), noise));
+  field.bar = std::max(*field.index * change.colwise().norm().mean(), noise);
   return field;
 }
 

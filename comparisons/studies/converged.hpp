@@ -21,7 +21,8 @@ GridSizes grid_sizes(const ThreeCases& cases);
 struct ConvergedField {
   std::vector<Vector3> displacements;
   std::vector<double> cell_volumes;  // [m^3] deformed, of its cells
-  std::optional<double> order{};     // of the displacements
+  std::optional<double> order{};     // of the displacements, as
+  std::optional<double> index{};     // and this: Extrapolated's
   double bar;                        // mean over the nodes of the distance it bounds [m]
   std::vector<double> node_bars{};   // that distance at each
 };
@@ -36,8 +37,8 @@ std::vector<Vector3> displacements_on(const Body& body, const CaseResult& run,
 ConvergedField converged_field(std::span<const CaseResult* const> runs, const Body& body,
                                MeshStore& meshes);
 
-/// The field of the finest of the runs, from coarse to fine, with three times its
-/// distance from the next as bars (extrapolation.hpp: no order observed).
+/// The field of the finest of the runs, from coarse to fine, with bars by its distance
+/// from the next, the formal order and a safety factor of 3 (extrapolation.hpp).
 ConvergedField finest_field(std::span<const CaseResult* const> runs, const Body& body,
                             MeshStore& meshes);
 
@@ -52,7 +53,8 @@ struct ReferenceField {
 /// failed. Of three grids it is converged_field where the case's nodes are nodes of the
 /// coarsest. Elsewhere what interpolation adds to a coarse grid's errors does not
 /// converge as they do: there it is the finest run's field, with bars of what it may be
-/// off itself, by the order that the coarsest's nodes show, and of the interpolation
+/// off itself, by the order and safety that the coarsest's nodes show, or as finest_field
+/// where they show none, and of the interpolation
 /// between its nodes, 1.25/(2^(3/2) - 1) times what leaving out every other node changes.
 std::optional<ReferenceField> reference_field(const Request& request,
                                               std::span<const CaseResult* const> runs,

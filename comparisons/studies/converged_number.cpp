@@ -3,20 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/studies/formal_order.hpp"
+
 namespace springcheck {
 
 ConvergedNumber converged_number(const GridSizes& sizes,
-                                 const std::array<double, 3>& values, double noise) {
+                                 const std::array<double, 3>& values, double noise,
+                                 double formal_order) {
   OnThreeGrids on_grids;
   for (std::size_t i = 0; i < 3; ++i)
     on_grids[i] = Eigen::MatrixXd::Constant(1, 1, values[i]);
-  const Extrapolated limit = extrapolate(sizes, on_grids, noise);
-  return {.value = limit.value(0), .order = limit.order, .bar = limit.bar(0)};
+  const Extrapolated limit = extrapolate(sizes, on_grids, noise, formal_order);
+  return {.value = limit.value(0),
+          .order = limit.order,
+          .bar = limit.bar(0),
+          .is_asymptotic = limit.is_asymptotic};
 }
 
 ConvergedNumber converged_number(const ThreeCases& cases,
                                  const std::array<double, 3>& values, double noise) {
-  return converged_number(grid_sizes(cases), values, noise);
+  return converged_number(grid_sizes(cases), values, noise, formal_order(cases[0]));
 }
 
 ConvergedNumber converged_number(const ThreeCases& cases,
@@ -25,8 +31,9 @@ ConvergedNumber converged_number(const ThreeCases& cases,
 }
 
 double bar_by_fourth_grid(const ConvergedNumber& coarser, const ConvergedNumber& limit) {
-  if (!coarser.order || !limit.order) return limit.bar;
-  return std::min(limit.bar, safety_with_order * std::abs(limit.value - coarser.value));
+  if (!coarser.is_asymptotic || !limit.is_asymptotic) return limit.bar;
+  return std::clamp(cautious_safety * std::abs(limit.value - coarser.value),
+                    limit.bar / 9, limit.bar);
 }
 
 }  // namespace springcheck

@@ -42,8 +42,34 @@ std::optional<double> fitted_order(std::span<const double> sizes,
   return (from_mean * e.log()).sum() / from_mean.square().sum();
 }
 
-Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values,
-                         double noise) {
+BelievedOrder believed_order(const GridSizes& sizes, double coarse_change,
+                             double fine_change, double formal_order) {
+  constexpr double near_formal = 0.1, lowest_believed = 0.5;
+
+  const auto observed = observed_order(sizes, coarse_change, fine_change);
+  if (observed && std::abs(*observed - formal_order) <= near_formal * formal_order)
+    return {observed, formal_order, asymptotic_safety, true};
+  if (observed)
+    return {observed, std::min(std::max(*observed, lowest_believed), formal_order),
+            cautious_safety, true};
+  const double ratio = coarse_change / fine_change;
+  const double ratio_of_order_0 =
+      std::log(sizes[0] / sizes[1]) / std::log(sizes[1] / sizes[2]);
+  const bool falls_faster = ratio > ratio_of_changes(sizes, highest_order);
+  return {std::nullopt, falls_faster ? formal_order : lowest_believed, cautious_safety,
+          ratio > ratio_of_order_0};
+}
+
+bool BelievedOrder::is_asymptotic() const {
+  return safety_factor == asymptotic_safety;
+}
+
+double rest_by_order(double ratio, double order) {
+  return 1 / (std::pow(ratio, order) - 1);
+}
+
+Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values, double noise,
+                         double formal_order) {
   const auto& [q1, q2, q3] = values;
   const Eigen::MatrixXd coarse = q1 - q2, fine = q2 - q3;
   const double coarse_change = root_mean_square(coarse);
@@ -53,13 +79,16 @@ Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values,
     limit.bar.setZero();
   } else {
     const double sign = coarse.cwiseProduct(fine).sum() < 0 ? -1 : 1;
-    limit.order = observed_order(sizes, sign * coarse_change, fine_change);
-    if (limit.order) {
-      const double rest = 1 / (std::pow(sizes[1] / sizes[2], *limit.order) - 1);
+    const BelievedOrder believed =
+        believed_order(sizes, sign * coarse_change, fine_change, formal_order);
+    const double rest = rest_by_order(sizes[1] / sizes[2], believed.order);
+    limit.order = believed.observed;
+    limit.index = believed.safety_factor * rest;
+    limit.is_asymptotic = believed.is_asymptotic();
+    limit.bar *= *limit.index;
+    if (believed.is_monotone) {
       limit.value -= rest * fine;
-      limit.bar *= safety_with_order * rest;
-    } else {
-      limit.bar *= safety_without_order;
+      limit.bar += rest * fine;
     }
   }
   limit.bar = limit.bar.cwiseAbs().cwiseMax(noise);

@@ -13,7 +13,7 @@ using GridSizes = std::array<double, 3>;
 /// A quantity, or several at once (a field), on three grids from coarse to fine.
 using OnThreeGrids = std::array<Eigen::MatrixXd, 3>;
 
-/// Orders of convergence that are believed. Below, three grids cannot tell a slow
+/// Orders of convergence that are observed. Below, three grids cannot tell a slow
 /// convergence from none; above, they cannot tell it from an accident of two errors that
 /// cancel. Orders of finite elements lie well inside, on singular edges too.
 inline constexpr double lowest_order = 0.3, highest_order = 4.5;
@@ -36,32 +36,63 @@ std::optional<double> observed_order(const GridSizes& sizes, double coarse_chang
 std::optional<double> fitted_order(std::span<const double> sizes,
                                    std::span<const double> errors);
 
-/// Safety factors on the estimated error, after Roache, section 5.6: three grids that
-/// show an order, and grids that do not.
-inline constexpr double safety_with_order = 1.25, safety_without_order = 3;
+/// The order p by which a limit is told from three grids, and the safety factor F on what
+/// is then left of the error on the finest:
+///
+///     p = formal order,                           F = 1.25   observed within 10 % of it
+///     p = observed, at least .5, at most formal,  F = 3      observed otherwise
+///     p = formal order,                           F = 3      they fall faster than any
+///     p = .5,                                     F = 3      they fall slower, grow, or
+///                                                            turn back
+///
+/// Source: W. L. Oberkampf, C. J. Roy, "Verification and Validation in Scientific
+/// Computing", 2010, chapter 8, the implementation of the grid convergence index; of
+/// changes that show no order our own.
+struct BelievedOrder {
+  std::optional<double> observed;
+  double order, safety_factor;
+  bool is_monotone;  // whether the changes fall, and in one direction
+
+  /// Whether the observed order is near the formal one.
+  [[nodiscard]] bool is_asymptotic() const;
+};
+BelievedOrder believed_order(const GridSizes& sizes, double coarse_change,
+                             double fine_change, double formal_order);
+
+/// What is left of the error on a grid, by an order p, over the change from one coarser
+/// by that ratio: 1/(ratio^p - 1).
+double rest_by_order(double ratio, double order);
+
+/// Safety factors where orders are observed near the formal one, and elsewhere; two
+/// grids, which show no order, have the formal one and the latter. Source: as
+/// believed_order.
+inline constexpr double asymptotic_safety = 1.25, cautious_safety = 3;
 
 /// What values converge to as the grid is refined.
 struct Extrapolated {
   Eigen::MatrixXd value;          // q*
   std::optional<double> order{};  // observed
   Eigen::MatrixXd bar;            // half width about q*, entry by entry, not negative
+  // F/((h2/h3)^p - 1); none where all has converged:
+  std::optional<double> index{};
+  bool is_asymptotic = false;  // the observed order is near the formal one
 };
 
-/// Richardson extrapolation, one order for all entries, and the error bar of the grid
-/// convergence index:
+/// Richardson's extrapolation by the order p that is believed, one for all entries, and
+/// the grid convergence index F e, e = |q3 - q2|/((h2/h3)^p - 1), which its source
+/// centres at the finest grid's value. The bar holds that whole interval:
 ///
-///     q* = q3 + (q3 - q2)/((h2/h3)^p - 1),   bar = 1.25 |q* - q3|
-///     q* = q3,                               bar = 3 |q3 - q2|     without an order
-///     q* = q3,                               bar = noise           when all has
-///     converged
+///     q* = q3 + (q3 - q2)/((h2/h3)^p - 1),   bar = (F + 1) e
+///     q* = q3,                               bar = F e     where changes grow or turn
+///     back q* = q3,                               bar = noise   where all has converged
 ///
 /// The changes whose ratio gives the order are the root mean squares over the entries of
 /// q1 - q2 and q2 - q3, with the sign of their product: with one entry, the changes
 /// themselves. Changes of at most `noise` (root mean square, in the unit of the values)
 /// are what solvers leave, not the grid; no bar is smaller.
 ///
-/// Source: as observed_order.
-Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values,
-                         double noise);
+/// Source: as believed_order.
+Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values, double noise,
+                         double formal_order);
 
 }  // namespace springcheck

@@ -73,14 +73,29 @@ bool all_ok(Runs runs, Runs check) {
   return std::ranges::all_of(runs, is_ok) && std::ranges::all_of(check, is_ok);
 }
 
+/// Holds what one discretisation converges to against the other.
+ContinuumValue checked(ConvergedValue converged, ConvergedValue check,
+                       const std::optional<double>& disagreement, bool all_ok) {
+  ContinuumValue both{.converged = std::move(converged),
+                      .check = std::move(check),
+                      .disagreement = disagreement,
+                      .is_resolved = false};
+  if (!disagreement) return both;
+  double& bar = both.converged.bar.value();
+  both.is_resolved = all_ok && *disagreement <= bar + both.check.bar.value();
+  bar = std::max(bar, *disagreement);
+  return both;
+}
+
 ContinuumValue continuum_measure(Runs runs, Runs check, const SplitMeasure& measure,
                                  const std::optional<double>& unit) {
-  ContinuumValue both{.converged = converged_measure(runs, measure, unit),
-                      .check = converged_measure(check, measure, unit),
-                      .all_ok = all_ok(runs, check)};
-  if (both.converged.value && both.check.value)
-    both.disagreement = std::abs(*both.converged.value - *both.check.value);
-  return both;
+  ConvergedValue by_runs = converged_measure(runs, measure, unit),
+                 by_check = converged_measure(check, measure, unit);
+  std::optional<double> disagreement;
+  if (by_runs.value && by_check.value)
+    disagreement = std::abs(*by_runs.value - *by_check.value);
+  return checked(std::move(by_runs), std::move(by_check), disagreement,
+                 all_ok(runs, check));
 }
 
 std::optional<double> difference(const std::optional<double>& a,
@@ -204,15 +219,15 @@ SplitQuantity split_field(const CaseResult& springs, const ContinuumRuns& cauchy
   SplitQuantity quantity{
       .name = "mean_deviation",
       .springs = mean_distance(own, law),
-      .cauchy_born = {converged_distance(cauchy_born.runs, lattice, law, body, meshes),
-                      converged_distance(cauchy_born.check, lattice_check, law, body,
-                                         meshes),
-                      mean_distance(lattice, lattice_check),
-                      all_ok(cauchy_born.runs, cauchy_born.check)},
-      .reference = {converged_distance(reference.runs, law, law, body, meshes),
-                    converged_distance(reference.check, law_check, law, body, meshes),
-                    mean_distance(law, law_check),
-                    all_ok(reference.runs, reference.check)}};
+      .cauchy_born =
+          checked(converged_distance(cauchy_born.runs, lattice, law, body, meshes),
+                  converged_distance(cauchy_born.check, lattice_check, law, body, meshes),
+                  mean_distance(lattice, lattice_check),
+                  all_ok(cauchy_born.runs, cauchy_born.check)),
+      .reference = checked(
+          converged_distance(reference.runs, law, law, body, meshes),
+          converged_distance(reference.check, law_check, law, body, meshes),
+          mean_distance(law, law_check), all_ok(reference.runs, reference.check))};
   const auto& lattice_bar = quantity.cauchy_born.converged.bar;
   quantity.law = {mean_distance(lattice, law),
                   sum(lattice_bar, quantity.reference.converged.bar)};
@@ -271,12 +286,8 @@ std::vector<Request> split_requests(const SplitPlan& plan) {
   return all;
 }
 
-bool ContinuumValue::is_resolved() const {
-  return all_ok && disagreement && *disagreement <= *converged.bar + *check.bar;
-}
-
 bool SplitQuantity::is_resolved() const {
-  return springs && cauchy_born.is_resolved() && reference.is_resolved();
+  return springs && cauchy_born.is_resolved && reference.is_resolved;
 }
 
 std::optional<SplitMeasure> answer_to_load(Test test) {

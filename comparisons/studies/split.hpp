@@ -52,14 +52,12 @@ struct ConvergedValue {
 
 /// A quantity of one continuum by both discretisations.
 struct ContinuumValue {
-  ConvergedValue converged;  // q1-sri
+  ConvergedValue converged;  // q1-sri; its bar is at least the disagreement
   ConvergedValue check;      // q2
   // Between the two: |value - value|, or the mean distance of the fields.
   std::optional<double> disagreement{};
-  bool all_ok;  // the status of every run
-
-  /// Whether the two agree within the sum of their bars, and all runs are ok.
-  [[nodiscard]] bool is_resolved() const;
+  // Whether the two agree within the sum of the bars of their grids, and all runs are ok.
+  bool is_resolved;
 };
 
 /// A part of the error, and its bar. The discretisation part's is Cauchy-Born's. Both

@@ -30,7 +30,7 @@ Json json(const ContinuumValue& both) {
   Json out = json(both.converged);
   out["check"] = json(both.check);
   out["disagreement"] = json(both.disagreement);
-  out["resolved"] = both.is_resolved();
+  out["resolved"] = both.is_resolved;
   return out;
 }
 
@@ -108,8 +108,9 @@ std::string split_text(const Split& split) {
       "Cauchy-Born.\n{}",
       variant_label(plan.springs), plan.reference[0].method.name, in_columns(rows));
   text += fmt::format(
-      "Converged from {} on {} cells, +- error bar (order observed); checked with {} on "
-      "{}.\nDeviations are mean distances from the converged {}; the springs' from "
+      "Converged from {} on {} cells, +- error bar (order observed, believed up to the "
+      "formal one); checked with {} on {}.\nDeviations are mean distances from the "
+      "converged {}; the springs' from "
       "Cauchy-Born is their discretisation part.\n",
       plan.reference[0].elements.element.name, cells_of(plan.reference),
       plan.reference_check[0].elements.element.name, cells_of(plan.reference_check),

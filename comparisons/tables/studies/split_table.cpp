@@ -171,11 +171,12 @@ Sheet sheet_of(const char* name, const char* title, const std::vector<Split>& sp
           "Mean deviations are mean distances over the nodes from the converged "
           "reference, the discretisation part from converged Cauchy-Born.",
           "Converged: extrapolated from q1-sri on the springs' mesh and on 2 and 4 times "
-          "as many cells along each axis, with the order observed. Bars: 1.25 times the "
-          "distance from the finest grid, or 3 times the last change where no order was "
-          "observed. A second discretisation, q2 on half, once and twice as many cells, "
-          "is extrapolated likewise; where the two differ by more than their bars "
-          "together, the row is unresolved."}};
+          "as many cells along each axis, by the order observed where it is near the "
+          "formal one or below; bars have a safety factor of 1.25 or 3 (Oberkampf and "
+          "Roy). A second discretisation, q2 on half, once and twice as many cells, "
+          "is extrapolated likewise, and bars are at least the disagreement; where that "
+          "is more than the bars that both sets of grids tell together, the row is "
+          "unresolved."}};
   for (std::size_t i = 0; i < splits.size(); ++i)
     for (const SplitQuantity& quantity : splits[i].quantities)
       sheet.rows.push_back(row_of(quantity, splits[i], springs[i]));

@@ -41,9 +41,9 @@ BOOST_AUTO_TEST_CASE(errors_are_told_from_the_limit_of_the_truth) {
   const ChartTruth& truth = chart.truths[0];
   BOOST_TEST(truth.answer.value == 10, round_off);
   BOOST_TEST(truth.answer.order.value() == 2, round_off);
-  BOOST_TEST(truth.bars.force.value() == 1.25 * 0.1, round_off);  // of |q* - q3| = 1
+  BOOST_TEST(truth.bars.force.value() == 0.125, round_off);  // 2.25 of |q* - q3|
   BOOST_TEST(truth.volume_change.value == -0.02, round_off);
-  BOOST_TEST(truth.bars.volume.value() == 1.25 * 0.000625 / 0.05, round_off);
+  BOOST_TEST(truth.bars.volume.value() == 2.25 / 2880 / 0.05, round_off);
   BOOST_TEST(truth.bars.deviation.value() == 1e-3);
   const ChartErrors& errors = chart.points.at(0).errors.at(0);
   BOOST_TEST(errors.force.value() == 0.1, round_off);

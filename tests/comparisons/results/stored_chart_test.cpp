@@ -47,6 +47,7 @@ BOOST_AUTO_TEST_CASE(files_of_one_chart_give_all_its_points) {
   second.points[2].timing->median = 7;  // measured again: the first one's stays
   StoredChart elsewhere = second;
   elsewhere.machine = "another";
+  first.truths[0].formal_order = 1.7;
   ResultFile(own.path / "first.h5").put_chart(first);
   {
     ResultFile file(own.path / "second.h5");
@@ -58,6 +59,9 @@ BOOST_AUTO_TEST_CASE(files_of_one_chart_give_all_its_points) {
   const std::vector<StoredChart> charts =
       read_charts(own.path / "first.h5", Revisions::all);
   BOOST_TEST_REQUIRE(charts.size() == 2U);  // of each machine
+  BOOST_TEST(std::ranges::count_if(charts, [](const StoredChart& chart) {
+               return chart.truths.at(0).formal_order == 1.7;
+             }) == 1);
   const StoredChart& both = charts[0].machine == "another" ? charts[1] : charts[0];
   BOOST_TEST_REQUIRE(both.points.size() == 3U);
   BOOST_TEST(both.points[0].key == "mss-cf4");

@@ -17,8 +17,9 @@ Eigen::MatrixXd scalar(double value) {
   return Eigen::MatrixXd::Constant(1, 1, value);
 }
 
-Extrapolated limit_of(const GridSizes& sizes, double q1, double q2, double q3) {
-  return extrapolate(sizes, {scalar(q1), scalar(q2), scalar(q3)}, noise);
+Extrapolated limit_of(const GridSizes& sizes, double q1, double q2, double q3,
+                      double formal_order = 2) {
+  return extrapolate(sizes, {scalar(q1), scalar(q2), scalar(q3)}, noise, formal_order);
 }
 
 }  // namespace
@@ -32,38 +33,87 @@ BOOST_AUTO_TEST_CASE(a_power_law_is_recovered_for_constant_and_changing_ratios,
         GridSizes{1. / 3, 1. / 5, 1. / 10}})
     for (const double p : {0.5, 1., 1.4, 2., 3.}) {
       const auto q = [&](double size) { return 2 + 3 * std::pow(size, p); };
-      const Extrapolated limit = limit_of(h, q(h[0]), q(h[1]), q(h[2]));
+      const double error = 3 * std::pow(h[2], p);
+      const Extrapolated limit = limit_of(h, q(h[0]), q(h[1]), q(h[2]), p);
       BOOST_TEST_REQUIRE(limit.order.has_value());
       BOOST_TEST(*limit.order == p);
       BOOST_TEST(limit.value(0) == 2.);
-      BOOST_TEST(limit.bar(0) == 1.25 * 3 * std::pow(h[2], p));
+      BOOST_TEST(limit.bar(0) == 2.25 * error);
+      // Below the formal order the observed one is taken, with more safety.
+      const Extrapolated slow = limit_of(h, q(h[0]), q(h[1]), q(h[2]), 1.3 * p);
+      BOOST_TEST(slow.value(0) == 2.);
+      BOOST_TEST(slow.bar(0) == 4 * error);
     }
 }
 
 // p = ln((q1 - q2)/(q2 - q3))/ln 2 by hand: changes of 4 and 1 are of order 2, and a
-// third of the last change is left.
+// third of the last change is left. The index of the source, 1.25/3, is about the finest
+// value 10, and the bar about the limit holds it.
 BOOST_AUTO_TEST_CASE(halving_follows_the_textbook_formula,
                      *boost::unit_test::tolerance(1e-12)) {
   const Extrapolated limit = limit_of({4, 2, 1}, 15, 11, 10);
   BOOST_TEST(*limit.order == 2.);
   BOOST_TEST(limit.value(0) == 10 - 1. / 3);
-  BOOST_TEST(limit.bar(0) == 1.25 / 3);
+  BOOST_TEST(limit.index.value() == 1.25 / 3);
+  BOOST_TEST(limit.bar(0) == 1.25 / 3 + 1. / 3);
 }
 
-BOOST_AUTO_TEST_CASE(without_an_order_the_finest_value_keeps_three_times_its_change,
+// Changes of 4 and 1 again. By a formal order of 1 all of the last change is left: order
+// 2 is not believed. Within a tenth, of 2.2 and 1.9, the formal one is, beyond, the
+// smaller of both.
+BOOST_AUTO_TEST_CASE(no_order_above_the_formal_one_is_believed,
+                     *boost::unit_test::tolerance(1e-12)) {
+  const auto expect = [](double formal, double order, double factor) {
+    const double left = 1 / (std::pow(2, order) - 1);
+    const Extrapolated limit = limit_of({4, 2, 1}, 15, 11, 10, formal);
+    BOOST_TEST_CONTEXT(formal) {
+      BOOST_TEST(*limit.order == 2.);
+      BOOST_TEST(limit.value(0) == 10 - left);
+      BOOST_TEST(limit.bar(0) == (factor + 1) * left);
+      BOOST_TEST(limit.is_asymptotic == (factor < 3));
+    }
+  };
+  expect(1, 1, 3);
+  expect(1.8, 1.8, 3);
+  expect(1.9, 1.9, 1.25);
+  expect(2.2, 2.2, 1.25);
+  expect(2.3, 2, 3);
+}
+
+// An order of .4 is taken for 1/2; changes that fall a million times as if by the formal
+// order; the limit goes beyond the finest value in both.
+BOOST_AUTO_TEST_CASE(orders_out_of_range_are_replaced,
+                     *boost::unit_test::tolerance(1e-9)) {
+  const double change = std::pow(2, -0.4);
+  const Extrapolated slow = limit_of({4, 2, 1}, 11, 10, 10 - change);
+  const double left = change / (std::sqrt(2.) - 1);
+  BOOST_TEST(*slow.order == 0.4);
+  BOOST_TEST(slow.value(0) == 10 - change - left);
+  BOOST_TEST(slow.bar(0) == 4 * left);
+  // Of order .1, which is not observed, too.
+  const double slower = std::pow(2, -0.1);
+  const Extrapolated crawls = limit_of({4, 2, 1}, 11, 10, 10 - slower);
+  BOOST_TEST(!crawls.order.has_value());
+  BOOST_TEST(crawls.bar(0) == 4 * slower / (std::sqrt(2.) - 1));
+  const Extrapolated fast = limit_of({4, 2, 1}, 10, 11, 11.000001, 1);
+  BOOST_TEST(!fast.order.has_value());
+  BOOST_TEST(fast.value(0) == 11.000002);
+  BOOST_TEST(fast.bar(0) == 4e-6);
+}
+
+BOOST_AUTO_TEST_CASE(what_grows_or_turns_back_is_not_extrapolated,
                      *boost::unit_test::tolerance(1e-12)) {
   const GridSizes halving{4, 2, 1};
   const auto expect_no_order = [&](double q1, double q2, double q3) {
     const Extrapolated limit = limit_of(halving, q1, q2, q3);
     BOOST_TEST(!limit.order.has_value());
     BOOST_TEST(limit.value(0) == q3);
-    BOOST_TEST(limit.bar(0) == 3 * std::abs(q3 - q2));
+    BOOST_TEST(limit.bar(0) == 3 * std::abs(q3 - q2) / (std::sqrt(2.) - 1));
   };
-  expect_no_order(10, 11, 10.5);       // oscillates
-  expect_no_order(10, 11, 12);         // order 0
-  expect_no_order(10, 11, 13);         // grows
-  expect_no_order(10, 11, 11.000001);  // order 20
-  expect_no_order(10, 10, 11);         // the first change is nothing
+  expect_no_order(10, 11, 10.5);  // oscillates
+  expect_no_order(10, 11, 12);    // order 0
+  expect_no_order(10, 11, 13);    // grows
+  expect_no_order(10, 10, 11);    // the first change is nothing
 }
 
 BOOST_AUTO_TEST_CASE(equal_values_have_converged_up_to_the_noise) {
@@ -90,10 +140,10 @@ BOOST_AUTO_TEST_CASE(a_field_is_extrapolated_with_one_order,
     return Eigen::MatrixXd(Eigen::RowVector3d(1 + h, 2 - 2 * h, 3));
   };
   const Extrapolated limit =
-      extrapolate({0.4, 0.2, 0.1}, {field(0.4), field(0.2), field(0.1)}, noise);
+      extrapolate({0.4, 0.2, 0.1}, {field(0.4), field(0.2), field(0.1)}, noise, 1);
   BOOST_TEST(*limit.order == 1.);
   BOOST_TEST((limit.value - Eigen::RowVector3d(1, 2, 3)).norm() < 1e-12);
-  BOOST_TEST((limit.bar - Eigen::RowVector3d(0.125, 0.25, noise)).norm() < 1e-12);
+  BOOST_TEST((limit.bar - Eigen::RowVector3d(0.225, 0.45, noise)).norm() < 1e-12);
 }
 
 // Changes of falling size that turn back are no convergence.
@@ -102,19 +152,27 @@ BOOST_AUTO_TEST_CASE(a_field_whose_changes_oppose_has_no_order) {
     return Eigen::MatrixXd(Eigen::RowVector2d(x, y));
   };
   const Extrapolated limit =
-      extrapolate({4, 2, 1}, {field(0, 0), field(4, 4), field(2, 2)}, noise);
+      extrapolate({4, 2, 1}, {field(0, 0), field(4, 4), field(2, 2)}, noise, 2);
   BOOST_TEST(!limit.order.has_value());
   BOOST_TEST(limit.value(0) == 2);
-  BOOST_TEST(limit.bar(0) == 6);
+  BOOST_TEST(limit.bar(0) == 6 / (std::sqrt(2.) - 1), tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(a_fourth_grid_narrows_a_bar_and_never_widens_it,
                      *boost::unit_test::tolerance(1e-12)) {
-  const ConvergedNumber limit{.value = 2, .order = 1.2, .bar = 0.5};
-  BOOST_TEST(bar_by_fourth_grid({.value = 2.1, .order = 1.5, .bar = 1}, limit) == 0.125);
-  BOOST_TEST(bar_by_fourth_grid({.value = 1, .order = 1.5, .bar = 1}, limit) == 0.5);
-  // Without an order limits tell nothing.
-  BOOST_TEST(bar_by_fourth_grid({.value = 2.1, .order = {}, .bar = 1}, limit) == 0.5);
+  const auto asymptotic = [](double value, double bar) {
+    return ConvergedNumber{
+        .value = value, .order = 1.2, .bar = bar, .is_asymptotic = true};
+  };
+  const ConvergedNumber limit = asymptotic(2, 0.9);
+  BOOST_TEST(bar_by_fourth_grid(asymptotic(2.1, 1), limit) == 0.3);
+  BOOST_TEST(bar_by_fourth_grid(asymptotic(1, 1), limit) == 0.9);
+  // Limits that coincide tell that much.
+  BOOST_TEST(bar_by_fourth_grid(asymptotic(2, 1), limit) == 0.1);
+  // Those of other orders than the formal one tell nothing.
+  const ConvergedNumber early{.value = 2.1, .order = 1.5, .bar = 1};
+  BOOST_TEST(bar_by_fourth_grid(early, limit) == 0.9);
+  BOOST_TEST(bar_by_fourth_grid(limit, early) == 1);
 }
 
 // Errors of C h^1.5 exactly: round-off. An error of zero has no logarithm.
