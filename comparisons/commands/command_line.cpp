@@ -176,7 +176,7 @@ int run_arguments(int argc, char** argv) {
   restart_with_one_blas_thread(argv);
   check_utf8(argc, argv);
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  CLI::App app("Cross-validates mass-spring soft-tissue models against finite elements.");
+  CLI::App app("Compares mass-spring soft-tissue models with finite elements.");
   app.require_subcommand(1);
   const std::string version =
       std::string("springcheck ") + build_info::version + " (" + build_info::commit + ")";

@@ -157,9 +157,9 @@ std::optional<double> load_of(const CaseResult& result) {
 }
 
 /// What the load converges to on three grids.
-std::optional<double> converged_load(std::span<const CaseResult> results,
-                                     const std::array<OfTests, 3>& grids,
-                                     std::size_t test) {
+std::optional<ConvergedNumber> converged_load(std::span<const CaseResult> results,
+                                              const std::array<OfTests, 3>& grids,
+                                              std::size_t test) {
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto load = load_of(results[grids[i][test]]);
@@ -169,7 +169,13 @@ std::optional<double> converged_load(std::span<const CaseResult> results,
   const auto settings = [&](std::size_t i) -> const CaseSettings& {
     return results[grids[i][test]].request.settings;
   };
-  return converged_number({settings(0), settings(1), settings(2)}, values).value;
+  return converged_number({settings(0), settings(1), settings(2)}, values);
+}
+
+/// In percent of the value.
+Cell bar_cell(const std::optional<ConvergedNumber>& converged) {
+  if (!converged) return {};
+  return {100 * converged->bar / std::abs(converged->value)};
 }
 
 Cell error_cell(const CaseResult& result, const std::optional<double>& exact) {
@@ -218,6 +224,9 @@ Sheet elements_sheet(const std::vector<PlannedElementsRow>& rows,
         {"off_truth_" + test.scene, test.scene + ", off the truth [%]", "{:.2f}"});
   for (const LoadCase& test : tests)
     sheet.columns.push_back(
+        {"truth_bar_" + test.scene, test.scene + ", truth +- [%]", "{:.2g}"});
+  for (const LoadCase& test : tests)
+    sheet.columns.push_back(
         {"volume_" + test.scene, test.scene + ", volume off its law [points]", "{:.4f}"});
   sheet.columns.push_back({"status", "status at 5 %"});
 
@@ -230,9 +239,14 @@ Sheet elements_sheet(const std::vector<PlannedElementsRow>& rows,
     for (std::size_t t = 0; t < tests.size(); ++t)
       row.cells.push_back(
           error_cell(results[planned.small[t]], load_of(results[planned.reference[t]])));
+    std::array<std::optional<ConvergedNumber>, tests.size()> truths;
     for (std::size_t t = 0; t < tests.size(); ++t)
-      row.cells.push_back(error_cell(results[planned.small[t]],
-                                     converged_load(results, planned.truth, t)));
+      truths[t] = converged_load(results, planned.truth, t);
+    for (std::size_t t = 0; t < tests.size(); ++t)
+      row.cells.push_back(error_cell(
+          results[planned.small[t]],
+          truths[t] ? std::optional(truths[t]->value) : std::nullopt));
+    for (const auto& truth : truths) row.cells.push_back(bar_cell(truth));
     for (std::size_t t = 0; t < tests.size(); ++t)
       row.cells.push_back(planned.same_law ? volume_cell(results[planned.finite[t]],
                                                          results[(*planned.same_law)[t]])
