@@ -20,9 +20,8 @@ namespace springcheck::mss {
 ///     tetrahedron          none
 ///
 /// a and h are the means of the triangles' sides and of the edges between them.
-/// Source: own, in the place of the hourglass control of Flanagan and Belytschko, Int. J.
-/// Numer. Methods Eng. 17 (1981) 679. m fits bending and torsion of hexahedra, which is no
-/// prediction of these two; the constants of prisms were tried for h/a up to 1.8.
+/// Source: own. m fits bending and torsion of hexahedra; the constants of prisms were
+/// tried for h/a up to 1.8.
 std::vector<CellSpring> hourglass_springs(const CornerPositions& x, double volume,
                                           const Material& material);
 
