@@ -97,9 +97,10 @@ Sheet truths_sheet(const std::vector<Chart>& charts) {
                   {"deviation_bar", "places +- [%]", "{:.2g}"}},
       .notes = {
           "Richardson's extrapolation of the three grids, and the half width of its "
-          "error bar (the grid convergence index with the safety of Oberkampf and Roy, "
-          "about the finest grid) over what errors are told by: the answer, the imposed "
-          "strain, the largest imposed displacement; the last is the "
+          "error bar, which holds the grid convergence index with the safety of "
+          "Oberkampf "
+          "and Roy about the finest grid, over what errors are told by: the answer, the "
+          "imposed strain, the largest imposed displacement; the last is the "
           "largest of all meshes. An error below it says no more than that."}};
   for (const Chart& chart : charts)
     for (const ChartTruth& truth : chart.truths)

@@ -21,8 +21,8 @@ GridSizes grid_sizes(const ThreeCases& cases);
 struct ConvergedField {
   std::vector<Vector3> displacements;
   std::vector<double> cell_volumes;  // [m^3] deformed, of its cells
-  std::optional<double> order{};     // of the displacements, as
-  std::optional<double> index{};     // and this: Extrapolated's
+  std::optional<double> order{};     // of the displacements, and
+  std::optional<double> index{};     // likewise: see Extrapolated
   double bar;                        // mean over the nodes of the distance it bounds [m]
   std::vector<double> node_bars{};   // that distance at each
 };

@@ -45,7 +45,6 @@ std::optional<double> fitted_order(std::span<const double> sizes,
 BelievedOrder believed_order(const GridSizes& sizes, double coarse_change,
                              double fine_change, double formal_order) {
   constexpr double near_formal = 0.1, lowest_believed = 0.5;
-
   const auto observed = observed_order(sizes, coarse_change, fine_change);
   if (observed && std::abs(*observed - formal_order) <= near_formal * formal_order)
     return {observed, formal_order, asymptotic_safety, true};

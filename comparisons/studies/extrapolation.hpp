@@ -83,8 +83,8 @@ struct Extrapolated {
 /// centres at the finest grid's value. The bar holds that whole interval:
 ///
 ///     q* = q3 + (q3 - q2)/((h2/h3)^p - 1),   bar = (F + 1) e
-///     q* = q3,                               bar = F e     where changes grow or turn
-///     back q* = q3,                               bar = noise   where all has converged
+///     q* = q3,                               bar = F e   (they grow or turn back)
+///     q* = q3,                               bar = noise   (all has converged)
 ///
 /// The changes whose ratio gives the order are the root mean squares over the entries of
 /// q1 - q2 and q2 - q3, with the sign of their product: with one entry, the changes

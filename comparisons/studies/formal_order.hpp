@@ -30,9 +30,8 @@ inline constexpr double least_formal_order = 1.189;
 /// out, and what large strain makes of either. By q1-sri on 5 to 20 cells, Hencky's law
 /// compressed by 20 % shows .97 (nu = .25) and .86 (.45) where this is 1.49 and 1.24.
 ///
-///
-/// Source: G. Strang, G. J. Fix, "An Analysis of the Finite Element Method", 1973,
-/// sections 3.1 and 8.1.
+/// Source: G. Strang, G. J. Fix, "An Analysis of the Finite Element Method", 1973, of
+/// smooth solutions and of singularities.
 double formal_order(const CaseSettings& settings);
 
 }  // namespace springcheck
