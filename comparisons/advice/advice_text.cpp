@@ -85,11 +85,16 @@ std::string question(const Advice& advice, const Wish& wish) {
 
 std::string truth_text(const Advice& advice) {
   const ChartTruth& truth = advice.chart.truths[advice.truth];
+  const bool is_resolved = truth.answer.is_resolved && truth.volume_change.is_resolved;
   return fmt::format(
       "The truth is {} = {:.6g}, known to {:.2g} %, and a change of volume of {:.6g} of "
-      "V0, known to {:.2g} % of V0 times the strain.\n",
+      "V0, known to {:.2g} % of V0 times the strain.\n{}",
       advice.chart.stored.answer, truth.answer.value, 100 * truth.bars.force.value(),
-      truth.volume_change.value, 100 * truth.bars.volume.value());
+      truth.volume_change.value, 100 * truth.bars.volume.value(),
+      is_resolved
+          ? ""
+          : "It is that unsure because two discretisations contradict each other: "
+            "finer grids (--truth) may agree.\n");
 }
 
 std::string evidence_text(const Advice& advice, const Wish& wish) {

@@ -72,7 +72,6 @@ class Search {
       if (examiner_.measure_if_within(*model, across, most_seconds()))
         tried.push_back(model);
     take_in();
-    refine_truth_if_it_decides();
     for (const std::size_t i : cheapest_first())
       if (*judge().cost(i) < best_ && examiner_.of(i).is_sound())
         best_ = *judge().cost(i);
@@ -80,19 +79,6 @@ class Search {
       return !can_be_shown() || !goes_on(*model, across);
     });
     alive_ = std::move(tried);
-  }
-
-  void refine_truth_if_it_decides() {
-    if (is_refined_) return;
-    bool decides = !can_be_shown();
-    for (std::size_t i = 0; i < advice_.chart.points.size(); ++i)
-      decides = decides || is_open(i);
-    if (!decides) return;
-    is_refined_ = true;
-    if (!measurements_.refine_truth()) return;
-    examiner_.forget();
-    best_ = INFINITY;  // what was sound by wider bars need not be
-    take_in();
   }
 
   /// Whether the truth is known well enough for any point to be within the tolerance.
@@ -187,6 +173,10 @@ class Search {
   }
 
   void say_what_was_not_seen(const Soundness& reasons) {
+    if (advice_.chart.tells_truth(*advice_.chosen, advice_.truth))
+      advice_.cautions.emplace_back(
+          "It is one of the grids that the truth is told from: its errors are known to "
+          "what the truth may be off, and no further.");
     advice_.is_path_known = reasons.is_path_known;
     if (!reasons.is_path_known)
       advice_.cautions.emplace_back(
@@ -276,7 +266,7 @@ class Search {
   std::vector<const ChartModel*> candidates_, alive_;
   std::map<const ChartModel*, int> failures_, stuck_;
   std::map<const ChartModel*, double> last_off_;
-  bool is_refined_ = false;
+
   double best_ = INFINITY;  // cost of what meets the wish and is sound
 };
 

@@ -16,7 +16,6 @@
 #include "comparisons/running/progress.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/settings/case_json.hpp"
-#include "comparisons/studies/converged_number.hpp"
 #include "comparisons/studies/split.hpp"
 
 namespace springcheck {
@@ -24,19 +23,26 @@ namespace {
 
 constexpr double growth_of_paths = 1.5;  // exponent of the nodes
 
-/// Says what is about to be computed: the three grids of the truth.
+/// "fem-stvk:q2 on 4x4x4, 8x8x8, 16x16x16 cells".
+std::string text_of(const ThreeCases& grids) {
+  const CaseSettings& first = grids.front();
+  std::string text =
+      fmt::format("{}:{} on ", first.method.name, first.elements.element.name);
+  for (const CaseSettings& grid : grids)
+    text += fmt::format("{}{}", &grid == &first ? "" : ", ",
+                        fmt::join(grid.body.block.cells, "x"));
+  return text + " cells";
+}
+
+/// Says what is about to be computed: the grids of the truth.
 const ChartPlan& announced(const ChartPlan& plan) {
   CostEstimate cost;
-  std::string sizes;
-  const ThreeCases grids = planned_truths(plan).front();
-  for (const CaseSettings& grid : grids) {
-    cost.add({.settings = grid});
-    sizes += fmt::format("{}{}", sizes.empty() ? "" : ", ",
-                         fmt::join(grid.body.block.cells, "x"));
-  }
+  const TruthGrids truth = planned_truths(plan).front();
+  for (const ThreeCases& grids : {truth.grids, truth.check})
+    for (const CaseSettings& grid : grids) cost.add({.settings = grid});
   announce(fmt::format(
-      "the truth, {}:q2 on {} cells: about {:.0f} s, where it is not kept already",
-      grids.front().method.name, sizes, cost.seconds()));
+      "the truth, {}, checked by {}: about {:.0f} s, where it is not kept already",
+      text_of(truth.grids), text_of(truth.check), cost.seconds()));
   return plan;
 }
 
@@ -214,47 +220,6 @@ const std::optional<double>& ChartMeasurements::deviation_of_grid() {
                   .measures.deviation_l2_relative
             : std::nullopt;
   return *deviation_of_grid_;
-}
-
-bool ChartMeasurements::refine_truth() {
-  const ThreeCases& grids = run_.own_truth();
-  ThreeCases coarser{grids[0], grids[0], grids[1]};
-  if (!is_nested(grids[0].body)) return false;
-  for (int& cells : coarser[0].body.block.cells) {
-    if (cells % 2 != 0) return false;
-    cells /= 2;
-  }
-  const CaseResult coarsest = run_.result_of({.settings = coarser[0]});
-  if (coarsest.status != Status::ok) return false;
-  const std::array measures{coarsest.measures, figures_[0], figures_[1]};
-  const StoredChart& stored = run_.stored();
-  std::array<double, 3> answers{}, volumes{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    answers[i] = measure_of(measures[i], stored.answer).value();
-    volumes[i] = measures[i].volume_change.value();
-  }
-  const double answer = std::abs(own_truth_.answer.value);
-  refined_bars_.force =
-      bar_by_fourth_grid(converged_number(coarser, answers, solver_noise * answer),
-                         own_truth_.answer) /
-      answer;
-  refined_bars_.volume =
-      bar_by_fourth_grid(converged_number(coarser, volumes, solver_noise),
-                         own_truth_.volume_change) /
-      (own_truth_.imposed / stored.height);
-  narrow(own_truth_);
-  return true;
-}
-
-void ChartMeasurements::narrow(ChartTruth& truth) const {
-  if (refined_bars_.force) truth.bars.force = refined_bars_.force;
-  if (refined_bars_.volume) truth.bars.volume = refined_bars_.volume;
-}
-
-Chart ChartMeasurements::chart() const {
-  Chart chart = run_.chart();
-  narrow(chart.truths[chart.truth_of(chart.stored.law).value()]);
-  return chart;
 }
 
 }  // namespace springcheck

@@ -43,11 +43,7 @@ class ChartMeasurements : public Measurements {
   /// By carried_truth.
   BesideScene beside(std::size_t scene, const ChartModel& model, int across) override;
 
-  /// By q2 on half as many cells across as the coarsest grid, see bar_by_fourth_grid: of
-  /// blocks whose coarsest grid has an even number of cells along each axis.
-  bool refine_truth() override;
-
-  [[nodiscard]] Chart chart() const override;
+  [[nodiscard]] Chart chart() const override { return run_.chart(); }
 
  private:
   /// What is known of a neighbouring scene as soon as it was asked for.
@@ -63,7 +59,7 @@ class ChartMeasurements : public Measurements {
   };
   void find_truth_of(Known& scene);
   [[nodiscard]] ChartTruth truth_of(const Known& scene);
-  void narrow(ChartTruth& truth) const;  // to the refined bars
+
   /// What the second of the truth's grids is off in deviation; none of bodies whose
   /// meshes are not nested.
   const std::optional<double>& deviation_of_grid();
@@ -71,14 +67,13 @@ class ChartMeasurements : public Measurements {
   ChartPlan plan_;
   ChartRun run_;
   std::array<Measures, 3> figures_{};  // of the grids of the scene's own truth
-  ChartTruth own_truth_{};             // with its latest bars of force and volume
+  ChartTruth own_truth_{};
   MeshStore meshes_;
   int finest_across_ = 0;                    // of what was measured
   std::map<std::string, StaticPath> paths_;  // by settings
   std::vector<Known> beside_;
   std::map<std::string, std::optional<ChartErrors>> law_errors_;  // by settings
   std::optional<std::optional<double>> deviation_of_grid_;        // none: not known yet
-  ChartErrors refined_bars_{};  // of the truth of the scene's law; none before
 };
 
 }  // namespace springcheck

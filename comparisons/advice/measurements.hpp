@@ -55,9 +55,6 @@ class Measurements {
   [[nodiscard]] virtual std::size_t scenes_beside(const ChartModel& model) = 0;
   virtual BesideScene beside(std::size_t scene, const ChartModel& model, int across) = 0;
 
-  /// Narrows what the truth may be off, once; whether it did.
-  virtual bool refine_truth() = 0;
-
   /// With all that was measured so far; places stay when more are.
   [[nodiscard]] virtual Chart chart() const = 0;
 };

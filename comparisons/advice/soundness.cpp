@@ -51,7 +51,7 @@ std::optional<double> limit_error(const Chart& chart,
   const double order_of_cells = 2;  // of springs and of linear elements
   const ConvergedNumber limit =
       converged_number(sizes, values, solver_noise * unit,
-                       std::min(order_of_cells, of.grids.formal_order));
+                       std::min(order_of_cells, of.grids.grids.formal_order));
   switch (measure) {
     case ChartMeasure::force:
       return std::abs(limit.value / of.answer.value - 1) +

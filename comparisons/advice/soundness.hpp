@@ -58,9 +58,6 @@ class Examiner {
   /// The model's point on so many cells across; none where it was not run.
   [[nodiscard]] std::optional<std::size_t> point_of(const Model& model, int across) const;
 
-  /// After the truth's bars have changed.
-  void forget() { known_.clear(); }
-
  private:
   [[nodiscard]] Soundness examined(std::size_t point);
   [[nodiscard]] std::string against_limit(std::size_t point);

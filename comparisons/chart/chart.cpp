@@ -18,30 +18,6 @@ const StoredCase* find(const Cases& cases, const std::string& key) {
   return found == cases.end() ? nullptr : &found->second;
 }
 
-std::optional<ChartTruth> truth_of(const StoredChart& chart,
-                                   const StoredChart::Truth& grids, const Cases& cases) {
-  std::array<double, 3> answers{}, volumes{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const StoredCase* grid = find(cases, grids.keys[i]);
-    if (grid == nullptr || grid->status != Status::ok) return std::nullopt;
-    const auto answer = measure_of(grid->measures, chart.answer);
-    if (!answer) return std::nullopt;
-    answers[i] = *answer;
-    volumes[i] = grid->measures.volume_change.value();
-  }
-  ChartTruth truth{
-      .grids = grids,
-      .answer = converged_number(grids.cell_sizes, answers,
-                                 solver_noise * std::abs(answers[2]), grids.formal_order),
-      .volume_change =
-          converged_number(grids.cell_sizes, volumes, solver_noise, grids.formal_order),
-      .imposed = 0};
-  truth.imposed = chart.imposed.value_or(std::abs(truth.answer.value));
-  truth.bars.force = truth.answer.bar / std::abs(truth.answer.value);
-  truth.bars.volume = truth.volume_change.bar / (truth.imposed / chart.height);
-  return truth;
-}
-
 /// Of a candidate for the front; without a time or an error for other points.
 Cost cost_of(const Chart& chart, std::size_t place, ChartKind kind, ChartMeasure measure,
              std::size_t truth) {
@@ -53,18 +29,6 @@ Cost cost_of(const Chart& chart, std::size_t place, ChartKind kind, ChartMeasure
 }
 
 }  // namespace
-
-const std::optional<double>& ChartErrors::of(ChartMeasure measure) const {
-  switch (measure) {
-    case ChartMeasure::volume:
-      return volume;
-    case ChartMeasure::deviation:
-      return deviation;
-    case ChartMeasure::force:
-      break;
-  }
-  return force;
-}
 
 std::optional<double> ChartPoint::seconds_at(double Timing::*quantile) const {
   if (!place.timing) return std::nullopt;
@@ -103,6 +67,18 @@ std::optional<std::size_t> Chart::truth_of(const std::string& law) const {
       truths, law, [](const ChartTruth& truth) { return truth.grids.law; });
   if (found == truths.end()) return std::nullopt;
   return static_cast<std::size_t>(found - truths.begin());
+}
+
+bool Chart::tells_truth(std::size_t point, std::size_t truth) const {
+  const auto cells_of = [](const StoredChart::Point& place) {
+    Model model = place.model;
+    model.linear_solver.clear();
+    return std::pair(model, place.across);
+  };
+  return std::ranges::any_of(stored.points, [&](const StoredChart::Point& other) {
+    return truths[truth].grids.has(other.key) &&
+           cells_of(other) == cells_of(points[point].place);
+  });
 }
 
 std::optional<double> Chart::bar(std::size_t point, ChartMeasure measure,
@@ -169,10 +145,11 @@ Chart evaluated(const StoredChart& stored, const Cases& cases) {
       point.errors[i] = errors_of(stored, truth, point.found->measures,
                                   other == nullptr ? nullptr : &other->measures);
       if (other == nullptr) continue;
-      point.deviation_bars[i] = other->measures.reference_bar_l2_relative;
-      if (point.deviation_bars[i])
-        truth.bars.deviation =
-            std::max(truth.bars.deviation.value_or(0), *point.deviation_bars[i]);
+      const auto bar = other->measures.reference_bar_l2_relative;
+      if (!bar) continue;
+      point.deviation_bars[i] = std::max(*bar, truth.grids.places_apart.value_or(0));
+      truth.bars.deviation =
+          std::max(truth.bars.deviation.value_or(0), *point.deviation_bars[i]);
     }
     chart.points.push_back(std::move(point));
   }

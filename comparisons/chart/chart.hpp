@@ -5,45 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/results/case_rows.hpp"
-#include "comparisons/results/stored_chart.hpp"
-#include "comparisons/studies/converged_number.hpp"
+#include "comparisons/chart/chart_truth.hpp"
 
 namespace springcheck {
-
-/// What an error is of. Each is a fraction:
-///
-///     force      |a - a*|/|a*|          a: plate force, torque, or drop of the tip
-///     volume     |V - V*|/(V0 e)        e = u/H, the strain that is imposed
-///     deviation  volume-weighted root mean square over the free nodes of |x - x*|/u
-///
-/// with * for the truth, u the largest displacement that is imposed (bending: the
-/// truth's drop of the tip) and H the height. Of the volume the strain is taken because
-/// V* may be V0. Nodes that are held tell nothing of a model: a body without free ones
-/// has no deviation.
-enum class ChartMeasure { force, volume, deviation };
-
-template <>
-inline constexpr std::array value_names<ChartMeasure>{
-    Named{ChartMeasure::force, "force"}, Named{ChartMeasure::volume, "volume"},
-    Named{ChartMeasure::deviation, "deviation"}};
-
-/// An error, or what the truth itself may be off, of each measure; none where it is not
-/// known.
-struct ChartErrors {
-  std::optional<double> force{}, volume{}, deviation{};
-
-  [[nodiscard]] const std::optional<double>& of(ChartMeasure measure) const;
-};
-
-/// What a law converges to.
-struct ChartTruth {
-  StoredChart::Truth grids;
-  ConvergedNumber answer;         // [N], [N m] or [m]
-  ConvergedNumber volume_change;  // of V0
-  double imposed;                 // u [m]
-  ChartErrors bars{};             // deviation's: the largest of any mesh compared
-};
 
 struct ChartPoint {
   StoredChart::Point place;
@@ -82,6 +46,10 @@ struct Chart {
 
   /// Place of the truth of a law; none without.
   [[nodiscard]] std::optional<std::size_t> truth_of(const std::string& law) const;
+
+  /// Whether a point is of the same elements on the same cells as one of the grids that
+  /// tell a truth, whatever solved it: judged by what follows from its own figures.
+  [[nodiscard]] bool tells_truth(std::size_t point, std::size_t truth) const;
 
   /// What the truth may be off, of a measure, beside a point: of deviations on its mesh.
   [[nodiscard]] std::optional<double> bar(std::size_t point, ChartMeasure measure,

@@ -24,13 +24,17 @@ Json errors_json(const ChartErrors& errors) {
   return json;
 }
 
-Json number_json(const ConvergedNumber& number) {
+Json number_json(const CheckedNumber& number) {
   return {{"value", number.value},
           {"bar", number.bar},
-          {"order", value_or_null(number.order)}};
+          {"order", value_or_null(number.order)},
+          {"element", element_of(number)},
+          {"disagreement", value_or_null(number.disagreement)},
+          {"resolved", number.is_resolved}};
 }
 
-Json point_json(const Chart& chart, const ChartPoint& point) {
+Json point_json(const Chart& chart, std::size_t place_in_chart) {
+  const ChartPoint& point = chart.points[place_in_chart];
   const StoredChart::Point& place = point.place;
   const Model& model = place.model;
   const std::string_view precision = model.precision ? name_of(*model.precision) : "";
@@ -54,9 +58,13 @@ Json point_json(const Chart& chart, const ChartPoint& point) {
             {"fastest_round", value_or_null(point.seconds_at(&Timing::fastest_round))},
             {"slowest_round", value_or_null(point.seconds_at(&Timing::slowest_round))},
             {"setup", value_or_null(place.setup)},
-            {"errors", Json::object()}};
-  for (std::size_t i = 0; i < chart.truths.size(); ++i)
-    json["errors"][chart.truths[i].grids.law] = errors_json(point.errors[i]);
+            {"errors", Json::object()},
+            {"tells_truth_of", Json::array()}};
+  for (std::size_t i = 0; i < chart.truths.size(); ++i) {
+    const std::string& law = chart.truths[i].grids.law;
+    json["errors"][law] = errors_json(point.errors[i]);
+    if (chart.tells_truth(place_in_chart, i)) json["tells_truth_of"].push_back(law);
+  }
   return json;
 }
 
@@ -93,12 +101,12 @@ Json chart_json(const Chart& chart) {
             {"claims", Json::array()}};
   for (const ChartTruth& truth : chart.truths)
     json["truths"].push_back({{"law", truth.grids.law},
-                              {"finest_cell_size", truth.grids.cell_sizes.back()},
+                              {"finest_cell_size", truth.grids.grids.cell_sizes.back()},
                               {"answer", number_json(truth.answer)},
                               {"volume_change", number_json(truth.volume_change)},
                               {"bars", errors_json(truth.bars)}});
-  for (const ChartPoint& point : chart.points)
-    json["points"].push_back(point_json(chart, point));
+  for (std::size_t i = 0; i < chart.points.size(); ++i)
+    json["points"].push_back(point_json(chart, i));
   for (const Claim& claim : claims(chart))
     json["claims"].push_back(
         {{"kind", std::string(name_of(claim.kind))},

@@ -161,12 +161,14 @@ CaseSettings model_case(const std::string& scene,
                    cells_of(chart_body(scene, own).block.size, across) + model.changes);
 }
 
-ThreeCases truth_grids(const std::string& scene, const std::vector<GivenSetting>& options,
-                       const std::string& law, const std::optional<int>& across) {
+namespace {
+
+ThreeCases q2_grids(const std::string& scene, const std::vector<GivenSetting>& options,
+                    const std::string& law, const std::optional<int>& across) {
   constexpr double most_nodes = 1e5;
   const std::vector<GivenSetting> own = options_for(ChartKind::equilibrium, options);
   const Body body = chart_body(scene, own);
-  const Changes elements{{"method", law}, {"element", "q2"}};
+  const Changes elements{{"method", law}, {"element", std::string(truth_element)}};
   if (body.shape == BodyShape::kidney) {
     const int coarsest = across.value_or(4);
     if (coarsest < 2)
@@ -188,6 +190,19 @@ ThreeCases truth_grids(const std::string& scene, const std::vector<GivenSetting>
                     elements + Changes{{"cell-type", "hexahedron"}, {"distortion", 0}};
   if (is_beam) changes.emplace_back("linear-solver", "direct");
   return convergence_grids(case_with(scene, own, changes));
+}
+
+}  // namespace
+
+TruthGrids truth_grids(const std::string& scene, const std::vector<GivenSetting>& options,
+                       const std::string& law, const std::optional<int>& across) {
+  const ThreeCases grids = q2_grids(scene, options, law, across);
+  ThreeCases check = grids;
+  for (CaseSettings& grid : check) {
+    grid.elements.element = *find_element(check_element);
+    grid.body.block.cells = refined(grid.body.block.cells, 2);
+  }
+  return {grids, check};
 }
 
 }  // namespace springcheck

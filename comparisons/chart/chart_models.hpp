@@ -61,7 +61,15 @@ CaseSettings model_case(const std::string& scene,
                         const std::vector<GivenSetting>& options, const ChartModel& model,
                         int across);
 
-/// The three grids of q2, from coarse to fine, whose limit is the truth of a law. Of a
+/// Elements of a truth's grids, and of those by which their limit is checked.
+inline constexpr std::string_view truth_element = "q2", check_element = "q1-sri";
+
+/// The grids that a law's truth is told from.
+struct TruthGrids {
+  ThreeCases grids, check;
+};
+
+/// Grids of q2, from coarse to fine, whose limit is the truth of a law. Of a
 /// block those of convergence_grids from `across` cells on: 4, or 2 where the finest of
 /// 16 would have more than 10^5 nodes, as beams have, by the direct solver: multigrid
 /// takes several times as long where a beam bends (fem-stvk on 8 x 8 x 48 cells, beside
@@ -69,7 +77,9 @@ CaseSettings model_case(const std::string& scene,
 /// Of a kidney, whose meshes are not nested and whose surface they follow ever closer, 4,
 /// 6 and 8 across in proportion to `across`, directly too: multigrid takes four times as
 /// long on such cells.
-ThreeCases truth_grids(const std::string& scene, const std::vector<GivenSetting>& options,
+///
+/// They are checked by q1-sri on twice as many cells along each axis: on the same nodes.
+TruthGrids truth_grids(const std::string& scene, const std::vector<GivenSetting>& options,
                        const std::string& law, const std::optional<int>& across);
 
 }  // namespace springcheck

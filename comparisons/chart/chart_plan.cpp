@@ -61,6 +61,15 @@ std::string hash_of_models(const ChartPlan& plan) {
   return sha256(all);
 }
 
+StoredChart::Grids stored_grids(const ThreeCases& cases, MeshStore& meshes) {
+  StoredChart::Grids grids{.cell_sizes = grid_sizes(cases),
+                           .formal_order = formal_order(cases.front())};
+  std::ranges::transform(cases, grids.keys.begin(), [&](const CaseSettings& grid) {
+    return case_key({.settings = grid}, meshes.mesh(grid.body));
+  });
+  return grids;
+}
+
 }  // namespace
 
 CaseSettings settings_of(const ChartPlan& plan, const StoredChart::Point& point) {
@@ -77,11 +86,11 @@ void check_plan(const ChartPlan& plan) {
                         model_case(plan.scene, plan.options, model, across).body);
 }
 
-std::vector<ThreeCases> planned_truths(const ChartPlan& plan) {
+std::vector<TruthGrids> planned_truths(const ChartPlan& plan) {
   std::vector<std::string> laws{law_of(plan)};
   for (const std::string& law : plan.laws)
     if (law != laws.front()) laws.push_back(law);
-  std::vector<ThreeCases> truths;
+  std::vector<TruthGrids> truths;
   for (const std::string& law : laws)
     truths.push_back(truth_grids(plan.scene, plan.options, law, plan.truth_across));
   return truths;
@@ -91,10 +100,10 @@ std::string caution_of_truth(const ChartPlan& plan) {
   return caution_near_half(*find_method(law_of(plan)), scene_of(plan).common);
 }
 
-StoredChart planned_chart(const ChartPlan& plan, const std::vector<ThreeCases>& truths,
+StoredChart planned_chart(const ChartPlan& plan, const std::vector<TruthGrids>& truths,
                           MeshStore& meshes) {
   const CaseSettings common = scene_of(plan).common;
-  const CaseSettings& first = truths.front().front();
+  const CaseSettings& first = truths.front().grids.front();
   const Mesh& mesh = meshes.mesh(first.body);
   StoredChart chart{.scene = common.scene,
                     .settings = hash_of_models(plan),
@@ -105,15 +114,10 @@ StoredChart planned_chart(const ChartPlan& plan, const std::vector<ThreeCases>& 
                     .revision = build_info::revision};
   if (first.test != Test::bending)
     chart.imposed = largest_imposed_displacement(mesh, mechanical_scene(first, mesh));
-  for (const ThreeCases& grids : truths) {
-    StoredChart::Truth truth{.law = grids.front().method.name,
-                             .cell_sizes = grid_sizes(grids),
-                             .formal_order = formal_order(grids.front())};
-    std::ranges::transform(grids, truth.keys.begin(), [&](const CaseSettings& grid) {
-      return case_key({.settings = grid}, meshes.mesh(grid.body));
-    });
-    chart.truths.push_back(std::move(truth));
-  }
+  for (const TruthGrids& truth : truths)
+    chart.truths.push_back({.law = truth.grids.front().method.name,
+                            .grids = stored_grids(truth.grids, meshes),
+                            .check = stored_grids(truth.check, meshes)});
   return chart;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/cases/convergence_grids.hpp"
+#include "comparisons/chart/chart_models.hpp"
 #include "comparisons/results/stored_chart.hpp"
 #include "comparisons/settings/run_settings.hpp"
 #include "comparisons/studies/study.hpp"
@@ -38,14 +38,14 @@ CaseSettings settings_of(const ChartPlan& plan, const StoredChart::Point& point)
 void check_plan(const ChartPlan& plan);
 
 /// The grids of the plan's truths, that of the scene's law first.
-std::vector<ThreeCases> planned_truths(const ChartPlan& plan);
+std::vector<TruthGrids> planned_truths(const ChartPlan& plan);
 
 /// What is to be said of the law of the plan's own truth, see caution_near_half.
 std::string caution_of_truth(const ChartPlan& plan);
 
 /// The chart of a plan before anything is measured. Throws InputError for scenes without
 /// an answer to compare, those of traction and affine, and as chart_body.
-StoredChart planned_chart(const ChartPlan& plan, const std::vector<ThreeCases>& truths,
+StoredChart planned_chart(const ChartPlan& plan, const std::vector<TruthGrids>& truths,
                           MeshStore& meshes);
 
 }  // namespace springcheck

@@ -61,10 +61,7 @@ ChartRun::ChartRun(const ChartPlan& plan, const std::filesystem::path& file)
   for (const auto& [key, place] : stored_) know(key, place.second);
   begin_chart();
   if (plan.truths_file) kept_.emplace(*plan.truths_file);
-  std::vector<CaseSettings> truths;
-  for (const ThreeCases& grids : truths_planned_)
-    truths.insert(truths.end(), grids.begin(), grids.end());
-  find_references(truths);
+  find_truths();
 }
 
 Chart ChartRun::chart() const {
@@ -142,6 +139,26 @@ void ChartRun::begin_chart() {
   if (!std::filesystem::exists(path_)) return;
   for (const StoredChart& earlier : read_charts(path_, Revisions::own))
     if (identity_of(earlier) == identity_of(chart_)) chart_ = merged(chart_, earlier);
+}
+
+void ChartRun::find_truths() {
+  std::vector<CaseSettings> all;
+  for (const TruthGrids& truth : truths_planned_)
+    for (const ThreeCases& grids : {truth.grids, truth.check})
+      all.insert(all.end(), grids.begin(), grids.end());
+  find_references(all);
+  const auto runs_of = [&](const StoredChart::Grids& grids) {
+    std::vector<const CaseResult*> runs;
+    for (const std::string& key : grids.keys) runs.push_back(&references_.at(key));
+    return runs;
+  };
+  if (!is_nested(own_truth().front().body)) return;
+  // Those that an earlier chart has beyond come after.
+  for (std::size_t i = 0; i < truths_planned_.size(); ++i) {
+    StoredChart::Truth& truth = chart_.truths[i];
+    truth.places_apart =
+        apart_in_places(runs_of(truth.grids), runs_of(truth.check.value()), meshes_);
+  }
 }
 
 std::string ChartRun::key_of(const CaseSettings& settings) {
@@ -243,8 +260,8 @@ void ChartRun::compare(const CaseSettings& settings, const std::string& key,
   if (!is_known(key)) missing.push_back({.settings = settings});
   const bool is_state =
       result ? result->measures.volume_error.has_value() : !has_failed(key);
-  for (const ThreeCases& grids : truths_planned_) {
-    const CaseSettings& truth = grids.front();
+  for (const TruthGrids& planned : truths_planned_) {
+    const CaseSettings& truth = planned.grids.front();
     const Request request{.settings = settings,
                           .reference = truth,
                           .reference_grid = ReferenceGrid::converged};

@@ -53,8 +53,10 @@ class ChartRun {
   /// What was measured, without errors.
   [[nodiscard]] const StoredChart& stored() const { return chart_; }
 
-  /// The grids of the truth of the scene's own law.
-  [[nodiscard]] const ThreeCases& own_truth() const { return truths_planned_.front(); }
+  /// The grids of q2 of the truth of the scene's own law.
+  [[nodiscard]] const ThreeCases& own_truth() const {
+    return truths_planned_.front().grids;
+  }
 
   /// Runs cases that others are held against, as those of truths, and keeps them with
   /// their fields.
@@ -70,6 +72,7 @@ class ChartRun {
   void measure(const ChartModel& model, int across, std::span<const int> on_threads,
                double budget);
   void begin_chart();
+  void find_truths();
   /// On the plan's first number of threads.
   bool is_timed(const ChartModel& model, int across);
   bool is_ok(const ChartModel& model, int across);
@@ -103,7 +106,7 @@ class ChartRun {
   StoredCases stored_;                       // of the file, before
   std::map<std::string, Outcome> outcomes_;  // by the keys of the file's cases
   MeshStore meshes_;
-  std::vector<ThreeCases> truths_planned_;        // of each law
+  std::vector<TruthGrids> truths_planned_;        // of each law
   std::map<std::string, CaseResult> references_;  // with their fields, by keys
   std::optional<KeptTruths> kept_;
   StoredChart chart_{};

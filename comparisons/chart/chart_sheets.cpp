@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <set>
 
 #include "comparisons/build_info/build_info.hpp"
+#include "comparisons/chart/chart_models.hpp"
 #include "comparisons/chart/claims.hpp"
 
 namespace springcheck {
@@ -46,8 +48,26 @@ const char* const what_errors_are =
     "deviation, volume-weighted root mean square distance of the free nodes over the "
     "largest displacement imposed (bending: the truth's drop of the tip).";
 
-void add_point(Sheet& sheet, const Chart& chart, const ChartPoint& point,
+/// Says so of a point that is judged by what follows from its own figures.
+void note_own_truth(SheetRow& row, const Chart& chart, std::size_t point,
+                    std::size_t truth) {
+  if (chart.tells_truth(point, truth))
+    row.notes.emplace_back("One of the grids that the truth is told from.");
+}
+
+/// What a truth's number contradicts.
+void note_unresolved(SheetRow& row, const CheckedNumber& number,
+                     const std::string& name) {
+  if (!number.is_resolved)
+    row.notes.push_back(
+        fmt::format("Unresolved: the limits of {} and {} contradict each other in the "
+                    "{}, by more than both bars.",
+                    truth_element, check_element, name));
+}
+
+void add_point(Sheet& sheet, const Chart& chart, std::size_t place_in_chart,
                const std::optional<std::size_t>& truth) {
+  const ChartPoint& point = chart.points[place_in_chart];
   const StoredChart::Point& place = point.place;
   SheetRow row{
       .cells = {chart.stored.scene, name_of(place.kind), name_of(place.model),
@@ -76,6 +96,7 @@ void add_point(Sheet& sheet, const Chart& chart, const ChartPoint& point,
   }
   if (truth && !point.compared[*truth].empty())
     row.cases.push_back(point.compared[*truth]);
+  if (truth) note_own_truth(row, chart, place_in_chart, *truth);
   sheet.rows.push_back(std::move(row));
 }
 
@@ -84,38 +105,64 @@ void add_point(Sheet& sheet, const Chart& chart, const ChartPoint& point,
 Sheet truths_sheet(const std::vector<Chart>& charts) {
   Sheet sheet{
       .name = "chart-truths",
-      .title = "Truths of the charts: what q2 converges to on three grids",
+      .title = "Truths of the charts: what q2 and q1-sri converge to on three grids each",
       .columns = {{"scene", "scene"},
                   {"law", "law"},
                   {"measure", "answer"},
                   {"answer", "value [N, N m or m]", "{:.7g}"},
                   {"answer_bar", "+- [%]", "{:.2g}"},
                   {"answer_order", "order", "{:.2f}"},
+                  {"answer_element", "by"},
+                  {"answer_apart", "limits apart [%]", "{:.2g}"},
                   {"volume_change", "volume change [%]", "{:.6f}"},
                   {"volume_bar", "+- over the strain [%]", "{:.2g}"},
                   {"volume_order", "order", "{:.2f}"},
-                  {"deviation_bar", "places +- [%]", "{:.2g}"}},
+                  {"volume_element", "by"},
+                  {"volume_apart", "limits apart over the strain [%]", "{:.2g}"},
+                  {"deviation_bar", "places +- [%]", "{:.2g}"},
+                  {"deviation_apart", "places apart [%]", "{:.2g}"}},
       .notes = {
           "Richardson's extrapolation of the three grids, and the half width of its "
           "error bar, which holds the grid convergence index with the safety of "
-          "Oberkampf "
-          "and Roy about the finest grid, over what errors are told by: the answer, the "
-          "imposed strain, the largest imposed displacement; the last is the "
-          "largest of all meshes. An error below it says no more than that."}};
+          "Oberkampf and Roy about the finest grid, over what errors are told by: the "
+          "answer, the imposed strain, the largest imposed displacement; the last is the "
+          "largest of all meshes. An error below it says no more than that.",
+          "Two discretisations tell each number, q2 and, on the same nodes, q1-sri; it "
+          "is that of the narrower bar, which is at least what the other's limit is off "
+          "it. Where the two are farther apart than both bars, a note says so, and the "
+          "bar holds all that the other's allows. Places are those of q2."}};
   for (const Chart& chart : charts)
-    for (const ChartTruth& truth : chart.truths)
-      sheet.rows.push_back({.cells = {chart.stored.scene,
-                                      truth.grids.law,
-                                      chart.stored.answer,
-                                      truth.answer.value,
-                                      in_percent(truth.bars.force),
-                                      {truth.answer.order, "none"},
-                                      100 * truth.volume_change.value,
-                                      in_percent(truth.bars.volume),
-                                      {truth.volume_change.order, "none"},
-                                      in_percent(truth.bars.deviation)},
-                            .cases = {truth.grids.keys.rbegin(), truth.grids.keys.rend()},
-                            .part = identity_of(chart.stored)});
+    for (const ChartTruth& truth : chart.truths) {
+      const StoredChart::Truth& of = truth.grids;
+      const auto apart = [](const CheckedNumber& number, double unit) {
+        return Cell{number.disagreement ? std::optional(100 * *number.disagreement / unit)
+                                        : std::nullopt,
+                    "not checked"};
+      };
+      SheetRow row{
+          .cells = {chart.stored.scene,
+                    of.law,
+                    chart.stored.answer,
+                    truth.answer.value,
+                    in_percent(truth.bars.force),
+                    {truth.answer.order, "none"},
+                    element_of(truth.answer),
+                    apart(truth.answer, std::abs(truth.answer.value)),
+                    100 * truth.volume_change.value,
+                    in_percent(truth.bars.volume),
+                    {truth.volume_change.order, "none"},
+                    element_of(truth.volume_change),
+                    apart(truth.volume_change, truth.imposed / chart.stored.height),
+                    in_percent(truth.bars.deviation),
+                    in_percent(of.places_apart)},
+          .cases = {of.grids.keys.rbegin(), of.grids.keys.rend()},
+          .part = identity_of(chart.stored)};
+      if (of.check)
+        row.cases.insert(row.cases.end(), of.check->keys.rbegin(), of.check->keys.rend());
+      note_unresolved(row, truth.answer, "answer");
+      note_unresolved(row, truth.volume_change, "change of volume");
+      sheet.rows.push_back(std::move(row));
+    }
   return sheet;
 }
 
@@ -159,7 +206,8 @@ Sheet points_sheet(const std::vector<Chart>& charts) {
                 machines_of(charts)}};
   for (const Chart& chart : charts) {
     const auto truth = chart.truth_of(chart.stored.law);
-    for (const ChartPoint& point : chart.points) add_point(sheet, chart, point, truth);
+    for (std::size_t i = 0; i < chart.points.size(); ++i)
+      add_point(sheet, chart, i, truth);
   }
   return sheet;
 }
@@ -179,7 +227,8 @@ Sheet laws_sheet(const std::vector<Chart>& charts) {
               .notes = {what_errors_are}};
   for (const Chart& chart : charts) {
     std::set<std::pair<std::string, std::string>> seen;
-    for (const ChartPoint& point : chart.points) {
+    for (std::size_t place = 0; place < chart.points.size(); ++place) {
+      const ChartPoint& point = chart.points[place];
       if (!point.found) continue;
       if (!seen.insert({name_of(point.place.model), point.place.key}).second)
         continue;  // threads
@@ -192,6 +241,7 @@ Sheet laws_sheet(const std::vector<Chart>& charts) {
         for (const ChartMeasure measure : all_values<ChartMeasure>())
           row.cells.push_back(error_cell(point, i, measure));
         if (!point.compared[i].empty()) row.cases.push_back(point.compared[i]);
+        note_own_truth(row, chart, place, i);
         sheet.rows.push_back(std::move(row));
       }
     }
@@ -245,6 +295,7 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
             const auto bar = chart.bar(i, measure, truth);
             if (bar && *point.errors[truth].of(measure) < *bar)
               row.notes.emplace_back("Below what the truth itself may be off.");
+            note_own_truth(row, chart, i, truth);
             sheet.rows.push_back(std::move(row));
           }
   return sheet;

@@ -27,7 +27,8 @@ const std::vector<Described>& file_layout() {
       {"/charts/SHA256",
        "charts of `springcheck chart`: attributes scene, settings, law, answer, height, "
        "imposed, machine, revision; truths (law, size_1 to size_3, key_1 to key_3, "
-       "formal_order), points "
+       "formal_order, the same of the grids that check them with check_ before, "
+       "places_apart), points "
        "(model, kind, across, cells, nodes, threads, key, left_out, setup, simulated, "
        "times, repetitions, minimum, lower_quartile, median, upper_quartile, maximum), "
        "comparisons (key, law, compared)"},

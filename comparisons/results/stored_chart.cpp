@@ -18,9 +18,6 @@
 namespace springcheck {
 namespace {
 
-constexpr std::array size_columns{"size_1", "size_2", "size_3"};
-constexpr std::array key_columns{"key_1", "key_2", "key_3"};
-
 /// "0.1,0.12;0.11": rounds of times.
 std::string text_of(const TimedRounds& times) {
   std::vector<std::string> rounds;
@@ -45,14 +42,44 @@ TimedRounds times_in(const std::string& text) {
   }
 }
 
+/// Columns of the grids that check a truth.
+constexpr const char* of_check = "check_";
+
+void put_grids(Row& row, const std::string& prefix, const StoredChart::Grids& grids) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    put(row, fmt::format("{}size_{}", prefix, i + 1), grids.cell_sizes[i]);
+    put(row, fmt::format("{}key_{}", prefix, i + 1), grids.keys[i]);
+  }
+  put(row, prefix + "formal_order", grids.formal_order);
+}
+
 Row row_of(const StoredChart::Truth& truth) {
   Row row{{"law", truth.law}};
-  for (std::size_t i = 0; i < 3; ++i) {
-    put(row, size_columns[i], truth.cell_sizes[i]);
-    put(row, key_columns[i], truth.keys[i]);
-  }
-  put(row, "formal_order", truth.formal_order);
+  put_grids(row, "", truth.grids);
+  if (truth.check) put_grids(row, of_check, *truth.check);
+  put(row, "places_apart", truth.places_apart);
   return row;
+}
+
+StoredChart::Grids grids_in(const TableRows& truths, const std::string& prefix,
+                            std::size_t i) {
+  StoredChart::Grids grids;
+  for (std::size_t grid = 0; grid < 3; ++grid) {
+    grids.cell_sizes[grid] = truths.number(fmt::format("{}size_{}", prefix, grid + 1), i);
+    grids.keys[grid] = truths.text(fmt::format("{}key_{}", prefix, grid + 1), i);
+  }
+  grids.formal_order =
+      truths.find_number(prefix + "formal_order", i).value_or(least_formal_order);
+  return grids;
+}
+
+StoredChart::Truth truth_in(const TableRows& truths, std::size_t i) {
+  StoredChart::Truth truth{.law = truths.text("law", i),
+                           .grids = grids_in(truths, "", i),
+                           .places_apart = truths.find_number("places_apart", i)};
+  if (truths.find_text(std::string(of_check) + "key_1", i))
+    truth.check = grids_in(truths, of_check, i);
+  return truth;
 }
 
 Row row_of(const Model& model) {
@@ -141,16 +168,8 @@ StoredChart read_chart(hid_t group) {
       .revision =
           hdf5::read_text(group, "revision").value_or(std::string(unknown_revision))};
   const TableRows truths(hdf5::open_group(group, "truths"), "a chart's truth");
-  for (std::size_t i = 0; i < truths.count(); ++i) {
-    StoredChart::Truth truth{.law = truths.text("law", i)};
-    for (std::size_t grid = 0; grid < 3; ++grid) {
-      truth.cell_sizes[grid] = truths.number(size_columns[grid], i);
-      truth.keys[grid] = truths.text(key_columns[grid], i);
-    }
-    truth.formal_order =
-        truths.find_number("formal_order", i).value_or(least_formal_order);
-    chart.truths.push_back(std::move(truth));
-  }
+  for (std::size_t i = 0; i < truths.count(); ++i)
+    chart.truths.push_back(truth_in(truths, i));
   const TableRows points(hdf5::open_group(group, "points"), "a chart's point");
   for (std::size_t i = 0; i < points.count(); ++i) {
     TimedRounds times = times_of(points, i);
@@ -180,11 +199,16 @@ StoredChart read_chart(hid_t group) {
 
 }  // namespace
 
+bool StoredChart::Truth::has(const std::string& key) const {
+  return std::ranges::count(grids.keys, key) > 0 ||
+         (check && std::ranges::count(check->keys, key) > 0);
+}
+
 std::string identity_of(const StoredChart& chart) {
   std::string text = chart.scene + '\n' + chart.settings + '\n' + chart.machine;
   for (const StoredChart::Truth& truth : chart.truths)
     if (truth.law == chart.law)
-      for (const std::string& key : truth.keys) text += '\n' + key;
+      for (const std::string& key : truth.grids.keys) text += '\n' + key;
   return sha256(text);
 }
 

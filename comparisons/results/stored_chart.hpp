@@ -28,12 +28,23 @@ inline constexpr std::array value_names<ChartKind>{
 /// What `springcheck chart` measured of a scene, as a result file keeps it: times, and
 /// the keys of the cases by which errors are told.
 struct StoredChart {
-  /// Three grids of q2, from coarse to fine; their limit is the law's truth.
+  /// Three grids, from coarse to fine.
+  struct Grids {
+    std::array<double, 3> cell_sizes{};
+    std::array<std::string, 3> keys{};         // of their cases
+    double formal_order = least_formal_order;  // in older files none
+  };
+  /// What a law converges to: the limit of grids of q2, or of others, by which it is
+  /// checked.
   struct Truth {
     std::string law;  // its method
-    std::array<double, 3> cell_sizes{};
-    std::array<std::string, 3> keys{};
-    double formal_order = least_formal_order;  // of its grids; in older files none
+    Grids grids{};
+    std::optional<Grids> check{};  // in older files none
+    // How far the limits of the two fields are apart, see apart_in_places:
+    std::optional<double> places_apart{};
+
+    /// Whether a case is one of those grids.
+    [[nodiscard]] bool has(const std::string& key) const;
   };
   struct Point {
     Model model;
@@ -85,7 +96,8 @@ StoredChart merged(StoredChart chart, const StoredChart& other);
 ///
 ///     IDENTITY              attributes scene, settings, law, answer, height, imposed,
 ///                           machine, revision
-///     IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3, formal_order
+///     IDENTITY/truths       columns law, size_1 to size_3, key_1 to key_3, formal_order,
+///                           the same of the check with check_ before, places_apart
 ///     IDENTITY/points       columns model (its name) and its parts method, element,
 ///                           cell-type, linear-solver, precision, its family, then kind,
 ///                           across, cells, nodes, threads, key, left_out, repetitions,

@@ -7,18 +7,19 @@ namespace springcheck {
 namespace {
 
 template <class Value>
-Value required(std::optional<Value> found, const std::string& what, const char* name) {
+Value required(std::optional<Value> found, const std::string& what,
+               const std::string& name) {
   if (!found) throw std::runtime_error(what + " lacks a " + name);
   return *std::move(found);
 }
 
 }  // namespace
 
-void put(Row& row, const char* name, const std::optional<std::string>& text) {
+void put(Row& row, const std::string& name, const std::optional<std::string>& text) {
   if (text && !text->empty()) row[name] = *text;
 }
 
-void put(Row& row, const char* name, const std::optional<double>& number) {
+void put(Row& row, const std::string& name, const std::optional<double>& number) {
   if (number) row[name] = std::vector{*number};
 }
 
@@ -31,24 +32,26 @@ std::string text_attribute(hid_t group, const char* name, const std::string& wha
 TableRows::TableRows(hid_t group, std::string what)
     : columns_(read_columns(group)), what_(std::move(what)) {}
 
-std::optional<std::string> TableRows::find_text(const char* name, std::size_t row) const {
+std::optional<std::string> TableRows::find_text(const std::string& name,
+                                                std::size_t row) const {
   const auto column = columns_.texts.find(name);
   if (column == columns_.texts.end() || column->second[row].empty()) return {};
   return column->second[row];
 }
 
-std::optional<double> TableRows::find_number(const char* name, std::size_t row) const {
+std::optional<double> TableRows::find_number(const std::string& name,
+                                             std::size_t row) const {
   const auto column = columns_.numbers.find(name);
   if (column == columns_.numbers.end() || column->second.width != 1) return {};
   const double value = column->second.values[row];
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-std::string TableRows::text(const char* name, std::size_t row) const {
+std::string TableRows::text(const std::string& name, std::size_t row) const {
   return required(find_text(name, row), what_, name);
 }
 
-double TableRows::number(const char* name, std::size_t row) const {
+double TableRows::number(const std::string& name, std::size_t row) const {
   return required(find_number(name, row), what_, name);
 }
 

@@ -10,8 +10,8 @@
 namespace springcheck {
 
 /// Puts a value into a row; what is lacking, or an empty text, is left out.
-void put(Row& row, const char* name, const std::optional<std::string>& text);
-void put(Row& row, const char* name, const std::optional<double>& number);
+void put(Row& row, const std::string& name, const std::optional<std::string>& text);
+void put(Row& row, const std::string& name, const std::optional<double>& number);
 
 /// Throws std::runtime_error where `what` has no such attribute, or an empty one.
 std::string text_attribute(hid_t group, const char* name, const std::string& what);
@@ -34,14 +34,14 @@ class TableRows {
   [[nodiscard]] std::size_t count() const { return columns_.rows; }
 
   /// None where the row lacks it.
-  [[nodiscard]] std::optional<std::string> find_text(const char* name,
+  [[nodiscard]] std::optional<std::string> find_text(const std::string& name,
                                                      std::size_t row) const;
-  [[nodiscard]] std::optional<double> find_number(const char* name,
+  [[nodiscard]] std::optional<double> find_number(const std::string& name,
                                                   std::size_t row) const;
 
   /// Throw std::runtime_error where the row lacks it.
-  [[nodiscard]] std::string text(const char* name, std::size_t row) const;
-  [[nodiscard]] double number(const char* name, std::size_t row) const;
+  [[nodiscard]] std::string text(const std::string& name, std::size_t row) const;
+  [[nodiscard]] double number(const std::string& name, std::size_t row) const;
 
  private:
   Columns columns_;

@@ -1,6 +1,5 @@
 #include "comparisons/studies/converged_number.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "comparisons/studies/formal_order.hpp"
@@ -14,10 +13,7 @@ ConvergedNumber converged_number(const GridSizes& sizes,
   for (std::size_t i = 0; i < 3; ++i)
     on_grids[i] = Eigen::MatrixXd::Constant(1, 1, values[i]);
   const Extrapolated limit = extrapolate(sizes, on_grids, noise, formal_order);
-  return {.value = limit.value(0),
-          .order = limit.order,
-          .bar = limit.bar(0),
-          .is_asymptotic = limit.is_asymptotic};
+  return {.value = limit.value(0), .order = limit.order, .bar = limit.bar(0)};
 }
 
 ConvergedNumber converged_number(const ThreeCases& cases,
@@ -28,12 +24,6 @@ ConvergedNumber converged_number(const ThreeCases& cases,
 ConvergedNumber converged_number(const ThreeCases& cases,
                                  const std::array<double, 3>& values) {
   return converged_number(cases, values, solver_noise * std::abs(values[2]));
-}
-
-double bar_by_fourth_grid(const ConvergedNumber& coarser, const ConvergedNumber& limit) {
-  if (!coarser.is_asymptotic || !limit.is_asymptotic) return limit.bar;
-  return std::clamp(cautious_safety * std::abs(limit.value - coarser.value),
-                    limit.bar / 9, limit.bar);
 }
 
 }  // namespace springcheck

@@ -59,10 +59,6 @@ BelievedOrder believed_order(const GridSizes& sizes, double coarse_change,
           ratio > ratio_of_order_0};
 }
 
-bool BelievedOrder::is_asymptotic() const {
-  return safety_factor == asymptotic_safety;
-}
-
 double rest_by_order(double ratio, double order) {
   return 1 / (std::pow(ratio, order) - 1);
 }
@@ -83,7 +79,7 @@ Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values, dou
     const double rest = rest_by_order(sizes[1] / sizes[2], believed.order);
     limit.order = believed.observed;
     limit.index = believed.safety_factor * rest;
-    limit.is_asymptotic = believed.is_asymptotic();
+
     limit.bar *= *limit.index;
     if (believed.is_monotone) {
       limit.value -= rest * fine;

@@ -52,9 +52,6 @@ struct BelievedOrder {
   std::optional<double> observed;
   double order, safety_factor;
   bool is_monotone;  // whether the changes fall, and in one direction
-
-  /// Whether the observed order is near the formal one.
-  [[nodiscard]] bool is_asymptotic() const;
 };
 BelievedOrder believed_order(const GridSizes& sizes, double coarse_change,
                              double fine_change, double formal_order);
@@ -75,7 +72,6 @@ struct Extrapolated {
   Eigen::MatrixXd bar;            // half width about q*, entry by entry, not negative
   // F/((h2/h3)^p - 1); none where all has converged:
   std::optional<double> index{};
-  bool is_asymptotic = false;  // the observed order is near the formal one
 };
 
 /// Richardson's extrapolation by the order p that is believed, one for all entries, and

@@ -25,6 +25,7 @@ _GROUPS = [
 ]
 _PARTS = ["method", "family", "element", "cell_type", "linear_solver", "precision"]
 _BARS = ["answer_bar", "volume_bar", "deviation_bar"]
+_APART = ["answer_apart", "volume_apart", "deviation_apart"]
 _TIMES = ["median", "lower_quartile", "upper_quartile"]
 _ANSWERS = {column: (name, unit) for column, name, unit in ANSWERS.values()}
 
@@ -79,15 +80,17 @@ def _truths(study, parts):
                     row["law"],
                     f"{name} [{unit}]",
                     _with_bar(document, row, "answer", truth["answer"]["bar"]),
-                    _number(document, row, "answer_order", "{:.2f}"),
+                    _order(document, row, "answer"),
                     _with_bar(document, row, "volume_change", 100 * truth["volume_change"]["bar"]),
-                    _number(document, row, "volume_order", "{:.2f}"),
-                    *(_number(document, row, key, "{:.2g}") for key in _BARS),
+                    _order(document, row, "volume"),
+                    *(_number(document, row, key, "{:.2g}") for key in [*_BARS, *_APART]),
                 ]
             )
     heads = ["scene", "law", "answer", "value", "order", "volume change [%]", "order"]
     heads += [f"{measure} unsure by [%]" for measure in ("force", "volume", "deviation")]
-    notes = [paragraph('<span class="note">{}</span>', note) for note in document["notes"]]
+    heads += [f"{measure} of the two limits apart [%]" for measure in ("force", "volume", "deviation")]
+    said = dict.fromkeys(note for truths in parts for row in truths for note in row["notes"])
+    notes = [paragraph('<span class="note">{}</span>', note) for note in [*document["notes"], *said]]
     return [Markup("<h3>{}</h3>").format(document["title"]), table(heads, rows, name="chart-truths"), *notes]
 
 
@@ -97,6 +100,11 @@ def _answer(one):
 
 def _with_bar(document, row, key, bar):
     return tabled_number(document, row[key], " ± ".join(with_bar(row[key], bar)), row["case"])
+
+
+def _order(document, row, of):
+    """With the elements that tell it."""
+    return Markup("{}, {}").format(_number(document, row, f"{of}_order", "{:.2f}"), row[f"{of}_element"])
 
 
 def _number(document, row, key, form):

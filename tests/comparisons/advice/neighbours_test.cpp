@@ -14,7 +14,7 @@ namespace {
 const auto round_off = boost::test_tools::tolerance(1e-12);
 
 CaseSettings settings_of(const std::string& scene, const Changes& changes) {
-  return truth_grids(scene, options_of(changes), "fem-stvk", 1).front();
+  return truth_grids(scene, options_of(changes), "fem-stvk", 1).grids.front();
 }
 
 std::vector<std::string> names(const std::string& scene, const Changes& changes) {

@@ -52,6 +52,60 @@ BOOST_AUTO_TEST_CASE(errors_are_told_from_the_limit_of_the_truth) {
   BOOST_TEST(chart.points[0].deviation_bars[0].value() == 1e-3);
 }
 
+// The check's limit of the force is 80/9/8 below the truth's, 10, and its bar 4 times its
+// last change, 10/9. The volume's check is exact, its bar the solvers' noise.
+BOOST_AUTO_TEST_CASE(a_truth_is_at_least_as_unsure_as_its_check_is_off) {
+  ExampleChart example;
+  example.check_truth();
+  example.chart.truths[0].places_apart = 0.005;
+  example.add("mss-cf", 4, 2, 9, 0.002);
+  Chart chart = evaluated(example.chart, example.cases);
+  const ChartTruth& truth = chart.truths.at(0);
+  BOOST_TEST(truth.answer.value == 10, round_off);
+  BOOST_TEST(!truth.answer.is_of_check);
+  BOOST_TEST(truth.answer.disagreement.value() == 10. / 9, round_off);
+  BOOST_TEST(truth.bars.force.value() == 0.125, round_off);
+  BOOST_TEST(truth.volume_change.is_of_check);
+  BOOST_TEST(truth.volume_change.value == -0.02);
+  BOOST_TEST(truth.bars.deviation.value() == 0.005);
+  BOOST_TEST(chart.points.at(0).deviation_bars[0].value() == 0.005);
+
+  for (const char* key : {"c1", "c2", "c3"})
+    *example.cases.at(key).measures.plate_force += 6;
+  chart = evaluated(example.chart, example.cases);
+  const SheetRow apart = truths_sheet({chart}).rows.at(0);
+  BOOST_TEST(!chart.truths.at(0).answer.is_resolved);
+  BOOST_TEST(apart.notes.size() == 1U);
+  BOOST_TEST(apart.cases.size() == 6U);
+
+  example.cases.at("c2").status = Status::indefinite;
+  const Chart unchecked = evaluated(example.chart, example.cases);
+  BOOST_TEST(!unchecked.truths.at(0).answer.disagreement.has_value());
+  BOOST_TEST(truths_sheet({unchecked}).rows.at(0).cells[7].text == "not checked");
+}
+
+// Whatever solved it: the grid of another solver has another key.
+BOOST_AUTO_TEST_CASE(a_point_that_tells_the_truth_says_so) {
+  ExampleChart example;
+  example.check_truth();
+  example.add("fem-stvk:q2", 4, 2, 9, 0.002);
+  example.add("fem-stvk:q2, direct", 4, 1, 9.1, 0.002);
+  example.add("fem-stvk:q2", 8, 5, 9.5, 0.002);
+  example.add("fem-stvk:q1-sri", 4, 1, 9, 0.002);
+  example.chart.points[0].key = "t1";
+  example.chart.points[3].key = "c3";
+  const Chart chart = evaluated(example.chart, example.cases);
+  for (const std::size_t i : {0, 1, 3}) BOOST_TEST(chart.tells_truth(i, 0));
+  BOOST_TEST(!chart.tells_truth(2, 0));
+  BOOST_TEST((charts_json({chart})[0]["points"][1]["tells_truth_of"] ==
+              nlohmann::ordered_json{"fem-stvk"}));
+  std::vector<std::size_t> notes;
+  for (const SheetRow& row : points_sheet({chart}).rows)
+    notes.push_back(row.notes.size());
+  BOOST_TEST(notes == (std::vector<std::size_t>{1, 1, 0, 1}),
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(without_an_imposed_displacement_the_truths_answer_stands_for_it) {
   ExampleChart example;
   example.chart.imposed.reset();

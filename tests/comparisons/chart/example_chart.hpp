@@ -40,9 +40,9 @@ struct ExampleChart {
                     .imposed = 0.1,
                     .machine = "a machine",
                     .truths = {{.law = "fem-stvk",
-                                .cell_sizes = {1, 0.5, 0.25},
-                                .keys = {"t1", "t2", "t3"},
-                                .formal_order = 2}},
+                                .grids = {.cell_sizes = {1, 0.5, 0.25},
+                                          .keys = {"t1", "t2", "t3"},
+                                          .formal_order = 2}}},
                     .points = {},
                     .comparisons = {},
                     .revision = build_info::revision};
@@ -50,6 +50,16 @@ struct ExampleChart {
       {"t1", case_of(10 + 80. / 9, -0.02 + 0.05 / 9)},
       {"t2", case_of(10 + 20. / 9, -0.02 + 0.0125 / 9)},
       {"t3", case_of(10 + 5. / 9, -0.02 + 0.003125 / 9)}};
+
+  /// Checks the truth: force 10 + 80/9 (h - 1/8), volume change as the truth's, on cells
+  /// of 1/2, 1/4 and 1/8, by a formal order of 1.
+  void check_truth() {
+    chart.truths[0].check = StoredChart::Grids{
+        .cell_sizes = {0.5, 0.25, 0.125}, .keys = {"c1", "c2", "c3"}, .formal_order = 1};
+    for (const int i : {1, 2, 3})
+      cases.insert_or_assign("c" + std::to_string(i),
+                             case_of(10 + 80. / 9 * (std::pow(2, -i) - 0.125), -0.02));
+  }
 
   StoredCase& add(const std::string& model, int across, double seconds, double force,
                   double deviation, ChartKind kind = ChartKind::equilibrium) {

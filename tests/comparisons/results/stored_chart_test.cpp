@@ -31,10 +31,10 @@ BOOST_AUTO_TEST_CASE(a_chart_is_of_one_machine_and_one_truth) {
   other.machine = "another";
   BOOST_TEST(identity_of(other) != identity_of(chart));
   other = chart;
-  other.truths[0].keys[2] = "finer";
+  other.truths[0].grids.keys[2] = "finer";
   BOOST_TEST(identity_of(other) != identity_of(chart));
   other = chart;
-  other.truths.push_back({.law = "fem-hooke", .cell_sizes = {}, .keys = {}});
+  other.truths.push_back({.law = "fem-hooke"});
   BOOST_TEST(identity_of(other) == identity_of(chart));
 }
 
@@ -47,7 +47,10 @@ BOOST_AUTO_TEST_CASE(files_of_one_chart_give_all_its_points) {
   second.points[2].timing->median = 7;  // measured again: the first one's stays
   StoredChart elsewhere = second;
   elsewhere.machine = "another";
-  first.truths[0].formal_order = 1.7;
+  first.truths[0].grids.formal_order = 1.7;
+  first.truths[0].check = StoredChart::Grids{
+      .cell_sizes = {3, 2, 1}, .keys = {"a", "b", "c"}, .formal_order = 1.1};
+  first.truths[0].places_apart = 0.02;
   ResultFile(own.path / "first.h5").put_chart(first);
   {
     ResultFile file(own.path / "second.h5");
@@ -59,10 +62,18 @@ BOOST_AUTO_TEST_CASE(files_of_one_chart_give_all_its_points) {
   const std::vector<StoredChart> charts =
       read_charts(own.path / "first.h5", Revisions::all);
   BOOST_TEST_REQUIRE(charts.size() == 2U);  // of each machine
-  BOOST_TEST(std::ranges::count_if(charts, [](const StoredChart& chart) {
-               return chart.truths.at(0).formal_order == 1.7;
-             }) == 1);
-  const StoredChart& both = charts[0].machine == "another" ? charts[1] : charts[0];
+  const bool is_second = charts[0].machine == "another";
+  const StoredChart& both = charts[is_second ? 1 : 0];
+  const StoredChart::Truth& truth = both.truths.at(0);
+  BOOST_TEST(truth.grids.formal_order == 1.7);
+  BOOST_TEST_REQUIRE(truth.check.has_value());
+  BOOST_TEST(truth.check->cell_sizes == (std::array<double, 3>{3, 2, 1}));
+  BOOST_TEST(truth.check->keys == (std::array<std::string, 3>{"a", "b", "c"}));
+  BOOST_TEST(truth.check->formal_order == 1.1);
+  BOOST_TEST(truth.places_apart.value() == 0.02);
+  BOOST_TEST((truth.has("t1") && truth.has("c") && !truth.has("mss-cf4")));
+  // As files have it that know no check.
+  BOOST_TEST(!charts[is_second ? 0 : 1].truths.at(0).check.has_value());
   BOOST_TEST_REQUIRE(both.points.size() == 3U);
   BOOST_TEST(both.points[0].key == "mss-cf4");
   BOOST_TEST(both.points[0].timing->median == 1);

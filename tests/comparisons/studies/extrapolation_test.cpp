@@ -1,7 +1,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "comparisons/studies/converged_number.hpp"
+#include "comparisons/studies/checked_number.hpp"
 #include "comparisons/studies/extrapolation.hpp"
 
 using namespace springcheck;
@@ -70,7 +70,6 @@ BOOST_AUTO_TEST_CASE(no_order_above_the_formal_one_is_believed,
       BOOST_TEST(*limit.order == 2.);
       BOOST_TEST(limit.value(0) == 10 - left);
       BOOST_TEST(limit.bar(0) == (factor + 1) * left);
-      BOOST_TEST(limit.is_asymptotic == (factor < 3));
     }
   };
   expect(1, 1, 3);
@@ -158,21 +157,32 @@ BOOST_AUTO_TEST_CASE(a_field_whose_changes_oppose_has_no_order) {
   BOOST_TEST(limit.bar(0) == 6 / (std::sqrt(2.) - 1), tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(a_fourth_grid_narrows_a_bar_and_never_widens_it,
+// 10 +- 1 and 10.5 +- .2: the narrower, with a bar that holds the other's limit.
+BOOST_AUTO_TEST_CASE(the_better_known_of_two_limits_is_taken,
                      *boost::unit_test::tolerance(1e-12)) {
-  const auto asymptotic = [](double value, double bar) {
-    return ConvergedNumber{
-        .value = value, .order = 1.2, .bar = bar, .is_asymptotic = true};
-  };
-  const ConvergedNumber limit = asymptotic(2, 0.9);
-  BOOST_TEST(bar_by_fourth_grid(asymptotic(2.1, 1), limit) == 0.3);
-  BOOST_TEST(bar_by_fourth_grid(asymptotic(1, 1), limit) == 0.9);
-  // Limits that coincide tell that much.
-  BOOST_TEST(bar_by_fourth_grid(asymptotic(2, 1), limit) == 0.1);
-  // Those of other orders than the formal one tell nothing.
-  const ConvergedNumber early{.value = 2.1, .order = 1.5, .bar = 1};
-  BOOST_TEST(bar_by_fourth_grid(early, limit) == 0.9);
-  BOOST_TEST(bar_by_fourth_grid(limit, early) == 1);
+  const ConvergedNumber wide{.value = 10, .order = 1.2, .bar = 1},
+      narrow{.value = 10.5, .order = 1.5, .bar = 0.2};
+  for (const bool is_of_check : {true, false}) {
+    const CheckedNumber known =
+        is_of_check ? checked_number(wide, narrow) : checked_number(narrow, wide);
+    BOOST_TEST(known.value == 10.5);
+    BOOST_TEST(known.order.value() == 1.5);
+    BOOST_TEST(known.bar == 0.5);
+    BOOST_TEST(known.disagreement.value() == 0.5);
+    BOOST_TEST(known.is_of_check == is_of_check);
+    BOOST_TEST(known.is_resolved);
+  }
+  BOOST_TEST(checked_number({.value = 10.4, .order = {}, .bar = 1}, narrow).bar == 0.2);
+}
+
+BOOST_AUTO_TEST_CASE(limits_that_contradict_each_other_hold_both_intervals,
+                     *boost::unit_test::tolerance(1e-12)) {
+  const ConvergedNumber one{.value = 10, .order = {}, .bar = 0.5},
+      other{.value = 11, .order = {}, .bar = 0.2};
+  const CheckedNumber known = checked_number(one, other);
+  BOOST_TEST(!known.is_resolved);
+  BOOST_TEST(known.value == 11);
+  BOOST_TEST(known.bar == 1.5);  // down to 9.5, where the other's ends
 }
 
 // Errors of C h^1.5 exactly: round-off. An error of zero has no logarithm.

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "comparisons/studies/converged_number.hpp"
+
+namespace springcheck {
+
+/// What a number converges to, told by two discretisations a and b with their bars, of
+/// which a's is the narrower:
+///
+///     resolved:    |a - b| <= bar a + bar b,   bar = max(bar a, |a - b|)
+///     unresolved:  else,                       bar = |a - b| + bar b
+///
+/// about a, so that b, and where they contradict each other all that b allows, is within.
+struct CheckedNumber {
+  double value;
+  std::optional<double> order;
+  double bar;
+  bool is_of_check = false;              // the value is b's
+  std::optional<double> disagreement{};  // |a - b|; none where it is not checked
+
+  // Whether the two agree; what is not checked contradicts nothing.
+  bool is_resolved = true;
+};
+
+CheckedNumber checked_number(const ConvergedNumber& number, const ConvergedNumber& check);
+
+}  // namespace springcheck
