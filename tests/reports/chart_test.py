@@ -21,7 +21,7 @@ from content import Figure  # noqa: E402
 from figures import work_precision  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 from program import springcheck  # noqa: E402
-from sections.chart import _heading, chart  # noqa: E402
+from sections.chart import _heading, _number, chart  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 
 # The finer mesh is beyond the second's fraction for some. Compressed by 35 % some fail, among them
@@ -229,6 +229,12 @@ class Charts(unittest.TestCase):
         other["machine"] = one["machine"]
         other["truths"][0]["finest_cell_size"] = 0.001
         self.assertTrue(_heading(alike, other).endswith(", truths on cells down to 1 mm"))
+
+    def test_words_stand_where_a_number_is_lacking(self):
+        document = {"table": "chart-truths"}
+        for found, shown in (("not checked", "not checked"), (None, "none")):
+            row = {"answer_apart": found, "case": None}
+            self.assertEqual(_number(document, row, "answer_apart", "{:.2g}"), shown)
 
     def test_one_section_has_the_title(self):
         self.assertEqual(self.page.count("<h2>Speed against accuracy</h2>"), 1)

@@ -83,12 +83,11 @@ def _truths(study, parts):
                     _order(document, row, "answer"),
                     _with_bar(document, row, "volume_change", 100 * truth["volume_change"]["bar"]),
                     _order(document, row, "volume"),
-                    *(_number(document, row, key, "{:.2g}") for key in [*_BARS, *_APART]),
+                    *(_bar(document, row, bar, apart) for bar, apart in zip(_BARS, _APART)),
                 ]
             )
     heads = ["scene", "law", "answer", "value", "order", "volume change [%]", "order"]
-    heads += [f"{measure} unsure by [%]" for measure in ("force", "volume", "deviation")]
-    heads += [f"{measure} of the two limits apart [%]" for measure in ("force", "volume", "deviation")]
+    heads += [f"{measure} unsure by, and limits apart [%]" for measure in ("force", "volume", "deviation")]
     said = dict.fromkeys(note for truths in parts for row in truths for note in row["notes"])
     notes = [paragraph('<span class="note">{}</span>', note) for note in [*document["notes"], *said]]
     return [Markup("<h3>{}</h3>").format(document["title"]), table(heads, rows, name="chart-truths"), *notes]
@@ -107,9 +106,13 @@ def _order(document, row, of):
     return Markup("{}, {}").format(_number(document, row, f"{of}_order", "{:.2f}"), row[f"{of}_element"])
 
 
+def _bar(document, row, bar, apart):
+    return Markup("{}, {}").format(*(_number(document, row, key, "{:.2g}") for key in (bar, apart)))
+
+
 def _number(document, row, key, form):
-    if row[key] is None:
-        return "none"
+    if not isinstance(row[key], int | float):
+        return row[key] or "none"
     return tabled_number(document, row[key], formatted(row[key], form), row["case"])
 
 
