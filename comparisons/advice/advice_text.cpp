@@ -67,8 +67,8 @@ std::string words_of_bar(const Advice& advice, const Wish& wish) {
   };
   for (std::size_t i = 0; i < advice.chart.points.size(); ++i)
     if (bar_is_narrower(i)) return {};
-  return "Nothing could: the truth itself is not known so well. A finer one (--truth) "
-         "takes longer.\n";
+  return "Nothing could: the converged solution itself is not known so well. Finer grids "
+         "(--converged-across) take longer.\n";
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ std::string question(const Advice& advice, const Wish& wish) {
   std::vector<std::string> names;
   for (const ChartMeasure measure : wish.measures) names.emplace_back(name_of(measure));
   return fmt::format(
-      "{}: {} within {:g} % of the truth of {}{}", advice.chart.stored.scene,
+      "{}: {} within {:g} % of what {} converges to{}", advice.chart.stored.scene,
       fmt::join(names, ", "), 100 * wish.tolerance,
       advice.chart.truths[advice.truth].grids.law,
       wish.frame ? fmt::format(", frames of {:g} s in real time", *wish.frame) : "");
@@ -87,14 +87,14 @@ std::string truth_text(const Advice& advice) {
   const ChartTruth& truth = advice.chart.truths[advice.truth];
   const bool is_resolved = truth.answer.is_resolved && truth.volume_change.is_resolved;
   return fmt::format(
-      "The truth is {} = {:.6g}, known to {:.2g} %, and a change of volume of {:.6g} of "
-      "V0, known to {:.2g} % of V0 times the strain.\n{}",
+      "The converged solution has {} = {:.6g}, known to {:.2g} %, and a change of volume "
+      "of {:.6g} of V0, known to {:.2g} % of V0 times the strain.\n{}",
       advice.chart.stored.answer, truth.answer.value, 100 * truth.bars.force.value(),
       truth.volume_change.value, 100 * truth.bars.volume.value(),
       is_resolved
           ? ""
           : "It is that unsure because two discretisations contradict each other: "
-            "finer grids (--truth) may agree.\n");
+            "finer grids (--converged-across) may agree.\n");
 }
 
 std::string evidence_text(const Advice& advice, const Wish& wish) {
@@ -127,8 +127,8 @@ std::string evidence_text(const Advice& advice, const Wish& wish) {
   }
   if (advice.not_shown)
     text += fmt::format(
-        "\nThe truth's own bar decides of {} on {} across: a finer truth (--truth) may "
-        "show that it is accurate enough.\n",
+        "\nThe bound of the converged solution decides of {} on {} across: finer grids "
+        "(--converged-across) may show that it is accurate enough.\n",
         name_of(advice.chart.points[*advice.not_shown].place.model),
         advice.chart.points[*advice.not_shown].place.across);
   return text;

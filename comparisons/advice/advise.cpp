@@ -175,8 +175,9 @@ class Search {
   void say_what_was_not_seen(const Soundness& reasons) {
     if (advice_.chart.tells_truth(*advice_.chosen, advice_.truth))
       advice_.cautions.emplace_back(
-          "It is one of the grids that the truth is told from: its errors are known to "
-          "what the truth may be off, and no further.");
+          "It is one of the grids that the converged solution is told from: its errors "
+          "are "
+          "known to the bound of that, and no further.");
     advice_.is_path_known = reasons.is_path_known;
     if (!reasons.is_path_known)
       advice_.cautions.emplace_back(

@@ -41,7 +41,8 @@ const ChartPlan& announced(const ChartPlan& plan) {
   for (const ThreeCases& grids : {truth.grids, truth.check})
     for (const CaseSettings& grid : grids) cost.add({.settings = grid});
   announce(fmt::format(
-      "the truth, {}, checked by {}: about {:.0f} s, where it is not kept already",
+      "the converged solution, {}, checked by {}: about {:.0f} s, where it is not "
+      "kept already",
       text_of(truth.grids), text_of(truth.check), cost.seconds()));
   return plan;
 }
@@ -73,8 +74,9 @@ ChartMeasurements::ChartMeasurements(const ChartPlan& plan,
     const CaseResult result = run_.result_of({.settings = grid});
     if (result.status != Status::ok)
       throw std::runtime_error(fmt::format(
-          "{}: no truth to hold a model against: {}:q2 is {} on {} cells{}{}. "
-          "Other grids are taken by --truth, another law by --truth-law",
+          "{}: no converged solution to hold a model against: {}:q2 is {} on {} "
+          "cells{}{}. Other grids are taken by --converged-across, another law by "
+          "--converged-law",
           plan.scene, grid.method.name, name_of(result.status),
           fmt::join(grid.body.block.cells, "x"), result.reason.empty() ? "" : ": ",
           result.reason));

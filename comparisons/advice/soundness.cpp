@@ -160,7 +160,7 @@ std::string Examiner::against_limit(std::size_t point) {
   const std::string off = first_beyond(wish_, limit);
   return off.empty()
              ? ""
-             : fmt::format("what it converges to may be {}, its bar included", off);
+             : fmt::format("what it converges to may be {}, its bound included", off);
 }
 
 /// By the errors alone: what the truth may be off differs from mesh to mesh.

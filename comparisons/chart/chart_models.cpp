@@ -139,7 +139,7 @@ const std::vector<std::string>& truth_laws() {
 
 std::string truth_law_named(const std::string& name) {
   if (!name.empty() && std::ranges::count(truth_laws(), name) == 0)
-    Given::from_text("--truth-law", name)
+    Given::from_text("--converged-law", name)
         .refuse_name(name, {truth_laws().begin(), truth_laws().end()});
   return name;
 }
@@ -172,7 +172,7 @@ ThreeCases q2_grids(const std::string& scene, const std::vector<GivenSetting>& o
   if (body.shape == BodyShape::kidney) {
     const int coarsest = across.value_or(4);
     if (coarsest < 2)
-      throw InputError("--truth", "",
+      throw InputError("--converged-across", "",
                        "at least 2 cells across a body whose meshes are not nested",
                        std::to_string(coarsest));
     const auto grid = [&](int cells_across) {

@@ -188,7 +188,7 @@ void ChartRun::find_references(const std::vector<CaseSettings>& cases) {
   std::vector<Request> all;
   for (const CaseSettings& one : cases) all.push_back({.settings = one});
   check_memory(plan_.scene, all);
-  Progress progress(plan_.scene + ": truths");
+  Progress progress(plan_.scene + ": converged solutions");
   const KnownResult in_file = only_with_fields(known_from(stored_, meshes_));
   const KnownResult known = [&](const Request& request,
                                 const std::string& key) -> std::optional<CaseResult> {

@@ -43,16 +43,17 @@ std::string machines_of(const std::vector<Chart>& charts) {
 }
 
 const char* const what_errors_are =
-    "Errors, against the truth of the law: force, the plate's force or torque or the "
-    "tip's drop, over the truth's; volume, |V - V*|/(V0 e) with the imposed strain e; "
+    "Errors, against what the law converges to: force, the plate's force or torque or "
+    "the tip's drop, over the converged one; volume, |V - V*|/(V0 e) with the imposed "
+    "strain e; "
     "deviation, volume-weighted root mean square distance of the free nodes over the "
-    "largest displacement imposed (bending: the truth's drop of the tip).";
+    "largest displacement imposed (bending: the converged drop of the tip).";
 
 /// Says so of a point that is judged by what follows from its own figures.
 void note_own_truth(SheetRow& row, const Chart& chart, std::size_t point,
                     std::size_t truth) {
   if (chart.tells_truth(point, truth))
-    row.notes.emplace_back("One of the grids that the truth is told from.");
+    row.notes.emplace_back("One of the grids that the converged solution is told from.");
 }
 
 /// What a truth's number contradicts.
@@ -61,7 +62,7 @@ void note_unresolved(SheetRow& row, const CheckedNumber& number,
   if (!number.is_resolved)
     row.notes.push_back(
         fmt::format("Unresolved: the limits of {} and {} contradict each other in the "
-                    "{}, by more than both bars.",
+                    "{}, by more than both bounds.",
                     truth_element, check_element, name));
 }
 
@@ -104,8 +105,8 @@ void add_point(Sheet& sheet, const Chart& chart, std::size_t place_in_chart,
 
 Sheet truths_sheet(const std::vector<Chart>& charts) {
   Sheet sheet{
-      .name = "chart-truths",
-      .title = "Truths of the charts: what q2 and q1-sri converge to on three grids each",
+      .name = "chart-converged",
+      .title = "Converged solutions of the charts: of q2 and q1-sri on three grids each",
       .columns = {{"scene", "scene"},
                   {"law", "law"},
                   {"measure", "answer"},
@@ -123,14 +124,15 @@ Sheet truths_sheet(const std::vector<Chart>& charts) {
                   {"deviation_apart", "places apart [%]", "{:.2g}"}},
       .notes = {
           "Richardson's extrapolation of the three grids, and the half width of its "
-          "error bar, which holds the grid convergence index with the safety of "
+          "error bound, which holds the grid convergence index with the safety of "
           "Oberkampf and Roy about the finest grid, over what errors are told by: the "
           "answer, the imposed strain, the largest imposed displacement; the last is the "
           "largest of all meshes. An error below it says no more than that.",
           "Two discretisations tell each number, q2 and, on the same nodes, q1-sri; it "
-          "is that of the narrower bar, which is at least what the other's limit is off "
-          "it. Where the two are farther apart than both bars, a note says so, and the "
-          "bar holds all that the other's allows. Places are those of q2."}};
+          "is that of the narrower bound, which is at least what the other's limit is "
+          "off "
+          "it. Where the two are farther apart than both bounds, a note says so, and the "
+          "bound holds all that the other's allows. Places are those of q2."}};
   for (const Chart& chart : charts)
     for (const ChartTruth& truth : chart.truths) {
       const StoredChart::Truth& of = truth.grids;
@@ -169,7 +171,7 @@ Sheet truths_sheet(const std::vector<Chart>& charts) {
 Sheet points_sheet(const std::vector<Chart>& charts) {
   Sheet sheet{
       .name = "chart",
-      .title = "Work and precision: errors against the truth of each scene's law",
+      .title = "Work and precision: errors against what each scene's law converges to",
       .columns = {{"scene", "scene"},
                   {"kind", "kind"},
                   {"model", "model"},
@@ -214,7 +216,7 @@ Sheet points_sheet(const std::vector<Chart>& charts) {
 
 Sheet laws_sheet(const std::vector<Chart>& charts) {
   Sheet sheet{.name = "chart-laws",
-              .title = "Errors of the charts' cases against the truth of every law",
+              .title = "Errors of the charts' cases against what every law converges to",
               .columns = {{"scene", "scene"},
                           {"kind", "kind"},
                           {"model", "model"},
@@ -294,7 +296,7 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
                 .part = identity_of(chart.stored)};
             const auto bar = chart.bar(i, measure, truth);
             if (bar && *point.errors[truth].of(measure) < *bar)
-              row.notes.emplace_back("Below what the truth itself may be off.");
+              row.notes.emplace_back("Below the bound of the converged solution itself.");
             note_own_truth(row, chart, i, truth);
             sheet.rows.push_back(std::move(row));
           }
@@ -302,7 +304,7 @@ Sheet front_sheet(const std::vector<Chart>& charts) {
 }
 
 const std::vector<std::string>& chart_sheet_names() {
-  static const std::vector<std::string> all{"chart-truths", "chart", "chart-laws",
+  static const std::vector<std::string> all{"chart-converged", "chart", "chart-laws",
                                             "chart-front", "chart-claims"};
   return all;
 }

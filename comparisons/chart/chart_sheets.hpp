@@ -7,7 +7,7 @@
 
 namespace springcheck {
 
-/// "chart-truths": what each law converges to, and what that may be off.
+/// "chart-converged": what each law converges to, and what that may be off.
 Sheet truths_sheet(const std::vector<Chart>& charts);
 
 /// "chart": every point with its times, counts, and errors against the law of its scene.

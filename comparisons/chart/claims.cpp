@@ -159,7 +159,7 @@ std::string claim_text(const Chart& chart, const Claim& claim) {
                                                  "faster", "slower"))) +
                      figures(chart, claim, claim.elements) + " and ";
   text += claim.is_as_accurate == Answer::undecided
-              ? "as far off, within 1 % or what the truth is known to. "
+              ? "as far off, within 1 % or what the converged solution is known to. "
               : times_as(error(claim.springs) / error(claim.elements), "as far off.",
                          "closer.") +
                     " ";
@@ -189,13 +189,15 @@ Sheet claims_sheet(const std::vector<Chart>& charts) {
                   {"faster_at_equal_accuracy", "faster at equal accuracy"},
                   {"words", "by the figures"}},
       .notes = {
-          "Against the truth of the scene's own law, on one thread, on the largest mesh "
+          "Against what the scene's own law converges to, on one thread, on the largest "
+          "mesh "
           "that both hold on. Undecided: the times cannot be told apart, as chart-front "
-          "says, or the errors differ by less than 1 %, or than the truth may be off. At "
+          "says, or the errors differ by less than 1 %, or than the converged solution's "
+          "bound. At "
           "equal accuracy: beside the fastest finite elements of the chart, of any law, "
           "cells, precision and size, that cannot be told to be less accurate; where "
           "there are none, yes, but undecided where some were left out, over budget or "
-          "memory, or not applicable. An error below what the truth may be off counts as "
+          "memory, or not applicable. An error below that bound counts as "
           "that."}};
   for (const Chart& chart : charts)
     for (const Claim& claim : claims(chart)) {

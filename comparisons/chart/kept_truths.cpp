@@ -63,8 +63,9 @@ void KeptTruths::keep(const CaseResult& result, MeshStore& meshes) {
 
 void KeptTruths::leave_alone(const std::exception& why) {
   is_left_alone_ = true;
-  spdlog::warn("truths are not kept for other scenes: {}. {} may be removed.", why.what(),
-               file_.string());
+  spdlog::warn(
+      "converged solutions are not kept for other scenes: {}. {} may be removed.",
+      why.what(), file_.string());
 }
 
 std::optional<std::filesystem::path> users_truths_file() {
@@ -75,7 +76,7 @@ std::optional<std::filesystem::path> users_truths_file() {
   std::filesystem::path cache = folder_in("XDG_CACHE_HOME");
   if (cache.empty() && !folder_in("HOME").empty()) cache = folder_in("HOME") / ".cache";
   if (!cache.is_absolute()) return std::nullopt;
-  return cache / "springcheck" / fmt::format("truths-{}.h5", build_info::revision);
+  return cache / "springcheck" / fmt::format("converged-{}.h5", build_info::revision);
 }
 
 }  // namespace springcheck

@@ -332,9 +332,10 @@ int run_arguments(int argc, char** argv) {
       ->check(CLI::Range(1, 1024));
 
   const auto add_truth_law = [](CLI::App* command, std::string& law) {
-    command->add_option("--truth-law", law,
-                        "method of the law that the truth is of: " + names_of(laws()) +
-                            " (default: that of the scene's reference)");
+    command->add_option(
+        "--converged-law", law,
+        "method of the law whose converged solution errors are told from: " +
+            names_of(laws()) + " (default: that of the scene's reference)");
   };
   ChartOptions chart_options;
   CLI::App* chart = app.add_subcommand(
@@ -359,14 +360,17 @@ int run_arguments(int argc, char** argv) {
       ->add_option("--repeat-for", chart_options.repeat_for,
                    "seconds for the repetitions of each point (default 1)")
       ->check(check_positive_seconds);
-  chart->add_option("--format", format,
-                    "md, csv, json or latex (default: truths, fronts and claims)");
-  chart->add_option("--jobs", threads, "truths at once, at most (default: all cores)")
+  chart->add_option(
+      "--format", format,
+      "md, csv, json or latex (default: converged solutions, fronts and claims)");
+  chart
+      ->add_option("--jobs", threads,
+                   "converged solutions' grids at once, at most (default: all cores)")
       ->check(CLI::Range(1, 1024));
   chart
-      ->add_option("--truth", chart_options.truth_across,
+      ->add_option("--converged-across", chart_options.truth_across,
                    "cells across of the coarsest of the three grids of q2 that tell the "
-                   "truth (default 4; 2 for bodies much longer than wide)")
+                   "converged solution (default 4; 2 for bodies much longer than wide)")
       ->check(CLI::Range(1, 1000));
   add_truth_law(chart, chart_options.law);
   chart->add_flag("--retime", chart_options.retime,
@@ -409,12 +413,14 @@ int run_arguments(int argc, char** argv) {
                    "the scene file to write (default SCENE-advised.toml)")
       ->check(check_not_empty);
   advise
-      ->add_option("--truth", advise_options.truth_across,
+      ->add_option("--converged-across", advise_options.truth_across,
                    "cells across of the coarsest of the three grids of q2 that tell the "
-                   "truth (default 4; 2 for bodies much longer than wide)")
+                   "converged solution (default 4; 2 for bodies much longer than wide)")
       ->check(CLI::Range(1, 1000));
   add_truth_law(advise, advise_options.law);
-  advise->add_option("--jobs", threads, "truths at once, at most (default: all cores)")
+  advise
+      ->add_option("--jobs", threads,
+                   "converged solutions' grids at once, at most (default: all cores)")
       ->check(CLI::Range(1, 1024));
 
   CLI::App* list = app.add_subcommand("list", "List what there is");

@@ -113,7 +113,7 @@ std::string results_text(const std::vector<CaseResult>& results) {
       text += fmt::format(
           "Deviations are from {}{}{}{}.\n", reference,
           reference.find('@') == std::string::npos ? " on the same mesh" : "",
-          m.reference_bar ? fmt::format(", mean error bar {:.2g} m", *m.reference_bar)
+          m.reference_bar ? fmt::format(", mean error bound {:.2g} m", *m.reference_bar)
                           : "",
           m.reference_order ? fmt::format(", order {:.2f}", *m.reference_order) : "");
       const CaseSettings& by = *result.request.reference;

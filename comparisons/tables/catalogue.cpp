@@ -46,7 +46,8 @@ constexpr std::array entries{
         plan_laws_table, Takes::many_minutes},
     Entry{"elements",
           "springs and finite elements on cubes, distorted mixed cells and gmsh's "
-          "tetrahedra: forces off Hooke q2 and off the truth, volumes off their own law",
+          "tetrahedra: forces off Hooke q2 and off converged values, volumes off their "
+          "own law",
           plan_elements_table},
     Entry{"convergence",
           "errors on 2, 4, 8, 16 cells across by method and type of cells, with fitted "

@@ -374,7 +374,7 @@ def _counterparts(cases):
 
 def _is_judge(case):
     """Whether finite elements are right enough to judge springs by: not where they lock, and on
-    hexahedra only, since linear ones on other cells are further from the truth than springs may
+    hexahedra only, since linear ones on other cells are further from the converged value than springs may
     be."""
     is_grid = case.body == "block" and case["cell-type"] == "hexahedron"
     return is_grid and not methods.locks(case.method, case.element)

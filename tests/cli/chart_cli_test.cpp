@@ -11,8 +11,8 @@ BOOST_AUTO_TEST_SUITE(chart_cli_test)
 namespace {
 
 // Truths on 1, 2 and 4 cells across are rough, and quick.
-const std::string quick = " --truth 1 --budget 1 ";
-const std::string quickest = " --truth 1 --budget .1 ";
+const std::string quick = " --converged-across 1 --budget 1 ";
+const std::string quickest = " --converged-across 1 --budget .1 ";
 
 const Run& charted() {
   static const Run run = run_springcheck(
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(advice_for_real_time_has_a_step_that_fits_the_frame) {
 BOOST_AUTO_TEST_CASE(a_model_of_another_poisson_ratio_is_no_candidate) {
   const Run run =
       run_springcheck(advise("--nu .37 --deformation 8.3% --tolerance 5% --measure force",
-                             " --truth 2 --budget 1 "));
+                             " --converged-across 2 --budget 1 "));
   BOOST_TEST(run.status == 0, run.out + run.err);
   BOOST_TEST(row("chosen", run.out).has_value(), run.out);
   for (const char* other : {"mss-fd", "mss-uniform"})
@@ -146,7 +146,8 @@ BOOST_AUTO_TEST_CASE(a_model_of_another_poisson_ratio_is_no_candidate) {
 // cells across.
 BOOST_AUTO_TEST_CASE(a_crossing_is_told_and_not_chosen) {
   const Run run = run_springcheck(
-      "advise shearing --nu .31 --deformation 13% --tolerance 2.3% --truth 2 --budget 1 "
+      "advise shearing --nu .31 --deformation 13% --tolerance 2.3% --converged-across 2 "
+      "--budget 1 "
       "--measure force");
   BOOST_TEST(run.status == 0, run.out + run.err);
   BOOST_TEST(holds(run.out, "a crossing, not chosen"), run.out);
@@ -184,9 +185,9 @@ BOOST_AUTO_TEST_CASE(near_a_half_the_usual_law_is_cautioned_against) {
                                     "--deformation 1%")
                         .out,
                     "lets volume change"));
-  const Run hencky = run_springcheck("advise " + pressed +
-                                     " --tolerance 25% --truth-law fem-hencky" + quick);
-  BOOST_TEST(holds(hencky.out, "the truth of fem-hencky"), hencky.out);
+  const Run hencky = run_springcheck(
+      "advise " + pressed + " --tolerance 25% --converged-law fem-hencky" + quick);
+  BOOST_TEST(holds(hencky.out, "what fem-hencky converges to"), hencky.out);
   BOOST_TEST(!holds(hencky.out, "lets volume change"), hencky.out);
 }
 
@@ -249,8 +250,8 @@ BOOST_AUTO_TEST_CASE(without_a_truth_there_is_no_advice,
   const Run run =
       run_springcheck("advise compression --tolerance 8% --deformation 95%" + quick);
   BOOST_TEST(run.status == 1, run.out + run.err);
-  BOOST_TEST(holds(run.err, "no truth"), run.err);
-  BOOST_TEST(holds(run.err, "--truth-law"), run.err);
+  BOOST_TEST(holds(run.err, "no converged solution"), run.err);
+  BOOST_TEST(holds(run.err, "--converged-law"), run.err);
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
@@ -263,9 +264,9 @@ BOOST_AUTO_TEST_CASE(bad_input_names_what_was_expected) {
                    "force, volume, deviation");
   expect_bad_input("advise compression --tolerance 8% --measure force,volum",
                    "did you mean 'volume'");
-  expect_bad_input("advise compression --tolerance 8% --truth-law hencky",
+  expect_bad_input("advise compression --tolerance 8% --converged-law hencky",
                    "fem-hooke, fem-stvk, fem-hencky, fem-cauchy-born");
-  expect_bad_input("chart compression --out x.h5 --truth-law fem-henky",
+  expect_bad_input("chart compression --out x.h5 --converged-law fem-henky",
                    "did you mean 'fem-hencky'");
   expect_bad_input("advise compression --tolerance 8% --real-time 0",
                    "a positive finite number");

@@ -61,7 +61,7 @@ class Charts(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, cls.folder)
         cls.file = cls.folder / "charts.h5"
         for options in CHARTS:
-            springcheck("chart", "compression", "--truth", "1", *options.split(), "--out", cls.file)
+            springcheck("chart", "compression", "--converged-across", "1", *options.split(), "--out", cls.file)
         springcheck("report", cls.file, "--out", cls.folder)
         cls.charts = json.loads((cls.folder / "data" / "charts.json").read_text())
         cls.tables = {
@@ -85,7 +85,7 @@ class Charts(unittest.TestCase):
         return law
 
     def test_the_page_has_the_charts_tables(self):
-        for name in ("chart", "chart-truths", "chart-laws", "chart-front", "chart-claims"):
+        for name in ("chart", "chart-converged", "chart-laws", "chart-front", "chart-claims"):
             self.assertTrue((self.folder / "tables" / f"{name}.csv").is_file(), name)
         self.assertEqual(self.charts[0]["scene"], "compression")
 
@@ -191,7 +191,7 @@ class Charts(unittest.TestCase):
         """Each of a row of its table and that row's case; the text is the number, rounded."""
         numbers = page_text.numbers(self.html)
         self.assertGreater(len(numbers), 100)
-        self.assertEqual({n["data-table"] for n in numbers}, {"chart", "chart-front", "chart-truths"})
+        self.assertEqual({n["data-table"] for n in numbers}, {"chart", "chart-front", "chart-converged"})
         for number in numbers:
             rows = self.tables[number["data-table"]]["rows"]
             if "data-case" in number:
@@ -216,7 +216,7 @@ class Charts(unittest.TestCase):
             self.assertIn(one["machine"], unescape(self.html))
         self.assertTrue(all("medians on one thread" in f.caption for f in self.figures.values()))
         laws = {truth["law"] for truth in self.charts[1]["truths"]}
-        missing = f"{self.charts[1]['law']}, the scene's own law, has no truth here"
+        missing = f"{self.charts[1]['law']}, the scene's own law, has no converged solution here"
         self.assertEqual(missing in unescape(self.html), self.charts[1]["law"] not in laws)
 
     def test_headings_tell_charts_of_the_same_load_apart(self):
@@ -228,10 +228,10 @@ class Charts(unittest.TestCase):
         self.assertTrue(_heading(alike, other).endswith(", on another machine"))
         other["machine"] = one["machine"]
         other["truths"][0]["finest_cell_size"] = 0.001
-        self.assertTrue(_heading(alike, other).endswith(", truths on cells down to 1 mm"))
+        self.assertTrue(_heading(alike, other).endswith(", converged on cells down to 1 mm"))
 
     def test_words_stand_where_a_number_is_lacking(self):
-        document = {"table": "chart-truths"}
+        document = {"table": "chart-converged"}
         for found, shown in (("not checked", "not checked"), (None, "none")):
             row = {"answer_apart": found, "case": None}
             self.assertEqual(_number(document, row, "answer_apart", "{:.2g}"), shown)

@@ -220,11 +220,11 @@ Sheet elements_sheet(const std::vector<PlannedElementsRow>& rows,
     sheet.columns.push_back(
         {"off_q2_" + test.scene, test.scene + ", off q2 [%]", "{:.2f}"});
   for (const LoadCase& test : tests)
-    sheet.columns.push_back(
-        {"off_truth_" + test.scene, test.scene + ", off the truth [%]", "{:.2f}"});
+    sheet.columns.push_back({"off_truth_" + test.scene,
+                             test.scene + ", off the converged value [%]", "{:.2f}"});
   for (const LoadCase& test : tests)
     sheet.columns.push_back(
-        {"truth_bar_" + test.scene, test.scene + ", truth +- [%]", "{:.2g}"});
+        {"truth_bar_" + test.scene, test.scene + ", converged +- [%]", "{:.2g}"});
   for (const LoadCase& test : tests)
     sheet.columns.push_back(
         {"volume_" + test.scene, test.scene + ", volume off its law [points]", "{:.4f}"});
@@ -243,9 +243,9 @@ Sheet elements_sheet(const std::vector<PlannedElementsRow>& rows,
     for (std::size_t t = 0; t < tests.size(); ++t)
       truths[t] = converged_load(results, planned.truth, t);
     for (std::size_t t = 0; t < tests.size(); ++t)
-      row.cells.push_back(error_cell(
-          results[planned.small[t]],
-          truths[t] ? std::optional(truths[t]->value) : std::nullopt));
+      row.cells.push_back(
+          error_cell(results[planned.small[t]],
+                     truths[t] ? std::optional(truths[t]->value) : std::nullopt));
     for (const auto& truth : truths) row.cells.push_back(bar_cell(truth));
     for (std::size_t t = 0; t < tests.size(); ++t)
       row.cells.push_back(planned.same_law ? volume_cell(results[planned.finite[t]],

@@ -108,7 +108,7 @@ std::string split_text(const Split& split) {
       "Cauchy-Born.\n{}",
       variant_label(plan.springs), plan.reference[0].method.name, in_columns(rows));
   text += fmt::format(
-      "Converged from {} on {} cells, +- error bar (order observed, believed up to the "
+      "Converged from {} on {} cells, +- error bound (order observed, believed up to the "
       "formal one); checked with {} on {}.\nDeviations are mean distances from the "
       "converged {}; the springs' from "
       "Cauchy-Born is their discretisation part.\n",

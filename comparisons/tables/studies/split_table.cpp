@@ -162,20 +162,21 @@ Sheet sheet_of(const char* name, const char* title, const std::vector<Split>& sp
       .notes = {
           "Law part: converged Cauchy-Born (the continuum of the springs' lattice) minus "
           "the converged reference. Discretisation part: the springs on this mesh minus "
-          "converged Cauchy-Born. The bar of a law part is that of the difference of "
+          "converged Cauchy-Born. The bound of a law part is that of the difference of "
           "both continua, extrapolated grid by grid, and at least the distance from the "
-          "part by q2; of mean deviations both bars together. The bar of the "
-          "discretisation part is Cauchy-Born's. The sign of a part within its bar is "
+          "part by q2; of mean deviations both bounds together. The bound of the "
+          "discretisation part is Cauchy-Born's. The sign of a part within its bound is "
           "not known.",
           "Volume errors e are the absolute values of the volume changes.",
           "Mean deviations are mean distances over the nodes from the converged "
           "reference, the discretisation part from converged Cauchy-Born.",
           "Converged: extrapolated from q1-sri on the springs' mesh and on 2 and 4 times "
           "as many cells along each axis, by the order observed where it is near the "
-          "formal one or below; bars have a safety factor of 1.25 or 3 (Oberkampf and "
+          "formal one or below; bounds have a safety factor of 1.25 or 3 (Oberkampf and "
           "Roy). A second discretisation, q2 on half, once and twice as many cells, "
-          "is extrapolated likewise, and bars are at least the disagreement; where that "
-          "is more than the bars that both sets of grids tell together, the row is "
+          "is extrapolated likewise, and bounds are at least the disagreement; where "
+          "that "
+          "is more than the bounds that both sets of grids tell together, the row is "
           "unresolved."}};
   for (std::size_t i = 0; i < splits.size(); ++i)
     for (const SplitQuantity& quantity : splits[i].quantities)

@@ -50,7 +50,7 @@ Sheet sheet_of(const Table& table) {
       .notes = {
           "Reference: the solution (method:element, on the same mesh unless @ says "
           "otherwise) that deviations and the columns \"reference's\" belong to; with "
-          "@converged, its error bar (+-) and the order observed."}};
+          "@converged, its error bound (+-) and the order observed."}};
   sheet.notes.insert(sheet.notes.end(), notes.begin(), notes.end());
   for (const std::string& label : labels) sheet.columns.push_back({label, label});
   sheet.columns.insert(sheet.columns.end(),

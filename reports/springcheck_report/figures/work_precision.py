@@ -249,7 +249,7 @@ def _name_bar(axes, measure):
     """In the corner of the fastest and most accurate, which is empty."""
     if not measure.bar:
         return
-    text = f"truth unsure by up to {measure.bar:.2g} %"
+    text = f"known to {measure.bar:.2g} %"
     axes.annotate(text, (0, 0), (2.5, 2.5), xycoords="axes fraction", textcoords="offset points", fontsize=5.5,
                   color=_INK, zorder=6)
 
@@ -334,7 +334,7 @@ def _common_legend(figure, sizes, has_failed):
         for count, size in sizes.items()
     ]
     handles.append(Line2D([], [], **_FRONT, label="Pareto front, all thread counts"))
-    handles.append(Patch(facecolor=_BAND["facecolor"], label="below what the truth may be off"))
+    handles.append(Patch(facecolor=_BAND["facecolor"], label="below the bound of the converged solution"))
     handles.append(Line2D([], [], color="#777777", linewidth=0.8, label="quartiles of the times"))
     if has_failed:
         handles.append(Line2D([], [], ls="none", marker="x", color="#777777", label="failed, at its time"))

@@ -28,7 +28,7 @@ def any_cells(study):
             f"{test.capitalize()}: force off what triquadratic finite elements converge to, by "
             "mesh. Right of zero is too stiff; the axis is linear within ±5 %."
         )
-        arguments = (meshes, panels, "force off the truth [%]")
+        arguments = (meshes, panels, "force off the converged value [%]")
         figures.append(Figure(f"cells_{test}", caption, cell_figures.draw, arguments))
     section = Section("elements", "Any cells: cubes, mixed meshes, tetrahedra")
     section.blocks.append(paragraph("{}.", document["title"]))

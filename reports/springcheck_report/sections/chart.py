@@ -6,7 +6,7 @@ from markupsafe import Markup
 from numbers_shown import formatted, revision_text, with_bar
 from study import ANSWERS, load_text
 
-_TABLES = ["chart", "chart-front", "chart-laws", "chart-truths", "chart-claims"]
+_TABLES = ["chart", "chart-front", "chart-laws", "chart-converged", "chart-claims"]
 _KINDS = {
     "equilibrium": ("time of the solution [s]", "Equilibria", "time of a static solution"),
     "motion": (
@@ -38,7 +38,7 @@ def chart(study):
     section = Section("chart", "Speed against accuracy")
     rows = {name: _rows_by_chart(study, name) for name in _TABLES if name != "chart-laws"}
     section.blocks += _introduction(study)
-    section.blocks += _truths(study, rows["chart-truths"])
+    section.blocks += _truths(study, rows["chart-converged"])
     names = []
     for place, one in enumerate(study.charts):
         own = {name: parts[place] for name, parts in rows.items()}
@@ -70,7 +70,7 @@ def _introduction(study):
 
 
 def _truths(study, parts):
-    document, rows = study.tables["chart-truths"], []
+    document, rows = study.tables["chart-converged"], []
     for one, truths in zip(study.charts, parts):
         for row, truth in zip(truths, one["truths"]):
             name, unit = _answer(one)
@@ -90,7 +90,7 @@ def _truths(study, parts):
     heads += [f"{measure} unsure by, and limits apart [%]" for measure in ("force", "volume", "deviation")]
     said = dict.fromkeys(note for truths in parts for row in truths for note in row["notes"])
     notes = [paragraph('<span class="note">{}</span>', note) for note in [*document["notes"], *said]]
-    return [Markup("<h3>{}</h3>").format(document["title"]), table(heads, rows, name="chart-truths"), *notes]
+    return [Markup("<h3>{}</h3>").format(document["title"]), table(heads, rows, name="chart-converged"), *notes]
 
 
 def _answer(one):
@@ -128,7 +128,7 @@ def _heading(study, one):
 
 def _finest_cells(one):
     sizes = [f"{1000 * truth['finest_cell_size']:.3g}" for truth in one["truths"]]
-    return f"truths on cells down to {min(sizes, key=float, default='no')} mm"
+    return f"converged on cells down to {min(sizes, key=float, default='no')} mm"
 
 
 def _load(study, one):
@@ -146,7 +146,7 @@ def _scene_blocks(study, one, rows, names):
     blocks = [Markup("<h3>{}</h3>").format(heading)]
     if one["law"] not in laws:
         blocks.append(
-            paragraph("{}, the scene's own law, has no truth here: one of its grids failed.", one["law"])
+            paragraph("{}, the scene's own law, has no converged solution here: one of its grids failed.", one["law"])
         )
     blocks += _figures(one, [one["law"]], name, heading)
     blocks += _claims(study, rows["chart-claims"], name)
@@ -155,7 +155,7 @@ def _scene_blocks(study, one, rows, names):
     others = [law for law in laws if law != one["law"]]
     figures = _figures(one, others, name, heading)
     if figures:
-        opened = "<details><summary>The same against the truths of {}</summary>"
+        opened = "<details><summary>The same against what {} converge to</summary>"
         blocks += [Markup(opened).format(", ".join(others)), *figures, Markup("</details>")]
     return blocks
 
@@ -200,7 +200,7 @@ def _block(one, truth, kind):
             bar = truth["bars"][front["measure"]]
             title = _measure_title(one, front["measure"])
             measures.append(work_precision.Measure(front["measure"], title, on_it, told, bar and 100 * bar))
-    title = f"Pareto front against\nthe truth of {law}"
+    title = f"Pareto front against\nconverged {law}"
     groups = _groups(points, law) if law == one["law"] else [_closest(points, law, kind)]
     return work_precision.Block(title, points, measures, [group for group in groups if group.models])
 
@@ -210,10 +210,10 @@ def _caption(one, is_own, words):
     on = "one thread" if threads == 1 else f"{threads} threads"
     law = f"{one['law']}, the scene's own law" if is_own else "other laws, one after the other"
     return (
-        f"{words} Errors against the truth of {law}. Times are medians on {on}, bars their quartiles; "
+        f"{words} Errors against what {law} converges to. Times are medians on {on}, bars their quartiles; "
         "larger markers are finer meshes, pale ones all models. The front counts all numbers of threads: its "
         "points have the cells across beside them and, in brackets, the threads if more than one. In the "
-        "shaded band the truth itself is unsure, of deviations on the mesh where it is most so; the front "
+        "shaded band the converged solution itself is unsure, of deviations on the mesh where it is most so; the front "
         "counts what it may be off on each mesh; where all errors are far "
         "above it, its height is written alone. Crosses above the line are simulations that failed, at the "
         f"time they took. Errors below an axis stand on it. Measured on {one['machine']}"

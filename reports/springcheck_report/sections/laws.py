@@ -93,7 +93,7 @@ def error_parts(study):
         paragraph(
             "Law: what the springs' own continuum (Cauchy-Born) does otherwise than a law of finite "
             "elements. Discretisation: what springs on this mesh do otherwise than that continuum. "
-            "Converged values carry error bars and are shown to their digits."
+            "Converged values carry error bounds and are shown to their digits."
         )
     )
     if split is not None:
@@ -121,7 +121,7 @@ def _both_parts(document):
         panels.append((title, "% of Hencky" if percent else _unit(rows), *columns))
     if not labels:
         return []
-    caption = "The two parts of mss-cf's error, with the bars of the converged values."
+    caption = "The two parts of mss-cf's error, with the bounds of the converged values."
     return [Figure("error_parts", caption, error_figures.draw, (labels, panels))]
 
 
@@ -152,7 +152,7 @@ def _law_parts(document):
     names = [f"{method} from {reference}" for method, reference in springs]
     caption = (
         "How far the continuum of springs is from a law of finite elements, in large deformation: "
-        "the law part of plate force, resultant or torque. Hollow: within its bar, and drawn there; "
+        "the law part of plate force, resultant or torque. Hollow: within its bound, and drawn there; "
         "at the left edge what is smaller."
     )
     return [Figure("law_parts", caption, error_figures.draw_law_parts, (names, panels))]

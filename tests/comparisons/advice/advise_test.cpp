@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(what_a_model_converges_to_is_held_against_the_tolerance) {
   BOOST_TEST(!advice.chosen.has_value());
   BOOST_TEST_REQUIRE(advice.crossings.size() == 2U);  // on 3 and on 4 across
   BOOST_TEST(advice.crossings[0].second ==
-             "what it converges to may be 220 % off in force, its bar included");
+             "what it converges to may be 220 % off in force, its bound included");
   BOOST_TEST(advice.crossings[1].second == "what it converges to is not known");
 
   Rehearsed converging;  // 10.5 + 2 h N: its limit is 5 % off, and known to 20 %

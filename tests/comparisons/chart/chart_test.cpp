@@ -222,8 +222,8 @@ BOOST_AUTO_TEST_CASE(claims_are_answered_by_quartiles_and_bars) {
   BOOST_TEST(
       claim_text(chart, force) ==
       "mss-cf on 4 across (1 s, 40 % off) is 2 times faster than fem-stvk:q1-sri on "
-      "4 across (2 s, 30 % off) and as far off, within 1 % or what the truth is known "
-      "to. "
+      "4 across (2 s, 30 % off) and as far off, within 1 % or what the "
+      "converged solution is known to. "
       "Not less accurate is fem-stvk:q1-sri on 2 across (0.5 s, 35 % off), 2 "
       "times faster.");
 
