@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "comparisons/advice/soundness.hpp"
-#include "tests/comparisons/advice/options.hpp"
 #include "tests/comparisons/chart/example_chart.hpp"
+#include "tests/comparisons/options.hpp"
 
 using namespace springcheck;
 

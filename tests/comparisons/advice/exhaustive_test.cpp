@@ -8,7 +8,7 @@
 
 #include "comparisons/advice/advise.hpp"
 #include "comparisons/advice/chart_measurements.hpp"
-#include "tests/comparisons/advice/options.hpp"
+#include "tests/comparisons/options.hpp"
 
 using namespace springcheck;
 

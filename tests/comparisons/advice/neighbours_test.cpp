@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "comparisons/chart/chart_models.hpp"
-#include "tests/comparisons/advice/options.hpp"
+#include "tests/comparisons/options.hpp"
 
 using namespace springcheck;
 
