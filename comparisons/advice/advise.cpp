@@ -176,8 +176,7 @@ class Search {
     if (advice_.chart.tells_truth(*advice_.chosen, advice_.truth))
       advice_.cautions.emplace_back(
           "It is one of the grids that the converged solution is told from: its errors "
-          "are "
-          "known to the bound of that, and no further.");
+          "are known to the bound of that, and no further.");
     advice_.is_path_known = reasons.is_path_known;
     if (!reasons.is_path_known)
       advice_.cautions.emplace_back(
@@ -267,7 +266,6 @@ class Search {
   std::vector<const ChartModel*> candidates_, alive_;
   std::map<const ChartModel*, int> failures_, stuck_;
   std::map<const ChartModel*, double> last_off_;
-
   double best_ = INFINITY;  // cost of what meets the wish and is sound
 };
 

@@ -78,7 +78,8 @@ struct TruthGrids {
 /// 6 and 8 across in proportion to `across`, directly too: multigrid takes four times as
 /// long on such cells.
 ///
-/// They are checked by q1-sri on twice as many cells along each axis: on the same nodes.
+/// They are checked by q1-sri on twice as many cells along each axis: of a block on the
+/// same nodes.
 TruthGrids truth_grids(const std::string& scene, const std::vector<GivenSetting>& options,
                        const std::string& law, const std::optional<int>& across);
 

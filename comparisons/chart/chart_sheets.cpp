@@ -130,9 +130,8 @@ Sheet truths_sheet(const std::vector<Chart>& charts) {
           "largest of all meshes. An error below it says no more than that.",
           "Two discretisations tell each number, q2 and, on the same nodes, q1-sri; it "
           "is that of the narrower bound, which is at least what the other's limit is "
-          "off "
-          "it. Where the two are farther apart than both bounds, a note says so, and the "
-          "bound holds all that the other's allows. Places are those of q2."}};
+          "off it. Where the two are farther apart than both bounds, a note says so, and "
+          "the bound holds all that the other's allows. Places are those of q2."}};
   for (const Chart& chart : charts)
     for (const ChartTruth& truth : chart.truths) {
       const StoredChart::Truth& of = truth.grids;

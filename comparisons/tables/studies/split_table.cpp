@@ -175,9 +175,8 @@ Sheet sheet_of(const char* name, const char* title, const std::vector<Split>& sp
           "formal one or below; bounds have a safety factor of 1.25 or 3 (Oberkampf and "
           "Roy). A second discretisation, q2 on half, once and twice as many cells, "
           "is extrapolated likewise, and bounds are at least the disagreement; where "
-          "that "
-          "is more than the bounds that both sets of grids tell together, the row is "
-          "unresolved."}};
+          "that is more than the bounds that both sets of grids tell together, the row "
+          "is unresolved."}};
   for (std::size_t i = 0; i < splits.size(); ++i)
     for (const SplitQuantity& quantity : splits[i].quantities)
       sheet.rows.push_back(row_of(quantity, splits[i], springs[i]));
