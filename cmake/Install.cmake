@@ -17,7 +17,7 @@ install(DIRECTORY comparisons/shipped/scenes comparisons/shipped/sweeps
   COMPONENT program)  # to be read: the program holds them itself
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
-set(libraries meshing dynamics tissue mss fem_reference)
+set(libraries meshing dynamics statics tissue mss fem_reference)
 foreach(library ${libraries})
   list(APPEND installed ${rooms_in_${library}})
 endforeach()

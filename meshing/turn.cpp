@@ -10,7 +10,6 @@
 namespace springcheck {
 namespace {
 
-using Matrix3 = Eigen::Matrix3d;
 using CellIndices = std::vector<std::size_t>;
 
 /// Of the same direction, in [-pi, pi].

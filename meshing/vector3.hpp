@@ -6,5 +6,6 @@ namespace springcheck {
 
 /// A point [m], displacement [m] or force [N].
 using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
 
 }  // namespace springcheck

@@ -18,7 +18,7 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
     if (settings.dynamics)
       return run_dynamics(mesh, scene, network, *settings.dynamics, observers);
     if (settings.to_limit) return path_limit_solution(mesh, scene, network);
-    return find_equilibrium(mesh, scene, network, settings.seed, LinearSolver::by_size,
+    return find_equilibrium(mesh, scene, network, settings.seed, statics::LinearSolver::automatic,
                             settings.noise);
   };
   Solution solution = solved();

@@ -2,7 +2,7 @@
 # figures may differ. A hash of the sources that figures come from, without comments and
 # blanks: what only reads better leaves results as they are.
 function(numerics_revision variable source)
-  set(folders meshing dynamics tissue mss fem_reference)
+  set(folders meshing dynamics statics tissue mss fem_reference)
   foreach(room cases measures methods modes running studies)
     list(APPEND folders comparisons/${room})
   endforeach()

@@ -42,7 +42,7 @@ struct StaticSprings {
 /// Of finite elements.
 struct ElementSettings {
   ElementName element;
-  fem_reference::LinearSolver linear_solver;
+  statics::LinearSolver linear_solver;
   LatticeName lattice;  // of fem-cauchy-born
   fem_reference::LatticeDirection lattice_direction;
 };
@@ -80,10 +80,11 @@ inline constexpr std::array value_names<fem_reference::LatticeDirection>{
     Named{fem_reference::LatticeDirection::d110, "110"},
     Named{fem_reference::LatticeDirection::d111, "111"}};
 template <>
-inline constexpr std::array value_names<fem_reference::LinearSolver>{
-    Named{fem_reference::LinearSolver::automatic, "auto"},
-    Named{fem_reference::LinearSolver::direct, "direct"},
-    Named{fem_reference::LinearSolver::multigrid, "multigrid"}};
+inline constexpr std::array value_names<statics::LinearSolver>{
+    Named{statics::LinearSolver::automatic, "auto"},
+    Named{statics::LinearSolver::direct, "direct"},
+    Named{statics::LinearSolver::conjugate_gradients, "conjugate-gradients"},
+    Named{statics::LinearSolver::multigrid, "multigrid"}};
 
 /// Everything that determines one simulation.
 struct CaseSettings {

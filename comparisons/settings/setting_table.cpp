@@ -152,7 +152,7 @@ constexpr Setting table[] = {
      in_elements<named<ElementName>, &ElementSettings::element>, "q1-sri",
      "finite element: q1, q1-sri, or q2 on hexahedra"},
     {"linear-solver", of_elements, chosen, of_methods,
-     in_elements<named<fem_reference::LinearSolver>, &ElementSettings::linear_solver>,
+     in_elements<named<statics::LinearSolver>, &ElementSettings::linear_solver>,
      "auto",
      "of linear systems: auto (by size), direct or multigrid"},
     {"lattice", of_elements, chosen, of_methods_alone,

@@ -96,6 +96,12 @@ Discretisation discretise(const Mesh& mesh, Element element) {
   return body;
 }
 
+std::vector<std::vector<NodeIndex>> patches(const Discretisation& body) {
+  std::vector<std::vector<NodeIndex>> nodes;
+  for (const Cell& cell : body.cells) nodes.push_back(cell.nodes);
+  return nodes;
+}
+
 CellVectors of_cell(const Eigen::VectorXd& nodal, const Cell& cell) {
   CellVectors values(3, cell.nodes.size());
   for (std::size_t a = 0; a < cell.nodes.size(); ++a)

@@ -30,6 +30,9 @@ struct Discretisation {
 /// q2 is for meshes of hexahedra only.
 Discretisation discretise(const Mesh& mesh, Element element);
 
+/// Nodes of each cell.
+std::vector<std::vector<NodeIndex>> patches(const Discretisation& body);
+
 /// The values of one cell's nodes in a nodal vector, dof = 3 node + component.
 CellVectors of_cell(const Eigen::VectorXd& nodal, const Cell& cell);
 

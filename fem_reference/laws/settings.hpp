@@ -1,5 +1,7 @@
 #pragma once
 
+#include "statics/systems/linear_solver.hpp"
+
 namespace springcheck::fem_reference {
 
 /// Constitutive laws; formulas and sources in materials.hpp.
@@ -36,15 +38,11 @@ struct Lattice {
   int axes = 6;  // of affine: 6, 16 or 25
 };
 
-/// Solver of the linear systems: a Cholesky factor, or conjugate gradients with algebraic
-/// multigrid; automatic takes the cheaper one (takes_multigrid).
-enum class LinearSolver { automatic, direct, multigrid };
-
 struct Settings {
   Law law;
   Element element;
   Lattice lattice{};  // read by cauchy_born
-  LinearSolver linear_solver = LinearSolver::automatic;
+  statics::LinearSolver linear_solver = statics::LinearSolver::automatic;
 };
 
 }  // namespace springcheck::fem_reference

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "meshing/vector3.hpp"
 
 namespace springcheck::fem_reference {
-
-using Matrix3 = Eigen::Matrix3d;
 
 /// Derivative of a 3x3 matrix with respect to another; entry (i + 3J, k + 3L) is
 /// dP_iJ/dF_kL.

@@ -3,6 +3,9 @@
 #include <spdlog/spdlog.h>
 #include <tbb/parallel_for.h>
 
+#include <deal.II/lac/solver_minres.h>
+#include <deal.II/lac/vector.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,9 +18,6 @@ namespace {
 /// Of the right-hand side, which on n cells across exceeds the reactions that Newton's
 /// method measures by (a factor of about n): one solve must reach its 1e-10 of them.
 constexpr double linear_tolerance = 1e-12;
-
-/// An old hierarchy is replaced when it needs this many times a fresh one's iterations.
-constexpr double stale = 1.5;
 
 /// Computes something for every cell in parallel and hands it over in the order of the
 /// cells, so that sums do not depend on the number of threads.
@@ -34,18 +34,28 @@ void for_each_cell(const std::vector<Cell>& cells, const Compute& compute,
   }
 }
 
+statics::LinearSolver taken(const Material& material, const Settings& settings,
+                            std::size_t components) {
+  using enum statics::LinearSolver;
+  if (settings.linear_solver != automatic) return settings.linear_solver;
+  return takes_multigrid(settings, material.poisson_ratio, components) ? multigrid
+                                                                       : direct;
+}
+
+std::vector<bool> negated(std::vector<bool> flags) {
+  flags.flip();
+  return flags;
+}
+
 }  // namespace
 
 Elasticity::Elasticity(const Discretisation& body, const Material& material,
                        const Settings& settings, const std::vector<bool>& prescribed)
     : body_(body),
-      prescribed_(prescribed),
       law_{.constitution = constitution(material, settings),
            .dilatation = dilatation_taken(settings)},
-      stiffness_(body, prescribed) {
-  if (takes_multigrid(settings, material.poisson_ratio, prescribed.size()))
-    multigrid_.emplace(body.nodes, prescribed);
-}
+      solver_(taken(material, settings, prescribed.size())),
+      system_(body.nodes, patches(body), negated(prescribed), solver_) {}
 
 bool Elasticity::is_linear() const {
   return std::holds_alternative<Hooke>(law_.constitution);
@@ -82,37 +92,28 @@ std::vector<double> Elasticity::cell_volumes(const Eigen::VectorXd& displacement
 }
 
 bool Elasticity::linearise(const Eigen::VectorXd& displacements) {
-  if (is_linear() && linearised_at_.size() > 0) return true;  // the tangent is constant
-  linearised_at_ = displacements;
-  stiffness_.clear();
-  const auto tangent_of = [&](const Cell& cell) {
+  if (is_linear() && largest_diagonal_ > 0) return true;  // the tangent is constant
+  system_.matrix().assemble([&](std::size_t c) {
+    const Cell& cell = body_.cells[c];
     return cell_tangent(law_, *cell.shape, of_cell(displacements, cell));
-  };
-  for_each_cell(body_.cells, tangent_of,
-                [&](const Cell& cell, const CellMatrix& tangent) {
-                  stiffness_.add(cell, tangent);
-                });
-  stiffness_.finish();
+  });
+  system_.prepare();
+  largest_diagonal_ = 0;
+  for (NodeIndex n = 0; n < body_.nodes.size(); ++n)
+    for (int i = 0; i < 3; ++i)
+      if (system_.unknowns().of(n, i) >= 0)
+        largest_diagonal_ =
+            std::max(largest_diagonal_, system_.matrix().diagonal(n)(i, i));
   definiteness_ = Definiteness::unknown;
-  if (multigrid_) {
-    if (is_linear()) definiteness_ = Definiteness::definite;
-    if (!multigrid_->has_preconditioner()) {
-      multigrid_->precondition(stiffness_.matrix());
-      preconditioner_is_fresh_ = true;
-    }
-    return true;
-  }
-  definiteness_ = direct_.factor_definite(stiffness_.matrix()) ? Definiteness::definite
-                                                               : Definiteness::indefinite;
-  return definiteness_ == Definiteness::definite;
+  if (solver_ == statics::LinearSolver::direct) return is_definite();
+  if (is_linear()) definiteness_ = Definiteness::definite;
+  return true;
 }
 
 bool Elasticity::is_definite() {
   if (definiteness_ == Definiteness::unknown) {
-    const Multigrid::Answer probed = multigrid_->probe(stiffness_.matrix());
-    iterations_ += probed.iterations;
-    negative_eigenvalues_ = probed.negative_curvatures;
-    definiteness_ = probed.converged && probed.negative_curvatures == 0
+    std::mt19937_64 random(1);
+    definiteness_ = system_.is_definite(random).value_or(false)
                         ? Definiteness::definite
                         : Definiteness::indefinite;
   }
@@ -120,85 +121,102 @@ bool Elasticity::is_definite() {
 }
 
 bool Elasticity::accept_indefinite() {
-  if (!multigrid_) {
-    if (!direct_.factor_indefinite(stiffness_.matrix())) return false;
-    negative_eigenvalues_ = direct_.negative_pivots();
+  negative_eigenvalues_.reset();
+  if (solver_ == statics::LinearSolver::direct) {
+    const bool is_first = !triangle_;
+    if (is_first) triangle_.emplace(system_.matrix(), system_.unknowns());
+    const Eigen::SparseMatrix<double>& matrix = triangle_->copy_of(system_.matrix());
+    if (is_first) indefinite_.analyzePattern(matrix);
+    indefinite_.factorize(matrix);
+    ++indefinite_effort_;
+    if (indefinite_.info() != Eigen::Success) return false;
+    negative_eigenvalues_ =
+        static_cast<int>((indefinite_.vectorD().array() < 0).count());
   }
   definiteness_ = Definiteness::indefinite_accepted;
   return true;
 }
 
 std::optional<Eigen::VectorXd> Elasticity::solved(const Eigen::VectorXd& right) {
-  if (!multigrid_) return direct_.solve(right);
-  if (definiteness_ == Definiteness::indefinite_accepted) {
-    Multigrid::Answer answer =
-        multigrid_->solve_indefinite(stiffness_.matrix(), right, linear_tolerance);
-    iterations_ += answer.iterations;
-    if (!answer.converged) return std::nullopt;
-    return std::move(answer.solution);
-  }
-  Multigrid::Answer answer =
-      multigrid_->solve_definite(stiffness_.matrix(), right, linear_tolerance);
-  iterations_ += answer.iterations;
-  spdlog::debug("    conjugate gradients: {} iterations{}", answer.iterations,
-                answer.negative_curvatures > 0 ? ", negative curvature" : "");
-  if (!answer.converged) {
-    if (answer.negative_curvatures > 0) definiteness_ = Definiteness::indefinite;
-    return std::nullopt;
-  }
-  if (preconditioner_is_fresh_) {
-    iterations_when_fresh_ = answer.iterations;
-    preconditioner_is_fresh_ = false;
-  } else if (answer.iterations > stale * iterations_when_fresh_ && is_definite()) {
-    multigrid_->precondition(stiffness_.matrix());
-    preconditioner_is_fresh_ = true;
-  }
-  return std::move(answer.solution);
+  if (definiteness_ == Definiteness::indefinite_accepted) return solved_indefinite(right);
+  const int truncated = system_.truncated();
+  std::optional<Eigen::VectorXd> answer = system_.solve(right, linear_tolerance);
+  if (!answer) definiteness_ = Definiteness::indefinite;
+  if (system_.truncated() > truncated) return std::nullopt;
+  return answer;
 }
 
-Eigen::VectorXd Elasticity::forces_of(const Eigen::VectorXd& increment) const {
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(increment.size());
-  for (const Cell& cell : body_.cells) {
-    const CellVectors moved = of_cell(increment, cell);
-    if (moved.isZero(0)) continue;
-    const Eigen::VectorXd pushed =
-        cell_tangent(law_, *cell.shape, of_cell(linearised_at_, cell)) * moved.reshaped();
-    for (std::size_t a = 0; a < cell.nodes.size(); ++a)
-      forces.segment<3>(3 * cell.nodes[a]) +=
-          pushed.segment<3>(static_cast<Eigen::Index>(3 * a));
+std::optional<Eigen::VectorXd> Elasticity::solved_indefinite(
+    const Eigen::VectorXd& right) {
+  if (solver_ == statics::LinearSolver::direct) return indefinite_.solve(right);
+  using Vector = dealii::Vector<double>;
+  using ConstMap = Eigen::Map<const Eigen::VectorXd>;
+  const statics::Unknowns& unknowns = system_.unknowns();
+  const Eigen::VectorXd spread = unknowns.spread(right);
+  const auto assign = [](Vector& to, const Eigen::VectorXd& values) {
+    std::ranges::copy(values, to.begin());
+  };
+  struct Operator {
+    std::function<void(Vector&, const Vector&)> vmult;
+  };
+  const Operator product{[&](Vector& result, const Vector& x) {
+    Eigen::VectorXd image;
+    system_.matrix().multiply(ConstMap(x.begin(), spread.size()), image);
+    unknowns.clear_prescribed(image);
+    assign(result, image);
+  }};
+  const Operator preconditioner{[&](Vector& result, const Vector& x) {
+    assign(result, system_.preconditioned(ConstMap(x.begin(), spread.size())));
+  }};
+  Vector b(static_cast<unsigned int>(spread.size())), x(b.size());
+  assign(b, spread);
+  // MINRES judges the residual in the norm of the preconditioner.
+  preconditioner.vmult(x, b);
+  constexpr int iteration_limit = 5000;
+  dealii::SolverControl control(iteration_limit, linear_tolerance * std::sqrt(x * b));
+  x = 0;
+  dealii::SolverMinRes<Vector> solver(control);
+  try {
+    solver.solve(product, x, b, preconditioner);
+  } catch (const dealii::SolverControl::NoConvergence&) {
+    return std::nullopt;
   }
-  return forces;
+  indefinite_effort_ += static_cast<int>(control.last_step());
+  return unknowns.in(ConstMap(x.begin(), spread.size()));
 }
 
 std::optional<Eigen::VectorXd> Elasticity::step(const Eigen::VectorXd& unbalanced,
                                                 const Eigen::VectorXd& increment) {
   const Eigen::VectorXd moved = increment - free_part(increment);
-  const Eigen::VectorXd right = free_part(unbalanced - forces_of(moved));
+  Eigen::VectorXd forces_of_moved;
+  system_.matrix().multiply(moved, forces_of_moved);
+  const Eigen::VectorXd right = system_.unknowns().in(unbalanced - forces_of_moved);
   if (right.isZero(0)) return moved;
-  std::optional<Eigen::VectorXd> answer = solved(right);
-  if (answer) *answer = free_part(std::move(*answer)) + moved;
-  return answer;
+  const std::optional<Eigen::VectorXd> answer = solved(right);
+  if (!answer) return std::nullopt;
+  return system_.unknowns().spread(*answer) + moved;
 }
 
 Eigen::VectorXd Elasticity::free_part(Eigen::VectorXd nodal) const {
-  for (std::size_t dof = 0; dof < prescribed_.size(); ++dof)
-    if (prescribed_[dof]) nodal[static_cast<Eigen::Index>(dof)] = 0;
+  system_.unknowns().clear_prescribed(nodal);
   return nodal;
 }
 
 double Elasticity::round_off(const Eigen::VectorXd& displacements) const {
-  return 10 * std::numeric_limits<double>::epsilon() * stiffness_.largest_diagonal() *
+  return 10 * std::numeric_limits<double>::epsilon() * largest_diagonal_ *
          displacements.norm();
 }
 
 std::optional<int> Elasticity::linear_iterations() const {
-  if (!multigrid_) return std::nullopt;
-  return iterations_;
+  const auto definite = system_.iterations();
+  if (!definite) return std::nullopt;
+  return *definite + indefinite_effort_;
 }
 
 std::optional<int> Elasticity::factorisations() const {
-  if (multigrid_) return std::nullopt;
-  return direct_.factorisations();
+  const auto definite = system_.factorisations();
+  if (!definite) return std::nullopt;
+  return *definite + indefinite_effort_;
 }
 
 }  // namespace springcheck::fem_reference

@@ -1,16 +1,17 @@
 #pragma once
 
+#include <Eigen/SparseCholesky>
 #include <optional>
 
-#include "fem_reference/statics/multigrid.hpp"
-#include "fem_reference/statics/stiffness_matrix.hpp"
+#include "fem_reference/cells/discretisation.hpp"
+#include "statics/systems/system.hpp"
 
 namespace springcheck::fem_reference {
 
 /// The discrete body: its energy, forces and tangent, and the solver of its linear
 /// systems. Nodal vectors hold three entries per node, dof = 3 node + component; some
-/// dofs are prescribed, the others free. Refers to the discretisation and the flags it
-/// was made from.
+/// dofs are prescribed, the others free. Refers to the discretisation that it was made
+/// from.
 class Elasticity {
  public:
   /// prescribed: one entry per dof.
@@ -37,8 +38,8 @@ class Elasticity {
   /// not.
   bool linearise(const Eigen::VectorXd& displacements);
 
-  /// Whether the tangent is positive definite: by its Cholesky factor, or probed by
-  /// Multigrid::probe().
+  /// Whether the tangent is positive definite: by its Cholesky factor, or by
+  /// statics::IterativeSolver::is_definite.
   [[nodiscard]] bool is_definite();
 
   /// Prepares step() for the tangent as it is, definite or not. False when it is
@@ -46,8 +47,10 @@ class Elasticity {
   bool accept_indefinite();
 
   /// Negative eigenvalues of a tangent that is not positive definite, after
-  /// accept_indefinite(): exact with the direct solver, by Multigrid::probe() otherwise.
-  [[nodiscard]] int negative_eigenvalues() const { return negative_eigenvalues_; }
+  /// accept_indefinite(); the direct solver alone knows.
+  [[nodiscard]] std::optional<int> negative_eigenvalues() const {
+    return negative_eigenvalues_;
+  }
 
   /// Displacement increment that equals `increment` on prescribed dofs and answers the
   /// unbalanced forces on free ones to first order:
@@ -64,30 +67,30 @@ class Elasticity {
   /// Size of the error that rounding leaves in the internal forces [N].
   [[nodiscard]] double round_off(const Eigen::VectorXd& displacements) const;
 
-  /// Iterations of multigrid so far; none with the direct solver.
+  /// Iterations of the linear solver so far; none with the direct one.
   [[nodiscard]] std::optional<int> linear_iterations() const;
 
-  /// Factorisations so far; none with multigrid.
+  /// Factorisations so far; none with an iterative solver.
   [[nodiscard]] std::optional<int> factorisations() const;
 
  private:
   enum class Definiteness { unknown, definite, indefinite, indefinite_accepted };
 
-  [[nodiscard]] Eigen::VectorXd forces_of(const Eigen::VectorXd& increment) const;
   [[nodiscard]] std::optional<Eigen::VectorXd> solved(const Eigen::VectorXd& right);
+  [[nodiscard]] std::optional<Eigen::VectorXd> solved_indefinite(
+      const Eigen::VectorXd& right);
 
   const Discretisation& body_;
-  const std::vector<bool>& prescribed_;
   CellLaw law_;
-  StiffnessMatrix stiffness_;
-  DirectSolver direct_;
-  std::optional<Multigrid> multigrid_;  // none: the direct solver
-  Eigen::VectorXd linearised_at_;
+  statics::LinearSolver solver_;
+  statics::System system_;
+  // L D L^T without pivoting, slower than Cholesky's, of tangents that are not definite:
+  std::optional<statics::FreeTriangle> triangle_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> indefinite_;
   Definiteness definiteness_ = Definiteness::unknown;
-  int negative_eigenvalues_ = 0;
-  int iterations_ = 0;
-  int iterations_when_fresh_ = 0;
-  bool preconditioner_is_fresh_ = false;
+  std::optional<int> negative_eigenvalues_;
+  double largest_diagonal_ = 0;
+  int indefinite_effort_ = 0;  // factorisations or iterations with such tangents
 };
 
 }  // namespace springcheck::fem_reference

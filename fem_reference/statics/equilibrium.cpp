@@ -179,10 +179,11 @@ class Follower {
           "{:.2f} % of the load",
           100 * loss_.last_definite, 100 * loss_.regained);
     return fmt::format(
-        "the tangent lost positive definiteness at {:.2f} % of the load "
-        "(negative eigenvalues {}: {})",
-        100 * loss_.last_definite, body_.linear_iterations() ? "seen" : "now",
-        body_.negative_eigenvalues());
+        "the tangent lost positive definiteness at {:.2f} % of the load{}",
+        100 * loss_.last_definite,
+        body_.negative_eigenvalues()
+            ? fmt::format(" (negative eigenvalues now: {})", *body_.negative_eigenvalues())
+            : "");
   }
 
   /// The last state's rate is taken backwards here: supports that jump make Newton's

@@ -1,7 +1,7 @@
 #include "fem_reference/statics/modes.hpp"
 
-#include "fem_reference/statics/stiffness_matrix.hpp"
 #include "fem_reference/statics/supports.hpp"
+#include "statics/systems/free_triangle.hpp"
 
 namespace springcheck::fem_reference {
 namespace {
@@ -36,17 +36,24 @@ std::optional<NaturalModes> rest_modes(const Mesh& mesh, const Scene& scene,
   const Supports supports(mesh, scene, body);
   const CellLaw law{.constitution = constitution(scene.material, settings),
                     .dilatation = dilatation_taken(settings)};
-  StiffnessMatrix stiffness(body, supports.prescribed());
-  StiffnessMatrix masses(body, supports.prescribed());  // of the same pattern
-  stiffness.clear();
-  masses.clear();
-  for (const Cell& cell : body.cells) {
-    const CellVectors rest = CellVectors::Zero(3, cell.shape->nodes);
-    stiffness.add(cell, cell_tangent(law, *cell.shape, rest));
-    masses.add(cell, cell_mass(*cell.shape, scene.material.density, mass));
-  }
-  stiffness.finish();  // prescribed dofs: stiff, and without mass
-  return natural_modes(stiffness.matrix(), masses.matrix(), count);
+  const statics::Unknowns unknowns(supports.is_free());
+  statics::BlockMatrix matrix(patches(body), body.nodes.size());
+  statics::FreeTriangle triangle(matrix, unknowns);
+  matrix.assemble([&](std::size_t c) {
+    const Shape& shape = *body.cells[c].shape;
+    return cell_tangent(law, shape, CellVectors::Zero(3, shape.nodes));
+  });
+  const Eigen::SparseMatrix<double> stiffness = triangle.copy_of(matrix);
+  matrix.assemble([&](std::size_t c) {
+    return cell_mass(*body.cells[c].shape, scene.material.density, mass);
+  });
+  auto modes = natural_modes(stiffness, triangle.copy_of(matrix), count);
+  if (!modes) return std::nullopt;
+  Eigen::MatrixXd of_all = Eigen::MatrixXd::Zero(
+ 3 * std::ssize(body.nodes), modes->shapes.cols());
+  of_all(unknowns.components(), Eigen::all) = modes->shapes;
+  modes->shapes = std::move(of_all);
+  return modes;
 }
 
 }  // namespace springcheck::fem_reference

@@ -47,6 +47,12 @@ Supports::Supports(const Mesh& mesh, const Scene& scene, const Discretisation& b
   }
 }
 
+std::vector<bool> Supports::is_free() const {
+  std::vector<bool> flags = prescribed_;
+  flags.flip();
+  return flags;
+}
+
 Eigen::VectorXd Supports::displacements(double load_fraction) const {
   Eigen::VectorXd nodal =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(prescribed_.size()));

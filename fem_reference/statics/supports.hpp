@@ -16,6 +16,9 @@ class Supports {
   /// One entry per dof.
   [[nodiscard]] const std::vector<bool>& prescribed() const { return prescribed_; }
 
+  /// The others, likewise.
+  [[nodiscard]] std::vector<bool> is_free() const;
+
   /// Prescribed displacements at a load fraction [m], 0 at free dofs.
   [[nodiscard]] Eigen::VectorXd displacements(double load_fraction) const;
 

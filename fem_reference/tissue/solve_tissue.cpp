@@ -4,11 +4,10 @@
 
 #include "fem_reference/laws/settings.hpp"
 #include "fem_reference/statics/loads.hpp"
-#include "fem_reference/statics/stiffness_matrix.hpp"
 #include "fem_reference/statics/supports.hpp"
 #include "fem_reference/tissue/tissue_cell.hpp"
-#include "meshing/breakdown.hpp"
 #include "meshing/stopwatch.hpp"
+#include "statics/systems/system.hpp"
 
 namespace springcheck::fem_reference {
 namespace {
@@ -21,8 +20,8 @@ class RememberingElements final : public dynamics::RememberingBody {
       : rest_(mesh.nodes()),
         solid_(solid),
         body_(discretise(mesh, Element::q1_sri)),
-        prescribed_(Supports(mesh, scene, body_).prescribed()),
-        stiffness_(body_, prescribed_) {
+        system_(body_.nodes, patches(body_), Supports(mesh, scene, body_).is_free(),
+                statics::LinearSolver::direct) {
     const Vector3 weight = scene.material.density * scene.gravity;
     load_ = body_load(body_, [&](const Vector3&) { return weight; });
     for (const Traction& traction : scene.tractions)
@@ -35,7 +34,6 @@ class RememberingElements final : public dynamics::RememberingBody {
     }
     first_.push_back(states_.size());
     tissue::set_to_rest(states_);
-    tangents_.resize(body_.cells.size());
   }
 
   [[nodiscard]] std::vector<Vector3> load() const override { return by_node(load_); }
@@ -65,55 +63,22 @@ class RememberingElements final : public dynamics::RememberingBody {
   bool linearise(double dt, std::span<const Vector3> positions) override {
     const Eigen::VectorXd u = displacements(positions);
     const tissue::MemoryStep& step = step_of(dt);
-    stiffness_.clear();
-    for (std::size_t c = 0; c < body_.cells.size(); ++c) {
+    system_.matrix().assemble([&](std::size_t c) {
       const Cell& cell = body_.cells[c];
-      tangents_[c] = tangent_after(
+      return tangent_after(
           {.solid = solid_, .step = step, .shape = *cell.shape, .states = states(c)},
           of_cell(u, cell));
-      stiffness_.add(cell, tangents_[c]);
-    }
-    stiffness_.finish();
-    SparseMatrix matrix = stiffness_.matrix();
-    constexpr double first_shift = 1e-4;  // of the largest entry
-    double shift = first_shift * stiffness_.largest_diagonal();
-    const bool is_definite = direct_.factor_definite(matrix);
-    for (bool is_done = is_definite; !is_done; shift *= 4) {
-      if (!std::isfinite(shift) || shift > 1e6 * stiffness_.largest_diagonal())
-        throw Breakdown("a tangent that no shift makes positive definite");
-      for (Index i = 0; i < matrix.rows(); ++i) matrix.coeffRef(i, i) += shift;
-      is_done = direct_.factor_definite(matrix);
-    }
-    return is_definite;
+    });
+    return prepare_shifted(system_);
   }
 
   [[nodiscard]] std::vector<Vector3> stiffness_times(
       std::span<const Vector3> moves) const override {
-    std::vector<Vector3> result(moves.size(), Vector3::Zero());
-    CellVectors of;
-    for (std::size_t c = 0; c < body_.cells.size(); ++c) {
-      const std::vector<NodeIndex>& nodes = body_.cells[c].nodes;
-      of.resize(3, static_cast<Index>(nodes.size()));
-      for (std::size_t a = 0; a < nodes.size(); ++a)
-        of.col(static_cast<Index>(a)) = moves[nodes[a]];
-      const Eigen::VectorXd f = tangents_[c] * of.reshaped();
-      for (std::size_t a = 0; a < nodes.size(); ++a)
-        result[nodes[a]] += f.segment<3>(static_cast<Index>(3 * a));
-    }
-    return result;
+    return product(system_.matrix(), moves);
   }
 
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& forces) override {
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Index>(prescribed_.size()));
-    Index unknown = 0;
-    for (std::size_t i = 0; i < prescribed_.size(); ++i)
-      if (!prescribed_[i]) all[static_cast<Index>(i)] = forces[unknown++];
-    all = direct_.solve(all);
-    Eigen::VectorXd moves(forces.size());
-    unknown = 0;
-    for (std::size_t i = 0; i < prescribed_.size(); ++i)
-      if (!prescribed_[i]) moves[unknown++] = all[static_cast<Index>(i)];
-    return moves;
+    return system_.solve(forces, 0).value();
   }
 
   void advance(double dt, std::span<const Vector3> positions) override {
@@ -143,7 +108,9 @@ class RememberingElements final : public dynamics::RememberingBody {
     return largest;
   }
 
-  [[nodiscard]] int factorisations() const override { return direct_.factorisations(); }
+  [[nodiscard]] int factorisations() const override {
+    return system_.factorisations().value();
+  }
 
  private:
   [[nodiscard]] std::span<const double> states(std::size_t cell) const {
@@ -171,13 +138,10 @@ class RememberingElements final : public dynamics::RememberingBody {
   std::vector<Vector3> rest_;
   tissue::Solid solid_;
   Discretisation body_;
-  std::vector<bool> prescribed_;
-  StiffnessMatrix stiffness_;
-  DirectSolver direct_;
+  statics::System system_;
   Eigen::VectorXd load_;            // [N] at the full load
   std::vector<double> states_;      // of all Gauss points, cell by cell
   std::vector<std::size_t> first_;  // of each cell, and the end
-  std::vector<CellMatrix> tangents_;
   tissue::MemoryStep step_{.duration = 0};
   double force_scale_ = 0;
 };

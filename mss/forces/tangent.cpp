@@ -188,17 +188,6 @@ Eigen::MatrixXd matrix(const StarTangent& star) {
   return sum;
 }
 
-Matrix3 star_block(const StarTangent& star, Eigen::Index a, Eigen::Index b) {
-  Matrix3 block = star.volume * star.volume_gradients.col(a) *
-                  star.volume_gradients.col(b).transpose();
-  if (star.shape.isZero(0)) return block;
-  for (Eigen::Index J = 0; J < 3; ++J)
-    for (Eigen::Index L = 0; L < 3; ++L)
-      block += star.gradients(J, a) * star.gradients(L, b) *
-               star.shape.block<3, 3>(3 * J, 3 * L);
-  return block;
-}
-
 Tangent tangent_at(const Network& network, std::span<const Vector3> positions) {
   CellStates states;
   if (cells_act(network)) update_deformations(network, positions, states);
@@ -223,54 +212,6 @@ void clamp_to_positive(Tangent& tangent) {
   });
 }
 
-std::vector<Vector3> product(const Network& network, const Tangent& tangent,
-                             std::span<const Vector3> vectors) {
-  std::vector<Vector3> result(vectors.size(), Vector3::Zero());
-  for (std::size_t c = 0; c < tangent.cells.size(); ++c) {
-    const auto nodes = network.cells.nodes(c);
-    Eigen::VectorXd stacked(row(nodes.size()));
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      stacked.segment<3>(row(a)) = vectors[nodes[a]];
-    if (stacked.isZero(0)) continue;
-    const Eigen::VectorXd answer = tangent.cells[c] * stacked;
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      result[nodes[a]] += answer.segment<3>(row(a));
-  }
-  for (const StarTangent& star : tangent.stars) {
-    Matrix3 gradient = Matrix3::Zero();
-    double volume = 0;
-    for (std::size_t a = 0; a < star.nodes.size(); ++a) {
-      const auto column = static_cast<Eigen::Index>(a);
-      const Vector3& u = vectors[star.nodes[a]];
-      gradient += u * star.gradients.col(column).transpose();
-      volume += u.dot(star.volume_gradients.col(column));
-    }
-    Matrix3 stress;
-    stress.reshaped() = star.shape * gradient.reshaped();
-    for (std::size_t a = 0; a < star.nodes.size(); ++a) {
-      const auto column = static_cast<Eigen::Index>(a);
-      result[star.nodes[a]] += stress * star.gradients.col(column) +
-                               star.volume * volume * star.volume_gradients.col(column);
-    }
-  }
-  return result;
-}
-
-std::vector<Vector3> diagonal(const Network& network, const Tangent& tangent) {
-  std::vector<Vector3> result(network.rest_positions.size(), Vector3::Zero());
-  for (std::size_t c = 0; c < tangent.cells.size(); ++c) {
-    const auto nodes = network.cells.nodes(c);
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      result[nodes[a]] += tangent.cells[c].diagonal().segment<3>(row(a));
-  }
-  for (const StarTangent& star : tangent.stars)
-    for (std::size_t a = 0; a < star.nodes.size(); ++a)
-      result[star.nodes[a]] +=
-          star_block(star, static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(a))
-              .diagonal();
-  return result;
-}
-
 std::vector<std::vector<NodeIndex>> patches(const Network& network) {
   std::vector<std::vector<NodeIndex>> all;
   for (std::size_t c = 0; c < network.cells.size(); ++c) {
@@ -280,6 +221,26 @@ std::vector<std::vector<NodeIndex>> patches(const Network& network) {
   for (std::size_t n = 0; n < star_count(network); ++n)
     all.push_back(star_nodes(network, n));
   return all;
+}
+
+std::vector<Vector3> product(const Network& network, const Tangent& tangent,
+                             std::span<const Vector3> vectors) {
+  std::vector<Vector3> result(vectors.size(), Vector3::Zero());
+  const auto all = patches(network);
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    Eigen::VectorXd stacked(row(all[p].size()));
+    for (std::size_t a = 0; a < all[p].size(); ++a)
+      stacked.segment<3>(row(a)) = vectors[all[p][a]];
+    const Eigen::VectorXd answer = part(tangent, p) * stacked;
+    for (std::size_t a = 0; a < all[p].size(); ++a)
+      result[all[p][a]] += answer.segment<3>(row(a));
+  }
+  return result;
+}
+
+Eigen::MatrixXd part(const Tangent& tangent, std::size_t patch) {
+  const std::size_t cells = tangent.cells.size();
+  return patch < cells ? tangent.cells[patch] : matrix(tangent.stars[patch - cells]);
 }
 
 }  // namespace springcheck::mss

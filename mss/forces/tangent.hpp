@@ -20,8 +20,6 @@ struct StarTangent {
   double volume;                        // V_n U''(t_n) [J]
 };
 Eigen::MatrixXd matrix(const StarTangent& star);
-/// Its 3x3 block between two of the star's nodes.
-Matrix3 star_block(const StarTangent& star, Eigen::Index a, Eigen::Index b);
 
 /// Second derivative of the energy [N/m] as a sum of patches, each over a few nodes. 3x3
 /// blocks in the order of the patch's nodes.
@@ -46,14 +44,14 @@ Tangent tangent_at(const Network& network, std::span<const Vector3> positions);
 /// true tangent is indefinite.
 void clamp_to_positive(Tangent& tangent);
 
-/// The tangent times one vector per node.
+/// The tangent times one vector per node, patch by patch.
 std::vector<Vector3> product(const Network& network, const Tangent& tangent,
                              std::span<const Vector3> vectors);
 
-/// The tangent's diagonal [N/m], one vector per node.
-std::vector<Vector3> diagonal(const Network& network, const Tangent& tangent);
-
 /// Nodes of the tangent's patches: cells first, then stars.
 std::vector<std::vector<NodeIndex>> patches(const Network& network);
+
+/// The matrix of one of them.
+Eigen::MatrixXd part(const Tangent& tangent, std::size_t patch);
 
 }  // namespace springcheck::mss

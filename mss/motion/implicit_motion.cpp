@@ -8,8 +8,9 @@
 #include "dynamics/supports.hpp"
 #include "meshing/breakdown.hpp"
 #include "meshing/sparse_cholesky.hpp"
-#include "mss/forces/assembly.hpp"
 #include "mss/forces/forces.hpp"
+#include "mss/forces/tangent.hpp"
+#include "statics/systems/free_triangle.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -30,7 +31,9 @@ class ImplicitMotion final : public dynamics::Motion {
         damping_ratio_(damping_ratio),
         load_(load_forces(mesh, scene, network)),
         supports_(dynamics::supports(scene, prescribed_components(mesh, scene))),
-        assembly_(network, free_components(mesh, prescribed_components(mesh, scene))),
+        unknowns_(free_components(mesh, prescribed_components(mesh, scene))),
+        matrix_(patches(network), network.masses.size()),
+        triangle_(matrix_, unknowns_),
         state_{.displacements = std::vector<Vector3>(load_.size(), Vector3::Zero()),
                .velocities = std::vector<Vector3>(load_.size(), Vector3::Zero())},
         positions_(load_.size()),
@@ -45,7 +48,7 @@ class ImplicitMotion final : public dynamics::Motion {
           (now - step.motions_before[motion].component(point, component)) / step.dt;
       state_.displacements[node][component] = now;
     }
-    move(before, step.dt, Field::Zero(assembly_.size()));
+    move(before, step.dt, Field::Zero(unknowns_.count()));
     double scale = 0;
     Field residual = residual_of(before, step, scale);
     // What is not a number is not converged.
@@ -89,7 +92,7 @@ class ImplicitMotion final : public dynamics::Motion {
   void for_each_free(const Visit& visit) const {
     for (NodeIndex n = 0; n < load_.size(); ++n)
       for (int i = 0; i < 3; ++i)
-        if (const Eigen::Index unknown = assembly_.unknown(n, i); unknown >= 0)
+        if (const Eigen::Index unknown = unknowns_.of(n, i); unknown >= 0)
           visit(n, i, unknown);
   }
 
@@ -114,7 +117,7 @@ class ImplicitMotion final : public dynamics::Motion {
   /// dt (f + load) - M (v - v0); scale: norm of the two parts.
   Field residual_of(const State& before, const StepTo& step, double& scale) {
     update_forces();
-    Field pushes(assembly_.size()), momenta(assembly_.size());
+    Field pushes(unknowns_.count()), momenta(unknowns_.count());
     for_each_free([&](NodeIndex n, int i, Eigen::Index unknown) {
       pushes[unknown] = step.dt * (forces_[n][i] + step.load_fraction * load_[n][i]);
       momenta[unknown] =
@@ -140,17 +143,16 @@ class ImplicitMotion final : public dynamics::Motion {
   }
 
   bool factor(const Tangent& tangent, double dt) {
-    Eigen::SparseMatrix<double> matrix = assembly_.assemble(tangent);
-    stiffness_ = matrix.diagonal().norm();
-    matrix *= dt * dt;
-    for_each_free([&](NodeIndex n, int, Eigen::Index unknown) {
-      matrix.coeffRef(unknown, unknown) += network_.masses[n];
-    });
-    if (damping_ratio_ > 0) add_dashpots(matrix, dt);
-    return cholesky_.factor(matrix);
+    matrix_.assemble([&](std::size_t patch) { return part(tangent, patch); });
+    stiffness_ = triangle_.copy_of(matrix_).diagonal().norm();
+    matrix_.scale(dt * dt);
+    for (NodeIndex n = 0; n < network_.masses.size(); ++n)
+      matrix_.block(n, n).diagonal().array() += network_.masses[n];
+    if (damping_ratio_ > 0) add_dashpots(dt);
+    return cholesky_.factor(triangle_.copy_of(matrix_));
   }
 
-  void add_dashpots(Eigen::SparseMatrix<double>& matrix, double dt) const {
+  void add_dashpots(double dt) {
     for_each_dashpot(network_, [&](const Spring& spring) {
       const Vector3 d = positions_[spring.b] - positions_[spring.a];
       if (d.squaredNorm() == 0) return;
@@ -158,13 +160,7 @@ class ImplicitMotion final : public dynamics::Motion {
       const Matrix3 block = dt * c / d.squaredNorm() * d * d.transpose();
       for (const NodeIndex p : {spring.a, spring.b})
         for (const NodeIndex q : {spring.a, spring.b})
-          for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) {
-              const Eigen::Index row = assembly_.unknown(p, i),
-                                 column = assembly_.unknown(q, j);
-              if (row >= column && column >= 0)  // the lower triangle
-                matrix.coeffRef(row, column) += (p == q ? 1 : -1) * block(i, j);
-            }
+          matrix_.block(p, q) += (p == q ? 1 : -1) * block;
     });
   }
 
@@ -178,7 +174,9 @@ class ImplicitMotion final : public dynamics::Motion {
   double damping_ratio_;
   std::vector<Vector3> load_;
   std::vector<dynamics::Support> supports_;
-  FreeAssembly assembly_;
+  statics::Unknowns unknowns_;
+  statics::BlockMatrix matrix_;
+  statics::FreeTriangle triangle_;
   State state_;
   std::vector<Vector3> positions_, forces_;
   CellStates room_;

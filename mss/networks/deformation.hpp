@@ -1,13 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
-
 #include "meshing/mesh.hpp"
 #include "mss/networks/strain_measure.hpp"
 
 namespace springcheck::mss {
 
-using Matrix3 = Eigen::Matrix3d;
 /// On gradients stacked column by column: F_iJ is component 3 J + i.
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mss/networks/network.hpp"
-#include "mss/statics/linear_solver.hpp"
+#include "statics/systems/linear_solver.hpp"
 
 namespace springcheck::mss {
 
@@ -13,7 +13,7 @@ namespace springcheck::mss {
 /// with an energy line search. Where the tangent is not positive definite the step uses
 /// the patches' matrices with negative eigenvalues set to zero. A state counts as a
 /// minimum when its true tangent has a Cholesky factor, or passes the iterative solver's
-/// test (IterativeSolver::is_definite); near a saddle the search leaves along negative
+/// test (statics::IterativeSolver::is_definite); near a saddle the search leaves along negative
 /// curvature, the most negative where the solver is direct (`seed` starts the iteration
 /// that finds it, and so decides between equal directions).
 ///
@@ -39,7 +39,8 @@ namespace springcheck::mss {
 /// rounding of the positions does to them.
 Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
                           unsigned seed,
-                          LinearSolver linear_solver = LinearSolver::by_size,
+                          statics::LinearSolver linear_solver =
+ statics::LinearSolver::automatic,
                           double noise = 0);
 
 }  // namespace springcheck::mss

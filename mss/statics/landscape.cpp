@@ -10,30 +10,25 @@ namespace springcheck::mss {
 namespace {
 
 // Up to here a factor costs seconds at most, however ill-conditioned the body is.
-constexpr std::size_t most_unknowns_solved_directly = 10'000;
+constexpr std::ptrdiff_t most_unknowns_solved_directly = 10'000;
 // At 60^3 cells and nu = .499 less, 1e-3, leaves so much volume change that the load has
 // to be cut in two.
 constexpr double predictor_accuracy = 1e-4;
 
-std::vector<std::size_t> places_of_true(const std::vector<bool>& is_free) {
-  std::vector<std::size_t> free;
-  for (std::size_t i = 0; i < is_free.size(); ++i)
-    if (is_free[i]) free.push_back(i);
-  return free;
+statics::LinearSolver taken(statics::LinearSolver wanted,
+                           const std::vector<bool>& is_free) {
+  using enum statics::LinearSolver;
+  if (wanted != automatic) return wanted;
+  return std::ranges::count(is_free, true) <= most_unknowns_solved_directly
+             ? direct
+             : conjugate_gradients;
 }
 
-std::variant<DirectSolver, IterativeSolver> solver(LinearSolver choice,
-                                                   const Network& network,
-                                                   const std::vector<bool>& is_free,
-                                                   std::size_t unknowns) {
-  const bool direct =
-      choice == LinearSolver::direct ||
-      (choice == LinearSolver::by_size && unknowns <= most_unknowns_solved_directly);
-  if (direct)
-    return std::variant<DirectSolver, IterativeSolver>(std::in_place_type<DirectSolver>,
-                                                       network, is_free);
-  return std::variant<DirectSolver, IterativeSolver>(std::in_place_type<IterativeSolver>,
-                                                     network, is_free);
+statics::System system_of(const Mesh& mesh, const Scene& scene, const Network& network,
+                          statics::LinearSolver wanted) {
+  const std::vector<bool> is_free =
+      free_components(mesh, prescribed_components(mesh, scene));
+  return {mesh.nodes(), patches(network), is_free, taken(wanted, is_free)};
 }
 
 }  // namespace
@@ -45,19 +40,27 @@ double norm(const std::vector<Vector3>& vectors) {
 }
 
 Landscape::Landscape(const Mesh& mesh, const Scene& scene, const Network& network,
-                     LinearSolver linear_solver)
+                     statics::LinearSolver linear_solver)
     : mesh_(mesh),
       scene_(scene),
       network_(network),
       prescribed_(prescribed_components(mesh, scene)),
       load_(load_forces(mesh, scene, network)),
-      free_(places_of_true(free_components(mesh, prescribed_))),
       cell_edge_(std::cbrt(mesh.volume() / static_cast<double>(mesh.cells().size()))),
+      system_(system_of(mesh, scene, network, linear_solver)),
       forces_(mesh.nodes().size()),
-      tangent_(tangent_at(network, network.rest_positions)),
-      solver_(solver(linear_solver, network, free_components(mesh, prescribed_),
-                     free_.size())) {
-  stiffness_ = on_free(diagonal(network, tangent_)).norm();
+      tangent_(tangent_at(network, network.rest_positions)) {
+  assemble();
+  double squares = 0;
+  for (NodeIndex n = 0; n < mesh.nodes().size(); ++n)
+    for (int i = 0; i < 3; ++i)
+      if (system_.unknowns().of(n, i) >= 0)
+        squares += std::pow(system_.matrix().diagonal(n)(i, i), 2);
+  stiffness_ = std::sqrt(squares);
+}
+
+void Landscape::assemble() {
+  system_.matrix().assemble([&](std::size_t patch) { return part(tangent_, patch); });
 }
 
 double Landscape::energy(const Positions& x) const {
@@ -82,25 +85,21 @@ double Landscape::force_round_off(const Positions& x) const {
 
 double Landscape::energy_round_off(const Positions& x, double energy) const {
   // Errors of a sum add up like a random walk; 1e-13 is ample for 10^4 unknowns.
-  const double terms = std::max(1., static_cast<double>(free_.size()) / 1e4);
+  const double terms = std::max(1., static_cast<double>(unknowns()) / 1e4);
   return 1e-13 * std::sqrt(terms) * std::abs(energy) +
          force_round_off(x) * std::sqrt(2 * std::abs(energy) / stiffness_);
 }
 
 Eigen::VectorXd Landscape::on_free(const std::vector<Vector3>& all) const {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(free_.size()));
-  for (std::size_t k = 0; k < free_.size(); ++k)
-    values[static_cast<Eigen::Index>(k)] =
-        all[free_[k] / 3][static_cast<Eigen::Index>(free_[k] % 3)];
-  return values;
+  return system_.unknowns().in(
+      Eigen::Map<const Eigen::VectorXd>(all.data()->data(), 3 * std::ssize(all)));
 }
 
 Positions Landscape::moved(const Positions& x, const Eigen::VectorXd& by,
                            double factor) const {
   Positions y = x;
-  for (std::size_t k = 0; k < free_.size(); ++k)
-    y[free_[k] / 3][static_cast<Eigen::Index>(free_[k] % 3)] +=
-        factor * by[static_cast<Eigen::Index>(k)];
+  Eigen::Map<Eigen::VectorXd>(y.data()->data(), 3 * std::ssize(y))(
+      system_.unknowns().components()) += factor * by;
   return y;
 }
 
@@ -113,54 +112,44 @@ double Landscape::longest_move(const Eigen::VectorXd& step) const {
 
 void Landscape::linearise(const Positions& x) {
   tangent_ = tangent_at(network_, x);
-  std::visit([&](auto& solver) { solver.prepare(tangent_); }, solver_);
+  assemble();
+  system_.prepare();
 }
 
 void Landscape::clamp() {
   clamp_to_positive(tangent_);
-  std::visit([&](auto& solver) { solver.prepare_clamped(tangent_); }, solver_);
+  assemble();
+  system_.prepare_semidefinite();
 }
 
 std::optional<bool> Landscape::is_definite(std::mt19937_64& random) {
-  if (auto* iterative = std::get_if<IterativeSolver>(&solver_))
-    return iterative->is_definite(random);
-  return std::get<DirectSolver>(solver_).is_definite();
+  return system_.is_definite(random);
 }
 
 std::optional<Eigen::VectorXd> Landscape::solve(const Eigen::VectorXd& right,
                                                 double accuracy) {
-  if (auto* iterative = std::get_if<IterativeSolver>(&solver_))
-    return iterative->solve(right, accuracy);
-  return std::get<DirectSolver>(solver_).solve(right);
+  return system_.solve(right, accuracy);
 }
 
 Eigen::VectorXd Landscape::negative_curvature(const Eigen::VectorXd& downhill,
                                               std::mt19937_64& random) {
-  auto* iterative = std::get_if<IterativeSolver>(&solver_);
-  Eigen::VectorXd v =
-      iterative != nullptr
-          ? iterative->negative_curvature(random)
-          : std::get<DirectSolver>(solver_).negative_curvature(tangent_, random);
+  Eigen::VectorXd v = system_.negative_curvature(random);
   if (downhill.dot(v) < 0) v = -v;
   return v;
 }
 
 double Landscape::curvature_along(const Eigen::VectorXd& direction) const {
-  const Positions way =
-      moved(Positions(mesh_.nodes().size(), Vector3::Zero()), direction, 1);
-  return direction.dot(on_free(product(network_, tangent_, way)));
+  Eigen::VectorXd product;
+  system_.matrix().multiply(system_.unknowns().spread(direction), product);
+  return direction.dot(system_.unknowns().in(product));
 }
 
 std::optional<int> Landscape::linear_iterations() const {
-  if (const auto* iterative = std::get_if<IterativeSolver>(&solver_))
-    return iterative->iterations();
-  return std::nullopt;
+  return system_.iterations();
 }
 
 std::optional<int> Landscape::factorisations() const {
-  if (const auto* direct = std::get_if<DirectSolver>(&solver_))
-    return direct->factorisations();
-  return std::nullopt;
+  return system_.factorisations();
 }
 
 Positions Landscape::predicted(const Positions& x, double to) {
@@ -171,7 +160,7 @@ Positions Landscape::predicted(const Positions& x, double to) {
                          prescribed_displacement(mesh_, scene_, held, to) - x[node][i];
   }
   const auto answer = [&] {
-    std::vector<Vector3> push = product(network_, tangent_, increment);
+    std::vector<Vector3> push = product(system_.matrix(), increment);
     for (std::size_t n = 0; n < x.size(); ++n)
       push[n] = (to - load_fraction_) * load_[n] - push[n];
     return solve(on_free(push), predictor_accuracy);

@@ -2,13 +2,11 @@
 
 #include <optional>
 #include <random>
-#include <variant>
 #include <vector>
 
 #include "mss/forces/cell_forces.hpp"
-#include "mss/statics/direct_solver.hpp"
-#include "mss/statics/iterative_solver.hpp"
-#include "mss/statics/linear_solver.hpp"
+#include "mss/forces/tangent.hpp"
+#include "statics/systems/system.hpp"
 
 namespace springcheck::mss {
 
@@ -27,12 +25,12 @@ double norm(const std::vector<Vector3>& vectors);
 class Landscape {
  public:
   Landscape(const Mesh& mesh, const Scene& scene, const Network& network,
-            LinearSolver linear_solver);
+            statics::LinearSolver linear_solver);
 
   [[nodiscard]] double cell_edge() const { return cell_edge_; }  // mean [m]
   [[nodiscard]] int evaluations() const { return evaluations_; }
   [[nodiscard]] Eigen::Index unknowns() const {
-    return static_cast<Eigen::Index>(free_.size());
+    return system_.unknowns().count();
   }
   [[nodiscard]] const std::vector<PrescribedComponent>& prescribed() const {
     return prescribed_;
@@ -92,6 +90,9 @@ class Landscape {
   /// Factorisations so far; none if the linear solver is iterative.
   [[nodiscard]] std::optional<int> factorisations() const;
 
+  /// Linear systems that the limit of iterations left less accurate than was asked.
+  [[nodiscard]] int truncated() const { return system_.truncated(); }
+
   /// Root mean square over springs and damped edges of |change of d|/L: about the
   /// displacement gradient between two states.
   [[nodiscard]] double gradient(const Positions& from, const Positions& to) const;
@@ -105,18 +106,19 @@ class Landscape {
   [[nodiscard]] double largest_volume_ratio(const Positions& x) const;
 
  private:
+  void assemble();
+
   const Mesh& mesh_;
   const Scene& scene_;
   const Network& network_;
   std::vector<PrescribedComponent> prescribed_;
-  std::vector<Vector3> load_;      // [N] of the full load, on every node
-  std::vector<std::size_t> free_;  // component 3 node + i of each unknown, ascending
+  std::vector<Vector3> load_;  // [N] of the full load, on every node
   double cell_edge_;
+  statics::System system_;
   double stiffness_;  // norm of the tangent's diagonal at rest [N/m]
   std::vector<Vector3> forces_;
   CellStates states_;  // room for forces()
   Tangent tangent_;
-  std::variant<DirectSolver, IterativeSolver> solver_;
   double load_fraction_ = 0;
   int evaluations_ = 0;
 };

@@ -77,7 +77,7 @@ double part_along(Landscape& landscape, const Positions& x, double load,
 
 PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& network,
                           double resolution, const AcceptState& accept,
-                          LinearSolver linear_solver) {
+                          statics::LinearSolver linear_solver) {
   constexpr double half = 0.5;
   Landscape landscape(mesh, scene, network, linear_solver);
   std::mt19937_64 random(seed);

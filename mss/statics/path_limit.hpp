@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "mss/networks/network.hpp"
-#include "mss/statics/linear_solver.hpp"
+#include "statics/systems/linear_solver.hpp"
 
 namespace springcheck::mss {
 
@@ -53,6 +53,7 @@ using AcceptState =
 /// limit point.
 PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& network,
                           double resolution, const AcceptState& accept,
-                          LinearSolver linear_solver = LinearSolver::by_size);
+                          statics::LinearSolver linear_solver =
+ statics::LinearSolver::automatic);
 
 }  // namespace springcheck::mss

@@ -4,23 +4,17 @@
 
 #include "meshing/stopwatch.hpp"
 #include "meshing/traction.hpp"
-#include "mss/statics/direct_solver.hpp"
+#include "statics/systems/system.hpp"
 
 namespace springcheck::mss {
 namespace {
 
 using Eigen::Index;
 
-/// The cells as patches of a tangent, without anything that acts.
-Network patches_of(const TissueBody& body) {
-  Network network{.rest_positions = body.rest_positions, .masses = body.masses};
-  for (std::size_t c = 0; c < body.cells.size(); ++c) {
-    const CellNodes& cell = body.cells[c];
-    const std::vector<Vector3> no_gradients(cell.size(), Vector3::Zero());
-    network.cells.add(std::span(cell.begin(), cell.end()), no_gradients,
-                      body.shape(c).volume, {});
-  }
-  return network;
+statics::Patches patches_of(const TissueBody& body) {
+  statics::Patches patches;
+  for (const CellNodes& cell : body.cells) patches.emplace_back(cell.begin(), cell.end());
+  return patches;
 }
 
 class RememberingTissue final : public dynamics::RememberingBody {
@@ -28,13 +22,13 @@ class RememberingTissue final : public dynamics::RememberingBody {
   RememberingTissue(const Mesh& mesh, const Scene& scene, const TissueBody& body)
       : body_(body),
         load_(traction_forces(mesh, scene)),
-        solver_(patches_of(body),
-                free_components(mesh, prescribed_components(mesh, scene))),
+        system_(body.rest_positions, patches_of(body),
+                free_components(mesh, prescribed_components(mesh, scene)),
+                statics::LinearSolver::direct),
         memories_(memories_at_rest(body)),
         stresses_(body.cells.size()) {
     for (std::size_t n = 0; n < load_.size(); ++n)
       load_[n] += body.masses[n] * scene.gravity;
-    tangent_.cells.resize(body.cells.size());
   }
 
   [[nodiscard]] std::vector<Vector3> load() const override { return load_; }
@@ -58,35 +52,25 @@ class RememberingTissue final : public dynamics::RememberingBody {
   bool linearise(double dt, std::span<const Vector3> positions) override {
     const tissue::MemoryStep& step = step_of(dt);
     const std::size_t size = tissue::state_size(body_.solid.shear.branches.size());
-    for (std::size_t c = 0; c < body_.cells.size(); ++c) {
+    system_.matrix().assemble([&](std::size_t c) -> Eigen::MatrixXd {
       const CornerPositions at = positions_of(body_, c, positions);
       const tissue::PointTangent tangent = tissue::tangent_after(
           body_.solid, step, std::span(memories_).subspan(c * size, size),
           right_cauchy_green(body_.shape(c), at));
       const TissueStiffness K =
           tissue_stiffness(body_.shape(c), at, stresses_[c], tangent);
-      tangent_.cells[c] = (K + K.transpose()) / 2;
-    }
-    solver_.prepare(tangent_);
-    const bool is_definite = solver_.is_definite();
-    if (!is_definite) solver_.prepare_clamped(tangent_);
-    return is_definite;
+      return (K + K.transpose()) / 2;
+    });
+    return prepare_shifted(system_);
   }
 
   [[nodiscard]] std::vector<Vector3> stiffness_times(
       std::span<const Vector3> displacements) const override {
-    std::vector<Vector3> result(displacements.size(), Vector3::Zero());
-    for (std::size_t c = 0; c < body_.cells.size(); ++c) {
-      const CornerPositions moves = positions_of(body_, c, displacements);
-      const Eigen::VectorXd f = tangent_.cells[c] * moves.reshaped();
-      for (std::size_t a = 0; a < body_.cells[c].size(); ++a)
-        result[body_.cells[c][a]] += f.segment<3>(static_cast<Index>(3 * a));
-    }
-    return result;
+    return product(system_.matrix(), displacements);
   }
 
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& forces) override {
-    return solver_.solve(forces).value();
+    return system_.solve(forces, 0).value();
   }
 
   void advance(double dt, std::span<const Vector3> positions) override {
@@ -102,7 +86,7 @@ class RememberingTissue final : public dynamics::RememberingBody {
     return mss::largest_shear_strain(body_, positions);
   }
 
-  [[nodiscard]] int factorisations() const override { return solver_.factorisations(); }
+  [[nodiscard]] int factorisations() const override { return system_.factorisations().value(); }
 
  private:
   const tissue::MemoryStep& step_of(double dt) {
@@ -112,8 +96,7 @@ class RememberingTissue final : public dynamics::RememberingBody {
 
   const TissueBody& body_;
   std::vector<Vector3> load_;  // [N] at the full load
-  DirectSolver solver_;
-  Tangent tangent_;
+  statics::System system_;
   std::vector<double> memories_;
   std::vector<tissue::PointStress> stresses_;
   tissue::MemoryStep step_{.duration = 0};

@@ -6,7 +6,7 @@
 #include "meshing/stopwatch.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/forces/tangent.hpp"
-#include "mss/statics/direct_solver.hpp"
+#include "statics/systems/system.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -30,7 +30,9 @@ class ThesisSprings final : public dynamics::RememberingBody {
         volumes_(without_springs(network_)),
         spring_(spring),
         load_(load_forces(mesh, scene, network_)),
-        solver_(volumes_, free_components(mesh, prescribed_components(mesh, scene))) {}
+        system_(volumes_.rest_positions, patches(volumes_),
+                free_components(mesh, prescribed_components(mesh, scene)),
+                statics::LinearSolver::direct) {}
 
   [[nodiscard]] std::vector<Vector3> load() const override { return load_; }
 
@@ -59,22 +61,20 @@ class ThesisSprings final : public dynamics::RememberingBody {
   }
 
   bool linearise(double, std::span<const Vector3> positions) override {
-    tangent_ = tangent_at(volumes_, positions);
+    Tangent tangent = tangent_at(volumes_, positions);
     for (std::size_t c = 0; c < network_.cells.size(); ++c)
-      add_springs(c, positions, tangent_.cells[c]);
-    solver_.prepare(tangent_);
-    const bool is_definite = solver_.is_definite();
-    if (!is_definite) solver_.prepare_clamped(tangent_);
-    return is_definite;
+      add_springs(c, positions, tangent.cells[c]);
+    system_.matrix().assemble([&](std::size_t patch) { return part(tangent, patch); });
+    return prepare_shifted(system_);
   }
 
   [[nodiscard]] std::vector<Vector3> stiffness_times(
       std::span<const Vector3> displacements) const override {
-    return product(volumes_, tangent_, displacements);
+    return product(system_.matrix(), displacements);
   }
 
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& forces) override {
-    return solver_.solve(forces).value();
+    return system_.solve(forces, 0).value();
   }
 
   void advance(double, std::span<const Vector3>) override {
@@ -104,7 +104,7 @@ class ThesisSprings final : public dynamics::RememberingBody {
     return std::sqrt(std::max(largest, 0.));
   }
 
-  [[nodiscard]] int factorisations() const override { return solver_.factorisations(); }
+  [[nodiscard]] int factorisations() const override { return system_.factorisations().value(); }
 
  private:
   /// T' n n^T + T/|d| (I - n n^T) of a cell's springs.
@@ -127,8 +127,7 @@ class ThesisSprings final : public dynamics::RememberingBody {
   Network network_, volumes_;
   tissue::ThesisSpring spring_;
   std::vector<Vector3> load_;  // [N] at the full load
-  DirectSolver solver_;
-  Tangent tangent_;
+  statics::System system_;
   double forces_norm_ = 0, largest_norm_ = 0;  // [N] of the tensions
 };
 

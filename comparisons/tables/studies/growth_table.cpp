@@ -69,7 +69,7 @@ std::optional<Cost> cost_of(
   return Cost{.seconds = stopwatch.seconds(), .bytes = peak_memory() - before};
 }
 
-std::optional<Cost> cost_of_springs(int n, mss::LinearSolver linear_solver) {
+std::optional<Cost> cost_of_springs(int n, statics::LinearSolver linear_solver) {
   const CaseSettings settings =
       case_of_scene("compression", Changes{{"method", "mss-cf"}} + cells_of(n));
   return cost_of(settings, [&](const Mesh& mesh, const Scene& scene) {
@@ -117,13 +117,13 @@ std::vector<Growing> all_growing(const std::vector<int>& wide,
       {.model = "mss-cf",
        .what = "equilibrium, direct",
        .across = narrow,
-       .cost = [](int n) { return cost_of_springs(n, mss::LinearSolver::direct); },
+       .cost = [](int n) { return cost_of_springs(n, statics::LinearSolver::direct); },
        .expected_bytes = memory_of("mss-cf")});
   all.push_back(
       {.model = "mss-cf",
        .what = "equilibrium, conjugate gradients",
        .across = wide,
-       .cost = [](int n) { return cost_of_springs(n, mss::LinearSolver::iterative); },
+       .cost = [](int n) { return cost_of_springs(n, statics::LinearSolver::conjugate_gradients); },
        .expected_bytes = [](int n) { return 14e3 * std::pow(n, 3); }});  // .4 GB at 30^3
   all.push_back({.model = "fem-stvk:q1-sri",
                  .what = "equilibrium, direct",
