@@ -4,6 +4,7 @@
 #include "mss/networks/spring_strain.hpp"
 #include "mss/statics/equilibrium.hpp"
 #include "mss/statics/path_limit_solution.hpp"
+#include "statics/systems/linear_solver.hpp"
 
 namespace springcheck::mss {
 
@@ -18,8 +19,8 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
     if (settings.dynamics)
       return run_dynamics(mesh, scene, network, *settings.dynamics, observers);
     if (settings.to_limit) return path_limit_solution(mesh, scene, network);
-    return find_equilibrium(mesh, scene, network, settings.seed, statics::LinearSolver::automatic,
-                            settings.noise);
+    return find_equilibrium(mesh, scene, network, settings.seed,
+                            statics::LinearSolver::automatic, settings.noise);
   };
   Solution solution = solved();
   solution.setup_wall_s += network_wall_s;

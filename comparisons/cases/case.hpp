@@ -8,6 +8,7 @@
 #include "comparisons/cases/named.hpp"
 #include "comparisons/cases/test.hpp"
 #include "mss/motion/dynamics.hpp"
+#include "statics/systems/linear_solver.hpp"
 #include "tissue/bipower_law.hpp"
 
 namespace springcheck {

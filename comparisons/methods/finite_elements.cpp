@@ -4,7 +4,7 @@
 
 #include "comparisons/cases/case.hpp"
 #include "fem_reference/solve.hpp"
-#include "fem_reference/statics/takes_multigrid.hpp"
+#include "fem_reference/statics/linear_solver_taken.hpp"
 
 namespace springcheck {
 namespace {
@@ -39,10 +39,11 @@ Method of_elements(Law law, Method own) {
   own.linear_systems = [law](const CaseSettings& settings) -> LinearSystems {
     using enum LinearSystems::Kind;
     const auto [nx, ny, nz] = element_nodes(settings);
-    const bool by_multigrid = fem_reference::takes_multigrid(
+    const statics::LinearSolver taken = fem_reference::linear_solver_taken(
         reference_settings(settings, law), settings.material.poisson_ratio,
         static_cast<std::size_t>(3 * nx * ny * nz));
-    return {.kind = by_multigrid ? multigrid : cholesky,
+    // Conjugate gradients by themselves need no more than with multigrid.
+    return {.kind = taken == statics::LinearSolver::direct ? cholesky : multigrid,
             .entries_per_node = settings.elements.element.entries_per_node};
   };
   return own;

@@ -154,7 +154,8 @@ constexpr Setting table[] = {
     {"linear-solver", of_elements, chosen, of_methods,
      in_elements<named<statics::LinearSolver>, &ElementSettings::linear_solver>,
      "auto",
-     "of linear systems: auto (by size), direct or multigrid"},
+     "of linear systems: auto (by size), direct, or conjugate-gradients by themselves "
+     "or with multigrid"},
     {"lattice", of_elements, chosen, of_methods_alone,
      in_elements<named<LatticeName>, &ElementSettings::lattice>,
      "mss-cf",

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fem_reference/statics/takes_multigrid.hpp"
+#include "fem_reference/statics/linear_solver_taken.hpp"
 
 namespace springcheck::fem_reference {
 namespace {
@@ -34,14 +34,6 @@ void for_each_cell(const std::vector<Cell>& cells, const Compute& compute,
   }
 }
 
-statics::LinearSolver taken(const Material& material, const Settings& settings,
-                            std::size_t components) {
-  using enum statics::LinearSolver;
-  if (settings.linear_solver != automatic) return settings.linear_solver;
-  return takes_multigrid(settings, material.poisson_ratio, components) ? multigrid
-                                                                       : direct;
-}
-
 std::vector<bool> negated(std::vector<bool> flags) {
   flags.flip();
   return flags;
@@ -54,7 +46,7 @@ Elasticity::Elasticity(const Discretisation& body, const Material& material,
     : body_(body),
       law_{.constitution = constitution(material, settings),
            .dilatation = dilatation_taken(settings)},
-      solver_(taken(material, settings, prescribed.size())),
+      solver_(linear_solver_taken(settings, material.poisson_ratio, prescribed.size())),
       system_(body.nodes, patches(body), negated(prescribed), solver_) {}
 
 bool Elasticity::is_linear() const {
@@ -130,8 +122,7 @@ bool Elasticity::accept_indefinite() {
     indefinite_.factorize(matrix);
     ++indefinite_effort_;
     if (indefinite_.info() != Eigen::Success) return false;
-    negative_eigenvalues_ =
-        static_cast<int>((indefinite_.vectorD().array() < 0).count());
+    negative_eigenvalues_ = static_cast<int>((indefinite_.vectorD().array() < 0).count());
   }
   definiteness_ = Definiteness::indefinite_accepted;
   return true;

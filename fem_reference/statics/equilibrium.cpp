@@ -178,12 +178,12 @@ class Follower {
           "the tangent was not positive definite between {:.2f} % and "
           "{:.2f} % of the load",
           100 * loss_.last_definite, 100 * loss_.regained);
-    return fmt::format(
-        "the tangent lost positive definiteness at {:.2f} % of the load{}",
-        100 * loss_.last_definite,
-        body_.negative_eigenvalues()
-            ? fmt::format(" (negative eigenvalues now: {})", *body_.negative_eigenvalues())
-            : "");
+    return fmt::format("the tangent lost positive definiteness at {:.2f} % of the load{}",
+                       100 * loss_.last_definite,
+                       body_.negative_eigenvalues()
+                           ? fmt::format(" (negative eigenvalues now: {})",
+                                         *body_.negative_eigenvalues())
+                           : "");
   }
 
   /// The last state's rate is taken backwards here: supports that jump make Newton's

@@ -49,8 +49,8 @@ std::optional<NaturalModes> rest_modes(const Mesh& mesh, const Scene& scene,
   });
   auto modes = natural_modes(stiffness, triangle.copy_of(matrix), count);
   if (!modes) return std::nullopt;
-  Eigen::MatrixXd of_all = Eigen::MatrixXd::Zero(
- 3 * std::ssize(body.nodes), modes->shapes.cols());
+  Eigen::MatrixXd of_all =
+      Eigen::MatrixXd::Zero(3 * std::ssize(body.nodes), modes->shapes.cols());
   of_all(unknowns.components(), Eigen::all) = modes->shapes;
   modes->shapes = std::move(of_all);
   return modes;

@@ -174,7 +174,8 @@ class Follower {
 }  // namespace
 
 Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
-                          unsigned seed, statics::LinearSolver linear_solver, double noise) {
+                          unsigned seed, statics::LinearSolver linear_solver,
+                          double noise) {
   const Stopwatch stopwatch;
   Landscape landscape(mesh, scene, network, linear_solver);
   const double setup_wall_s = stopwatch.seconds();

@@ -13,9 +13,9 @@ namespace springcheck::mss {
 /// with an energy line search. Where the tangent is not positive definite the step uses
 /// the patches' matrices with negative eigenvalues set to zero. A state counts as a
 /// minimum when its true tangent has a Cholesky factor, or passes the iterative solver's
-/// test (statics::IterativeSolver::is_definite); near a saddle the search leaves along negative
-/// curvature, the most negative where the solver is direct (`seed` starts the iteration
-/// that finds it, and so decides between equal directions).
+/// test (statics::IterativeSolver::is_definite); near a saddle the search leaves along
+/// negative curvature, the most negative where the solver is direct (`seed` starts the
+/// iteration that finds it, and so decides between equal directions).
 ///
 /// A minimum counts only where the path leads there and the body shows the turn of its
 /// plates (shows_imposed_turn): layers of cells that it twists by more than half of one
@@ -37,10 +37,9 @@ namespace springcheck::mss {
 ///
 /// Converged: residual below 1e-10 of the norm of the nodal forces, or below what the
 /// rounding of the positions does to them.
-Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
-                          unsigned seed,
-                          statics::LinearSolver linear_solver =
- statics::LinearSolver::automatic,
-                          double noise = 0);
+Solution find_equilibrium(
+    const Mesh& mesh, const Scene& scene, const Network& network, unsigned seed,
+    statics::LinearSolver linear_solver = statics::LinearSolver::automatic,
+    double noise = 0);
 
 }  // namespace springcheck::mss

@@ -10,13 +10,20 @@ namespace springcheck::mss {
 namespace {
 
 // Up to here a factor costs seconds at most, however ill-conditioned the body is.
+// Measured: compression of cubes of mss-cf by 5 %, whole solutions, processor seconds and
+// gigabytes at nu = .25 and at .499:
+//
+//     cells   direct               conjugate gradients
+//     10^3    .3   .4   (.1 GB)    .1   .3  (.1 GB)
+//     30^3    19   31   (1.1 GB)   2.3  18  (.4 GB)
+//     60^3                         35   287 (2.9 GB)
 constexpr std::ptrdiff_t most_unknowns_solved_directly = 10'000;
 // At 60^3 cells and nu = .499 less, 1e-3, leaves so much volume change that the load has
 // to be cut in two.
 constexpr double predictor_accuracy = 1e-4;
 
 statics::LinearSolver taken(statics::LinearSolver wanted,
-                           const std::vector<bool>& is_free) {
+                            const std::vector<bool>& is_free) {
   using enum statics::LinearSolver;
   if (wanted != automatic) return wanted;
   return std::ranges::count(is_free, true) <= most_unknowns_solved_directly

@@ -29,9 +29,7 @@ class Landscape {
 
   [[nodiscard]] double cell_edge() const { return cell_edge_; }  // mean [m]
   [[nodiscard]] int evaluations() const { return evaluations_; }
-  [[nodiscard]] Eigen::Index unknowns() const {
-    return system_.unknowns().count();
-  }
+  [[nodiscard]] Eigen::Index unknowns() const { return system_.unknowns().count(); }
   [[nodiscard]] const std::vector<PrescribedComponent>& prescribed() const {
     return prescribed_;
   }

@@ -16,8 +16,9 @@ std::optional<NaturalModes> rest_modes(const Network& network,
     masses.segment<3>(static_cast<Eigen::Index>(3 * n)).setConstant(network.masses[n]);
   masses = unknowns.in(masses);
 
-  auto modes = natural_modes(statics::FreeTriangle(stiffness, unknowns).copy_of(stiffness),
-                             Eigen::SparseMatrix<double>(masses.asDiagonal()), count);
+  auto modes =
+      natural_modes(statics::FreeTriangle(stiffness, unknowns).copy_of(stiffness),
+                    Eigen::SparseMatrix<double>(masses.asDiagonal()), count);
   if (!modes) return std::nullopt;
   Eigen::MatrixXd of_all = Eigen::MatrixXd::Zero(
       static_cast<Eigen::Index>(is_free.size()), modes->shapes.cols());

@@ -51,9 +51,9 @@ using AcceptState =
 /// without bound along the critical mode at the one, and has no part of it at the other
 /// (imperfections aside). Where more than half of du/ds is along the mode it is called a
 /// limit point.
-PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& network,
-                          double resolution, const AcceptState& accept,
-                          statics::LinearSolver linear_solver =
- statics::LinearSolver::automatic);
+PathLimit follow_to_limit(
+    const Mesh& mesh, const Scene& scene, const Network& network, double resolution,
+    const AcceptState& accept,
+    statics::LinearSolver linear_solver = statics::LinearSolver::automatic);
 
 }  // namespace springcheck::mss

@@ -86,7 +86,9 @@ class RememberingTissue final : public dynamics::RememberingBody {
     return mss::largest_shear_strain(body_, positions);
   }
 
-  [[nodiscard]] int factorisations() const override { return system_.factorisations().value(); }
+  [[nodiscard]] int factorisations() const override {
+    return system_.factorisations().value();
+  }
 
  private:
   const tissue::MemoryStep& step_of(double dt) {

@@ -104,7 +104,9 @@ class ThesisSprings final : public dynamics::RememberingBody {
     return std::sqrt(std::max(largest, 0.));
   }
 
-  [[nodiscard]] int factorisations() const override { return system_.factorisations().value(); }
+  [[nodiscard]] int factorisations() const override {
+    return system_.factorisations().value();
+  }
 
  private:
   /// T' n n^T + T/|d| (I - n n^T) of a cell's springs.

@@ -31,8 +31,8 @@ BlockMatrix::BlockMatrix(Patches patches, std::size_t nodes)
 
 void BlockMatrix::assemble(
     const std::function<Eigen::MatrixXd(std::size_t patch)>& part) {
-  // At once 30 MB of stars of tetrahedra. Rows are shared out so that every thread has some
-  // of any few patches.
+  // At once 30 MB of stars of tetrahedra. Rows are shared out so that every thread has
+  // some of any few patches.
   constexpr std::size_t at_once = 128, row_groups = 16;
   for (Matrix3& block : blocks_) block.setZero();
   std::vector<Eigen::MatrixXd> parts(std::min(at_once, patches_.size()));
@@ -46,9 +46,8 @@ void BlockMatrix::assemble(
         for (std::size_t a = 0; a < nodes.size(); ++a) {
           if (nodes[a] % row_groups != group) continue;
           for (std::size_t b = 0; b < nodes.size(); ++b)
-            blocks_[place(nodes[a], nodes[b])] +=
-                parts[i].block<3, 3>(static_cast<Eigen::Index>(3 * a),
-                                     static_cast<Eigen::Index>(3 * b));
+            blocks_[place(nodes[a], nodes[b])] += parts[i].block<3, 3>(
+                static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
         }
       }
     });

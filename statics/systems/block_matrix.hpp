@@ -11,19 +11,19 @@ namespace springcheck::statics {
 /// Nodes of each of the patches that a body's tangent is a sum over.
 using Patches = std::vector<std::vector<NodeIndex>>;
 
-/// A symmetric matrix in 3x3 blocks [N/m], one for every two nodes that share a patch, row
-/// by row, both triangles; of all components, prescribed ones too. Vectors hold all
-/// components, 3 node + component. In parallel, to the same bits on any number of threads:
-/// every row is summed by one of them, in the order of the patches.
+/// A symmetric matrix in 3x3 blocks [N/m], one for every two nodes that share a patch,
+/// row by row, both triangles; of all components, prescribed ones too. Vectors hold all
+/// components, 3 node + component. In parallel, to the same bits on any number of
+/// threads: every row is summed by one of them, in the order of the patches.
 class BlockMatrix {
  public:
   BlockMatrix(Patches patches, std::size_t nodes);
 
   [[nodiscard]] std::size_t nodes() const { return diagonal_.size(); }
 
-  /// Sums up the patches' parts, matrices in 3x3 blocks in the order of the patch's nodes.
-  /// `part` is called in parallel, and what it returns kept no longer than it takes to add
-  /// it: a million hexahedra of 27 nodes have 50 GB of them.
+  /// Sums up the patches' parts, matrices in 3x3 blocks in the order of the patch's
+  /// nodes. `part` is called in parallel, and what it returns kept no longer than it
+  /// takes to add it: a million hexahedra of 27 nodes have 50 GB of them.
   void assemble(const std::function<Eigen::MatrixXd(std::size_t patch)>& part);
 
   void scale(double by);

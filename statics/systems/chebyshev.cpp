@@ -1,33 +1,31 @@
 #include "statics/systems/chebyshev.hpp"
 
-#include <random>
-
-#include "meshing/random_vector.hpp"
+#include <algorithm>
+#include <cmath>
 
 namespace springcheck::statics {
 namespace {
 
 constexpr int degree = 3;
-constexpr double smoothed_part = 15;  // of the spectrum: largest over smallest
-constexpr int power_steps = 10;
-constexpr double margin = 1.1;
+constexpr double smoothed_part = 30;  // of the bound: largest over smallest
 
 }  // namespace
 
 Chebyshev::Chebyshev(const RowMatrix& matrix)
-    : inverse_diagonal_(matrix.diagonal().cwiseInverse()), largest_(0) {
-  std::mt19937_64 random(1);
-  Eigen::VectorXd v = random_vector(matrix.rows(), random).normalized();
-  for (int i = 0; i < power_steps; ++i) {
-    v = inverse_diagonal_.cwiseProduct(product(matrix, v));
-    largest_ = margin * v.norm();
-    v.normalize();
+    : inverse_diagonal_(matrix.diagonal()), bound_(0) {
+  // An aggregate whose nodes are held lacks motions, and their rows are empty.
+  for (double& entry : inverse_diagonal_) entry = entry > 0 ? 1 / entry : 0;
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+    double sum = 0;
+    for (RowMatrix::InnerIterator entry(matrix, row); entry; ++entry)
+      sum += std::abs(entry.value());
+    bound_ = std::max(bound_, sum * inverse_diagonal_[row]);
   }
 }
 
 Eigen::VectorXd Chebyshev::from_zero(const RowMatrix& matrix,
                                      const Eigen::VectorXd& right) const {
-  const double upper = largest_, lower = largest_ / smoothed_part;
+  const double upper = bound_, lower = bound_ / smoothed_part;
   const double centre = (upper + lower) / 2, half_width = (upper - lower) / 2;
   double rho = half_width / centre;
   Eigen::VectorXd residual = right;

@@ -5,11 +5,13 @@
 namespace springcheck::statics {
 
 /// A smoother: the polynomial of third degree in D^-1 A, D the diagonal of A, that is
-/// smallest over the upper part of its spectrum, from a fifteenth of the largest eigenvalue
-/// on. Symmetric, and positive definite where A is. The largest eigenvalue is an estimate
-/// from ten steps of the power method from a fixed start, and a tenth more.
-/// Source: Adams, Brezina, Hu and Tuminaro, J. Comput. Phys. 188 (2003) 593; Saad,
-/// Iterative Methods for Sparse Linear Systems (2003), algorithm 12.1.
+/// smallest from a thirtieth of a bound of the spectrum on. Symmetric, and positive
+/// definite where A is. The bound, max over rows of sum |A_ij|/A_ii, is two to three
+/// times the largest eigenvalue of matrices of elasticity. An estimate below that
+/// eigenvalue could leave the smoother indefinite: ten steps of the power method were too
+/// few for 16^3 cells of q2. Source: Adams, Brezina, Hu and Tuminaro, J. Comput. Phys.
+/// 188 (2003) 593; Saad, Iterative Methods for Sparse Linear Systems (2003),
+/// algorithm 12.1.
 class Chebyshev {
  public:
   explicit Chebyshev(const RowMatrix& matrix);
@@ -20,7 +22,7 @@ class Chebyshev {
 
  private:
   Eigen::VectorXd inverse_diagonal_;
-  double largest_;  // eigenvalue of D^-1 A
+  double bound_;  // of the eigenvalues of D^-1 A
 };
 
 }  // namespace springcheck::statics

@@ -34,14 +34,13 @@ void IterativeSolver::prepare_semidefinite() {
   double largest = 0;
   for (NodeIndex n = 0; n < matrix_.nodes(); ++n)
     for (int i = 0; i < 3; ++i)
-      if (unknowns_.of(n, i) >= 0)
-        largest = std::max(largest, matrix_.diagonal(n)(i, i));
+      if (unknowns_.of(n, i) >= 0) largest = std::max(largest, matrix_.diagonal(n)(i, i));
   shift_ = 1e-8 * largest;
 }
 
 std::optional<bool> IterativeSolver::is_definite(std::mt19937_64& random) {
-  Ending end = conjugate_gradients(random_vector(unknowns_.count(), random),
-                                   definite_accuracy);
+  Ending end =
+      conjugate_gradients(random_vector(unknowns_.count(), random), definite_accuracy);
   curvature_ = std::move(end.direction);
   if (!end.definite) return false;
   if (!end.converged) return std::nullopt;
@@ -71,8 +70,8 @@ void IterativeSolver::renew_preconditioner() {
   iterations_when_new_.reset();
 }
 
-IterativeSolver::Ending IterativeSolver::conjugate_gradients(
-    const Eigen::VectorXd& right, double accuracy) {
+IterativeSolver::Ending IterativeSolver::conjugate_gradients(const Eigen::VectorXd& right,
+                                                             double accuracy) {
   Eigen::VectorXd residual = unknowns_.spread(right);
   Ending end{.solution = Eigen::VectorXd::Zero(residual.size()),
              .converged = false,

@@ -36,8 +36,8 @@ class IterativeSolver {
 
   struct Answer {
     Eigen::VectorXd solution;
-    // False at the limit of iterations: the last iterate, which is less accurate and still
-    // lowers the energy's quadratic model.
+    // False at the limit of iterations: the last iterate, which is less accurate and
+    // still lowers the energy's quadratic model.
     bool converged;
   };
   /// None on meeting a direction of negative curvature.
@@ -74,7 +74,7 @@ class IterativeSolver {
   double shift_ = 0;           // of the diagonal, as the matrix was prepared [N/m]
   Eigen::VectorXd curvature_;  // the direction on which is_definite ended
   bool has_preconditioner_ = false;
-  bool preconditioner_fails_ = false;  // prepared for a matrix that is not definite
+  bool preconditioner_fails_ = false;       // prepared for a matrix that is not definite
   std::optional<int> iterations_when_new_;  // of is_definite, with the preconditioner
   int iterations_ = 0;
 };

@@ -33,8 +33,8 @@ Eigen::MatrixXd rigid_motions(std::span<const Vector3> nodes, const Unknowns& un
   return motions;
 }
 
-/// The blocks as they are, rows and columns of prescribed components with the largest entry
-/// of the diagonal alone: the matrix stays well scaled.
+/// The blocks as they are, rows and columns of prescribed components with the largest
+/// entry of the diagonal alone: the matrix stays well scaled.
 RowMatrix without_prescribed(const BlockMatrix& matrix, const Unknowns& unknowns) {
   const auto size = 3 * static_cast<Eigen::Index>(matrix.nodes());
   double largest = 0;
@@ -88,8 +88,7 @@ struct Multigrid::Hierarchy {
     const Level& level = levels[depth];
     Eigen::VectorXd x = level.smoother.from_zero(level.matrix, right);
     const Eigen::VectorXd left = right - product(level.matrix, x);
-    x += product(level.prolongation,
-                 cycle(depth + 1, product(level.restriction, left)));
+    x += product(level.prolongation, cycle(depth + 1, product(level.restriction, left)));
     x += level.smoother.from_zero(level.matrix, right - product(level.matrix, x));
     return x;
   }

@@ -15,8 +15,9 @@ namespace springcheck::statics {
 class System {
  public:
   /// nodes at rest [m]; is_free: one entry per component; solver: any but automatic.
-  System(std::span<const Vector3> nodes, Patches patches, const std::vector<bool>& is_free,
-         LinearSolver solver, int iteration_limit = 20'000);
+  System(std::span<const Vector3> nodes, Patches patches,
+         const std::vector<bool>& is_free, LinearSolver solver,
+         int iteration_limit = 20'000);
 
   [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
   [[nodiscard]] BlockMatrix& matrix() { return matrix_; }
@@ -60,8 +61,8 @@ class System {
   int truncated_ = 0;
 };
 
-/// Prepares a direct solver for a matrix that need not be positive definite, shifted until
-/// it is; returns whether it was.
+/// Prepares a direct solver for a matrix that need not be positive definite, shifted
+/// until it is; returns whether it was.
 bool prepare_shifted(System& system);
 
 }  // namespace springcheck::statics

@@ -10,7 +10,8 @@ Unknowns::Unknowns(const std::vector<bool>& is_free) : unknowns_(is_free.size(),
 }
 
 Eigen::VectorXd Unknowns::spread(const Eigen::VectorXd& free) const {
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns_.size()));
+  Eigen::VectorXd all =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns_.size()));
   all(components_) = free;
   return all;
 }

@@ -299,7 +299,8 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
   expect_bad_input("run compression --method mss-cf --directions 16",
                    "no directions without mss-affine");
   expect_bad_input("run compression --lattice-direction 123", "100, 110, 111");
-  expect_bad_input("run compression --linear-solver lu", "auto, direct, multigrid");
+  expect_bad_input("run compression --linear-solver lu",
+                   "auto, direct, conjugate-gradients, multigrid");
   expect_bad_input("run compression --method mss-custom",
                    "key 'stiffness': expected KE,KF,KC");
   expect_bad_input("run compression --method mss-custom --stiffness 1,-2,3",

@@ -8,6 +8,7 @@
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
+using statics::LinearSolver;
 
 BOOST_AUTO_TEST_SUITE(converged_test)
 

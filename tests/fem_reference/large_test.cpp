@@ -6,6 +6,7 @@
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
+using statics::LinearSolver;
 
 BOOST_AUTO_TEST_SUITE(large_test)
 

@@ -123,7 +123,10 @@ std::vector<Growing> all_growing(const std::vector<int>& wide,
       {.model = "mss-cf",
        .what = "equilibrium, conjugate gradients",
        .across = wide,
-       .cost = [](int n) { return cost_of_springs(n, statics::LinearSolver::conjugate_gradients); },
+       .cost =
+           [](int n) {
+             return cost_of_springs(n, statics::LinearSolver::conjugate_gradients);
+           },
        .expected_bytes = [](int n) { return 14e3 * std::pow(n, 3); }});  // .4 GB at 30^3
   all.push_back({.model = "fem-stvk:q1-sri",
                  .what = "equilibrium, direct",

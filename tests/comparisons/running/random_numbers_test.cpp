@@ -72,8 +72,8 @@ BOOST_AUTO_TEST_CASE(direct_solvers_draw_alone) {
 }
 
 BOOST_AUTO_TEST_CASE(multigrid_draws_alone) {
-  BOOST_TEST(draws_alone("compression",
-                         {"method=fem-hooke", "cells=4,4,4", "linear-solver=multigrid"}));
+  BOOST_TEST(draws_alone("compression", {"method=fem-hooke", "cells=12,12,12",
+                                         "linear-solver=multigrid"}));
 }
 
 BOOST_AUTO_TEST_CASE(gmsh_draws_alone) {

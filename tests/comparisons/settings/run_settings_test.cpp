@@ -192,7 +192,7 @@ const std::vector<Bad> bad_scenes{
     {good + "linear-solver = \"cholesky\"\n",
      "scene.toml:9:17: linear-solver: unknown value 'cholesky', expected one of "
      "auto, "
-     "direct, multigrid"},
+     "direct, conjugate-gradients, multigrid"},
     {good + "stiffness = [1, 2, 3]\n",
      "scene.toml:9:13: stiffness: expected no stiffness without mss-custom as method or "
      "reference, got [1, 2, 3]"},
@@ -543,7 +543,7 @@ BOOST_AUTO_TEST_CASE(every_key_reaches_the_finite_elements) {
                               "stiffness-form=E", "linear-solver=multigrid"});
   using namespace fem_reference;
   BOOST_TEST((settings.elements.element.element == Element::q2));
-  BOOST_TEST((settings.elements.linear_solver == LinearSolver::multigrid));
+  BOOST_TEST((settings.elements.linear_solver == statics::LinearSolver::multigrid));
   const Lattice lattice = lattice_of(settings);
   BOOST_TEST((lattice.springs == Springs::fd));
   BOOST_TEST((lattice.direction == LatticeDirection::d110));

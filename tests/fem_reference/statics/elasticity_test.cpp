@@ -11,6 +11,7 @@
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
+using statics::LinearSolver;
 
 BOOST_AUTO_TEST_SUITE(elasticity_test)
 
@@ -92,8 +93,8 @@ BOOST_AUTO_TEST_CASE(step_inverts_the_derivative_of_the_forces) {
 }
 
 // St-Venant's bar loses its stiffness at a stretch of .577: far below it the tangent has
-// many negative eigenvalues. The direct solver counts them all; multigrid sees some. Both
-// go on solving, to the accuracy above times a condition that is no longer bounded.
+// many negative eigenvalues. The direct solver counts them all. Both solvers go on
+// solving, to the accuracy above times a condition that is no longer bounded.
 BOOST_AUTO_TEST_CASE(indefinite_tangents_are_told_counted_and_solved) {
   const Discretisation body = discretise(cube(3), Element::q1_sri);
   const std::vector<bool> prescribed = plates_prescribed(body);
@@ -117,10 +118,9 @@ BOOST_AUTO_TEST_CASE(indefinite_tangents_are_told_counted_and_solved) {
         BOOST_TEST(!elasticity.is_definite());
         BOOST_TEST_REQUIRE(elasticity.accept_indefinite());
         if (solver == LinearSolver::direct)
-          BOOST_TEST(elasticity.negative_eigenvalues() == negative);
+          BOOST_TEST(elasticity.negative_eigenvalues().value() == negative);
         else
-          BOOST_TEST((elasticity.negative_eigenvalues() >= 1 &&
-                      elasticity.negative_eigenvalues() <= negative));
+          BOOST_TEST(!elasticity.negative_eigenvalues().has_value());
         const Eigen::VectorXd change = dense_tangent(body, law, u) * along;
         const auto step = elasticity.step(change, along);
         BOOST_TEST_REQUIRE(step.has_value());

@@ -1,7 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
-#include "mss/forces/assembly.hpp"
 #include "tests/mss/any_cells.hpp"
+#include "tests/mss/assembled.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;
@@ -14,9 +14,9 @@ Eigen::VectorXd rest_spectrum(const Mesh& mesh, double nu) {
   const Network network =
       build_network(mesh, {.young_modulus = 1, .poisson_ratio = nu, .density = 1},
                     in_shear_modulus_form(Method::affine));
-  FreeAssembly assembly(network, std::vector<bool>(3 * mesh.nodes().size(), true));
   const Eigen::MatrixXd lower =
-      assembly.assemble(tangent_at(network, network.rest_positions));
+      lower_triangle(network, tangent_at(network, network.rest_positions),
+                     std::vector<bool>(3 * mesh.nodes().size(), true));
   // Reads the lower triangle alone.
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(lower, Eigen::EigenvaluesOnly)
       .eigenvalues();

@@ -330,8 +330,9 @@ BOOST_AUTO_TEST_CASE(a_path_on_which_layers_lose_their_turn_ends_there) {
   BOOST_TEST((less.status == SolveStatus::ok), less.reason);
   const Solution whole_turn = solved_at(3, StrainMeasure::green, 370);
   BOOST_TEST((whole_turn.status == SolveStatus::no_equilibrium), whole_turn.reason);
-  // Where a cell is inside out at the full load that is told by its measures.
-  const Solution inside_out = solved_at(3, StrainMeasure::green, 170);
+  // Where a cell is inside out at the full load that is told by its measures. (At 170
+  // degrees rounding decides whether the turn is still there.)
+  const Solution inside_out = solved_at(3, StrainMeasure::green, 160);
   BOOST_TEST((inside_out.status == SolveStatus::ok), inside_out.reason);
 }
 

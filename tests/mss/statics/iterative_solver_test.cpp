@@ -1,5 +1,4 @@
-#include "mss/statics/iterative_solver.hpp"
-#include "meshing/generators/generate_block.hpp"
+#include "mss/statics/equilibrium.hpp"
 
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
@@ -8,14 +7,14 @@
 #include <memory>
 #include <sstream>
 
-#include "mss/forces/assembly.hpp"
-#include "mss/statics/equilibrium.hpp"
+#include "meshing/generators/generate_block.hpp"
 #include "tests/mss/any_cells.hpp"
 
 // Conjugate gradients against the Cholesky factor.
 
 using namespace springcheck;
 using namespace springcheck::mss;
+using statics::LinearSolver;
 
 BOOST_AUTO_TEST_SUITE(iterative_solver_test)
 
@@ -39,7 +38,7 @@ Both solved(const Mesh& mesh, const Scene& scene, Method method) {
   const Network network =
       build_network(mesh, scene.material, in_shear_modulus_form(method));
   return {find_equilibrium(mesh, scene, network, 1, LinearSolver::direct),
-          find_equilibrium(mesh, scene, network, 1, LinearSolver::iterative)};
+          find_equilibrium(mesh, scene, network, 1, LinearSolver::conjugate_gradients)};
 }
 
 double distance(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
@@ -70,39 +69,6 @@ void check_agreement(const Both& both, double nu, const std::string& name) {
 }
 
 }  // namespace
-
-// Assembled otherwise, the same matrix: with stars and without, on any cells. Round-off.
-BOOST_AUTO_TEST_CASE(block_rows_are_the_assembled_tangent) {
-  for (const auto& [name, mesh] : distorted_cubes(2, h))
-    for (const double nu : {0., 0.45}) {
-      const Network network = build_network(
-          mesh, {.young_modulus = 1e4, .poisson_ratio = nu, .density = 1000},
-          in_shear_modulus_form(Method::affine));
-      const Tangent tangent = tangent_at(
-          network, sum(mesh.nodes(), random_field(mesh.nodes().size(), 0.05 * h, 2)));
-      std::vector<bool> is_free(3 * mesh.nodes().size(), true);
-      for (const std::size_t held : {0, 1, 2, 7, 12}) is_free[held] = false;
-      FreeAssembly assembly(network, is_free);
-      const Eigen::MatrixXd expected =
-          Eigen::MatrixXd(assembly.assemble(tangent)).selfadjointView<Eigen::Lower>();
-      BlockTangent blocks(network, is_free);
-      blocks.assemble(tangent);
-      const auto size = static_cast<Eigen::Index>(is_free.size());
-      std::mt19937_64 random(1);
-      Eigen::VectorXd x = Eigen::VectorXd::Random(size), all;
-      blocks.multiply(x, all);
-      Eigen::VectorXd free(expected.rows()), product(expected.rows());
-      Eigen::Index k = 0;
-      for (Eigen::Index i = 0; i < size; ++i)
-        if (is_free[static_cast<std::size_t>(i)]) {
-          free[k] = x[i];
-          product[k++] = all[i];
-        } else
-          BOOST_TEST(all[i] == 0);
-      BOOST_TEST((product - expected * free).norm() < 1e-13 * expected.norm() * x.norm(),
-                 name);
-    }
-}
 
 BOOST_AUTO_TEST_CASE(both_solvers_find_the_same_equilibrium_on_hexahedra) {
   for (const Method method : {Method::cf, Method::affine})
@@ -155,46 +121,6 @@ BOOST_AUTO_TEST_CASE(both_solvers_lose_the_equilibrium_at_the_same_load) {
   BOOST_TEST(iterative.definite_up_to.has_value());
 }
 
-BOOST_AUTO_TEST_CASE(random_right_hand_side_tells_whether_the_tangent_is_definite) {
-  const Mesh mesh = cube(3, h);
-  const Network network =
-      build_network(mesh, {.young_modulus = 1e4, .poisson_ratio = 0.25, .density = 1000},
-                    in_shear_modulus_form(Method::cf));
-  std::vector<bool> is_free(3 * mesh.nodes().size(), true);
-  for (const NodeIndex node : mesh.region("bottom").nodes)
-    for (std::size_t i = 0; i < 3; ++i) is_free[3 * node + i] = false;
-  FreeAssembly assembly(network, is_free);
-  IterativeSolver solver(network, is_free);
-  std::mt19937_64 random(1);
-  // A free end pressed down along z, by a factor: buckles somewhere on the way.
-  bool was_definite = true;
-  for (double stretch = 1; stretch > 0.5; stretch -= 0.05) {
-    std::vector<Vector3> x = mesh.nodes();
-    for (Vector3& place : x) place.z() *= stretch;
-    const Tangent tangent = tangent_at(network, x);
-    const Eigen::MatrixXd dense =
-        Eigen::MatrixXd(assembly.assemble(tangent)).selfadjointView<Eigen::Lower>();
-    const double lowest =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly)
-            .eigenvalues()[0];
-    solver.prepare(tangent);
-    BOOST_TEST(solver.is_definite(random).value() == (lowest > 0),
-               "stretch " << stretch << ", eigenvalue " << lowest);
-    was_definite = lowest > 0;
-    if (was_definite) continue;
-    const Eigen::VectorXd v = solver.negative_curvature(random);
-    BOOST_TEST(v.dot(dense * v) < 0);
-  }
-  BOOST_TEST(!was_definite);
-
-  // Three iterations are not enough to tell of a definite tangent.
-  IterativeSolver hasty(network, is_free, 3);
-  hasty.prepare(tangent_at(network, mesh.nodes()));
-  BOOST_TEST(!hasty.is_definite(random).has_value());
-  const Eigen::VectorXd push = Eigen::VectorXd::Ones(assembly.size());
-  BOOST_TEST(hasty.solve(push, 1e-10).value().dot(push) > 0);
-}
-
 // As the log prints it, to ten digits: more than the 1e-13 of round-off allowed.
 BOOST_AUTO_TEST_CASE(energy_never_rises_from_one_iterate_to_the_next) {
   std::ostringstream text;
@@ -210,7 +136,7 @@ BOOST_AUTO_TEST_CASE(energy_never_rises_from_one_iterate_to_the_next) {
       const Scene scene = compression(nu, 0.1, 6);
       (void)find_equilibrium(
           mesh, scene, build_network(mesh, scene.material, in_shear_modulus_form(method)),
-          1, LinearSolver::iterative);
+          1, LinearSolver::conjugate_gradients);
     }
   spdlog::set_default_logger(before);
 
@@ -237,7 +163,7 @@ BOOST_AUTO_TEST_CASE(same_bits_each_time) {
   const Network network =
       build_network(mesh, scene.material, in_shear_modulus_form(Method::affine));
   const auto once = [&] {
-    return find_equilibrium(mesh, scene, network, 1, LinearSolver::iterative);
+    return find_equilibrium(mesh, scene, network, 1, LinearSolver::conjugate_gradients);
   };
   const Solution one = once(), two = once();
   BOOST_TEST((one.displacements == two.displacements));

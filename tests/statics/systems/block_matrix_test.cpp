@@ -34,7 +34,8 @@ BOOST_AUTO_TEST_CASE(products_are_those_of_the_dense_sum_on_any_cells) {
 BOOST_AUTO_TEST_CASE(same_bits_on_any_number_of_threads) {
   const Mesh mesh = cube(6, CellPattern::mixed);
   const auto product_on = [&](std::size_t threads) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    threads);
     BlockMatrix matrix(patches(mesh), mesh.nodes().size());
     assemble(matrix, mesh, 0.1);
     Eigen::VectorXd found;

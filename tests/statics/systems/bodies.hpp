@@ -21,7 +21,8 @@ inline Mesh cube(int cells, CellPattern pattern = CellPattern::hexahedron) {
 
 inline Patches patches(const Mesh& mesh) {
   Patches patches;
-  for (const CellNodes& cell : mesh.cells()) patches.emplace_back(cell.begin(), cell.end());
+  for (const CellNodes& cell : mesh.cells())
+    patches.emplace_back(cell.begin(), cell.end());
   return patches;
 }
 
@@ -35,7 +36,8 @@ inline Eigen::MatrixXd part(const Mesh& mesh, std::size_t cell, double pull = 0)
     for (std::size_t b = a + 1; b < nodes.size(); ++b) {
       const Vector3 n = (mesh.nodes()[nodes[b]] - mesh.nodes()[nodes[a]]).normalized();
       const Matrix3 block = (1 - pull) * n * n.transpose() + pull * Matrix3::Identity();
-      const auto i = static_cast<Eigen::Index>(3 * a), j = static_cast<Eigen::Index>(3 * b);
+      const auto i = static_cast<Eigen::Index>(3 * a),
+                 j = static_cast<Eigen::Index>(3 * b);
       sum.block<3, 3>(i, i) += block;
       sum.block<3, 3>(j, j) += block;
       sum.block<3, 3>(i, j) -= block;

@@ -12,8 +12,8 @@ BOOST_AUTO_TEST_SUITE(multigrid_test)
 using namespace springcheck;
 using namespace springcheck::statics;
 
-// 1080 and 10,584 unknowns, the first on one level: 1. A good hierarchy needs the same
-// number on all grids that have levels.
+// 3630 and 43,200 unknowns, on two and three levels: 11 and 13 iterations. A good
+// hierarchy needs the same number on all grids; less than 1.5 times is allowed.
 BOOST_AUTO_TEST_CASE(iterations_hardly_grow_with_the_number_of_cells) {
   const auto iterations = [](int cells) {
     const Mesh mesh = cube(cells);
@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_CASE(iterations_hardly_grow_with_the_number_of_cells) {
     BOOST_TEST(system.solve(random_values(system.unknowns().count()), 1e-10).has_value());
     return system.iterations().value();
   };
-  const int coarse = iterations(10), fine = iterations(20);
+  const int coarse = iterations(10), fine = iterations(24);
   BOOST_TEST(fine < 1.5 * coarse);
   BOOST_TEST(coarse < 20);
 }
@@ -68,10 +68,10 @@ BOOST_AUTO_TEST_CASE(coarser_matrices_are_those_of_the_prolonged_motions) {
   }
 }
 
-// The error of x of the highest frequency falls, and of a diagonal matrix of eigenvalues
-// from 1/15 of the largest on by at least 1/T_3((15 + 1)/(15 - 1)) = 1/2.5.
+// The error falls, and that part of it whose eigenvalue is above 1/30 of the bound to
+// 1/T_3(31/29) = .596.
 BOOST_AUTO_TEST_CASE(smoother_reduces_the_upper_part_of_the_spectrum) {
-  // D^-1 A of a chain has eigenvalues from 0 to 2.
+  // D^-1 A of a chain has eigenvalues from 0 to 2, which is the bound too.
   constexpr int n = 200;
   RowMatrix chain(n, n);
   for (int i = 0; i < n; ++i) {
@@ -88,8 +88,7 @@ BOOST_AUTO_TEST_CASE(smoother_reduces_the_upper_part_of_the_spectrum) {
     const Eigen::VectorXd left = mode - smoother.from_zero(chain, chain * mode);
     const double factor = left.norm() / mode.norm();
     BOOST_TEST(factor < 1);
-    // The estimate of the largest is within 20 % of the true one.
-    if (eigenvalue > 2 * 1.2 / 15) BOOST_TEST(factor < 0.45, eigenvalue);
+    if (eigenvalue > 2. / 30) BOOST_TEST(factor < 0.597, eigenvalue);
   }
 }
 

@@ -54,8 +54,7 @@ BOOST_AUTO_TEST_CASE(solutions_are_those_of_the_dense_matrix) {
       BOOST_TEST((*found - expected).norm() < 1e-9 * expected.norm());
     }
     BOOST_TEST(body.system.truncated() == 0);
-    BOOST_TEST(body.system.iterations().has_value() ==
-               (solver != LinearSolver::direct));
+    BOOST_TEST(body.system.iterations().has_value() == (solver != LinearSolver::direct));
     BOOST_TEST(body.system.factorisations().value_or(-1) ==
                (solver == LinearSolver::direct ? 3 : -1));
   }
