@@ -71,9 +71,11 @@ BOOST_AUTO_TEST_CASE(direct_solvers_draw_alone) {
                                   "duration=1", "dt=1", "deformation=0.1%"}));
 }
 
-BOOST_AUTO_TEST_CASE(multigrid_draws_alone) {
-  BOOST_TEST(draws_alone("compression", {"method=fem-hooke", "cells=12,12,12",
-                                         "linear-solver=multigrid"}));
+// Its products take no lock.
+BOOST_AUTO_TEST_CASE(multigrid_draws_nothing) {
+  (void)draws_alone("compression",
+                    {"method=fem-hooke", "cells=12,12,12", "linear-solver=multigrid"});
+  BOOST_TEST(draws == 0);
 }
 
 BOOST_AUTO_TEST_CASE(gmsh_draws_alone) {
