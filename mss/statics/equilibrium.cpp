@@ -185,6 +185,11 @@ Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& n
   solution.force_evaluations = landscape.evaluations();
   solution.linear_iterations = landscape.linear_iterations();
   solution.factorisations = landscape.factorisations();
+  if (!solution.reason.empty() && landscape.truncated() > 0)
+    solution.reason += fmt::format(
+        "; conjugate gradients gave up on {} of the linear systems before they were as "
+        "accurate as asked",
+        landscape.truncated());
   solution.setup_wall_s = setup_wall_s;
   return solution;
 }
