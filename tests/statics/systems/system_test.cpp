@@ -111,6 +111,8 @@ BOOST_AUTO_TEST_CASE(semidefinite_matrices_are_shifted) {
     const auto found = system.solve(image, 1e-10);
     BOOST_TEST_REQUIRE(found.has_value(), static_cast<int>(solver));
     BOOST_TEST((matrix * *found - image).norm() < 1e-5 * image.norm());
+    std::mt19937_64 random(1);
+    BOOST_TEST(system.is_definite(random).value());
   }
 }
 
