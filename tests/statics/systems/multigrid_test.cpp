@@ -28,6 +28,16 @@ BOOST_AUTO_TEST_CASE(iterations_hardly_grow_with_the_number_of_cells) {
   BOOST_TEST(coarse < 20);
 }
 
+// Its layers turn against each other at little cost in energy.
+BOOST_AUTO_TEST_CASE(bending_of_a_slender_body_is_seen_by_the_coarse_levels) {
+  const Mesh mesh = generate_block({.size = {.01, .01, .2}, .cells = {4, 4, 80}});
+  System system(mesh.nodes(), patches(mesh), held_below(mesh), LinearSolver::multigrid);
+  assemble(system.matrix(), mesh);
+  system.prepare();
+  BOOST_TEST(system.solve(random_values(system.unknowns().count()), 1e-10).has_value());
+  BOOST_TEST(system.iterations().value() < 20);
+}
+
 // What conjugate gradients ask of a preconditioner. Round-off.
 BOOST_AUTO_TEST_CASE(cycle_is_symmetric_and_positive_and_leaves_prescribed_ones_alone) {
   const Mesh mesh = cube(10);
