@@ -90,12 +90,8 @@ bool Elasticity::linearise(const Eigen::VectorXd& displacements) {
     return cell_tangent(law_, *cell.shape, of_cell(displacements, cell));
   });
   system_.prepare();
-  largest_diagonal_ = 0;
-  for (NodeIndex n = 0; n < body_.nodes.size(); ++n)
-    for (int i = 0; i < 3; ++i)
-      if (system_.unknowns().of(n, i) >= 0)
-        largest_diagonal_ =
-            std::max(largest_diagonal_, system_.matrix().diagonal(n)(i, i));
+  if (system_.unknowns().count() > 0)
+    largest_diagonal_ = diagonal(system_.matrix(), system_.unknowns()).maxCoeff();
   definiteness_ = Definiteness::unknown;
   if (solver_ == statics::LinearSolver::direct) return is_definite();
   if (is_linear()) definiteness_ = Definiteness::definite;

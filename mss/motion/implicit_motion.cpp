@@ -144,7 +144,7 @@ class ImplicitMotion final : public dynamics::Motion {
 
   bool factor(const Tangent& tangent, double dt) {
     matrix_.assemble([&](std::size_t patch) { return part(tangent, patch); });
-    stiffness_ = triangle_.copy_of(matrix_).diagonal().norm();
+    stiffness_ = diagonal(matrix_, unknowns_).norm();
     matrix_.scale(dt * dt);
     for (NodeIndex n = 0; n < network_.masses.size(); ++n)
       matrix_.block(n, n).diagonal().array() += network_.masses[n];

@@ -58,12 +58,7 @@ Landscape::Landscape(const Mesh& mesh, const Scene& scene, const Network& networ
       forces_(mesh.nodes().size()),
       tangent_(tangent_at(network, network.rest_positions)) {
   assemble();
-  double squares = 0;
-  for (NodeIndex n = 0; n < mesh.nodes().size(); ++n)
-    for (int i = 0; i < 3; ++i)
-      if (system_.unknowns().of(n, i) >= 0)
-        squares += std::pow(system_.matrix().diagonal(n)(i, i), 2);
-  stiffness_ = std::sqrt(squares);
+  stiffness_ = diagonal(system_.matrix(), system_.unknowns()).norm();
 }
 
 void Landscape::assemble() {

@@ -29,6 +29,16 @@ void for_each_entry(const BlockMatrix& matrix, const Unknowns& unknowns,
 
 }  // namespace
 
+Eigen::VectorXd diagonal(const BlockMatrix& matrix, const Unknowns& unknowns) {
+  Eigen::VectorXd entries(unknowns.count());
+  for (Eigen::Index u = 0; u < unknowns.count(); ++u) {
+    const Eigen::Index component = unknowns.components()[static_cast<std::size_t>(u)];
+    const auto i = component % 3;
+    entries[u] = matrix.diagonal(static_cast<NodeIndex>(component / 3))(i, i);
+  }
+  return entries;
+}
+
 FreeTriangle::FreeTriangle(const BlockMatrix& matrix, const Unknowns& unknowns)
     : unknowns_(unknowns), copy_(unknowns.count(), unknowns.count()) {
   std::int64_t entries = 0;

@@ -7,6 +7,9 @@
 
 namespace springcheck::statics {
 
+/// The diagonal's entries of the unknowns.
+Eigen::VectorXd diagonal(const BlockMatrix& matrix, const Unknowns& unknowns);
+
 /// Copies of a block matrix's entries of the unknowns: the lower triangle as a sparse
 /// matrix, its pattern laid out once.
 class FreeTriangle {

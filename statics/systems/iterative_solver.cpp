@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "meshing/random_vector.hpp"
+#include "statics/systems/free_triangle.hpp"
 
 namespace springcheck::statics {
 namespace {
