@@ -1,6 +1,5 @@
 #include "statics/systems/iterative_solver.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "meshing/random_vector.hpp"
@@ -32,11 +31,7 @@ void IterativeSolver::prepare_semidefinite() {
   const bool fails = preconditioner_fails_;
   prepare();
   if (fails) renew_preconditioner();
-  double largest = 0;
-  for (NodeIndex n = 0; n < matrix_.nodes(); ++n)
-    for (int i = 0; i < 3; ++i)
-      if (unknowns_.of(n, i) >= 0) largest = std::max(largest, matrix_.diagonal(n)(i, i));
-  shift_ = 1e-8 * largest;
+  if (unknowns_.count() > 0) shift_ = 1e-8 * diagonal(matrix_, unknowns_).maxCoeff();
 }
 
 std::optional<bool> IterativeSolver::is_definite(std::mt19937_64& random) {
