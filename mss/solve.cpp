@@ -3,8 +3,6 @@
 #include "meshing/stopwatch.hpp"
 #include "mss/networks/spring_strain.hpp"
 #include "mss/statics/equilibrium.hpp"
-#include "mss/statics/path_limit_solution.hpp"
-#include "statics/systems/linear_solver.hpp"
 
 namespace springcheck::mss {
 
@@ -18,9 +16,9 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
   const auto solved = [&] {
     if (settings.dynamics)
       return run_dynamics(mesh, scene, network, *settings.dynamics, observers);
-    if (settings.to_limit) return path_limit_solution(mesh, scene, network);
-    return find_equilibrium(mesh, scene, network, settings.seed,
-                            statics::LinearSolver::automatic, settings.noise);
+    if (settings.to_limit) return last_stable_equilibrium(mesh, scene, network);
+    return find_equilibrium(mesh, scene, network,
+                            {.seed = settings.seed, .noise = settings.noise});
   };
   Solution solution = solved();
   solution.setup_wall_s += network_wall_s;

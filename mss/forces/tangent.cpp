@@ -1,11 +1,8 @@
 #include "mss/forces/tangent.hpp"
 
-#include <tbb/parallel_for.h>
-
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "mss/forces/cell_forces.hpp"
+#include "statics/systems/positive_part.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -14,7 +11,7 @@ Eigen::Index row(std::size_t node) {
   return static_cast<Eigen::Index>(3 * node);
 }
 
-/// D of StarTangent, for any patch: 9 rows, 3 columns per node.
+/// D of a patch: 9 rows, 3 columns per node.
 template <class Gradients>
 Eigen::Matrix<double, 9, Eigen::Dynamic> gradient_matrix(const Gradients& gradients,
                                                          std::size_t nodes) {
@@ -82,13 +79,14 @@ void add_affine_springs(Eigen::MatrixXd& tangent, Matrix9& by_gradient,
   tangent += q * weights.asDiagonal() * q.transpose();
 }
 
-Eigen::MatrixXd cell_tangent(const Network& network, const CellStates& states,
-                             std::span<const Vector3> positions, std::size_t cell) {
+Eigen::MatrixXd cell_tangent(const Tangent& at, std::size_t cell) {
+  const Network& network = *at.network;
+  const CellStates& states = at.states;
   const auto gradients = network.cells.gradients(cell);
   Eigen::MatrixXd tangent =
       Eigen::MatrixXd::Zero(row(gradients.size()), row(gradients.size()));
   if (network.cell_springs == RestLength::constant)
-    add_constant_springs(tangent, network, cell, positions);
+    add_constant_springs(tangent, network, cell, at.positions);
   if (!cells_act(network)) return tangent;
 
   const Matrix3& H = states.displacement_gradients[cell];
@@ -120,6 +118,25 @@ std::vector<NodeIndex> star_nodes(const Network& network, std::size_t star) {
   return nodes;
 }
 
+/// What part() says of a star.
+struct StarTangent {
+  std::vector<NodeIndex> nodes;
+  Eigen::Matrix3Xd gradients{};         // G_a [1/m]
+  Matrix9 shape;                        // 3/4 V_n dP/dF [J]
+  Eigen::Matrix3Xd volume_gradients{};  // g_a [1/m]
+  double volume;                        // V_n U''(t_n) [J]
+};
+
+Eigen::MatrixXd matrix(const StarTangent& star) {
+  const auto D = gradient_matrix(
+      [&](std::size_t a) { return star.gradients.col(static_cast<Eigen::Index>(a)); },
+      star.nodes.size());
+  const auto v = star.volume_gradients.reshaped();
+  Eigen::MatrixXd sum = star.volume * v * v.transpose();
+  if (!star.shape.isZero(0)) sum += D.transpose() * star.shape * D;
+  return sum;
+}
+
 /// Adds weight * (map G_a) to the column of each of a cell's nodes a.
 void add_gradients(Eigen::Matrix3Xd& columns, const std::vector<NodeIndex>& nodes,
                    const Cells& cells, const Stars::Part& part, const Matrix3& map) {
@@ -130,8 +147,9 @@ void add_gradients(Eigen::Matrix3Xd& columns, const std::vector<NodeIndex>& node
   }
 }
 
-StarTangent star_tangent(const Network& network, const CellStates& states,
-                         std::size_t star) {
+StarTangent star_tangent(const Tangent& at, std::size_t star) {
+  const Network& network = *at.network;
+  const CellStates& states = at.states;
   StarTangent tangent{
       .nodes = star_nodes(network, star), .shape = Matrix9::Zero(), .volume = 0};
   const auto count = static_cast<Eigen::Index>(tangent.nodes.size());
@@ -160,14 +178,6 @@ std::size_t star_count(const Network& network) {
   return std::max(network.shape_stars.size(), network.volume_stars.size());
 }
 
-template <class Matrix>
-void clamp(Matrix& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> spectrum(matrix);
-  const Matrix& vectors = spectrum.eigenvectors();
-  matrix =
-      vectors * spectrum.eigenvalues().cwiseMax(0).asDiagonal() * vectors.transpose();
-}
-
 }  // namespace
 
 void add_between(Eigen::MatrixXd& tangent, const LocalEdge& ends, const Matrix3& block) {
@@ -178,38 +188,12 @@ void add_between(Eigen::MatrixXd& tangent, const LocalEdge& ends, const Matrix3&
   tangent.block<3, 3>(j, i) -= block;
 }
 
-Eigen::MatrixXd matrix(const StarTangent& star) {
-  const auto D = gradient_matrix(
-      [&](std::size_t a) { return star.gradients.col(static_cast<Eigen::Index>(a)); },
-      star.nodes.size());
-  const auto v = star.volume_gradients.reshaped();
-  Eigen::MatrixXd sum = star.volume * v * v.transpose();
-  if (!star.shape.isZero(0)) sum += D.transpose() * star.shape * D;
-  return sum;
-}
-
 Tangent tangent_at(const Network& network, std::span<const Vector3> positions) {
-  CellStates states;
-  if (cells_act(network)) update_deformations(network, positions, states);
-  Tangent tangent;
-  tangent.cells.resize(network.cells.size());
-  tbb::parallel_for(std::size_t{0}, tangent.cells.size(), [&](std::size_t c) {
-    tangent.cells[c] = cell_tangent(network, states, positions, c);
-  });
-  tangent.stars.resize(star_count(network));
-  tbb::parallel_for(std::size_t{0}, tangent.stars.size(), [&](std::size_t n) {
-    tangent.stars[n] = star_tangent(network, states, n);
-  });
+  Tangent tangent{.network = &network,
+                  .positions = {positions.begin(), positions.end()},
+                  .states = {}};
+  if (cells_act(network)) update_deformations(network, positions, tangent.states);
   return tangent;
-}
-
-void clamp_to_positive(Tangent& tangent) {
-  tbb::parallel_for(std::size_t{0}, tangent.cells.size(),
-                    [&](std::size_t c) { clamp(tangent.cells[c]); });
-  tbb::parallel_for(std::size_t{0}, tangent.stars.size(), [&](std::size_t n) {
-    clamp(tangent.stars[n].shape);
-    tangent.stars[n].volume = std::max(tangent.stars[n].volume, 0.);
-  });
 }
 
 std::vector<std::vector<NodeIndex>> patches(const Network& network) {
@@ -223,10 +207,24 @@ std::vector<std::vector<NodeIndex>> patches(const Network& network) {
   return all;
 }
 
-std::vector<Vector3> product(const Network& network, const Tangent& tangent,
-                             std::span<const Vector3> vectors) {
+Eigen::MatrixXd part(const Tangent& tangent, std::size_t patch) {
+  const std::size_t cells = tangent.network->cells.size();
+  return patch < cells ? cell_tangent(tangent, patch)
+                       : matrix(star_tangent(tangent, patch - cells));
+}
+
+Eigen::MatrixXd positive_part(const Tangent& tangent, std::size_t patch) {
+  const std::size_t cells = tangent.network->cells.size();
+  if (patch < cells) return statics::positive_part(cell_tangent(tangent, patch));
+  StarTangent star = star_tangent(tangent, patch - cells);
+  star.shape = statics::positive_part(star.shape);
+  star.volume = std::max(star.volume, 0.);
+  return matrix(star);
+}
+
+std::vector<Vector3> product(const Tangent& tangent, std::span<const Vector3> vectors) {
   std::vector<Vector3> result(vectors.size(), Vector3::Zero());
-  const auto all = patches(network);
+  const auto all = patches(*tangent.network);
   for (std::size_t p = 0; p < all.size(); ++p) {
     Eigen::VectorXd stacked(row(all[p].size()));
     for (std::size_t a = 0; a < all[p].size(); ++a)
@@ -236,11 +234,6 @@ std::vector<Vector3> product(const Network& network, const Tangent& tangent,
       result[all[p][a]] += answer.segment<3>(row(a));
   }
   return result;
-}
-
-Eigen::MatrixXd part(const Tangent& tangent, std::size_t patch) {
-  const std::size_t cells = tangent.cells.size();
-  return patch < cells ? tangent.cells[patch] : matrix(tangent.stars[patch - cells]);
 }
 
 }  // namespace springcheck::mss

@@ -134,16 +134,15 @@ class ImplicitMotion final : public dynamics::Motion {
   /// (M + dt C + dt^2 K)^-1 residual.
   Field newton_step(const StepTo& step, const Field& residual) {
     const double dt = step.dt;
-    Tangent tangent = tangent_at(network_, positions_);
-    if (!factor(tangent, dt)) {
-      clamp_to_positive(tangent);
-      if (!factor(tangent, dt)) fail(step, "its matrix is not positive definite");
-    }
+    const Tangent tangent = tangent_at(network_, positions_);
+    if (!factor(part, tangent, dt) && !factor(positive_part, tangent, dt))
+      fail(step, "its matrix is not positive definite");
     return cholesky_.solve(residual);
   }
 
-  bool factor(const Tangent& tangent, double dt) {
-    matrix_.assemble([&](std::size_t patch) { return part(tangent, patch); });
+  using PartOf = Eigen::MatrixXd(const Tangent&, std::size_t patch);
+  bool factor(PartOf* part_of, const Tangent& tangent, double dt) {
+    matrix_.assemble([&](std::size_t patch) { return part_of(tangent, patch); });
     stiffness_ = diagonal(matrix_, unknowns_).norm();
     matrix_.scale(dt * dt);
     for (NodeIndex n = 0; n < network_.masses.size(); ++n)

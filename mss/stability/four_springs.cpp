@@ -56,8 +56,8 @@ FourSpringForces forces_at(const FourSprings& system, double x, double zeta) {
 }
 
 double stiffness_of_centre(const FourSprings& system, double zeta) {
-  const Eigen::MatrixXd K =
-      tangent_at(network_of(system), positions(system, 0, zeta)).cells.front();
+  const Network network = network_of(system);
+  const Eigen::MatrixXd K = part(tangent_at(network, positions(system, 0, zeta)), 0);
   return K(3 * C, 3 * C);
 }
 

@@ -100,7 +100,7 @@ Couplings couplings(const Network& cell, const Matrix3& deformation_gradient) {
   std::vector<Vector3> positions;
   for (const Vector3& X : cell.rest_positions)
     positions.push_back(deformation_gradient * X);
-  const Eigen::MatrixXd K = tangent_at(cell, positions).cells.front();
+  const Eigen::MatrixXd K = part(tangent_at(cell, positions), 0);
   Couplings lattice{.edge = std::cbrt(cell.cells.volume(0))};
   lattice.blocks.fill(Matrix3::Zero());
   const auto nodes = cell.cells.nodes(0);

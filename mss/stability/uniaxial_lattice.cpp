@@ -32,7 +32,7 @@ LateralEnergy lateral_energy(const Network& cell, double lateral, double axial) 
   }
   std::vector<Vector3> forces(positions.size());
   nodal_forces(cell, positions, forces);
-  const auto stiffening = product(cell, tangent_at(cell, positions), widening);
+  const auto stiffening = product(tangent_at(cell, positions), widening);
   LateralEnergy energy{.slope = 0, .curvature = 0};
   for (std::size_t a = 0; a < positions.size(); ++a) {
     energy.slope -= forces[a].dot(widening[a]);

@@ -61,10 +61,12 @@ class ThesisSprings final : public dynamics::RememberingBody {
   }
 
   bool linearise(double, std::span<const Vector3> positions) override {
-    Tangent tangent = tangent_at(volumes_, positions);
-    for (std::size_t c = 0; c < network_.cells.size(); ++c)
-      add_springs(c, positions, tangent.cells[c]);
-    system_.matrix().assemble([&](std::size_t patch) { return part(tangent, patch); });
+    const Tangent tangent = tangent_at(volumes_, positions);
+    system_.matrix().assemble([&](std::size_t cell) {
+      Eigen::MatrixXd matrix = part(tangent, cell);
+      add_springs(cell, positions, matrix);
+      return matrix;
+    });
     return prepare_shifted(system_);
   }
 

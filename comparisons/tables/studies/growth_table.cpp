@@ -74,7 +74,7 @@ std::optional<Cost> cost_of_springs(int n, statics::LinearSolver linear_solver) 
       case_of_scene("compression", Changes{{"method", "mss-cf"}} + cells_of(n));
   return cost_of(settings, [&](const Mesh& mesh, const Scene& scene) {
     const mss::Network network = settings.method.network(settings, mesh).value();
-    return mss::find_equilibrium(mesh, scene, network, 1, linear_solver);
+    return mss::find_equilibrium(mesh, scene, network, {.linear_solver = linear_solver});
   });
 }
 

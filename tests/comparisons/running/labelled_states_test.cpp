@@ -13,7 +13,9 @@
 #include "comparisons/running/simulate.hpp"
 #include "meshing/cell_geometry.hpp"
 #include "meshing/wavelength.hpp"
-#include "mss/statics/path_limit.hpp"
+#include "mss/statics/network_body.hpp"
+#include "statics/path_limit.hpp"
+#include "statics/systems/nodal_vectors.hpp"
 #include "tests/comparisons/settings.hpp"
 
 // The detectors against states whose label comes from theory, not from the eye: from the
@@ -79,11 +81,12 @@ struct Path {
 };
 
 struct Limit {
-  mss::PathLimit path;
+  statics::PathLimit path;
+  std::vector<Vector3> displacements, critical_mode;  // at the limit
   double load;
   double wavelength;
   [[nodiscard]] bool is_critical() const {
-    return path.end == mss::PathEnd::bifurcation &&
+    return path.end == statics::PathEnd::bifurcation &&
            path.curvature < 0.01 * path.rest_curvature;
   }
 };
@@ -92,17 +95,25 @@ Limit limit_of(const Path& path) {
   const CaseSettings settings = loaded(path.scene, path.changes, path.far);
   const Mesh mesh = build_mesh(settings.body);
   const mss::Network network = settings.method.network(settings, mesh).value();
-  const auto is_upright = [&](std::span<const Vector3> x, double) {
+  const Eigen::VectorXd rest = statics::stacked(mesh.nodes());
+  const auto is_upright = [&](const Eigen::VectorXd& u, double) {
+    const std::vector<Vector3> x = statics::by_node(rest + u);
     return std::ranges::all_of(mesh.cells(), [&](const CellNodes& cell) {
       return smallest_corner_jacobian(corners(cell, x)) > 0;
     });
   };
   // A mode's curvature may fall from nine tenths of that at rest within .5 % of load.
-  mss::PathLimit found = mss::follow_to_limit(mesh, mechanical_scene(settings, mesh),
-                                              network, 1e-4, is_upright);
-  const double load = found.load_fraction * path.far;
-  const double wavelength = shortest_wavelength(mesh, found.critical_mode);
-  return {.path = std::move(found), .load = load, .wavelength = wavelength};
+  mss::NetworkBody body(network);
+  const Scene scene = mechanical_scene(settings, mesh);
+  const statics::Loading drive = mss::loading(mesh, scene, network);
+  statics::Landscape landscape(body, drive, statics::LinearSolver::automatic);
+  const statics::PathLimit found = statics::follow_to_limit(landscape, 1e-4, is_upright);
+  const auto mode = statics::by_node(found.critical_mode);
+  return {.path = found,
+          .displacements = statics::by_node(found.state.displacements),
+          .critical_mode = mode,
+          .load = found.load_fraction * path.far,
+          .wavelength = shortest_wavelength(mesh, mode)};
 }
 
 /// Before its limit a path is smooth. Beyond a limit with a critical mode, by a quarter
@@ -129,10 +140,10 @@ void add_states(std::vector<State>& states, const Path& path) {
     if (!result.measures.volume_change || result.status == Status::inverted) continue;
     std::vector<Vector3> departure = result.solution.displacements;
     for (std::size_t n = 0; n < departure.size(); ++n)
-      departure[n] -= part * (limit.path.positions[n] - mesh.nodes()[n]);
+      departure[n] -= part * limit.displacements[n];
     double along = 0, square = 0;
     for (std::size_t n = 0; n < departure.size(); ++n) {
-      along += departure[n].dot(limit.path.critical_mode[n]);  // a unit vector
+      along += departure[n].dot(limit.critical_mode[n]);  // a unit vector
       square += departure[n].squaredNorm();
     }
     if (is_beyond && is_short && std::abs(along) < 0.15 * std::sqrt(square)) continue;
@@ -189,10 +200,10 @@ void add_states(std::vector<State>& states, const Moded& moded) {
   states.push_back(
       state_of(name + ", without", moded.lattice.half, false, settings, mesh, u));
   double largest = 0;
-  for (const Vector3& v : limit.path.critical_mode) largest = std::max(largest, v.norm());
+  for (const Vector3& v : limit.critical_mode) largest = std::max(largest, v.norm());
   const Block& block = settings.body.block;
   const double factor = moded.height * block.size[0] / block.cells[0] / largest;
-  for (std::size_t n = 0; n < u.size(); ++n) u[n] += factor * limit.path.critical_mode[n];
+  for (std::size_t n = 0; n < u.size(); ++n) u[n] += factor * limit.critical_mode[n];
   states.push_back(state_of(name, moded.lattice.half, true, settings, mesh, u));
 }
 

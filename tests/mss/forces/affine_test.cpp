@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(tangent_is_minus_the_slope_of_the_forces) {
         ahead[n] += step * way[n];
         behind[n] -= step * way[n];
       }
-      const std::vector<Vector3> by_patches = product(network, tangent, way);
+      const std::vector<Vector3> by_patches = product(tangent, way);
       const std::vector<Vector3> after = forces_at(network, ahead),
                                  before = forces_at(network, behind);
       const Eigen::VectorXd by_matrix =

@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(slow_damped_dynamics_ends_near_the_equilibrium) {
                                {"top", translation({0, 0, -way}), all_components}},
                     .gravity = Vector3::Zero()};
   const Network network = build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
-  const Solution rest = find_equilibrium(mesh, scene, network, 1);
+  const Solution rest = find_equilibrium(mesh, scene, network);
   const auto lag = [&](double duration) {
     const Solution end =
         run_dynamics(mesh, scene, network, steps(duration, std::nullopt, 0.2));
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(slow_dynamics_on_sliding_plates_ends_near_the_equilibrium) 
   for (const Scene& scene : scenes) {
     const Network network =
         build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
-    const Solution rest = find_equilibrium(mesh, scene, network, 1),
+    const Solution rest = find_equilibrium(mesh, scene, network),
                    end = run_dynamics(mesh, scene, network, steps(4, std::nullopt, 0.2));
     BOOST_TEST((end.status == SolveStatus::ok), end.reason);
     for (std::size_t n = 0; n < rest.displacements.size(); ++n) {

@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(large_deformations_in_few_steps_end_near_the_equilibrium) {
   const Scene scene = between_plates(tissue_of(0.4), {0, 0, -0.1 * 3 * h});
   const Network network =
       build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
-  const Solution rest = find_equilibrium(mesh, scene, network, 1),
+  const Solution rest = find_equilibrium(mesh, scene, network),
                  end = run_dynamics(mesh, scene, network,
                                     settings_of(Integrator::implicit_euler, 1, 0.1, 0.2));
   BOOST_TEST((end.status == SolveStatus::ok), end.reason);

@@ -7,8 +7,8 @@
 #include "meshing/generators/generate_block.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/solve.hpp"
-#include "mss/statics/path_limit.hpp"
 #include "tests/mss/blocks.hpp"
+#include "tests/mss/path_limits.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;
@@ -49,7 +49,7 @@ struct Case {
 Case solved(const Scene& scene, const NetworkSettings& settings, unsigned seed = 1) {
   const Mesh mesh = cube(4, edge);
   const Network network = build_network(mesh, scene.material, settings);
-  return {mesh, scene, network, find_equilibrium(mesh, scene, network, seed)};
+  return {mesh, scene, network, find_equilibrium(mesh, scene, network, {.seed = seed})};
 }
 
 Case solved(const Scene& scene, Method method, unsigned seed = 1) {
@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(tension_without_equilibrium_ends_where_it_is_lost) {
       between_plates(0, translation(Vector3::Zero()), translation({0, 0, 0.2 * 0.024}));
   const Network network =
       build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
-  const Solution solution = find_equilibrium(mesh, scene, network, 1);
+  const Solution solution = find_equilibrium(mesh, scene, network);
   BOOST_TEST((solution.status == SolveStatus::no_equilibrium));
   BOOST_TEST(std::abs(20 * solution.load_fraction - 17.5) < 0.1,
              20 * solution.load_fraction << " %");
@@ -286,12 +286,11 @@ BOOST_AUTO_TEST_CASE(a_turn_beyond_the_end_of_the_path_is_not_one_less_a_turn) {
                                         .angle = degrees * degree});
     const Network network =
         build_network(mesh, scene.material, in_shear_modulus_form(method));
-    const Solution solution = find_equilibrium(mesh, scene, network, 1);
+    const Solution solution = find_equilibrium(mesh, scene, network);
     BOOST_TEST((solution.status == SolveStatus::no_equilibrium), solution.reason);
     BOOST_TEST(solution.reason.find("another branch") != std::string::npos);
     BOOST_TEST(solution.definite_up_to.value() == solution.load_fraction);
-    const PathLimit limit =
-        follow_to_limit(mesh, scene, network, .001, [](auto, double) { return true; });
+    const statics::PathLimit limit = limit_of(mesh, scene, network, .001);
     BOOST_TEST(solution.load_fraction == limit.load_fraction,
                boost::test_tools::tolerance(.005));
     return degrees * solution.load_fraction;
@@ -315,8 +314,7 @@ BOOST_AUTO_TEST_CASE(a_path_on_which_layers_lose_their_turn_ends_there) {
                                         .angle = degrees * degree});
     NetworkSettings settings = in_shear_modulus_form(Method::cf);
     settings.strain_measure = strain_measure;
-    return find_equilibrium(mesh, scene, build_network(mesh, scene.material, settings),
-                            1);
+    return find_equilibrium(mesh, scene, build_network(mesh, scene.material, settings));
   };
   const auto check_end = [&](const Solution& solution, double part) {
     BOOST_TEST((solution.status == SolveStatus::no_equilibrium), solution.reason);

@@ -102,7 +102,7 @@ struct Case {
 Case solved(const Scene& scene, Method method = Method::cf) {
   const Mesh mesh = cube(cells, cell_edge);
   Solution solution = find_equilibrium(
-      mesh, scene, build_network(mesh, scene.material, in_shear_modulus_form(method)), 1);
+      mesh, scene, build_network(mesh, scene.material, in_shear_modulus_form(method)));
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
   return {mesh, std::move(solution)};
 }

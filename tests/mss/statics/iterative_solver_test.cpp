@@ -37,8 +37,9 @@ struct Both {
 Both solved(const Mesh& mesh, const Scene& scene, Method method) {
   const Network network =
       build_network(mesh, scene.material, in_shear_modulus_form(method));
-  return {find_equilibrium(mesh, scene, network, 1, LinearSolver::direct),
-          find_equilibrium(mesh, scene, network, 1, LinearSolver::conjugate_gradients)};
+  return {find_equilibrium(mesh, scene, network, {.linear_solver = LinearSolver::direct}),
+          find_equilibrium(mesh, scene, network,
+                           {.linear_solver = LinearSolver::conjugate_gradients})};
 }
 
 double distance(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
@@ -136,7 +137,7 @@ BOOST_AUTO_TEST_CASE(energy_never_rises_from_one_iterate_to_the_next) {
       const Scene scene = compression(nu, 0.1, 6);
       (void)find_equilibrium(
           mesh, scene, build_network(mesh, scene.material, in_shear_modulus_form(method)),
-          1, LinearSolver::conjugate_gradients);
+          {.linear_solver = LinearSolver::conjugate_gradients});
     }
   spdlog::set_default_logger(before);
 
@@ -163,7 +164,8 @@ BOOST_AUTO_TEST_CASE(same_bits_each_time) {
   const Network network =
       build_network(mesh, scene.material, in_shear_modulus_form(Method::affine));
   const auto once = [&] {
-    return find_equilibrium(mesh, scene, network, 1, LinearSolver::conjugate_gradients);
+    return find_equilibrium(mesh, scene, network,
+                            {.linear_solver = LinearSolver::conjugate_gradients});
   };
   const Solution one = once(), two = once();
   BOOST_TEST((one.displacements == two.displacements));

@@ -1,16 +1,18 @@
-#include "mss/statics/path_limit.hpp"
-#include "meshing/generators/generate_block.hpp"
+#include "statics/path_limit.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
-#include "meshing/cell_geometry.hpp"
+#include "meshing/generators/generate_block.hpp"
 #include "meshing/wavelength.hpp"
-#include "mss/statics/path_limit_solution.hpp"
+#include "mss/statics/equilibrium.hpp"
+#include "statics/systems/nodal_vectors.hpp"
+#include "tests/mss/path_limits.hpp"
 #include "tests/mss/spring_runs.hpp"
 
 using namespace springcheck;
 using namespace springcheck::mss;
+using statics::PathEnd, statics::PathLimit;
 
 BOOST_AUTO_TEST_SUITE(path_limit_test)
 
@@ -25,7 +27,7 @@ double limit_in_percent(const Mesh& mesh, Method method, double nu, double perce
       build_network(mesh, tissue_of(nu), in_shear_modulus_form(method));
   double height = 0;
   for (const Vector3& x : mesh.nodes()) height = std::max(height, x.z());
-  const Solution end = path_limit_solution(
+  const Solution end = last_stable_equilibrium(
       mesh, between_plates(tissue_of(nu), {0, 0, percent / 100 * height}), network);
   BOOST_TEST((end.status == expected), end.reason);
   BOOST_TEST_REQUIRE(end.critical_wavelength.has_value());
@@ -77,7 +79,7 @@ BOOST_AUTO_TEST_CASE(mss_cf_has_no_equilibrium_in_long_tension) {
   for (const auto& [nu, found] : {std::pair(0., 17.5), std::pair(.1, 35.)}) {
     const Network network =
         build_network(beam, tissue_of(nu), in_shear_modulus_form(Method::cf));
-    const Solution end = path_limit_solution(
+    const Solution end = last_stable_equilibrium(
         beam, between_plates(tissue_of(nu), {0, 0, .5 * 24 * h}), network);
     BOOST_TEST((end.status == SolveStatus::no_equilibrium), end.reason);
     BOOST_TEST(50 * end.load_fraction == found, boost::test_tools::tolerance(.05));
@@ -93,7 +95,7 @@ BOOST_AUTO_TEST_CASE(a_slender_body_s_path_turns_back) {
     const Network network =
         build_network(beam, tissue_of(nu), in_shear_modulus_form(method));
     const Vector3 way(0, 0, .6 * size[2]);
-    return path_limit_solution(beam, between_plates(tissue_of(nu), way), network);
+    return last_stable_equilibrium(beam, between_plates(tissue_of(nu), way), network);
   };
   for (const Solution& end :
        {end_of(Method::nfd, .05, {4, 4, 24}), end_of(Method::cf, .08, {3, 3, 18}),
@@ -112,7 +114,7 @@ BOOST_AUTO_TEST_CASE(mss_cf_in_torsion_holds_as_far_as_its_prototype) {
                               .axis = Vector3::UnitZ(),
                               .centre = {3 * h, 3 * h, 6 * h},
                               .angle = std::numbers::pi};
-    const Solution end = path_limit_solution(mesh, scene, network);
+    const Solution end = last_stable_equilibrium(mesh, scene, network);
     BOOST_TEST(180 * end.load_fraction == degrees, boost::test_tools::tolerance(.01));
   }
 }
@@ -128,7 +130,7 @@ BOOST_AUTO_TEST_CASE(a_limit_in_torsion_does_not_depend_on_the_turn_asked_for) {
                               .axis = Vector3::UnitZ(),
                               .centre = {h, h, 2 * h},
                               .angle = degrees * std::numbers::pi / 180};
-    const Solution end = path_limit_solution(mesh, scene, network);
+    const Solution end = last_stable_equilibrium(mesh, scene, network);
     BOOST_TEST((end.status == SolveStatus::no_equilibrium), end.reason);
     return degrees * end.load_fraction;
   };
@@ -146,12 +148,11 @@ BOOST_AUTO_TEST_CASE(
   const Mesh mesh = cube(6, h);
   const Network network = build_network(mesh, tissue_of(.4), settings);
   const PathLimit limit =
-      follow_to_limit(mesh, between_plates(tissue_of(.4), {0, 0, -.6 * 6 * h}), network,
-                      .002, [](auto, double) { return true; });
+      limit_of(mesh, between_plates(tissue_of(.4), {0, 0, -.6 * 6 * h}), network, .002);
   BOOST_TEST((limit.end == PathEnd::bifurcation));
   BOOST_TEST(limit.curvature < .1 * limit.rest_curvature);
   BOOST_TEST(limit.next_load_fraction - limit.load_fraction < .001 * limit.load_fraction);
-  BOOST_TEST(shortest_wavelength(mesh, limit.critical_mode) < 4);
+  BOOST_TEST(shortest_wavelength(mesh, statics::by_node(limit.critical_mode)) < 4);
 }
 
 BOOST_AUTO_TEST_CASE(a_path_without_a_limit_reaches_the_full_load) {
@@ -159,8 +160,7 @@ BOOST_AUTO_TEST_CASE(a_path_without_a_limit_reaches_the_full_load) {
   const Network network =
       build_network(mesh, tissue_of(.25), in_shear_modulus_form(Method::cf));
   const PathLimit limit =
-      follow_to_limit(mesh, between_plates(tissue_of(.25), {0, 0, -.1 * 3 * h}), network,
-                      .01, [](auto, double) { return true; });
+      limit_of(mesh, between_plates(tissue_of(.25), {0, 0, -.1 * 3 * h}), network, .01);
   BOOST_TEST((limit.end == PathEnd::full_load));
   BOOST_TEST(limit.load_fraction == 1);
   BOOST_TEST(limit.curvature > 0);
@@ -171,15 +171,13 @@ BOOST_AUTO_TEST_CASE(a_state_that_is_not_accepted_ends_the_path) {
   const Mesh mesh = cube(3, h);
   const Network network =
       build_network(mesh, tissue_of(.25), in_shear_modulus_form(Method::cf));
-  const auto top = static_cast<std::size_t>(
+  const auto top = static_cast<Eigen::Index>(
       std::ranges::max_element(mesh.nodes(), {}, [](const Vector3& x) { return x.z(); }) -
       mesh.nodes().begin());
   const double height = 3 * h;
-  const PathLimit limit =
-      follow_to_limit(mesh, between_plates(tissue_of(.25), {0, 0, -.1 * height}), network,
-                      .001, [&](std::span<const Vector3> x, double) {
-                        return x[top].z() > (1 - .0437) * height;
-                      });
+  const PathLimit limit = limit_of(
+      mesh, between_plates(tissue_of(.25), {0, 0, -.1 * height}), network, .001,
+      [&](const Eigen::VectorXd& u, double) { return u[3 * top + 2] > -.0437 * height; });
   BOOST_TEST((limit.end == PathEnd::rejected));
   BOOST_TEST(limit.load_fraction == .437, boost::test_tools::tolerance(.0011));
   BOOST_TEST(limit.load_fraction < .437);

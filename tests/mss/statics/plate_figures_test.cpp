@@ -49,7 +49,7 @@ double error(const Mesh& mesh, const NetworkSettings& settings, Load load, std::
                     .gravity = Vector3::Zero()};
   Network network = build_network(mesh, scene.material, settings);
   if (correction == Correction::on_cells) network.volume_stars = {};
-  const Solution solution = find_equilibrium(mesh, scene, network, 1);
+  const Solution solution = find_equilibrium(mesh, scene, network);
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
   Vector3 force = Vector3::Zero();
   double torque = 0;

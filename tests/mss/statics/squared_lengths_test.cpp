@@ -39,7 +39,7 @@ Answer answer(int cells, double nu, const NetworkSettings& settings, const Vecto
                  {"top", upper, all_components}},
       .gravity = Vector3::Zero()};
   const Solution solution =
-      find_equilibrium(mesh, scene, build_network(mesh, scene.material, settings), 1);
+      find_equilibrium(mesh, scene, build_network(mesh, scene.material, settings));
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
   Answer answer{.force = Vector3::Zero(), .torque = 0, .volume_change = 0};
   std::vector<Vector3> x = mesh.nodes();

@@ -2,10 +2,9 @@
 
 #include <functional>
 
-#include "mss/networks/network.hpp"
-#include "statics/systems/linear_solver.hpp"
+#include "statics/landscape.hpp"
 
-namespace springcheck::mss {
+namespace springcheck::statics {
 
 /// Why an equilibrium path cannot be followed further as it is.
 enum class PathEnd {
@@ -21,20 +20,19 @@ struct PathLimit {
   PathEnd end;
   double load_fraction;       // of that state
   double next_load_fraction;  // tried last, and not reached; that of the full load: 1
-  std::vector<Vector3> positions;  // [m]
+  Landscape::State state;
   // Unit vector of least curvature of the energy there, as it goes to zero where
-  // definiteness is lost; on every node, 0 where held:
-  std::vector<Vector3> critical_mode{};
+  // definiteness is lost; of all components, 0 where held:
+  Eigen::VectorXd critical_mode;
   double curvature;            // of the energy along it [N/m]
   double rest_curvature;       // least curvature at rest [N/m]
   double mode_rest_curvature;  // along the critical mode at rest [N/m]
   int steps;
-  int force_evaluations;
 };
 
 /// Whether the caller takes a state for one of the path.
 using AcceptState =
-    std::function<bool(std::span<const Vector3> positions, double load_fraction)>;
+    std::function<bool(const Eigen::VectorXd& displacements, double load_fraction)>;
 
 /// Follows the equilibrium path from rest to the full load and stops where its tangent
 /// loses positive definiteness or a state is not accepted; found by bisection to
@@ -51,9 +49,7 @@ using AcceptState =
 /// without bound along the critical mode at the one, and has no part of it at the other
 /// (imperfections aside). Where more than half of du/ds is along the mode it is called a
 /// limit point.
-PathLimit follow_to_limit(
-    const Mesh& mesh, const Scene& scene, const Network& network, double resolution,
-    const AcceptState& accept,
-    statics::LinearSolver linear_solver = statics::LinearSolver::automatic);
+PathLimit follow_to_limit(Landscape& landscape, double resolution,
+                          const AcceptState& accept);
 
-}  // namespace springcheck::mss
+}  // namespace springcheck::statics

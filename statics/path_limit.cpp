@@ -1,4 +1,4 @@
-#include "mss/statics/path_limit.hpp"
+#include "statics/path_limit.hpp"
 
 #include <spdlog/spdlog.h>
 
@@ -6,9 +6,9 @@
 #include <random>
 
 #include "meshing/random_vector.hpp"
-#include "mss/statics/landscape.hpp"
+#include "statics/landscape.hpp"
 
-namespace springcheck::mss {
+namespace springcheck::statics {
 namespace {
 
 constexpr double path_residual = 1e-9;
@@ -19,24 +19,29 @@ constexpr double finest = 1e-6;         // difference of loads, of the load
 constexpr double small = 0.1;           // a curvature over that at rest
 constexpr unsigned seed = 1;  // of where iterations start that end at the same place
 
-/// Newton's method with the true tangent, as long as that is positive definite. True when
-/// x is an equilibrium whose tangent is so; the landscape has its factor then.
-bool correct(Landscape& landscape, Positions& x, std::mt19937_64& random) {
+/// Newton's method with the true tangent, as long as that is positive definite: an
+/// equilibrium whose tangent is so, which the landscape has then.
+std::optional<Landscape::State> corrected(Landscape& landscape, Eigen::VectorXd u,
+                                          std::mt19937_64& random) {
   for (int i = 0; i < most_corrections; ++i) {
-    const std::vector<Vector3>& forces = landscape.forces(x);
-    const Eigen::VectorXd downhill = landscape.on_free(forces);
-    const double scale =
-        std::max(norm(forces), landscape.force_round_off(x) / path_residual);
+    Landscape::State now = landscape.at(std::move(u));
+    const Eigen::VectorXd downhill = landscape.unknowns().in(now.forces);
+    const double scale = std::max(
+        now.forces.norm(), landscape.force_round_off(now.displacements) / path_residual);
     const double residual = downhill.norm() / scale;
-    if (!std::isfinite(residual)) return false;
-    landscape.linearise(x);
-    if (residual < path_residual) return landscape.is_definite(random).value_or(false);
+    if (!std::isfinite(residual)) return std::nullopt;
+    landscape.linearise(now.displacements);
+    if (residual < path_residual) {
+      if (!landscape.is_definite(random).value_or(false)) return std::nullopt;
+      return now;
+    }
     const auto step = landscape.solve(downhill, std::min(1e-3, residual));
-    if (!step || landscape.longest_move(*step) > longest_move * landscape.cell_edge())
-      return false;
-    x = landscape.moved(x, *step, 1);
+    if (!step ||
+        landscape.longest_move(*step) > longest_move * landscape.body().cell_edge())
+      return std::nullopt;
+    u = landscape.moved(now.displacements, *step);
   }
-  return false;
+  return std::nullopt;
 }
 
 struct Mode {
@@ -48,7 +53,7 @@ struct Mode {
 /// iteration.
 Mode least_curvature(Landscape& landscape, std::mt19937_64& random) {
   constexpr int most_iterations = 200;
-  Mode mode{.shape = random_vector(landscape.unknowns(), random).normalized(),
+  Mode mode{.shape = random_vector(landscape.unknowns().count(), random).normalized(),
             .curvature = 0};
   for (int i = 0; i < most_iterations; ++i) {
     const Eigen::VectorXd image = landscape.solve(mode.shape, 1e-6).value();
@@ -61,54 +66,50 @@ Mode least_curvature(Landscape& landscape, std::mt19937_64& random) {
   return mode;
 }
 
-/// The part of the path's direction at x, on the free components, that is along the mode;
-/// the landscape has the tangent there.
-double part_along(Landscape& landscape, const Positions& x, double load,
+/// The part of the path's direction at u, on the unknowns, that is along the mode; the
+/// landscape has the tangent there.
+double part_along(Landscape& landscape, const Eigen::VectorXd& u, double load,
                   const Eigen::VectorXd& mode) {
   constexpr double little = 1e-6;  // of the load
-  const Positions ahead = landscape.predicted(x, load + little);
-  std::vector<Vector3> way(x.size());
-  for (std::size_t n = 0; n < x.size(); ++n) way[n] = ahead[n] - x[n];
-  const Eigen::VectorXd free_way = landscape.on_free(way);
-  return std::abs(mode.dot(free_way)) / free_way.norm();
+  const Eigen::VectorXd way =
+      landscape.unknowns().in(landscape.predicted(u, load + little) - u);
+  return std::abs(mode.dot(way)) / way.norm();
 }
 
 }  // namespace
 
-PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& network,
-                          double resolution, const AcceptState& accept,
-                          statics::LinearSolver linear_solver) {
+PathLimit follow_to_limit(Landscape& landscape, double resolution,
+                          const AcceptState& accept) {
   constexpr double half = 0.5;
-  Landscape landscape(mesh, scene, network, linear_solver);
   std::mt19937_64 random(seed);
+  const Eigen::VectorXd rest =
+      Eigen::VectorXd::Zero(3 * std::ssize(landscape.body().nodes()));
   PathLimit limit{.end = PathEnd::full_load,
                   .load_fraction = 0,
                   .next_load_fraction = 1,
-                  .positions = mesh.nodes(),
+                  .state = landscape.at(rest),
+                  .critical_mode = rest,
                   .curvature = 0,
                   .rest_curvature = 0,
                   .mode_rest_curvature = 0,
-                  .steps = 0,
-                  .force_evaluations = 0};
-  landscape.linearise(limit.positions);
+                  .steps = 0};
+  landscape.linearise(rest);
   // Where conjugate gradients cannot tell, the path's first step shows it.
   if (!landscape.is_definite(random).value_or(true)) {
     limit.end = PathEnd::bifurcation;
     limit.next_load_fraction = 0;
-    limit.critical_mode.assign(mesh.nodes().size(), Vector3::Zero());
-    const Eigen::VectorXd downhill = Eigen::VectorXd::Ones(landscape.unknowns());
-    limit.critical_mode = landscape.moved(
-        limit.critical_mode, landscape.negative_curvature(downhill, random), 1);
+    const Eigen::VectorXd downhill = Eigen::VectorXd::Ones(landscape.unknowns().count());
+    limit.critical_mode =
+        landscape.unknowns().spread(landscape.negative_curvature(downhill, random));
     return limit;
   }
   limit.rest_curvature = least_curvature(landscape, random).curvature;
-  const double whole =
-      landscape.path_gradient(limit.positions, landscape.predicted(limit.positions, 1));
+  const double whole = landscape.path_gradient(landscape.predicted(rest, 1));
   const double longest_step = std::min(first_step, gradient_per_step / whole);
   Mode mode;
   const auto softest = [&] {
     landscape.set_load(limit.load_fraction);
-    landscape.linearise(limit.positions);
+    landscape.linearise(limit.state.displacements);
     return least_curvature(landscape, random);
   };
   bool was_rejected = false;
@@ -116,18 +117,18 @@ PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& n
   double failed = none;  // the lowest load that was tried and not reached
   for (double step = longest_step; limit.load_fraction < 1;) {
     const double to = std::min(1., limit.load_fraction + step);
-    landscape.linearise(limit.positions);
+    landscape.linearise(limit.state.displacements);
     landscape.set_load(limit.load_fraction);
-    Positions x = landscape.predicted(limit.positions, to);
+    const Eigen::VectorXd start = landscape.predicted(limit.state.displacements, to);
     landscape.set_load(to);
-    const bool is_stable = correct(landscape, x, random);
-    was_rejected = is_stable && !accept(x, to);
+    std::optional<Landscape::State> state = corrected(landscape, start, random);
+    was_rejected = state && !accept(state->displacements, to);
     spdlog::debug("load {:.6f}: {}", to,
                   was_rejected ? "not accepted"
-                  : is_stable  ? "stable"
+                  : state      ? "stable"
                                : "not reached");
-    if (is_stable && !was_rejected) {
-      limit.positions = std::move(x);
+    if (state && !was_rejected) {
+      limit.state = std::move(*state);
       limit.load_fraction = to;
       ++limit.steps;
       // What a long step failed at is tried again by a shorter one.
@@ -148,14 +149,12 @@ PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& n
   }
   if (limit.load_fraction == 1) mode = softest();
   limit.curvature = mode.curvature;
-  limit.force_evaluations = landscape.evaluations();
-  limit.critical_mode =
-      landscape.moved(Positions(mesh.nodes().size(), Vector3::Zero()), mode.shape, 1);
-  const double part_of_mode =
-      limit.load_fraction < 1
-          ? part_along(landscape, limit.positions, limit.load_fraction, mode.shape)
-          : 0;
-  landscape.linearise(mesh.nodes());
+  limit.critical_mode = landscape.unknowns().spread(mode.shape);
+  const double part_of_mode = limit.load_fraction < 1
+                                  ? part_along(landscape, limit.state.displacements,
+                                               limit.load_fraction, mode.shape)
+                                  : 0;
+  landscape.linearise(rest);
   limit.mode_rest_curvature = landscape.curvature_along(mode.shape);
   if (limit.load_fraction == 1)
     limit.end = PathEnd::full_load;
@@ -168,4 +167,4 @@ PathLimit follow_to_limit(const Mesh& mesh, const Scene& scene, const Network& n
   return limit;
 }
 
-}  // namespace springcheck::mss
+}  // namespace springcheck::statics

@@ -1,4 +1,4 @@
-#include "mss/statics/minimum.hpp"
+#include "statics/minimum.hpp"
 
 #include <spdlog/spdlog.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace springcheck::mss {
+namespace springcheck::statics {
 namespace {
 
 constexpr double relative_residual = 1e-10;
@@ -22,19 +22,18 @@ double solver_accuracy(double residual) {
   return std::max(std::min(residual, 0.1), 0.2 * relative_residual / residual);
 }
 
-/// Moves x along the direction of negative curvature, doubling the step while the energy
+/// Moves along the direction of negative curvature, doubling the step while the energy
 /// falls. False when it falls nowhere: the curvature is zero to round-off.
-bool leave_saddle(Landscape& landscape, Positions& x, double& energy,
+bool leave_saddle(Landscape& landscape, Landscape::State& now,
                   const Eigen::VectorXd& downhill, std::mt19937_64& random) {
   Eigen::VectorXd direction = landscape.negative_curvature(downhill, random);
-  direction *= landscape.cell_edge() / landscape.longest_move(direction);
+  direction *= landscape.body().cell_edge() / landscape.longest_move(direction);
   bool fell = false;
   for (double step = first_escape; step <= largest_move; step *= 2) {
-    Positions trial = landscape.moved(x, direction, step);
-    const double trial_energy = landscape.energy(trial);
-    if (trial_energy >= energy) break;
-    x = std::move(trial);
-    energy = trial_energy;
+    Landscape::State trial =
+        landscape.at(landscape.moved(now.displacements, step * direction));
+    if (!(trial.energy < now.energy)) break;
+    now = std::move(trial);
     fell = true;
   }
   return fell;
@@ -42,8 +41,8 @@ bool leave_saddle(Landscape& landscape, Positions& x, double& energy,
 
 }  // namespace
 
-Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
-  Minimum minimum{.positions = std::move(x),
+Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& random) {
+  Minimum minimum{.state = landscape.at(std::move(start)),
                   .found = false,
                   .definite = false,
                   .undecided = false,
@@ -51,20 +50,20 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
                   .ran_away = false,
                   .residual = INFINITY,
                   .iterations = 0};
-  Positions& now = minimum.positions;
+  const ElasticBody& body = landscape.body();
+  Landscape::State& now = minimum.state;
   const double runaway_ratio =
-      runaway_growth * std::max(1., landscape.largest_volume_ratio(now));
-  double energy = landscape.energy(now);
+      runaway_growth * std::max(1., body.largest_volume_ratio(now.displacements));
   for (; minimum.iterations < newton_limit; ++minimum.iterations) {
-    const std::vector<Vector3>& forces = landscape.forces(now);
-    const Eigen::VectorXd downhill = landscape.on_free(forces);
+    const Eigen::VectorXd& u = now.displacements;
+    const Eigen::VectorXd downhill = landscape.unknowns().in(now.forces);
     const double scale =
-        std::max(norm(forces), landscape.force_round_off(now) / relative_residual);
+        std::max(now.forces.norm(), landscape.force_round_off(u) / relative_residual);
     minimum.residual = downhill.norm() / scale;
     if (!std::isfinite(minimum.residual)) return minimum;
-    minimum.ran_away = landscape.largest_volume_ratio(now) > runaway_ratio;
+    minimum.ran_away = body.largest_volume_ratio(u) > runaway_ratio;
     if (minimum.ran_away) return minimum;
-    landscape.linearise(now);
+    landscape.linearise(u);
     minimum.found = minimum.residual < relative_residual;
     std::optional<Eigen::VectorXd> direction;
     if (minimum.found) {
@@ -76,14 +75,13 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
       minimum.definite = direction.has_value();
     }
     spdlog::debug("  newton {}: energy {:.9e}, residual {:.2e}{}", minimum.iterations,
-                  energy, minimum.residual, minimum.definite ? "" : ", indefinite");
+                  now.energy, minimum.residual, minimum.definite ? "" : ", indefinite");
     if (minimum.found && (minimum.definite || minimum.undecided)) return minimum;
     if (!minimum.definite) minimum.crossed = true;
 
     // Near a saddle the clamped tangent hardly moves along the unstable direction.
     if (!minimum.definite && minimum.residual < near_saddle) {
-      const bool left = leave_saddle(landscape, now, energy, downhill, random);
-      if (left) continue;
+      if (leave_saddle(landscape, now, downhill, random)) continue;
       if (minimum.found) return minimum;
     }
     if (!direction) {
@@ -91,25 +89,21 @@ Minimum minimise(Landscape& landscape, Positions x, std::mt19937_64& random) {
       direction = landscape.solve(downhill, solver_accuracy(minimum.residual));
     }
     Eigen::VectorXd& step = direction.value();
-    step *=
-        std::min(1., largest_move * landscape.cell_edge() / landscape.longest_move(step));
+    step *= std::min(1., largest_move * body.cell_edge() / landscape.longest_move(step));
     const double slope = downhill.dot(step);
     // Energy differences below round-off cannot be judged; the residual then decides.
-    const double round_off = landscape.energy_round_off(now, energy);
+    const double round_off = landscape.energy_round_off(u, now.energy);
     double factor = 1;
-    Positions trial = landscape.moved(now, step, factor);
-    double trial_energy = landscape.energy(trial);
-    while (!(trial_energy <= energy - 1e-4 * factor * slope + round_off)) {
+    Landscape::State trial = landscape.at(landscape.moved(u, step));
+    while (!(trial.energy <= now.energy - 1e-4 * factor * slope + round_off)) {
       factor /= 2;
       if (factor < 1e-8) return minimum;
-      trial = landscape.moved(now, step, factor);
-      trial_energy = landscape.energy(trial);
+      trial = landscape.at(landscape.moved(u, factor * step));
     }
     now = std::move(trial);
-    energy = trial_energy;
   }
   minimum.found = false;
   return minimum;
 }
 
-}  // namespace springcheck::mss
+}  // namespace springcheck::statics
