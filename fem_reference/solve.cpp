@@ -9,13 +9,15 @@
 #include <numbers>
 
 #include "fem_reference/cells/discretisation.hpp"
-#include "fem_reference/statics/elasticity.hpp"
-#include "fem_reference/statics/equilibrium.hpp"
+#include "fem_reference/statics/elements_body.hpp"
+#include "fem_reference/statics/linear_solver_taken.hpp"
 #include "fem_reference/statics/loads.hpp"
 #include "fem_reference/statics/supports.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/stopwatch.hpp"
 #include "meshing/turn.hpp"
+#include "statics/equilibrium.hpp"
+#include "statics/systems/nodal_vectors.hpp"
 
 namespace springcheck::fem_reference {
 namespace {
@@ -64,21 +66,6 @@ Eigen::VectorXd load(const Discretisation& body, const Scene& scene) {
   return forces;
 }
 
-/// The mesh's nodes in a nodal vector that may hold more.
-std::vector<Vector3> by_node(const Eigen::VectorXd& nodal, std::size_t nodes) {
-  std::vector<Vector3> vectors;
-  for (std::size_t n = 0; n < nodes; ++n)
-    vectors.emplace_back(nodal.segment<3>(static_cast<Eigen::Index>(3 * n)));
-  return vectors;
-}
-
-std::vector<Vector3> deformed(const Discretisation& body,
-                              const Eigen::VectorXd& displacements) {
-  std::vector<Vector3> positions = by_node(displacements, body.nodes.size());
-  for (std::size_t n = 0; n < positions.size(); ++n) positions[n] += body.nodes[n];
-  return positions;
-}
-
 /// The mesh's cells, or the eight parts of each that q2's intermediate nodes make.
 std::vector<CellNodes> finest_cells(const Mesh& mesh, const Discretisation& body) {
   if (body.parents.empty()) return mesh.cells();
@@ -123,37 +110,47 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
   const Stopwatch stopwatch;
   const Discretisation body = discretise(mesh, settings.element);
   const Supports supports(mesh, scene, body);
-  Elasticity elasticity(body, scene.material, settings, supports.prescribed());
-  const bool turns = turns_far(scene);
+  ElementsBody elements(body, {.constitution = constitution(scene.material, settings),
+                               .dilatation = dilatation_taken(settings)});
+  // Where Hooke's law takes the supports is one place.
+  const bool turns = turns_far(scene) && !elements.is_linear();
   const std::vector<CellNodes> cells =
       turns ? finest_cells(mesh, body) : std::vector<CellNodes>{};
+  const statics::Loading loading{
+      .is_free = supports.is_free(),
+      .displacements = [&](double s) { return supports.displacements(s); },
+      .forces = load(body, scene),
+      .follows_supports =
+          [&](const Eigen::VectorXd& displacements, double s) {
+            const Eigen::VectorXd positions =
+                statics::stacked(body.nodes) + displacements;
+            return !turns || shows_imposed_turn(mesh, scene, {cells, body.nodes},
+                                                statics::by_node(positions), s);
+          }};
   const double setup_wall_s = stopwatch.seconds();
-  const Equilibrium found = find_equilibrium(
-      elasticity, {.displacements = [&](double s) { return supports.displacements(s); },
-                   .forces = load(body, scene),
-                   .follows_supports =
-                       [&](const Eigen::VectorXd& displacements, double s) {
-                         return !turns ||
-                                shows_imposed_turn(mesh, scene, {cells, body.nodes},
-                                                   deformed(body, displacements), s);
-                       }});
+  const statics::Equilibrium found = statics::find_equilibrium(
+      elements, loading,
+      {.linear_solver = linear_solver_taken(settings, scene.material.poisson_ratio,
+                                            loading.is_free.size())});
 
+  std::vector<Vector3> displacements = statics::by_node(found.displacements);
+  displacements.resize(mesh.nodes().size());  // q2 has more
   Solution solution{.status = found.status,
                     .reason = found.reason,
-                    .displacements = by_node(found.displacements, mesh.nodes().size()),
+                    .displacements = std::move(displacements),
                     .reactions = on_vertices(body, found.reactions),
                     .lever_arms = settings.law == Law::hooke ? LeverArms::undeformed
                                                              : LeverArms::deformed,
-                    .strain_energy = found.energy,
+                    .strain_energy = found.strain_energy,
                     .load_fraction = found.load_fraction,
                     .steps = found.steps,
                     .force_evaluations = found.force_evaluations,
                     .definite_up_to = found.definite_up_to,
-                    .linear_iterations = elasticity.linear_iterations(),
-                    .factorisations = elasticity.factorisations(),
-                    .setup_wall_s = setup_wall_s};
+                    .linear_iterations = found.linear_iterations,
+                    .factorisations = found.factorisations,
+                    .setup_wall_s = setup_wall_s + found.setup_wall_s};
   if (settings.element == Element::q2) {
-    solution.cell_volumes = elasticity.cell_volumes(found.displacements);
+    solution.cell_volumes = elements.cell_volumes(found.displacements);
     for (const Traction& traction : scene.tractions)
       solution.loaded_face_displacements.push_back(
           mean_displacement(body, traction.region, found.displacements));

@@ -19,8 +19,11 @@ class ElasticBody {
   [[nodiscard]] virtual std::span<const Vector3> nodes() const = 0;  // at rest [m]
   [[nodiscard]] virtual double cell_edge() const = 0;                // mean [m]
 
+  /// Whether the tangent is constant; it is positive definite then.
+  [[nodiscard]] virtual bool is_linear() const { return false; }
+
   struct State {
-    double strain_energy;    // [J]; no number, or infinite, where the law does not reach
+    double strain_energy;    // [J]; infinite where a cell is inside out and the law ends
     Eigen::VectorXd forces;  // on the nodes, minus the energy's gradient [N]
   };
   virtual State state(const Eigen::VectorXd& displacements) = 0;

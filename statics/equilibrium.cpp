@@ -17,6 +17,9 @@ namespace springcheck::statics {
 namespace {
 
 constexpr double smallest_load_step = 1. / 1024;
+constexpr double never = 2;  // a load beyond the full one
+// Longer steps could take a turn of the supports for a smaller one.
+constexpr double largest_gradient = 0.5;
 // Three searches to their end. The state sought may be far away, or none.
 constexpr int most_lost_iterations = 450;
 
@@ -61,13 +64,15 @@ class Follower {
   void follow() {
     landscape_.linearise(rest_);
     const Eigen::VectorXd whole = landscape_.predicted(rest_, 1);
-    const double gradient = landscape_.path_gradient(whole);
-    const double largest_step =
-        gradient > gradient_per_step
-            ? std::max(gradient_per_step / gradient, 2 * smallest_load_step)
-            : 1;
-
-    double step = largest_step;
+    if (landscape_.is_clamped()) definite_up_to_ = 0;
+    const double gradient =
+        landscape_.body().is_linear() ? 0 : landscape_.path_gradient(whole);
+    const auto step_of = [&](double part) {
+      return gradient > part ? std::max(part / gradient, 2 * smallest_load_step) : 1;
+    };
+    double step = step_of(first_gradient);
+    double failed = never;  // load that a step to failed, as long as it is ahead
+    Tangents tangents = Tangents::any;
     while (reached_ < 1) {
       // The last step may be a little longer, not a sliver.
       const double to = reached_ + 1.05 * step > 1 ? 1 : reached_ + step;
@@ -76,20 +81,32 @@ class Follower {
       Eigen::VectorXd start =
           reached_ == 0 && to == 1 ? whole : landscape_.predicted(now_.displacements, to);
       landscape_.set_load(to);
-      Minimum minimum = minimise(landscape_, std::move(start), random_);
+      Minimum minimum = minimise(landscape_, std::move(start), random_, tangents);
       spdlog::debug("load {:.5f}: {}, residual {:.2e}", to,
                     minimum.found ? (minimum.definite ? "minimum" : "saddle") : "none",
                     minimum.residual);
       if (minimum.undecided) return leave_undecided(to);
       if (minimum.found && is_on_path(minimum, to)) {
         accept(std::move(minimum), to);
-        step = std::min(largest_step, 2 * step);
+        if (failed == never) step = std::min(step_of(largest_gradient), 2 * step);
+        // What a long step failed at is tried again by a shorter one.
+        if (to >= failed) {
+          failed = never;
+          tangents = Tangents::any;
+        }
         continue;
       }
-      step = (to - reached_) / 2;
+      failed = to;
+      const double gap = to - reached_;
       if (!minimum.found && !minimum.ran_away) lost_iterations_ += minimum.iterations;
-      if (step < smallest_load_step || lost_iterations_ >= most_lost_iterations)
-        return give_up(minimum, step);
+      const bool is_smallest = gap < 2 * smallest_load_step;
+      if ((is_smallest && tangents == Tangents::any) ||
+          lost_iterations_ >= most_lost_iterations)
+        return give_up(minimum, gap);
+      // How far stable states go is found first, which costs little; then once more how
+      // the path goes on.
+      tangents = is_smallest || !definite_ ? Tangents::any : Tangents::definite;
+      step = is_smallest ? gap : gap / 2;
       landscape_.linearise(now_.displacements);
     }
   }
@@ -100,12 +117,21 @@ class Follower {
     std::string_view astray;
     if (!loading_.follows_supports(minimum.state.displacements, to))
       astray = "in a body that is not turned as its plates are";
-    else if (minimum.crossed && definite_ && minimum.definite && !leads_back(minimum))
+    else if (is_doubtful(minimum) && definite_ && minimum.definite &&
+             !leads_back(minimum))
       astray = "on another branch, from which unloading does not lead back";
     if (astray.empty()) return true;
     spdlog::debug("load {:.5f}: ends {}", to, astray);
     left_to_ = astray;
     return false;
+  }
+
+  /// Whether a search may have come to another branch: it met an indefinite tangent, or
+  /// went far.
+  [[nodiscard]] bool is_doubtful(const Minimum& minimum) const {
+    constexpr double far = 1.1 * first_gradient;
+    return minimum.crossed || landscape_.body().mean_gradient(
+                                  minimum.state.displacements - now_.displacements) > far;
   }
 
   /// Whether unloading from the minimum found, where the landscape is linearised, leads
@@ -145,15 +171,18 @@ class Follower {
   }
 
   void give_up(const Minimum& last, double step) {
-    const bool jumps = !left_to_.empty() && step < smallest_load_step;
-    const bool path_ends = last.ran_away || jumps;
+    const bool jumps = !left_to_.empty() && step < 2 * smallest_load_step;
+    const bool collapses = last.inverted && last.crossed;
+    const bool path_ends = last.ran_away || collapses || jumps;
     status_ = path_ends ? SolveStatus::no_equilibrium : SolveStatus::not_converged;
     if (path_ends && !definite_up_to_) definite_up_to_ = reached_;
     reason_ = fmt::format(
         "{} beyond {:.2f} % of the load: steps down to {:.2g} % end {}",
-        path_ends ? "no equilibrium found" : "not converged", 100 * reached_, 200 * step,
+        path_ends ? "no equilibrium found" : "not converged", 100 * reached_, 100 * step,
         jumps           ? std::string(left_to_)
         : last.ran_away ? "with a cell grown fourfold, the energy still falling"
+        : collapses     ? "with a cell turned inside out, the energy falling"
+        : last.inverted ? "with a cell turned inside out"
                         : fmt::format("with relative residual {:.1e}", last.residual));
   }
 

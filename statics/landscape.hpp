@@ -9,8 +9,9 @@
 
 namespace springcheck::statics {
 
-/// Largest step of the load on the way to an equilibrium, by mean_gradient.
-inline constexpr double gradient_per_step = 0.06;
+/// First step of the load on the way to an equilibrium, by mean_gradient: 20 %
+/// compression begins with about a quarter of the load, 5 % is one step.
+inline constexpr double first_gradient = 0.06;
 
 /// The total energy of a body at a load fraction, over its unknowns: values, forces, and
 /// its tangent, solved with directly or iteratively. Refers to the body and its loading.
@@ -25,6 +26,8 @@ class Landscape {
   [[nodiscard]] int evaluations() const { return evaluations_; }
 
   void set_load(double load_fraction) { load_fraction_ = load_fraction; }
+
+  [[nodiscard]] double load_norm() const;  // [N]
 
   struct State {
     Eigen::VectorXd displacements;
@@ -57,6 +60,7 @@ class Landscape {
 
   /// Sets the negative eigenvalues of each patch of that tangent to zero.
   void clamp();
+  [[nodiscard]] bool is_clamped() const { return is_clamped_; }
 
   /// Solves with that tangent; iteratively to the accuracy, relative to the right-hand
   /// side. None where it was found not to be positive definite.
@@ -99,6 +103,7 @@ class Landscape {
   const Loading& loading_;
   System system_;
   double stiffness_;  // norm of the tangent's diagonal at rest [N/m]
+  bool is_prepared_ = false, is_clamped_ = false;
   double load_fraction_ = 0;
   int evaluations_ = 0;
 };

@@ -11,9 +11,10 @@ namespace {
 
 constexpr double relative_residual = 1e-10;
 constexpr int newton_limit = 150;
-constexpr double largest_move = 0.5;   // of a node in one iteration, in cell edges
-constexpr double runaway_growth = 4;   // of the largest cell: there is no way back
-constexpr double near_saddle = 1e-3;   // relative residual
+constexpr double largest_move = 0.5;  // of a node in one iteration, in cell edges
+constexpr double runaway_growth = 4;  // of the largest cell: there is no way back
+constexpr double nearest_to_inversion = 1. / 64;  // of a step
+constexpr double near_saddle = 1e-3;              // relative residual
 constexpr double first_escape = 1e-3;  // along negative curvature, in cell edges
 
 /// Newton's method is quadratic near the minimum: more digits than the next residual can
@@ -41,13 +42,15 @@ bool leave_saddle(Landscape& landscape, Landscape::State& now,
 
 }  // namespace
 
-Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& random) {
+Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& random,
+                 Tangents tangents) {
   Minimum minimum{.state = landscape.at(std::move(start)),
                   .found = false,
                   .definite = false,
                   .undecided = false,
                   .crossed = false,
                   .ran_away = false,
+                  .inverted = false,
                   .residual = INFINITY,
                   .iterations = 0};
   const ElasticBody& body = landscape.body();
@@ -57,10 +60,12 @@ Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& r
   for (; minimum.iterations < newton_limit; ++minimum.iterations) {
     const Eigen::VectorXd& u = now.displacements;
     const Eigen::VectorXd downhill = landscape.unknowns().in(now.forces);
-    const double scale =
-        std::max(now.forces.norm(), landscape.force_round_off(u) / relative_residual);
-    minimum.residual = downhill.norm() / scale;
-    if (!std::isfinite(minimum.residual)) return minimum;
+    const double scale = std::max({now.forces.norm(), landscape.load_norm(),
+                                   landscape.force_round_off(u) / relative_residual});
+    const double residual = downhill.norm();
+    minimum.residual = residual == 0 ? 0 : residual / scale;
+    minimum.inverted = now.energy == INFINITY;
+    if (!std::isfinite(minimum.residual) || !std::isfinite(now.energy)) return minimum;
     minimum.ran_away = body.largest_volume_ratio(u) > runaway_ratio;
     if (minimum.ran_away) return minimum;
     landscape.linearise(u);
@@ -78,6 +83,10 @@ Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& r
                   now.energy, minimum.residual, minimum.definite ? "" : ", indefinite");
     if (minimum.found && (minimum.definite || minimum.undecided)) return minimum;
     if (!minimum.definite) minimum.crossed = true;
+    if (minimum.crossed && tangents == Tangents::definite) {
+      minimum.found = false;
+      return minimum;
+    }
 
     // Near a saddle the clamped tangent hardly moves along the unstable direction.
     if (!minimum.definite && minimum.residual < near_saddle) {
@@ -89,7 +98,9 @@ Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& r
       direction = landscape.solve(downhill, solver_accuracy(minimum.residual));
     }
     Eigen::VectorXd& step = direction.value();
-    step *= std::min(1., largest_move * body.cell_edge() / landscape.longest_move(step));
+    if (!body.is_linear())
+      step *=
+          std::min(1., largest_move * body.cell_edge() / landscape.longest_move(step));
     const double slope = downhill.dot(step);
     // Energy differences below round-off cannot be judged; the residual then decides.
     const double round_off = landscape.energy_round_off(u, now.energy);
@@ -97,7 +108,8 @@ Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& r
     Landscape::State trial = landscape.at(landscape.moved(u, step));
     while (!(trial.energy <= now.energy - 1e-4 * factor * slope + round_off)) {
       factor /= 2;
-      if (factor < 1e-8) return minimum;
+      minimum.inverted = trial.energy == INFINITY;
+      if (factor < (minimum.inverted ? nearest_to_inversion : 1e-8)) return minimum;
       trial = landscape.at(landscape.moved(u, factor * step));
     }
     now = std::move(trial);

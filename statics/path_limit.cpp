@@ -105,7 +105,7 @@ PathLimit follow_to_limit(Landscape& landscape, double resolution,
   }
   limit.rest_curvature = least_curvature(landscape, random).curvature;
   const double whole = landscape.path_gradient(landscape.predicted(rest, 1));
-  const double longest_step = std::min(first_step, gradient_per_step / whole);
+  const double longest_step = std::min(first_step, first_gradient / whole);
   Mode mode;
   const auto softest = [&] {
     landscape.set_load(limit.load_fraction);

@@ -29,9 +29,7 @@ CellState state(const Law& law, DilatationTaken taken, const Shape& shape,
       law.volumetric_energy(mean_dilatation(law, taken, shape, u));
   CellState sum{.energy = 0,
                 .forces = CellVectors::Zero(3, u.cols()),
-                .smallest_jacobian = std::numeric_limits<double>::infinity(),
-                .gradient_square = 0,
-                .deformed_volume = 0};
+                .smallest_jacobian = std::numeric_limits<double>::infinity()};
   for (Eigen::Index q = 0; q < shape.weights.size(); ++q) {
     const Matrix3 H = displacement_gradient(shape, u, q);
     const double w = shape.weights[q];
@@ -47,10 +45,8 @@ CellState state(const Law& law, DilatationTaken taken, const Shape& shape,
     }
     sum.energy += w * psi;
     sum.forces += w * P * shape.gradients_at(q);
-    const double J = (H + Matrix3::Identity()).determinant();
-    sum.smallest_jacobian = std::min(sum.smallest_jacobian, J);
-    sum.gradient_square += w * H.squaredNorm();
-    sum.deformed_volume += w * J;
+    sum.smallest_jacobian =
+        std::min(sum.smallest_jacobian, (H + Matrix3::Identity()).determinant());
   }
   if (taken == DilatationTaken::at_points) return sum;
   sum.energy += shape.volume * whole.value;
@@ -114,6 +110,21 @@ CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& 
   return std::visit(
       [&](const auto& part) { return state(part, law.dilatation, shape, u); },
       law.constitution);
+}
+
+double gradient_square(const Shape& shape, const CellVectors& u) {
+  double integral = 0;
+  for (Eigen::Index q = 0; q < shape.weights.size(); ++q)
+    integral += shape.weights[q] * displacement_gradient(shape, u, q).squaredNorm();
+  return integral;
+}
+
+double deformed_volume(const Shape& shape, const CellVectors& u) {
+  double integral = 0;
+  for (Eigen::Index q = 0; q < shape.weights.size(); ++q)
+    integral += shape.weights[q] *
+                (displacement_gradient(shape, u, q) + Matrix3::Identity()).determinant();
+  return integral;
 }
 
 CellMatrix cell_tangent(const CellLaw& law, const Shape& shape, const CellVectors& u) {

@@ -68,10 +68,11 @@ struct CellState {
   double energy;             // W [J]
   CellVectors forces;        // dW/du [N]
   double smallest_jacobian;  // of det F over the Gauss points
-  double gradient_square;    // int |H|^2 dV [m^3]
-  double deformed_volume;    // int det F dV [m^3]
 };
 CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u);
+
+double gradient_square(const Shape& shape, const CellVectors& u);  // int |H|^2 dV [m^3]
+double deformed_volume(const Shape& shape, const CellVectors& u);  // int det F dV [m^3]
 
 /// d2W/du2 [N/m], dof = 3 node + component:
 ///

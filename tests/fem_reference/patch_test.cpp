@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "fem_reference/solve.hpp"
-#include "fem_reference/statics/elasticity.hpp"
+#include "fem_reference/statics/elements_body.hpp"
 #include "tests/fem_reference/bodies.hpp"
 #include "tests/fem_reference/laws.hpp"
 
@@ -42,12 +42,12 @@ BOOST_AUTO_TEST_CASE(affine_states_are_in_equilibrium_on_cells_of_every_type) {
     const std::vector<NodeIndex>& outer = mesh.boundary().nodes;
     for_all_elements(pattern, [&](double nu, const Settings& settings) {
       const Discretisation body = discretise(mesh, settings.element);
-      const std::vector<bool> prescribed(3 * body.nodes.size(), false);
-      const Elasticity elasticity(body, of_poisson_ratio(nu), settings, prescribed);
+      ElementsBody elements(body,
+                            {.constitution = constitution(of_poisson_ratio(nu), settings),
+                             .dilatation = dilatation_taken(settings)});
       const Matrix3 H = random_gradient(0.1, 23);
       const Eigen::VectorXd forces =
-          elasticity
-              .internal(nodal(body, [&](const Vector3& X) -> Vector3 { return H * X; }))
+          elements.state(nodal(body, [&](const Vector3& X) -> Vector3 { return H * X; }))
               .forces;
       double inside = 0;
       for (std::size_t n = 0; n < mesh.nodes().size(); ++n)

@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(the_state_before_a_limit_point_is_that_of_the_closed_form) 
   }
 }
 
-// Steps of the load go down to 1/1024.
+// Steps of the load go down to 1/1024, from less than twice that.
 BOOST_AUTO_TEST_CASE(beyond_a_limit_point_there_is_no_equilibrium) {
   for (const LinearSolver solver : both_kinds) {
     AnalyticBody body(with_limit_point(.25));
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(beyond_a_limit_point_there_is_no_equilibrium) {
     BOOST_TEST((found.status == SolveStatus::no_equilibrium), found.reason);
     BOOST_TEST(found.reason.find("the energy still falling") != std::string::npos);
     BOOST_TEST(found.load_fraction <= .8);
-    BOOST_TEST(found.load_fraction > .8 - 1. / 1024);
+    BOOST_TEST(found.load_fraction > .8 - 2. / 1024);
     BOOST_TEST(found.definite_up_to.value() == found.load_fraction);
   }
 }
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(states_that_do_not_follow_their_supports_end_the_path) {
   BOOST_TEST(found.reason.find("not turned as its plates are") != std::string::npos);
   const double reached = (.5 - .25 * .25) / .75;
   BOOST_TEST(found.load_fraction <= reached);
-  BOOST_TEST(found.load_fraction > reached - 1. / 1024);
+  BOOST_TEST(found.load_fraction > reached - 2. / 1024);
 }
 
 // To the resolution asked for.

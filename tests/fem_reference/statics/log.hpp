@@ -24,11 +24,11 @@ class CapturedLog {
   CapturedLog(const CapturedLog&) = delete;
   CapturedLog& operator=(const CapturedLog&) = delete;
 
-  /// The relative residuals of Newton's iterates, one list per call of newton().
+  /// The relative residuals of Newton's iterates, one list per search.
   [[nodiscard]] std::vector<std::vector<double>> residuals() const {
     std::vector<std::vector<double>> calls;
     std::istringstream lines(text_.str());
-    const std::string label = "relative residual ";
+    const std::string label = "residual ";
     for (std::string line; std::getline(lines, line);) {
       if (line.find("newton ") == std::string::npos) continue;
       if (line.find("newton 0:") != std::string::npos) calls.emplace_back();
@@ -39,16 +39,16 @@ class CapturedLog {
 
   struct Attempt {
     double to;  // load fraction
-    bool converged;
+    bool found;
   };
   /// The load steps of find_equilibrium(), failed ones too.
   [[nodiscard]] std::vector<Attempt> attempts() const {
     std::vector<Attempt> all;
     std::istringstream lines(text_.str());
     for (std::string line; std::getline(lines, line);)
-      if (line.starts_with("load "))
+      if (line.starts_with("load ") && line.find("residual") != std::string::npos)
         all.push_back({.to = std::stod(line.substr(5)),
-                       .converged = line.find(": converged") != std::string::npos});
+                       .found = line.find(": minimum") != std::string::npos});
     return all;
   }
 

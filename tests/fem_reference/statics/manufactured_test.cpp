@@ -2,9 +2,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "fem_reference/statics/elements_body.hpp"
 #include "fem_reference/statics/loads.hpp"
-#include "fem_reference/statics/newton.hpp"
 #include "fem_reference/statics/supports.hpp"
+#include "statics/minimum.hpp"
 #include "tests/fem_reference/bodies.hpp"
 #include "tests/fem_reference/laws.hpp"
 
@@ -114,14 +115,22 @@ Errors solved(int cells, CellPattern pattern, double nu, const Settings& setting
   const Supports supports(mesh, whole_boundary, body);
   const Constitution law = constitution(whole_boundary.material, settings);
   const Eigen::VectorXd exact = nodal(body, field.value);
-  Elasticity elasticity(body, whole_boundary.material, settings, supports.prescribed());
+  ElementsBody elements(body,
+                        {.constitution = law, .dilatation = dilatation_taken(settings)});
+  const statics::Loading loading{
+      .is_free = supports.is_free(),
+      .displacements = [&](double) { return exact; },
+      .forces =
+          body_load(body, [&](const Vector3& X) { return body_force(law, field, X); }),
+      .follows_supports = [](const Eigen::VectorXd&, double) { return true; }};
+  statics::Landscape landscape(elements, loading, statics::LinearSolver::direct);
+  landscape.set_load(1);
+  std::mt19937_64 random(1);
   // From the exact nodal values, the discrete solution is a few Newton steps away.
-  const NewtonResult found =
-      newton(elasticity, exact,
-             body_load(body, [&](const Vector3& X) { return body_force(law, field, X); }),
-             Tangents::definite);
-  BOOST_TEST_REQUIRE((found.outcome == NewtonOutcome::converged));
-  return errors(body, field, found.displacements);
+  const statics::Minimum found =
+      statics::minimise(landscape, exact, random, statics::Tangents::definite);
+  BOOST_TEST_REQUIRE(found.found);
+  return errors(body, field, found.state.displacements);
 }
 
 void check_orders(CellPattern pattern, Law law, const Field& field,

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "fem_reference/cells/discretisation.hpp"
+#include "statics/elastic_body.hpp"
+
+namespace springcheck::fem_reference {
+
+/// The elements of a discretisation, as the search for equilibria sees them. Refers to
+/// it.
+class ElementsBody final : public statics::ElasticBody {
+ public:
+  ElementsBody(const Discretisation& body, const CellLaw& law);
+
+  [[nodiscard]] std::span<const Vector3> nodes() const override { return body_.nodes; }
+  [[nodiscard]] double cell_edge() const override;
+
+  /// Hooke: yes.
+  [[nodiscard]] bool is_linear() const override;
+
+  /// No law but Hooke's has an energy where det F <= 0 at a Gauss point: infinite there.
+  State state(const Eigen::VectorXd& displacements) override;
+
+  [[nodiscard]] statics::Patches patches() const override;
+  void linearise(const Eigen::VectorXd& displacements) override;
+  [[nodiscard]] Eigen::MatrixXd part(std::size_t patch) const override;
+  [[nodiscard]] Eigen::MatrixXd positive_part(std::size_t patch) const override;
+
+  /// sqrt((1/V) int |H|^2 dV)
+  [[nodiscard]] double mean_gradient(const Eigen::VectorXd& field) const override;
+
+  [[nodiscard]] double largest_volume_ratio(
+      const Eigen::VectorXd& displacements) const override;
+
+  /// Of the displacements, which gradients are computed from.
+  [[nodiscard]] double rounding(const Eigen::VectorXd& displacements) const override;
+
+  /// int det F dV of each cell [m^3].
+  [[nodiscard]] std::vector<double> cell_volumes(
+      const Eigen::VectorXd& displacements) const;
+
+ private:
+  const Discretisation& body_;
+  CellLaw law_;
+  Eigen::VectorXd at_;  // where the tangent is taken
+};
+
+}  // namespace springcheck::fem_reference
