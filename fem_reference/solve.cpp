@@ -10,7 +10,6 @@
 
 #include "fem_reference/cells/discretisation.hpp"
 #include "fem_reference/statics/elements_body.hpp"
-#include "fem_reference/statics/linear_solver_taken.hpp"
 #include "fem_reference/statics/loads.hpp"
 #include "fem_reference/statics/supports.hpp"
 #include "meshing/input_error.hpp"
@@ -129,9 +128,7 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
           }};
   const double setup_wall_s = stopwatch.seconds();
   const statics::Equilibrium found = statics::find_equilibrium(
-      elements, loading,
-      {.linear_solver = linear_solver_taken(settings, scene.material.poisson_ratio,
-                                            loading.is_free.size())});
+      elements, loading, {.linear_solver = settings.linear_solver});
 
   std::vector<Vector3> displacements = statics::by_node(found.displacements);
   displacements.resize(mesh.nodes().size());  // q2 has more

@@ -20,8 +20,6 @@ constexpr double smallest_load_step = 1. / 1024;
 constexpr double never = 2;  // a load beyond the full one
 // Longer steps could take a turn of the supports for a smaller one.
 constexpr double largest_gradient = 0.5;
-// Three searches to their end. The state sought may be far away, or none.
-constexpr int most_lost_iterations = 450;
 
 /// Follows the minimum from rest.
 class Follower {
@@ -71,12 +69,14 @@ class Follower {
       return gradient > part ? std::max(part / gradient, 2 * smallest_load_step) : 1;
     };
     double step = step_of(first_gradient);
-    double failed = never;  // load that a step to failed, as long as it is ahead
+    // Loads that a step, and a search from any tangent, failed at, as long as they are
+    // ahead:
+    double failed = never, lost = never;
     Tangents tangents = Tangents::any;
     while (reached_ < 1) {
       // The last step may be a little longer, not a sliver.
       const double to = reached_ + 1.05 * step > 1 ? 1 : reached_ + step;
-      if (!definite_) landscape_.linearise(now_.displacements);
+      if (!definite_ || landscape_.is_clamped()) landscape_.linearise(now_.displacements);
       landscape_.set_load(reached_);
       Eigen::VectorXd start =
           reached_ == 0 && to == 1 ? whole : landscape_.predicted(now_.displacements, to);
@@ -87,24 +87,21 @@ class Follower {
                     minimum.residual);
       if (minimum.undecided) return leave_undecided(to);
       if (minimum.found && is_on_path(minimum, to)) {
-        accept(std::move(minimum), to);
+        accept(std::move(minimum), to, to == failed);
         if (failed == never) step = std::min(step_of(largest_gradient), 2 * step);
         // What a long step failed at is tried again by a shorter one.
-        if (to >= failed) {
-          failed = never;
-          tangents = Tangents::any;
-        }
+        if (to >= failed) failed = never;
+        if (to >= lost) lost = never;
+        tangents = lost == never || !definite_ ? Tangents::any : Tangents::definite;
         continue;
       }
-      failed = to;
       const double gap = to - reached_;
-      if (!minimum.found && !minimum.ran_away) lost_iterations_ += minimum.iterations;
       const bool is_smallest = gap < 2 * smallest_load_step;
-      if ((is_smallest && tangents == Tangents::any) ||
-          lost_iterations_ >= most_lost_iterations)
-        return give_up(minimum, gap);
-      // How far stable states go is found first, which costs little; then once more how
-      // the path goes on.
+      if (is_smallest && tangents == Tangents::any) return give_up(minimum, gap);
+      failed = to;
+      if (tangents == Tangents::any) lost = to;
+      // How far stable states go is found first, which costs little; then how the path
+      // goes on.
       tangents = is_smallest || !definite_ ? Tangents::any : Tangents::definite;
       step = is_smallest ? gap : gap / 2;
       landscape_.linearise(now_.displacements);
@@ -115,10 +112,11 @@ class Follower {
   /// it is.
   bool is_on_path(const Minimum& minimum, double to) {
     std::string_view astray;
+    left_to_ = {};
     if (!loading_.follows_supports(minimum.state.displacements, to))
       astray = "in a body that is not turned as its plates are";
     else if (is_doubtful(minimum) && definite_ && minimum.definite &&
-             !leads_back(minimum))
+             !leads_back(minimum, to))
       astray = "on another branch, from which unloading does not lead back";
     if (astray.empty()) return true;
     spdlog::debug("load {:.5f}: ends {}", to, astray);
@@ -130,35 +128,63 @@ class Follower {
   /// went far.
   [[nodiscard]] bool is_doubtful(const Minimum& minimum) const {
     constexpr double far = 1.1 * first_gradient;
-    return minimum.crossed || landscape_.body().mean_gradient(
-                                  minimum.state.displacements - now_.displacements) > far;
+    const ElasticBody& body = landscape_.body();
+    return minimum.crossed ||
+           (!body.is_linear() &&
+            body.mean_gradient(minimum.state.displacements - now_.displacements) > far);
   }
 
   /// Whether unloading from the minimum found, where the landscape is linearised, leads
   /// back to the path's last state. Measured on bodies of 3^3 to 6^3 cells: to first
   /// order steps on the path lead back to within .01 to .22 of their length, jumps to .96
   /// to 1; beside a bifurcation only a search tells.
-  bool leads_back(const Minimum& minimum) {
+  bool leads_back(const Minimum& minimum, double to) {
     constexpr double clearly = 0.25, same = 1e-4;  // of the way between both states
     const Eigen::VectorXd& there = minimum.state.displacements;
     const auto from_last = [&](const Eigen::VectorXd& state) {
       return landscape_.body().mean_gradient(state - now_.displacements);
     };
     const double way = from_last(there);
-    Eigen::VectorXd start = landscape_.predicted(there, reached_);
-    if (from_last(start) < clearly * way) return true;
-    landscape_.set_load(reached_);
-    const Minimum back = minimise(landscape_, std::move(start), random_);
+    if (from_last(landscape_.predicted(there, reached_)) < clearly * way) return true;
+    const auto back = unloaded(there, to);
     landscape_.linearise(there);
-    return back.found && from_last(back.state.displacements) < same * way;
+    return back && from_last(*back) < same * way;
   }
 
-  void accept(Minimum minimum, double to) {
-    if (!minimum.definite && !definite_up_to_) definite_up_to_ = reached_;
+  /// The state that unloading from there to the last state's load leads to; in parts
+  /// where it finds none at once.
+  std::optional<Eigen::VectorXd> unloaded(const Eigen::VectorXd& there, double from) {
+    for (const int parts : {1, 4, 16}) {
+      Eigen::VectorXd u = there;
+      bool found = true;
+      for (int part = 1; part <= parts && found; ++part) {
+        const auto load = [&](int p) { return from + p * (reached_ - from) / parts; };
+        landscape_.set_load(load(part - 1));
+        landscape_.linearise(u);
+        Eigen::VectorXd start = landscape_.predicted(u, load(part));
+        landscape_.set_load(load(part));
+        Minimum back = minimise(landscape_, std::move(start), random_,
+                                parts == 1 ? Tangents::any : Tangents::definite);
+        found = back.found;
+        u = std::move(back.state.displacements);
+      }
+      if (found) return u;
+    }
+    return std::nullopt;
+  }
+
+  /// leaves_stable: definite tangents do not lead there.
+  void accept(Minimum minimum, double to, bool leaves_stable) {
+    const bool branches = minimum.crossed && leaves_stable;
+    if ((!minimum.definite || branches) && !definite_up_to_) definite_up_to_ = reached_;
+    if (minimum.crossed && reason_.empty())
+      reason_ = fmt::format(
+          "the path {} between {:.2f} % and {:.2f} % of the load, where a search met "
+          "tangents that are not positive definite",
+          branches ? "branches" : "may branch", 100 * reached_, 100 * to);
     now_ = std::move(minimum.state);
     definite_ = minimum.definite;
     reached_ = to;
-    left_to_ = {};
     ++steps_;
   }
 
@@ -171,19 +197,19 @@ class Follower {
   }
 
   void give_up(const Minimum& last, double step) {
-    const bool jumps = !left_to_.empty() && step < 2 * smallest_load_step;
     const bool collapses = last.inverted && last.crossed;
-    const bool path_ends = last.ran_away || collapses || jumps;
+    const bool path_ends = last.crossed || last.ran_away || !left_to_.empty();
     status_ = path_ends ? SolveStatus::no_equilibrium : SolveStatus::not_converged;
     if (path_ends && !definite_up_to_) definite_up_to_ = reached_;
     reason_ = fmt::format(
-        "{} beyond {:.2f} % of the load: steps down to {:.2g} % end {}",
-        path_ends ? "no equilibrium found" : "not converged", 100 * reached_, 100 * step,
-        jumps           ? std::string(left_to_)
-        : last.ran_away ? "with a cell grown fourfold, the energy still falling"
-        : collapses     ? "with a cell turned inside out, the energy falling"
-        : last.inverted ? "with a cell turned inside out"
-                        : fmt::format("with relative residual {:.1e}", last.residual));
+        "{} beyond {:.2f} % of the load{}: steps down to {:.2g} % end {}",
+        path_ends ? "no equilibrium found" : "not converged", 100 * reached_,
+        last.crossed ? ", where stability is lost" : "", 100 * step,
+        !left_to_.empty() ? std::string(left_to_)
+        : last.ran_away   ? "with a cell grown fourfold, the energy still falling"
+        : collapses       ? "with a cell turned inside out, the energy falling"
+        : last.inverted   ? "with a cell turned inside out"
+                          : fmt::format("with relative residual {:.1e}", last.residual));
   }
 
   void shake(double noise) {
@@ -192,7 +218,8 @@ class Follower {
                                   random_vector(landscape_.unknowns().count(), random_);
     Minimum minimum =
         minimise(landscape_, landscape_.moved(now_.displacements, shake), random_);
-    if (minimum.found && !minimum.undecided) {
+    if (minimum.found && !minimum.undecided &&
+        loading_.follows_supports(minimum.state.displacements, reached_)) {
       now_ = std::move(minimum.state);
       definite_ = minimum.definite;
       return;
@@ -212,8 +239,8 @@ class Follower {
   SolveStatus status_ = SolveStatus::ok;
   std::string reason_;
   std::optional<double> definite_up_to_;
-  int steps_ = 0, lost_iterations_ = 0;
-  std::string_view left_to_;  // by steps from the last state
+  int steps_ = 0;
+  std::string_view left_to_;  // by the last search, if that was astray
 };
 
 }  // namespace

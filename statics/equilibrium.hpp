@@ -35,8 +35,9 @@ struct Equilibrium {
 /// Static equilibrium as a minimum of the total energy, followed from rest to the full
 /// load.
 ///
-/// Load steps, the first so long that the displacements' mean gradient is .06: predictor
-/// through the tangent from the prescribed increments, then Newton's method with an
+/// Load steps, the first so long that the displacements' mean gradient is .06, then twice
+/// as long after each, up to .5; a linear body's is the whole load. Predictor through the
+/// tangent from the prescribed increments and the load's, then Newton's method with an
 /// energy line search. Where the tangent is not positive definite the step uses the
 /// patches' matrices with negative eigenvalues set to zero. A state counts as a minimum
 /// when its true tangent has a Cholesky factor, or passes the iterative solver's test
@@ -45,23 +46,28 @@ struct Equilibrium {
 /// that finds it, and so decides between equal directions).
 ///
 /// A minimum counts only where the path leads there and the body follows its supports
-/// (Loading::follows_supports). A search that met indefinite tangents may have passed a
-/// bifurcation, or have jumped to another branch, such as a smaller turn of a plate. Its
-/// minimum is unloaded to the last state's load, and counts when that leads back to the
-/// last state.
+/// (Loading::follows_supports). A search that met indefinite tangents, or went farther
+/// than a first step, may have passed a bifurcation, or have jumped to another branch,
+/// such as a smaller turn of a plate. Its minimum is unloaded to the last state's load,
+/// and counts when that leads back to the last state.
 ///
-/// A step that finds no minimum, or one that does not count, is halved, down to 1/1024 of
-/// the load, or until searches that did not converge have taken 450 iterations; then the
-/// status is no_equilibrium if the energy fell without end or the steps led to another
-/// branch, and not_converged otherwise. definite_up_to is about the states that the path
-/// keeps: a saddle that it left for a minimum, wrinkled perhaps, does not count.
+/// A step that finds no minimum, or one that does not count, is halved, and from there on
+/// definite tangents alone are gone on from, which costs little, until the load that it
+/// failed at is reached. Below 2/1024 of the load a search that goes on from any tangent
+/// decides: where it finds nothing either, the status is no_equilibrium if it met
+/// indefinite tangents, the energy fell without end, or it led to another branch, and
+/// not_converged otherwise. Where an accepted search met
+/// indefinite tangents, the reason says between which loads, also with ok: the path may
+/// branch there. definite_up_to is the load of the last state before the first one that
+/// is no minimum, or before a branch that small steps have shown; rest counts.
 ///
 /// With noise every unknown of the last state is moved by up to that many mean cell
 /// edges, at random from the seed, and the minimum is sought from there: a state that is
 /// left so was not one to rely on.
 ///
-/// Converged: residual below 1e-10 of the norm of the nodal forces, or below what the
-/// rounding of the nodes' places does to them.
+/// Converged: residual below 1e-10 of the norm of the nodal forces or of the load, or
+/// below what the rounding of the nodes' places does to them; or below 1e-9 where it has
+/// stopped falling.
 Equilibrium find_equilibrium(ElasticBody& body, const Loading& loading,
                              const Search& search);
 

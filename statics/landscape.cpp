@@ -8,15 +8,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Up to here a factor costs seconds at most, however ill-conditioned the body is.
-// Measured: compression of cubes of mss-cf by 5 %, whole solutions, processor seconds and
-// gigabytes at nu = .25 and at .499:
-//
-//     cells   direct               conjugate gradients
-//     10^3    .3   .4   (.1 GB)    .1   .3  (.1 GB)
-//     30^3    19   31   (1.1 GB)   2.3  18  (.4 GB)
-//     60^3                         35   287 (2.9 GB)
-constexpr std::ptrdiff_t most_unknowns_solved_directly = 10'000;
 // At 60^3 cells and nu = .499 less, 1e-3, leaves so much volume change that the load has
 // to be cut in two.
 constexpr double predictor_accuracy = 1e-4;
@@ -24,22 +15,15 @@ constexpr double predictor_accuracy = 1e-4;
 // across the reactions that the residual is measured by (a factor of about n).
 constexpr double answer_accuracy = 1e-12;
 
-LinearSolver taken(LinearSolver wanted, const std::vector<bool>& is_free) {
-  using enum LinearSolver;
-  if (wanted != automatic) return wanted;
-  return std::ranges::count(is_free, true) <= most_unknowns_solved_directly
-             ? direct
-             : conjugate_gradients;
-}
-
 }  // namespace
 
 Landscape::Landscape(ElasticBody& body, const Loading& loading,
                      LinearSolver linear_solver)
     : body_(body),
       loading_(loading),
-      system_(body.nodes(), body.patches(), loading.is_free,
-              taken(linear_solver, loading.is_free)) {
+      system_(
+          body.nodes(), body.patches(), loading.is_free,
+          linear_solver_taken(linear_solver, std::ranges::count(loading.is_free, true))) {
   body_.linearise(VectorXd::Zero(loading.forces.size()));
   system_.matrix().assemble([&](std::size_t patch) { return body_.part(patch); });
   stiffness_ = diagonal(system_.matrix(), unknowns()).norm();
@@ -98,6 +82,7 @@ void Landscape::linearise(const VectorXd& u) {
   is_clamped_ = false;
   body_.linearise(u);
   system_.matrix().assemble([&](std::size_t patch) { return body_.part(patch); });
+  stiffness_ = std::max(stiffness_, diagonal(system_.matrix(), unknowns()).norm());
   system_.prepare();
 }
 
@@ -145,7 +130,7 @@ VectorXd Landscape::predicted(const VectorXd& u, double to) {
     clamp();
     step = answer();
   }
-  return moved(u + increment, step.value());
+  return step ? moved(u + increment, *step) : u + increment;
 }
 
 double Landscape::path_gradient(const VectorXd& whole) {

@@ -102,7 +102,7 @@ class Landscape {
   ElasticBody& body_;
   const Loading& loading_;
   System system_;
-  double stiffness_;  // norm of the tangent's diagonal at rest [N/m]
+  double stiffness_;  // norm of a tangent's diagonal, the largest so far [N/m]
   bool is_prepared_ = false, is_clamped_ = false;
   double load_fraction_ = 0;
   int evaluations_ = 0;

@@ -10,6 +10,9 @@ namespace springcheck::statics {
 namespace {
 
 constexpr double relative_residual = 1e-10;
+// Rounding that is larger than estimated keeps the residual from falling.
+constexpr double stalled_residual = 1e-9;
+constexpr int most_stalled = 5;
 constexpr int newton_limit = 150;
 constexpr double largest_move = 0.5;  // of a node in one iteration, in cell edges
 constexpr double runaway_growth = 4;  // of the largest cell: there is no way back
@@ -57,6 +60,8 @@ Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& r
   Landscape::State& now = minimum.state;
   const double runaway_ratio =
       runaway_growth * std::max(1., body.largest_volume_ratio(now.displacements));
+  double lowest = INFINITY;  // residual
+  int stalled = 0;           // iterations in which it has not fallen to half
   for (; minimum.iterations < newton_limit; ++minimum.iterations) {
     const Eigen::VectorXd& u = now.displacements;
     const Eigen::VectorXd downhill = landscape.unknowns().in(now.forces);
@@ -69,7 +74,10 @@ Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& r
     minimum.ran_away = body.largest_volume_ratio(u) > runaway_ratio;
     if (minimum.ran_away) return minimum;
     landscape.linearise(u);
-    minimum.found = minimum.residual < relative_residual;
+    stalled = minimum.residual < lowest / 2 ? 0 : stalled + 1;
+    lowest = std::min(lowest, minimum.residual);
+    minimum.found = minimum.residual < relative_residual ||
+                    (minimum.residual < stalled_residual && stalled >= most_stalled);
     std::optional<Eigen::VectorXd> direction;
     if (minimum.found) {
       const std::optional<bool> definite = landscape.is_definite(random);
@@ -97,7 +105,8 @@ Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& r
       landscape.clamp();
       direction = landscape.solve(downhill, solver_accuracy(minimum.residual));
     }
-    Eigen::VectorXd& step = direction.value();
+    if (!direction) return minimum;
+    Eigen::VectorXd& step = *direction;
     if (!body.is_linear())
       step *=
           std::min(1., largest_move * body.cell_edge() / landscape.longest_move(step));
@@ -113,6 +122,7 @@ Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& r
       trial = landscape.at(landscape.moved(u, factor * step));
     }
     now = std::move(trial);
+    minimum.inverted = false;
   }
   minimum.found = false;
   return minimum;

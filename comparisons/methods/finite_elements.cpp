@@ -4,7 +4,7 @@
 
 #include "comparisons/cases/case.hpp"
 #include "fem_reference/solve.hpp"
-#include "fem_reference/statics/linear_solver_taken.hpp"
+#include "statics/systems/linear_solver.hpp"
 
 namespace springcheck {
 namespace {
@@ -36,12 +36,11 @@ Method of_elements(Law law, Method own) {
                     int /*threads*/, const dynamics::Observers& /*observers*/) {
     return fem_reference::solve(mesh, scene, reference_settings(settings, law));
   };
-  own.linear_systems = [law](const CaseSettings& settings) -> LinearSystems {
+  own.linear_systems = [](const CaseSettings& settings) -> LinearSystems {
     using enum LinearSystems::Kind;
     const auto [nx, ny, nz] = element_nodes(settings);
-    const statics::LinearSolver taken = fem_reference::linear_solver_taken(
-        reference_settings(settings, law), settings.material.poisson_ratio,
-        static_cast<std::size_t>(3 * nx * ny * nz));
+    const statics::LinearSolver taken = statics::linear_solver_taken(
+        settings.elements.linear_solver, static_cast<std::ptrdiff_t>(3 * nx * ny * nz));
     // Conjugate gradients by themselves need no more than with multigrid.
     return {.kind = taken == statics::LinearSolver::direct ? cholesky : multigrid,
             .entries_per_node = settings.elements.element.entries_per_node};

@@ -29,9 +29,9 @@ Supports::Supports(const Mesh& mesh, const Scene& scene, const Discretisation& b
     : mesh_(mesh),
       scene_(scene),
       at_vertices_(prescribed_components(mesh, scene)),
-      prescribed_(3 * body.nodes.size(), false) {
+      is_free_(3 * body.nodes.size(), true) {
   for (const auto& [node, component, plate] : at_vertices_)
-    prescribed_[3 * node + component] = true;
+    is_free_[3 * node + component] = false;
   if (body.parents.empty()) return;
   HeldEntities held;
   for (const Plate& plate : scene.plates)
@@ -43,25 +43,19 @@ Supports::Supports(const Mesh& mesh, const Scene& scene, const Discretisation& b
     const auto node = static_cast<NodeIndex>(body.vertices + i);
     intermediate_.push_back({.node = node, .parents = body.parents[i]});
     for (std::size_t component = 0; component < 3; ++component)
-      prescribed_[3 * node + component] = found->second[component];
+      is_free_[3 * node + component] = !found->second[component];
   }
-}
-
-std::vector<bool> Supports::is_free() const {
-  std::vector<bool> flags = prescribed_;
-  flags.flip();
-  return flags;
 }
 
 Eigen::VectorXd Supports::displacements(double load_fraction) const {
   Eigen::VectorXd nodal =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(prescribed_.size()));
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(is_free_.size()));
   for (const PrescribedComponent& at : at_vertices_)
     nodal[3 * at.node + at.component] =
         prescribed_displacement(mesh_, scene_, at, load_fraction);
   for (const auto& [node, parents] : intermediate_)
     for (std::size_t i = 0; i < 3; ++i)
-      if (prescribed_[3 * node + i])
+      if (!is_free_[3 * node + i])
         for (const NodeIndex parent : parents)
           nodal[static_cast<Eigen::Index>(3 * node + i)] +=
               nodal[static_cast<Eigen::Index>(3 * parent + i)] /

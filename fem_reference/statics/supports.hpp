@@ -13,11 +13,8 @@ class Supports {
  public:
   Supports(const Mesh& mesh, const Scene& scene, const Discretisation& body);
 
-  /// One entry per dof.
-  [[nodiscard]] const std::vector<bool>& prescribed() const { return prescribed_; }
-
-  /// The others, likewise.
-  [[nodiscard]] std::vector<bool> is_free() const;
+  /// One entry per dof; the others are prescribed.
+  [[nodiscard]] const std::vector<bool>& is_free() const { return is_free_; }
 
   /// Prescribed displacements at a load fraction [m], 0 at free dofs.
   [[nodiscard]] Eigen::VectorXd displacements(double load_fraction) const;
@@ -31,7 +28,7 @@ class Supports {
   const Scene& scene_;
   std::vector<PrescribedComponent> at_vertices_;
   std::vector<Intermediate> intermediate_;  // some component prescribed
-  std::vector<bool> prescribed_;
+  std::vector<bool> is_free_;
 };
 
 /// Nodal forces with those of intermediate nodes shared out among the vertices they lie

@@ -48,11 +48,6 @@ class IterativeSolver {
   /// positive definite: the direction on which it ended.
   [[nodiscard]] Eigen::VectorXd negative_curvature(std::mt19937_64& random);
 
-  /// A vector of all components times the preconditioner.
-  [[nodiscard]] Eigen::VectorXd preconditioned(const Eigen::VectorXd& all) const {
-    return preconditioner_->times(all);
-  }
-
   [[nodiscard]] int iterations() const { return iterations_; }  // all together
 
  private:

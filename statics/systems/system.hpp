@@ -39,11 +39,6 @@ class System {
   [[nodiscard]] std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& right,
                                                      double accuracy);
 
-  /// A vector of all components times the iterative solver's preconditioner.
-  [[nodiscard]] Eigen::VectorXd preconditioned(const Eigen::VectorXd& all) const {
-    return std::get<IterativeSolver>(solver_).preconditioned(all);
-  }
-
   /// Unit vector of negative curvature of a matrix that is not positive definite.
   [[nodiscard]] Eigen::VectorXd negative_curvature(std::mt19937_64& random);
 

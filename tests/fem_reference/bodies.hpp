@@ -152,12 +152,12 @@ inline Eigen::MatrixXd dense_tangent(const Discretisation& body, const CellLaw& 
   return sum;
 }
 
-/// Rows and columns of the dofs that are not prescribed.
+/// Rows and columns of the free dofs.
 inline Eigen::MatrixXd free_block(const Eigen::MatrixXd& matrix,
-                                  const std::vector<bool>& prescribed) {
+                                  const std::vector<bool>& is_free) {
   std::vector<Eigen::Index> dofs;
-  for (std::size_t dof = 0; dof < prescribed.size(); ++dof)
-    if (!prescribed[dof]) dofs.push_back(static_cast<Eigen::Index>(dof));
+  for (std::size_t dof = 0; dof < is_free.size(); ++dof)
+    if (is_free[dof]) dofs.push_back(static_cast<Eigen::Index>(dof));
   return matrix(dofs, dofs);
 }
 

@@ -87,6 +87,25 @@ inline Potential with_limit_point(double c) {
           }};
 }
 
+/// (x^2 + y^2)/2 + z^4/4 - z^3 + 1.25 z^2: the pull z^3 - 3 z^2 + 2.5 z has its largest
+/// value at z = 1 - 1/sqrt(6), .63608 N, where the path turns back; the next one that
+/// rises reaches it at z = 1 + 2/sqrt(6).
+inline Potential with_snap() {
+  return {.energy =
+              [](const Vector3& w) {
+                const double z = w.z();
+                return (w.x() * w.x() + w.y() * w.y()) / 2 + std::pow(z, 4) / 4 -
+                       std::pow(z, 3) + 1.25 * z * z;
+              },
+          .gradient = [](const Vector3& w) -> Vector3 {
+            const double z = w.z();
+            return {w.x(), w.y(), z * (z * z - 3 * z + 2.5)};
+          },
+          .hessian = [](const Vector3& w) -> Matrix3 {
+            return Vector3(1, 1, 3 * w.z() * w.z() - 6 * w.z() + 2.5).asDiagonal();
+          }};
+}
+
 /// z^2/2 + (1 - z) x^2/2 + x^4/4 + y^2/2: pulled by p along z there is x = 0, z = p, a
 /// minimum up to p = 1. Beyond there are two at x^2 = 2 (p - 1), z = 2p - 1.
 inline Potential with_bifurcation() {

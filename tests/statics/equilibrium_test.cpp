@@ -58,6 +58,25 @@ BOOST_AUTO_TEST_CASE(beyond_a_limit_point_there_is_no_equilibrium) {
   }
 }
 
+// Long steps come to the minimum beyond, by definite tangents alone; unloaded it does not
+// lead back.
+BOOST_AUTO_TEST_CASE(a_jump_to_another_branch_does_not_count) {
+  const double largest = 1 / std::sqrt(6), top = 1 - largest,
+               limit = top * (top * top - 3 * top + 2.5);
+  for (const LinearSolver solver : both_kinds)
+    for (const double force : {.7, 1., 3., 20.}) {
+      AnalyticBody body(with_snap());
+      const Equilibrium found =
+          find_equilibrium(body, pulled(force), {.linear_solver = solver});
+      BOOST_TEST((found.status == SolveStatus::no_equilibrium), found.reason);
+      BOOST_TEST(found.reason.find("another branch") != std::string::npos, found.reason);
+      BOOST_TEST(found.load_fraction <= limit / force);
+      BOOST_TEST(found.load_fraction > limit / force - 2. / 1024);
+    }
+  AnalyticBody body(with_snap());
+  BOOST_TEST((find_equilibrium(body, pulled(.63), {}).status == SolveStatus::ok));
+}
+
 // The path goes on in one of two minima of the same energy; the seed says in which.
 BOOST_AUTO_TEST_CASE(behind_a_bifurcation_the_path_goes_on_in_a_minimum) {
   std::set<bool> sides;
@@ -67,6 +86,7 @@ BOOST_AUTO_TEST_CASE(behind_a_bifurcation_the_path_goes_on_in_a_minimum) {
       const Equilibrium found =
           find_equilibrium(body, pulled(1.5), {.seed = seed, .linear_solver = solver});
       BOOST_TEST((found.status == SolveStatus::ok), found.reason);
+      BOOST_TEST(found.reason.find("the path may branch between") == 0U, found.reason);
       BOOST_TEST(std::abs(found.displacements[3]) == 1, round_off);
       BOOST_TEST(found.displacements[5] == 2, round_off);
       sides.insert(found.displacements[3] > 0);

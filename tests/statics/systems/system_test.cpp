@@ -151,4 +151,14 @@ BOOST_AUTO_TEST_CASE(prepared_shifted_whatever_it_is) {
   BOOST_TEST(body.system.solve(right, 0).value().dot(right) > 0);
 }
 
+BOOST_AUTO_TEST_CASE(the_solver_is_taken_by_size_where_none_is_wanted) {
+  using enum LinearSolver;
+  for (const auto& [unknowns, expected] :
+       {std::pair{10'000, direct}, std::pair{10'001, conjugate_gradients},
+        std::pair{250'000, conjugate_gradients}, std::pair{250'001, multigrid}})
+    BOOST_TEST((linear_solver_taken(automatic, unknowns) == expected));
+  for (const LinearSolver wanted : all_solvers)
+    BOOST_TEST((linear_solver_taken(wanted, 300'000) == wanted));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
