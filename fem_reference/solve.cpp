@@ -130,22 +130,11 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
   const statics::Equilibrium found = statics::find_equilibrium(
       elements, loading, {.linear_solver = settings.linear_solver});
 
-  std::vector<Vector3> displacements = statics::by_node(found.displacements);
-  displacements.resize(mesh.nodes().size());  // q2 has more
-  Solution solution{.status = found.status,
-                    .reason = found.reason,
-                    .displacements = std::move(displacements),
-                    .reactions = on_vertices(body, found.reactions),
-                    .lever_arms = settings.law == Law::hooke ? LeverArms::undeformed
-                                                             : LeverArms::deformed,
-                    .strain_energy = found.strain_energy,
-                    .load_fraction = found.load_fraction,
-                    .steps = found.steps,
-                    .force_evaluations = found.force_evaluations,
-                    .definite_up_to = found.definite_up_to,
-                    .linear_iterations = found.linear_iterations,
-                    .factorisations = found.factorisations,
-                    .setup_wall_s = setup_wall_s + found.setup_wall_s};
+  Solution solution = statics::solution_of(found);
+  solution.displacements.resize(mesh.nodes().size());  // q2 has more
+  solution.reactions = on_vertices(body, found.reactions);
+  if (settings.law == Law::hooke) solution.lever_arms = LeverArms::undeformed;
+  solution.setup_wall_s += setup_wall_s;
   if (settings.element == Element::q2) {
     solution.cell_volumes = elements.cell_volumes(found.displacements);
     for (const Traction& traction : scene.tractions)

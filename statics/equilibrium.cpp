@@ -12,6 +12,7 @@
 #include "meshing/random_vector.hpp"
 #include "meshing/stopwatch.hpp"
 #include "statics/minimum.hpp"
+#include "statics/systems/nodal_vectors.hpp"
 
 namespace springcheck::statics {
 namespace {
@@ -244,6 +245,23 @@ class Follower {
 };
 
 }  // namespace
+
+Solution solution_of(const Equilibrium& equilibrium) {
+  return {.status = equilibrium.status,
+          .reason = equilibrium.reason,
+          .displacements = by_node(equilibrium.displacements),
+          .reactions = by_node(equilibrium.reactions),
+          .lever_arms = LeverArms::deformed,
+          .strain_energy = equilibrium.strain_energy,
+          .load_fraction = equilibrium.load_fraction,
+          .steps = equilibrium.steps,
+          .force_evaluations = equilibrium.force_evaluations,
+          .definite_up_to = equilibrium.definite_up_to,
+          .critical_wavelength = equilibrium.critical_wavelength,
+          .linear_iterations = equilibrium.linear_iterations,
+          .factorisations = equilibrium.factorisations,
+          .setup_wall_s = equilibrium.setup_wall_s};
+}
 
 Equilibrium find_equilibrium(ElasticBody& body, const Loading& loading,
                              const Search& search) {

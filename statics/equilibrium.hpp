@@ -32,6 +32,9 @@ struct Equilibrium {
   double setup_wall_s;
 };
 
+/// Its Solution on the body's nodes; lever arms deformed.
+Solution solution_of(const Equilibrium& equilibrium);
+
 /// Static equilibrium as a minimum of the total energy, followed from rest to the full
 /// load.
 ///
