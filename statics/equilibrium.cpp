@@ -114,6 +114,7 @@ class Follower {
   bool is_on_path(const Minimum& minimum, double to) {
     std::string_view astray;
     left_to_ = {};
+    was_unloaded_ = false;
     if (!loading_.follows_supports(minimum.state.displacements, to))
       astray = "in a body that is not turned as its plates are";
     else if (is_doubtful(minimum) && definite_ && minimum.definite &&
@@ -147,6 +148,7 @@ class Follower {
     };
     const double way = from_last(there);
     if (from_last(landscape_.predicted(there, reached_)) < clearly * way) return true;
+    was_unloaded_ = true;
     const auto back = unloaded(there, to);
     landscape_.linearise(there);
     return back && from_last(*back) < same * way;
@@ -178,7 +180,7 @@ class Follower {
   void accept(Minimum minimum, double to, bool leaves_stable) {
     const bool branches = minimum.crossed && leaves_stable;
     if ((!minimum.definite || branches) && !definite_up_to_) definite_up_to_ = reached_;
-    if (minimum.crossed && reason_.empty())
+    if ((branches || (minimum.crossed && was_unloaded_)) && reason_.empty())
       reason_ = fmt::format(
           "the path {} between {:.2f} % and {:.2f} % of the load, where a search met "
           "tangents that are not positive definite",
@@ -241,7 +243,8 @@ class Follower {
   std::string reason_;
   std::optional<double> definite_up_to_;
   int steps_ = 0;
-  std::string_view left_to_;  // by the last search, if that was astray
+  std::string_view left_to_;   // by the last search, if that was astray
+  bool was_unloaded_ = false;  // its end, to tell that
 };
 
 }  // namespace

@@ -59,10 +59,11 @@ Solution solution_of(const Equilibrium& equilibrium);
 /// failed at is reached. Below 2/1024 of the load a search that goes on from any tangent
 /// decides: where it finds nothing either, the status is no_equilibrium if it met
 /// indefinite tangents, the energy fell without end, or it led to another branch, and
-/// not_converged otherwise. Where an accepted search met
-/// indefinite tangents, the reason says between which loads, also with ok: the path may
-/// branch there. definite_up_to is the load of the last state before the first one that
-/// is no minimum, or before a branch that small steps have shown; rest counts.
+/// not_converged otherwise. Where an accepted search met indefinite tangents and its
+/// minimum does not lead back to first order, the reason says between which loads the
+/// path may branch, also with ok. definite_up_to is the load of the last state before the
+/// first one that is no minimum, or before a branch that small steps have shown; rest
+/// counts.
 ///
 /// With noise every unknown of the last state is moved by up to that many mean cell
 /// edges, at random from the seed, and the minimum is sought from there: a state that is
