@@ -82,6 +82,8 @@ class Follower {
       Eigen::VectorXd start =
           reached_ == 0 && to == 1 ? whole : landscape_.predicted(now_.displacements, to);
       landscape_.set_load(to);
+      left_to_ = {};
+      was_unloaded_ = false;
       Minimum minimum = minimise(landscape_, std::move(start), random_, tangents);
       spdlog::debug("load {:.5f}: {}, residual {:.2e}", to,
                     minimum.found ? (minimum.definite ? "minimum" : "saddle") : "none",
@@ -113,8 +115,6 @@ class Follower {
   /// it is.
   bool is_on_path(const Minimum& minimum, double to) {
     std::string_view astray;
-    left_to_ = {};
-    was_unloaded_ = false;
     if (!loading_.follows_supports(minimum.state.displacements, to))
       astray = "in a body that is not turned as its plates are";
     else if (is_doubtful(minimum) && definite_ && minimum.definite &&

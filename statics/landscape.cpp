@@ -24,9 +24,6 @@ Landscape::Landscape(ElasticBody& body, const Loading& loading,
       system_(
           body.nodes(), body.patches(), loading.is_free,
           linear_solver_taken(linear_solver, std::ranges::count(loading.is_free, true))) {
-  body_.linearise(VectorXd::Zero(loading.forces.size()));
-  system_.matrix().assemble([&](std::size_t patch) { return body_.part(patch); });
-  stiffness_ = diagonal(system_.matrix(), unknowns()).norm();
 }
 
 double Landscape::load_norm() const {

@@ -41,7 +41,8 @@ class Landscape {
   [[nodiscard]] Eigen::VectorXd reactions(const State& state) const;
 
   /// What rounding does to the norm of the forces [N] and, at the given energy, to the
-  /// energy [J]. A body that is hardly strained has little else.
+  /// energy [J]. A body that is hardly strained has little else. Nothing before a tangent
+  /// was taken.
   [[nodiscard]] double force_round_off(const Eigen::VectorXd& u) const;
   [[nodiscard]] double energy_round_off(const Eigen::VectorXd& u, double energy) const;
 
@@ -102,7 +103,7 @@ class Landscape {
   ElasticBody& body_;
   const Loading& loading_;
   System system_;
-  double stiffness_;  // norm of a tangent's diagonal, the largest so far [N/m]
+  double stiffness_ = 0;  // norm of a tangent's diagonal, the largest so far [N/m]
   bool is_prepared_ = false, is_clamped_ = false;
   double load_fraction_ = 0;
   int evaluations_ = 0;

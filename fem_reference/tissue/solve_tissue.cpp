@@ -7,6 +7,7 @@
 #include "fem_reference/statics/supports.hpp"
 #include "fem_reference/tissue/tissue_cell.hpp"
 #include "meshing/stopwatch.hpp"
+#include "statics/systems/nodal_vectors.hpp"
 #include "statics/systems/system.hpp"
 
 namespace springcheck::fem_reference {
@@ -36,7 +37,9 @@ class RememberingElements final : public dynamics::RememberingBody {
     tissue::set_to_rest(states_);
   }
 
-  [[nodiscard]] std::vector<Vector3> load() const override { return by_node(load_); }
+  [[nodiscard]] std::vector<Vector3> load() const override {
+    return statics::by_node(load_);
+  }
 
   [[nodiscard]] std::vector<Vector3> forces_after(
       double dt, std::span<const Vector3> positions) override {
@@ -55,7 +58,7 @@ class RememberingElements final : public dynamics::RememberingBody {
       squares += of.strand_square;
     }
     force_scale_ = std::sqrt(squares);
-    return by_node(forces);
+    return statics::by_node(forces);
   }
 
   [[nodiscard]] double force_scale() const override { return force_scale_; }
@@ -118,16 +121,7 @@ class RememberingElements final : public dynamics::RememberingBody {
   }
 
   [[nodiscard]] Eigen::VectorXd displacements(std::span<const Vector3> positions) const {
-    Eigen::VectorXd u(static_cast<Index>(3 * positions.size()));
-    for (std::size_t n = 0; n < positions.size(); ++n)
-      u.segment<3>(static_cast<Index>(3 * n)) = positions[n] - rest_[n];
-    return u;
-  }
-
-  static std::vector<Vector3> by_node(const Eigen::VectorXd& nodal) {
-    std::vector<Vector3> vectors;
-    for (Index i = 0; i < nodal.size(); i += 3) vectors.emplace_back(nodal.segment<3>(i));
-    return vectors;
+    return statics::stacked(positions) - statics::stacked(rest_);
   }
 
   const tissue::MemoryStep& step_of(double dt) {
