@@ -94,6 +94,16 @@ std::vector<ElementName> finite_elements() {
            .multigrid_bytes = 13e3,
            .entries_per_node = of_q1,
            .omits = {no_quadratic}},
+          {.name = "q1-nodal",
+           .element = Element::q1_nodal,
+           .description = "the same, volumetric part from means around the nodes, on "
+                          "tetrahedra with three quarters of the rest: for cells of any "
+                          "type near nu = 0.5",
+           .order = 2,
+           .divisions = 1,
+           .multigrid_bytes = 13e3,
+           .entries_per_node = 9 * 125,
+           .omits = {no_quadratic}},
           {.name = "q2",
            .element = Element::q2,
            .description = "triquadratic (27 nodes), 3x3x3 points; hexahedra only",
@@ -105,7 +115,10 @@ std::vector<ElementName> finite_elements() {
 
 std::vector<Method> finite_element_methods() {
   const std::vector<Model> of_all_elements{
-      {.element = "q1"}, {.element = "q1-sri"}, {.element = "q2"}};
+      {.element = "q1"},
+      {.element = "q1-sri"},
+      {.element = "q2"},
+      {.element = "q1-nodal", .cells = CellType::tetrahedron}};
   std::vector<Model> of_all_elements_and_solvers = of_all_elements;
   for (const char* linear_solver : {"direct", "multigrid"})
     of_all_elements_and_solvers.push_back(

@@ -26,14 +26,17 @@ std::vector<MethodModes> body_modes(const CaseSettings& settings, const Mesh& me
                                     Hold hold, int count) {
   Scene scene = mechanical_scene(settings, mesh);
   if (hold == Hold::free) scene.plates.clear();
-  const fem_reference::Settings hooke{.law = fem_reference::Law::hooke,
-                                      .element = fem_reference::Element::q1_sri};
-  const auto elements = [&](fem_reference::MassMatrix masses) {
-    return fem_reference::rest_modes(mesh, scene, hooke, masses, count);
+  using fem_reference::Element, fem_reference::MassMatrix;
+  const auto elements = [&](const char* name, Element element, MassMatrix masses) {
+    return stable_or_not(
+        name, fem_reference::rest_modes(
+                  mesh, scene, {.law = fem_reference::Law::hooke, .element = element},
+                  masses, count));
   };
   std::vector<MethodModes> all{
-      stable_or_not("FEM", elements(fem_reference::MassMatrix::consistent)),
-      stable_or_not("lumped FEM", elements(fem_reference::MassMatrix::lumped))};
+      elements("FEM", Element::q1_sri, MassMatrix::consistent),
+      elements("lumped FEM", Element::q1_sri, MassMatrix::lumped),
+      elements("nodal FEM", Element::q1_nodal, MassMatrix::lumped)};
   const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
   for (const char* name : {"mss-cf", "mss-affine", "mss-nfd"})
     all.push_back(spring_modes(*find_method(name), settings, mesh, is_free, count));

@@ -20,7 +20,8 @@ struct MethodModes {
 };
 
 /// The lowest `count` modes of the case's body by finite elements, fem-hooke:q1-sri with
-/// consistent and with lumped masses, and by mss-cf, mss-affine and mss-nfd.
+/// consistent and with lumped masses and q1-nodal with lumped ones, and by mss-cf,
+/// mss-affine and mss-nfd.
 std::vector<MethodModes> body_modes(const CaseSettings& settings, const Mesh& mesh,
                                     Hold hold, int count);
 

@@ -150,7 +150,7 @@ constexpr Setting table[] = {
 
     {"element", of_elements, chosen, of_methods,
      in_elements<named<ElementName>, &ElementSettings::element>, "q1-sri",
-     "finite element: q1, q1-sri, or q2 on hexahedra"},
+     "finite element: q1, q1-sri, q1-nodal, or q2 on hexahedra"},
     {"linear-solver", of_elements, chosen, of_methods,
      in_elements<named<statics::LinearSolver>, &ElementSettings::linear_solver>,
      "auto",

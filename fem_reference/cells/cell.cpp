@@ -8,39 +8,56 @@
 namespace springcheck::fem_reference {
 namespace {
 
-/// The dilatation of the whole cell; empty sums where it is taken at the points.
 template <class Law>
-double mean_dilatation(const Law& law, DilatationTaken taken, const Shape& shape,
-                       const CellVectors& u) {
-  if (taken == DilatationTaken::of_mean_gradient)
-    return law.dilatation(displacement_gradient(shape, u, shape.weights.size())).value;
+double mean_of_points(const Law& law, const Shape& shape, const CellVectors& u) {
   double integral = 0;
-  if (taken == DilatationTaken::cell_mean)
-    for (Eigen::Index q = 0; q < shape.weights.size(); ++q)
-      integral +=
-          shape.weights[q] * law.dilatation(displacement_gradient(shape, u, q)).value;
+  for (Eigen::Index q = 0; q < shape.weights.size(); ++q)
+    integral +=
+        shape.weights[q] * law.dilatation(displacement_gradient(shape, u, q)).value;
   return integral / shape.volume;
+}
+
+/// U of the whole cell's dilatation; nothing where it is taken at the points.
+template <class Law>
+VolumetricEnergy of_whole_cell(const Law& law, DilatationTaken taken, const Shape& shape,
+                               const CellVectors& u, const FromStars& stars) {
+  switch (taken) {
+    case DilatationTaken::cell_mean:
+      return law.volumetric_energy(mean_of_points(law, shape, u));
+    case DilatationTaken::of_mean_gradient:
+      return law.volumetric_energy(
+          law.dilatation(displacement_gradient(shape, u, shape.weights.size())).value);
+    case DilatationTaken::star_mean:  // the energy is the stars' own
+      return {.value = 0, .first = stars.pressure, .second = 0};
+    case DilatationTaken::at_points:
+      break;
+  }
+  return {.value = 0, .first = 0, .second = 0};
+}
+
+/// Whether each point takes part in the whole cell's dilatation.
+bool is_mean_of_points(DilatationTaken taken) {
+  return taken == DilatationTaken::cell_mean || taken == DilatationTaken::star_mean;
 }
 
 template <class Law>
 CellState state(const Law& law, DilatationTaken taken, const Shape& shape,
-                const CellVectors& u) {
-  const VolumetricEnergy whole =
-      law.volumetric_energy(mean_dilatation(law, taken, shape, u));
+                const CellVectors& u, const FromStars& stars) {
+  const VolumetricEnergy whole = of_whole_cell(law, taken, shape, u, stars);
   CellState sum{.energy = 0,
                 .forces = CellVectors::Zero(3, u.cols()),
                 .smallest_jacobian = std::numeric_limits<double>::infinity()};
   for (Eigen::Index q = 0; q < shape.weights.size(); ++q) {
     const Matrix3 H = displacement_gradient(shape, u, q);
     const double w = shape.weights[q];
-    double psi = law.energy(H);
-    Matrix3 P = law.stress(H);
+    double psi = stars.own_part * law.energy(H);
+    Matrix3 P = stars.own_part * law.stress(H) + stars.stress;
     if (taken == DilatationTaken::at_points) {
       const Dilatation t = law.dilatation(H);
       const VolumetricEnergy U = law.volumetric_energy(t.value);
       psi += U.value;
       P += U.first * t.first;
-    } else if (taken == DilatationTaken::cell_mean) {
+    } else if (is_mean_of_points(taken)) {
       P += whole.first * law.dilatation(H).first;
     }
     sum.energy += w * psi;
@@ -60,18 +77,17 @@ CellState state(const Law& law, DilatationTaken taken, const Shape& shape,
 
 template <class Law>
 CellMatrix stiffness(const Law& law, DilatationTaken taken, const Shape& shape,
-                     const CellVectors& u) {
-  const VolumetricEnergy whole =
-      law.volumetric_energy(mean_dilatation(law, taken, shape, u));
+                     const CellVectors& u, const FromStars& stars) {
+  const VolumetricEnergy whole = of_whole_cell(law, taken, shape, u, stars);
   CellVectors c = CellVectors::Zero(3, u.cols());  // V dt/du
   CellMatrix K = CellMatrix::Zero(3 * u.cols(), 3 * u.cols());
   for (Eigen::Index q = 0; q < shape.weights.size(); ++q) {
     const Matrix3 H = displacement_gradient(shape, u, q);
     const double w = shape.weights[q];
-    Matrix9 A = law.tangent(H);
+    Matrix9 A = stars.own_part * law.tangent(H);
     if (taken != DilatationTaken::of_mean_gradient) {
       const Dilatation t = law.dilatation(H);
-      if (taken == DilatationTaken::cell_mean) {
+      if (is_mean_of_points(taken)) {
         A += whole.first * t.second;
         c += w * t.first * shape.gradients_at(q);
       } else {
@@ -82,7 +98,8 @@ CellMatrix stiffness(const Law& law, DilatationTaken taken, const Shape& shape,
     }
     add_stiffness(K, w * A, shape.gradients_at(q));
   }
-  if (taken == DilatationTaken::at_points) return K;
+  if (taken == DilatationTaken::at_points || taken == DilatationTaken::star_mean)
+    return K;
   if (taken == DilatationTaken::of_mean_gradient) {
     const Dilatation t =
         law.dilatation(displacement_gradient(shape, u, shape.weights.size()));
@@ -96,6 +113,7 @@ CellMatrix stiffness(const Law& law, DilatationTaken taken, const Shape& shape,
 }  // namespace
 
 DilatationTaken dilatation_taken(const Settings& settings) {
+  if (settings.element == Element::q1_nodal) return DilatationTaken::star_mean;
   if (settings.element != Element::q1_sri) return DilatationTaken::at_points;
   const bool has_shape_part_apart =  // as with the other laws
       settings.law != Law::cauchy_born ||
@@ -106,9 +124,29 @@ DilatationTaken dilatation_taken(const Settings& settings) {
                               : DilatationTaken::of_mean_gradient;
 }
 
-CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u) {
+CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u,
+                     const FromStars& stars) {
   return std::visit(
-      [&](const auto& part) { return state(part, law.dilatation, shape, u); },
+      [&](const auto& part) { return state(part, law.dilatation, shape, u, stars); },
+      law.constitution);
+}
+
+double mean_dilatation(const CellLaw& law, const Shape& shape, const CellVectors& u) {
+  return std::visit([&](const auto& part) { return mean_of_points(part, shape, u); },
+                    law.constitution);
+}
+
+CellVectors dilatation_gradient(const CellLaw& law, const Shape& shape,
+                                const CellVectors& u) {
+  return std::visit(
+      [&](const auto& part) {
+        CellVectors sum = CellVectors::Zero(3, u.cols());
+        for (Eigen::Index q = 0; q < shape.weights.size(); ++q)
+          sum += shape.weights[q] *
+                 part.dilatation(displacement_gradient(shape, u, q)).first *
+                 shape.gradients_at(q);
+        return sum;
+      },
       law.constitution);
 }
 
@@ -127,9 +165,10 @@ double deformed_volume(const Shape& shape, const CellVectors& u) {
   return integral;
 }
 
-CellMatrix cell_tangent(const CellLaw& law, const Shape& shape, const CellVectors& u) {
+CellMatrix cell_tangent(const CellLaw& law, const Shape& shape, const CellVectors& u,
+                        const FromStars& stars) {
   return std::visit(
-      [&](const auto& part) { return stiffness(part, law.dilatation, shape, u); },
+      [&](const auto& part) { return stiffness(part, law.dilatation, shape, u, stars); },
       law.constitution);
 }
 

@@ -38,6 +38,8 @@ struct Cell {
 ///     at_points        W = int psi dV
 ///     cell_mean        W = int shape part dV + V U(t),   t = (1/V) int t(F) dV
 ///     of_mean_gradient W = int shape part dV + V U(t(F_mean)),  F_mean = (1/V) int F dV
+///     star_mean        W = int shape part dV,  the rest around the nodes
+///     (node_stars.hpp)
 ///
 /// St-Venant's q1_sri is also described as mu E:E at the points and lambda/2 (tr E)^2 at
 /// the centroid. That is another element: 13.871 and 6.375 % volume error in compression
@@ -45,17 +47,17 @@ struct Cell {
 /// 45 degrees. Ours, mu dev(E):dev(E) at the points and K/2 of the mean tr E squared,
 /// gives the figures that are known for this element: 13.822 and 6.397 %, .060333 N m.
 ///
-/// On a tetrahedron all three are the same. On parallelepipeds F_mean is F at the
+/// On a tetrahedron the first three are the same. On parallelepipeds F_mean is F at the
 /// centroid. Taken at the centroid of other cells
 /// the dilatation fails the patch test; both means pass it.
 /// Source: Nagtegaal, Parks and Rice, Comput. Methods Appl. Mech. Eng. 4 (1974) 153;
 /// Hughes, The Finite Element Method (1987), section 4.5.
-enum class DilatationTaken { at_points, cell_mean, of_mean_gradient };
+enum class DilatationTaken { at_points, cell_mean, of_mean_gradient, star_mean };
 
-/// q1 and q2: at the points. q1_sri: cell mean, for Cauchy-Born of the mean gradient,
-/// which is how the springs' volume correction sees a cell (Golec 2018, Eq. 5.19), but
-/// with green and for isochoric springs, as the laws that they follow have it, the cell
-/// mean.
+/// q1 and q2: at the points. q1_nodal: star mean. q1_sri: cell mean, for Cauchy-Born of
+/// the mean gradient, which is how the springs' volume correction sees a cell (Golec
+/// 2018, Eq. 5.19), but with green and for isochoric springs, as the laws that they
+/// follow have it, the cell mean.
 DilatationTaken dilatation_taken(const Settings& settings);
 
 /// A law as the cells integrate it.
@@ -64,12 +66,25 @@ struct CellLaw {
   DilatationTaken dilatation;
 };
 
+/// What a cell has of the stars of its nodes (node_stars.hpp), with star_mean.
+struct FromStars {
+  double own_part = 1;               // of the shape part, at the cell's own points
+  Matrix3 stress = Matrix3::Zero();  // of the stars' shape parts [Pa]
+  double pressure = 0;               // dU/dt of the stars [Pa]
+};
+
 struct CellState {
   double energy;             // W [J]
   CellVectors forces;        // dW/du [N]
   double smallest_jacobian;  // of det F over the Gauss points
 };
-CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u);
+CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u,
+                     const FromStars& stars = {});
+
+/// (1/V) int t(F) dV of a cell, and V times its gradient by u, one column per node.
+double mean_dilatation(const CellLaw& law, const Shape& shape, const CellVectors& u);
+CellVectors dilatation_gradient(const CellLaw& law, const Shape& shape,
+                                const CellVectors& u);
 
 double gradient_square(const Shape& shape, const CellVectors& u);  // int |H|^2 dV [m^3]
 double deformed_volume(const Shape& shape, const CellVectors& u);  // int det F dV [m^3]
@@ -78,8 +93,9 @@ double deformed_volume(const Shape& shape, const CellVectors& u);  // int det F 
 ///
 ///     sum over points w B^T (dP/dF) B + V U''(t) c c^T,   c = dt/du
 ///
-/// the second term for a mean dilatation only; P is the stress of the shape part and of
-/// U'(t) dt/dF at constant U'(t).
-CellMatrix cell_tangent(const CellLaw& law, const Shape& shape, const CellVectors& u);
+/// the second term for a cell's mean dilatation only; P is the stress of the shape part
+/// and of U'(t) dt/dF at constant U'(t).
+CellMatrix cell_tangent(const CellLaw& law, const Shape& shape, const CellVectors& u,
+                        const FromStars& stars = {});
 
 }  // namespace springcheck::fem_reference

@@ -93,6 +93,10 @@ Discretisation discretise(const Mesh& mesh, Element element) {
   } else {
     body.regions = area_shares(mesh);
   }
+  if (element == Element::q1_nodal) {
+    body.stars = stars(mesh, StarCells::all);
+    body.tetrahedron_stars = stars(mesh, StarCells::tetrahedra);
+  }
   return body;
 }
 

@@ -26,11 +26,14 @@ bool ElementsBody::is_linear() const {
 }
 
 statics::ElasticBody::State ElementsBody::state(const VectorXd& displacements) {
-  State sum{.strain_energy = 0, .forces = VectorXd::Zero(displacements.size())};
+  const StarsState stars = stars_state(law_, body_, displacements);
+  State sum{.strain_energy = stars.energy,
+            .forces = VectorXd::Zero(displacements.size())};
   std::vector<CellState> states(body_.cells.size());
   tbb::parallel_for(std::size_t{0}, states.size(), [&](std::size_t c) {
     const Cell& cell = body_.cells[c];
-    states[c] = cell_state(law_, *cell.shape, of_cell(displacements, cell));
+    states[c] =
+        cell_state(law_, *cell.shape, of_cell(displacements, cell), stars.on_cells[c]);
   });
   for (std::size_t c = 0; c < states.size(); ++c) {
     const std::vector<NodeIndex>& nodes = body_.cells[c].nodes;
@@ -45,20 +48,34 @@ statics::ElasticBody::State ElementsBody::state(const VectorXd& displacements) {
 }
 
 statics::Patches ElementsBody::patches() const {
-  return fem_reference::patches(body_);
+  statics::Patches all = fem_reference::patches(body_);
+  for (NodeIndex node = 0; node < body_.stars.size(); ++node)
+    all.push_back(star_nodes(body_, node));
+  return all;
 }
 
 void ElementsBody::linearise(const VectorXd& displacements) {
   at_ = displacements;
+  stars_ = stars_state(law_, body_, displacements);
 }
 
 Eigen::MatrixXd ElementsBody::part(std::size_t patch) const {
+  if (patch >= body_.cells.size()) return matrix(star(patch));
   const Cell& cell = body_.cells[patch];
-  return cell_tangent(law_, *cell.shape, of_cell(at_, cell));
+  return cell_tangent(law_, *cell.shape, of_cell(at_, cell), stars_.on_cells[patch]);
 }
 
 Eigen::MatrixXd ElementsBody::positive_part(std::size_t patch) const {
-  return statics::positive_part(part(patch));
+  if (patch < body_.cells.size()) return statics::positive_part(part(patch));
+  StarTangent tangent = star(patch);
+  tangent.shape = statics::positive_part(tangent.shape);
+  tangent.volumetric = std::max(tangent.volumetric, 0.);
+  return matrix(tangent);
+}
+
+StarTangent ElementsBody::star(std::size_t patch) const {
+  return star_tangent(law_, body_, at_, stars_,
+                      static_cast<NodeIndex>(patch - body_.cells.size()));
 }
 
 double ElementsBody::mean_gradient(const VectorXd& field) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem_reference/cells/discretisation.hpp"
+#include "fem_reference/cells/node_stars.hpp"
 #include "statics/elastic_body.hpp"
 
 namespace springcheck::fem_reference {
@@ -20,6 +21,7 @@ class ElementsBody final : public statics::ElasticBody {
   /// No law but Hooke's has an energy where det F <= 0 at a Gauss point: infinite there.
   State state(const Eigen::VectorXd& displacements) override;
 
+  /// The cells, and of q1_nodal behind them the stars.
   [[nodiscard]] statics::Patches patches() const override;
   void linearise(const Eigen::VectorXd& displacements) override;
   [[nodiscard]] Eigen::MatrixXd part(std::size_t patch) const override;
@@ -39,9 +41,12 @@ class ElementsBody final : public statics::ElasticBody {
       const Eigen::VectorXd& displacements) const;
 
  private:
+  [[nodiscard]] StarTangent star(std::size_t patch) const;
+
   const Discretisation& body_;
   CellLaw law_;
   Eigen::VectorXd at_;  // where the tangent is taken
+  StarsState stars_{};  // there
 };
 
 }  // namespace springcheck::fem_reference

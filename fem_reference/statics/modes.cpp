@@ -1,5 +1,6 @@
 #include "fem_reference/statics/modes.hpp"
 
+#include "fem_reference/statics/elements_body.hpp"
 #include "fem_reference/statics/supports.hpp"
 #include "statics/systems/free_triangle.hpp"
 
@@ -34,20 +35,22 @@ std::optional<NaturalModes> rest_modes(const Mesh& mesh, const Scene& scene,
                                        int count) {
   const Discretisation body = discretise(mesh, settings.element);
   const Supports supports(mesh, scene, body);
-  const CellLaw law{.constitution = constitution(scene.material, settings),
-                    .dilatation = dilatation_taken(settings)};
+  ElementsBody elements(body, {.constitution = constitution(scene.material, settings),
+                               .dilatation = dilatation_taken(settings)});
+  elements.linearise(Eigen::VectorXd::Zero(3 * std::ssize(body.nodes)));
   const statics::Unknowns unknowns(supports.is_free());
-  statics::BlockMatrix matrix(patches(body), body.nodes.size());
-  statics::FreeTriangle triangle(matrix, unknowns);
-  matrix.assemble([&](std::size_t c) {
-    const Shape& shape = *body.cells[c].shape;
-    return cell_tangent(law, shape, CellVectors::Zero(3, shape.nodes));
-  });
-  const Eigen::SparseMatrix<double> stiffness = triangle.copy_of(matrix);
-  matrix.assemble([&](std::size_t c) {
-    return cell_mass(*body.cells[c].shape, scene.material.density, mass);
-  });
-  auto modes = natural_modes(stiffness, triangle.copy_of(matrix), count);
+  const auto of_unknowns = [&](statics::Patches patches, const auto& part) {
+    statics::BlockMatrix matrix(std::move(patches), body.nodes.size());
+    matrix.assemble(part);
+    return statics::FreeTriangle(matrix, unknowns).copy_of(matrix);
+  };
+  auto modes = natural_modes(
+      of_unknowns(elements.patches(), [&](std::size_t p) { return elements.part(p); }),
+      of_unknowns(patches(body),
+                  [&](std::size_t c) {
+                    return cell_mass(*body.cells[c].shape, scene.material.density, mass);
+                  }),
+      count);
   if (!modes) return std::nullopt;
   Eigen::MatrixXd of_all =
       Eigen::MatrixXd::Zero(3 * std::ssize(body.nodes), modes->shapes.cols());

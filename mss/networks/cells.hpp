@@ -62,26 +62,4 @@ class Cells {
   std::vector<CellSpring> springs_;
 };
 
-/// For each node the cells around it, each with its share of their volume: a cell of n_e
-/// nodes leaves V_e/n_e to each of them.
-struct Stars {
-  struct Part {
-    NodeIndex cell;
-    double weight;  // of the cell in means over the star; they add up to 1
-  };
-  std::vector<std::size_t> first;  // of each node, and the end; empty: there are no stars
-  std::vector<Part> parts{};
-  std::vector<double> volumes;  // V_n = sum V_e/n_e [m^3], of each node
-
-  [[nodiscard]] std::size_t size() const { return volumes.size(); }
-  [[nodiscard]] std::span<const Part> operator[](std::size_t node) const {
-    return std::span(parts).subspan(first[node], first[node + 1] - first[node]);
-  }
-};
-
-enum class StarCells { all, tetrahedra };
-
-/// A star of nodes without any such cell is empty. No stars if there is no such cell.
-Stars stars(const Cells& cells, std::size_t nodes, StarCells which);
-
 }  // namespace springcheck::mss

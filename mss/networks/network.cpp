@@ -91,10 +91,9 @@ Network build_network(const Mesh& mesh, const Material& material,
   if (const auto kappa = method.volume_modulus(material, settings))
     network.volume_moduli = {.kappa = *kappa, .cubic = cubic_modulus(network)};
   if (is_affine) {
-    const std::size_t count = mesh.nodes().size();
-    network.shape_stars = stars(network.cells, count, StarCells::tetrahedra);
+    network.shape_stars = stars(mesh, StarCells::tetrahedra);
     if (network.volume_moduli.kappa > 0)
-      network.volume_stars = stars(network.cells, count, StarCells::all);
+      network.volume_stars = stars(mesh, StarCells::all);
   }
   return network;
 }

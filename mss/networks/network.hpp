@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "meshing/scene.hpp"
+#include "meshing/stars.hpp"
 #include "mss/networks/cells.hpp"
 #include "mss/networks/method.hpp"
 

@@ -283,7 +283,7 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
                    "nowhere.toml:1:1: expected a readable scene file");
   expect_bad_input("run compression --method mss-fc",
                    "mss-baudet, mss-nfd, mss-fd, mss-cf");
-  expect_bad_input("run compression --element q3", "q1, q1-sri, q2");
+  expect_bad_input("run compression --element q3", "q1, q1-sri, q1-nodal, q2");
   expect_bad_input("run compression --traction 0,0,1", "no traction but in traction");
   expect_bad_input("run compression --gradient 1,0,0,0,0,0,0,0,0",
                    "no gradient but in affine");
@@ -410,7 +410,7 @@ BOOST_AUTO_TEST_CASE(help_version_and_lists_work) {
   for (const char* scene : {"compression", "tension", "shearing", "torsion", "bending",
                             "bending-cm", "uniaxial", "traction", "affine"})
     BOOST_TEST(lists["scenes"].contains(scene), scene);
-  for (const char* element : {"q1", "q1-sri", "q2"})
+  for (const char* element : {"q1", "q1-sri", "q1-nodal", "q2"})
     BOOST_TEST(lists["elements"].contains(element), element);
   for (const char* law : {"hooke", "stvk", "hencky", "cauchy-born"})
     BOOST_TEST(lists["materials"].contains(law), law);
@@ -492,10 +492,17 @@ BOOST_AUTO_TEST_CASE(the_table_of_modes_needs_no_simulation,
   std::set<double> ratios;
   for (const Json& row : table["rows"]) {
     ratios.insert(row["nu"].get<double>());
-    BOOST_TEST(row["status"] == "ok");
     BOOST_TEST(row["cases"].empty());
+    for (const char* method : {"fem", "lumped", "nodal", "affine"})
+      BOOST_TEST(row[method].get<double>() > 0, method);
+    if (row["body"] == "free cube of tetrahedra") {  // weak modes are what it is there for
+      BOOST_TEST(row["status"] == "mss-cf refused, mss-nfd refused");
+      BOOST_TEST(row["notes"].dump().find("nodal FEM has 9") != std::string::npos);
+      continue;
+    }
+    BOOST_TEST(row["status"] == "ok");
     BOOST_TEST(row["mac"].get<double>() > 0.9);
-    for (const char* method : {"fem", "lumped", "cf", "affine", "nfd"})
+    for (const char* method : {"cf", "nfd"})
       BOOST_TEST(row[method].get<double>() > 0, method);
   }
   BOOST_TEST(ratios.size() == 3U);

@@ -18,7 +18,8 @@ namespace springcheck::fem_reference {
 
 inline constexpr double edge = 0.05;  // m, the cube's
 
-inline constexpr Element elements[] = {Element::q1, Element::q1_sri, Element::q2};
+inline constexpr Element elements[] = {Element::q1, Element::q1_sri, Element::q1_nodal,
+                                       Element::q2};
 
 /// Of all cell types, one each and together.
 inline constexpr CellPattern patterns[] = {CellPattern::hexahedron,
@@ -27,7 +28,7 @@ inline constexpr CellPattern patterns[] = {CellPattern::hexahedron,
 
 /// The elements there are on a pattern's cells.
 inline std::span<const Element> elements_on(CellPattern pattern) {
-  return std::span(elements).first(pattern == CellPattern::hexahedron ? 3 : 2);
+  return std::span(elements).first(pattern == CellPattern::hexahedron ? 4 : 3);
 }
 
 inline constexpr Law laws[] = {Law::hooke, Law::st_venant_kirchhoff, Law::hencky,
@@ -39,7 +40,7 @@ inline std::string words(Law law) {
 }
 
 inline std::string words(Element element) {
-  constexpr const char* names[] = {"q1", "q1-sri", "q2"};
+  constexpr const char* names[] = {"q1", "q1-sri", "q1-nodal", "q2"};
   return names[static_cast<int>(element)];
 }
 

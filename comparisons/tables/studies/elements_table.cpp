@@ -74,6 +74,7 @@ struct MeshRows {
 std::vector<MeshRows> meshes_and_methods() {
   const MethodRow hooke = finite_elements("Hooke", "q1"),
                   hooke_sri = finite_elements("Hooke", "q1-sri"),
+                  hooke_nodal = finite_elements("Hooke", "q1-nodal"),
                   virtual_springs = finite_elements("virtual springs", "q1"),
                   virtual_springs_sri = finite_elements("virtual springs", "q1-sri");
   const auto with_laws = [](CellType cell_type, std::vector<MethodRow> rows,
@@ -86,16 +87,16 @@ std::vector<MeshRows> meshes_and_methods() {
   return {{"cubes",
            {{"cell-type", "hexahedron"}},
            with_laws(CellType::hexahedron, {mss_cf, mss_affine},
-                     {hooke, hooke_sri, virtual_springs_sri})},
+                     {hooke, hooke_sri, hooke_nodal, virtual_springs_sri})},
           {"distorted mixed",
            {{"cell-type", "mixed"}, {"distortion", 0.2}},
            with_laws(CellType::prism, {mss_cf, van_gelder, mss_affine},
-                     {hooke, hooke_sri, virtual_springs})},
+                     {hooke, hooke_sri, hooke_nodal, virtual_springs})},
           {"gmsh's tetrahedra",
            {{"cell-type", "free-tetrahedron"}},
            with_laws(CellType::tetrahedron,
                      {mss_cf, van_gelder, bare_van_gelder, lloyd, bare_lloyd, mss_affine},
-                     {hooke, virtual_springs})}};
+                     {hooke, hooke_nodal, virtual_springs})}};
 }
 
 using OfTests = std::array<std::size_t, 3>;  // places of simulations, test by test

@@ -228,6 +228,7 @@ def modes(study):
     ]
     styles = {name: line(name) for name in _SWINGING.values()}
     styles["lumped FEM"] = {"color": NEUTRAL[1], "marker": "x", "markersize": 4}
+    styles["nodal FEM"] = {"color": NEUTRAL[1], "marker": "+", "markersize": 5}
     caption = (
         "Frequencies off finite elements with consistent masses, at nu = 0.25. Lumped FEM has the "
         "springs' own masses: what springs differ by from it is stiffness."
@@ -237,7 +238,13 @@ def modes(study):
 
 
 # Columns of the table modes by the names they have in figures.
-_SWINGING = {"lumped": "lumped FEM", "cf": "mss-cf", "affine": "mss-affine", "nfd": "mss-nfd"}
+_SWINGING = {
+    "lumped": "lumped FEM",
+    "nodal": "nodal FEM",
+    "cf": "mss-cf",
+    "affine": "mss-affine",
+    "nfd": "mss-nfd",
+}
 
 
 def _off_elements(document, body):

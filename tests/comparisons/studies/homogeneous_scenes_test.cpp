@@ -62,7 +62,7 @@ const std::vector<Law> laws{
 BOOST_AUTO_TEST_CASE(every_law_and_element_has_its_closed_form_in_uniaxial_stress,
                      *boost::unit_test::tolerance(1e-8)) {
   for (const Law& law : laws)
-    for (const char* element : {"q1", "q1-sri", "q2"})
+    for (const char* element : {"q1", "q1-sri", "q1-nodal", "q2"})
       for (const double nu : {0., 0.25, 0.49})
         for (const double strain : {-0.2, 0.2})
           BOOST_TEST_CONTEXT(law.method << ":" << element << ", nu " << nu << ", strain "
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(lattice_is_not_isotropic_at_finite_strain) {
 BOOST_AUTO_TEST_CASE(traction_on_a_sliding_body_is_the_inverse_of_uniaxial,
                      *boost::unit_test::tolerance(1e-8)) {
   for (const Law& law : laws)
-    for (const char* element : {"q1", "q1-sri", "q2"})
+    for (const char* element : {"q1", "q1-sri", "q1-nodal", "q2"})
       for (const double strain : {-0.1, 0.1}) {
         const double stress = law.stress(1 + strain, 0.3);
         const Measures m =
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(glued_plate_holds_against_any_traction) {
 // what a linear body stores. Bounded by the residual, 1e-10 of the forces.
 BOOST_AUTO_TEST_CASE(work_of_a_traction_is_twice_hooke_s_energy,
                      *boost::unit_test::tolerance(1e-9)) {
-  for (const char* element : {"q1", "q1-sri", "q2"}) {
+  for (const char* element : {"q1", "q1-sri", "q1-nodal", "q2"}) {
     const Measures m =
         result_of("traction", {"method=fem-hooke", std::string("element=") + element,
                                "plates=glued", "traction=60,-30,100"})
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(inside_follows_an_affine_boundary) {
   const std::string gradient = "gradient=.1,.04,-.03,.02,-.08,.05,-.01,.03,.06";
   for (const char* method : {"mss-baudet", "mss-fd", "mss-cf", "fem-hooke", "fem-stvk",
                              "fem-hencky", "fem-cauchy-born"})
-    for (const char* element : {"q1", "q1-sri", "q2"}) {
+    for (const char* element : {"q1", "q1-sri", "q1-nodal", "q2"}) {
       const Measures m =
           result_of("affine", {std::string("method=") + method,
                                std::string("element=") + element, gradient, "nu=.4"})
@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(inside_follows_an_affine_boundary) {
 
 BOOST_AUTO_TEST_CASE(mean_stress_is_that_of_the_law) {
   const std::string gradient = "gradient=.1,.04,-.03,.02,-.08,.05,-.01,.03,.06";
-  for (const char* element : {"q1", "q1-sri", "q2"}) {
+  for (const char* element : {"q1", "q1-sri", "q1-nodal", "q2"}) {
     const CaseResult result = result_of(
         "affine",
         {"method=fem-stvk", std::string("element=") + element, gradient, "nu=.4"});

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "fem_reference/cells/discretisation.hpp"
+
+namespace springcheck::fem_reference {
+
+/// Linear elements whose law is averaged around the nodes, q1_nodal. With the shape part
+/// psi of a law and its volumetric part U(t),
+///
+///     W = sum over other cells than tetrahedra int psi(F) dV
+///       + sum over tetrahedra s V_e psi(F_e)
+///       + sum over nodes (1 - s) V_n psi(F_n),   F_n the mean of F_e,
+///       + sum over nodes V_n U(t_n),             t_n the mean of t_e
+///
+/// means over the star of cells around a node, by their share of its volume V_n
+/// (stars.hpp), of tetrahedra alone for F_n; t_e is the cell's own mean of t(F). V_n
+/// (1 + t_n) of t = det F - 1 is the volume that the star has. The first sum and the last
+/// are those of any cell's: on a tetrahedron alone W is that of q1.
+///
+/// The part s that stays on the tetrahedra holds what the means do not see: at s = 0 a
+/// displacement that changes its sign from node to node can leave all F_n as they are. It
+/// also makes them stiffer. Errors of Hooke's force in compression and shearing and of
+/// the torque on gmsh's tetrahedra, 5 across, of what q2 converges to, in percent:
+///
+///     s          nu = 0               nu = .499
+///     0          0   -4.8   -8.7      3.4    4.0   -5.6
+///     .02        0   -4.3   -7.9      4.2    5.0   -4.6
+///     .05        0   -3.8   -6.8      5.2    6.1   -3.2
+///     .25        0   -1.2   -0.9     10.1   10.8    3.7
+///     q1         0    7.4   18.1    350     34    326
+///
+/// A small s is right where these elements are needed, near nu = 1/2, and too soft below.
+/// The path of Hencky's law at nu = .499, pressed by 20 %, branches at half of the load
+/// with s = .02 and not at all with .25.
+///
+/// Source: t_n: Bonet and Burton 1998 (stars.hpp). F_n: Dohrmann, Heinstein, Jung, Key
+/// and Witkowski 2000, Node-based uniform strain elements for three-node triangular and
+/// four-node tetrahedral meshes, International Journal for Numerical Methods in
+/// Engineering 47, 1549-1568. s: Puso and Solberg 2006, A stabilized nodally integrated
+/// tetrahedral, the same journal 67, 841-867, whose stabilising part is of a material of
+/// its own; here it is of the same shape part, and s is a number of ours.
+inline constexpr double tetrahedron_part = 0.02;
+
+/// The stars of a body in some state.
+struct StarsState {
+  double energy;                    // [J]; infinite where det F_n <= 0 and the law ends
+  std::vector<Matrix3> gradients;   // F_n - I; none without tetrahedra
+  std::vector<double> dilatations;  // t_n
+  std::vector<FromStars> on_cells;  // one per cell
+};
+StarsState stars_state(const CellLaw& law, const Discretisation& body,
+                       const Eigen::VectorXd& displacements);
+
+/// Nodes of the cells around a node, ascending.
+std::vector<NodeIndex> star_nodes(const Discretisation& body, NodeIndex node);
+
+/// A star's part of d2W/du2 [N/m], G^T A G + v d d^T with the map G from displacements to
+/// F_n and the gradient d of t_n; dof = 3 node + component of star_nodes.
+struct StarTangent {
+  CellVectors gradients;             // of F_n, as of shape functions [1/m]
+  Matrix9 shape;                     // A [J]
+  CellVectors dilatation_gradients;  // d [1/m]
+  double volumetric;                 // v [J]
+};
+StarTangent star_tangent(const CellLaw& law, const Discretisation& body,
+                         const Eigen::VectorXd& displacements, const StarsState& state,
+                         NodeIndex node);
+CellMatrix matrix(const StarTangent& tangent);
+
+}  // namespace springcheck::fem_reference

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "meshing/mesh.hpp"
+
+namespace springcheck {
+
+/// For each node the cells around it, each with its share of their volume: a cell of n_e
+/// nodes leaves V_e/n_e to each of them. Means over stars are what keeps linear cells of
+/// any type from locking as nu goes to 1/2: Bonet and Burton 1998, A simple average nodal
+/// pressure tetrahedral element, Communications in Numerical Methods in Engineering 14,
+/// 437-449.
+struct Stars {
+  struct Part {
+    NodeIndex cell;
+    double weight;  // of the cell in means over the star; they add up to 1
+  };
+  std::vector<std::size_t> first;  // of each node, and the end; empty: there are no stars
+  std::vector<Part> parts{};
+  std::vector<double> volumes;  // V_n = sum V_e/n_e [m^3], of each node
+
+  [[nodiscard]] std::size_t size() const { return volumes.size(); }
+  [[nodiscard]] std::span<const Part> operator[](std::size_t node) const {
+    return std::span(parts).subspan(first[node], first[node + 1] - first[node]);
+  }
+};
+
+enum class StarCells { all, tetrahedra };
+
+/// A star of nodes without any such cell is empty. No stars if there is no such cell.
+Stars stars(const Mesh& mesh, StarCells which);
+
+}  // namespace springcheck
