@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -27,6 +28,21 @@ struct Stars {
     return std::span(parts).subspan(first[node], first[node + 1] - first[node]);
   }
 };
+
+/// The nodes of a star's cells, ascending, nodes_of(cell) being one's.
+template <class NodesOf>
+std::vector<NodeIndex> nodes_of_star(std::span<const Stars::Part> star,
+                                     const NodesOf& nodes_of) {
+  std::vector<NodeIndex> nodes;
+  for (const auto& [cell, weight] : star) {
+    const auto& at = nodes_of(cell);
+    nodes.insert(nodes.end(), at.begin(), at.end());
+  }
+  std::ranges::sort(nodes);
+  const auto repeated = std::ranges::unique(nodes);
+  nodes.erase(repeated.begin(), repeated.end());
+  return nodes;
+}
 
 enum class StarCells { all, tetrahedra };
 

@@ -30,6 +30,7 @@ struct ElementName {
   int divisions;  // of a cell's edge by the element's nodes
   double multigrid_bytes;         // of memory for each of the parts so made, measured
   double entries_per_node;        // of a stiffness matrix, inside a large grid
+  double coupling = 1;            // of its factor's memory, as in LinearSystems
   std::vector<Omission> omits{};  // elements that do not
   bool locks = false;             // too stiff near nu = 1/2
 };

@@ -43,6 +43,7 @@ Method of_elements(Law law, Method own) {
         settings.elements.linear_solver, static_cast<std::ptrdiff_t>(3 * nx * ny * nz));
     // Conjugate gradients by themselves need no more than with multigrid.
     return {.kind = taken == statics::LinearSolver::direct ? cholesky : multigrid,
+            .coupling = settings.elements.element.coupling,
             .entries_per_node = settings.elements.element.entries_per_node};
   };
   return own;
@@ -74,8 +75,10 @@ std::vector<ElementName> finite_elements() {
   constexpr Omission no_quadratic{"No quadratic elements", "q2"};
   // Of multigrid's memory: peak of `run compression`, Hooke and Hencky alike: 580 MB at
   // 30^3 cells of q1-sri, 3435 MB at 60^3; 1646 MB at 20^3 cells of q2, which are 40^3
-  // divisions. Entries: 3 x 3 blocks of 27 nodes, those of q2 of 64 on average.
-  constexpr double of_q1 = 9 * 27, of_q2 = 9 * 64;
+  // divisions. Of q1-nodal 603 MB at 20^3, 1662 MB at 30^3; factorised 810 MB at 20^3 and
+  // 2520 MB at 28^3, where q1-sri takes 366 and 869. Entries: 3 x 3 blocks of 27 nodes,
+  // those of q2 of 64 on average.
+  constexpr double of_q1 = 9 * 27, of_q1_nodal = 9 * 125, of_q2 = 9 * 64;
   return {{.name = "q1",
            .element = Element::q1,
            .description = "linear or trilinear, full integration: locks near nu = 0.5",
@@ -97,12 +100,13 @@ std::vector<ElementName> finite_elements() {
           {.name = "q1-nodal",
            .element = Element::q1_nodal,
            .description = "the same, volumetric part from means around the nodes, on "
-                          "tetrahedra with three quarters of the rest: for cells of any "
-                          "type near nu = 0.5",
+                          "tetrahedra nearly all of the rest too: for cells of any type "
+                          "near nu = 0.5",
            .order = 2,
            .divisions = 1,
-           .multigrid_bytes = 13e3,
-           .entries_per_node = 9 * 125,
+           .multigrid_bytes = 60e3,
+           .entries_per_node = of_q1_nodal,
+           .coupling = 3.2,
            .omits = {no_quadratic}},
           {.name = "q2",
            .element = Element::q2,

@@ -131,13 +131,19 @@ CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& 
       law.constitution);
 }
 
+Dilatation dilatation(const CellLaw& law, const Matrix3& displacement_gradient) {
+  return std::visit(
+      [&](const auto& part) { return part.dilatation(displacement_gradient); },
+      law.constitution);
+}
+
 double mean_dilatation(const CellLaw& law, const Shape& shape, const CellVectors& u) {
   return std::visit([&](const auto& part) { return mean_of_points(part, shape, u); },
                     law.constitution);
 }
 
-CellVectors dilatation_gradient(const CellLaw& law, const Shape& shape,
-                                const CellVectors& u) {
+CellVectors integrated_dilatation_gradient(const CellLaw& law, const Shape& shape,
+                                           const CellVectors& u) {
   return std::visit(
       [&](const auto& part) {
         CellVectors sum = CellVectors::Zero(3, u.cols());

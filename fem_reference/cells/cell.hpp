@@ -81,10 +81,12 @@ struct CellState {
 CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u,
                      const FromStars& stars = {});
 
-/// (1/V) int t(F) dV of a cell, and V times its gradient by u, one column per node.
+/// t(F) at a point, (1/V) int t(F) dV of a cell, and the gradient of int t(F) dV by u,
+/// one column per node.
+Dilatation dilatation(const CellLaw& law, const Matrix3& displacement_gradient);
 double mean_dilatation(const CellLaw& law, const Shape& shape, const CellVectors& u);
-CellVectors dilatation_gradient(const CellLaw& law, const Shape& shape,
-                                const CellVectors& u);
+CellVectors integrated_dilatation_gradient(const CellLaw& law, const Shape& shape,
+                                           const CellVectors& u);
 
 double gradient_square(const Shape& shape, const CellVectors& u);  // int |H|^2 dV [m^3]
 double deformed_volume(const Shape& shape, const CellVectors& u);  // int det F dV [m^3]

@@ -10,90 +10,103 @@
 namespace springcheck::fem_reference {
 namespace {
 
-/// U of a star and psi of its tetrahedra, per volume.
-struct StarLaw {
-  VolumetricEnergy volumetric;
-  double energy = 0;
-  Matrix3 stress = Matrix3::Zero();
+bool is_tetrahedron(const Cell& cell) {
+  return cell.nodes.size() == 4;
+}
+
+/// Volume of a star's tetrahedra [m^3].
+double volume_of_tetrahedra(const Discretisation& body, std::size_t node) {
+  return body.tetrahedron_stars.size() == 0 ? 0 : body.tetrahedron_stars.volumes[node];
+}
+
+/// Stresses of a star by its law [Pa].
+struct StarStress {
+  double energy = 0;                 // of the star [J]
+  double pressure = 0;               // U'(t_n)
+  Matrix3 stress = Matrix3::Zero();  // of the tetrahedra, by F_n
 };
 
-bool ends_at_inversion(const CellLaw& law) {
-  return !std::holds_alternative<Hooke>(law.constitution);
+StarStress star_stress(const CellLaw& law, const Discretisation& body,
+                       const StarsState& state, std::size_t n) {
+  return std::visit(
+      [&](const auto& part) {
+        const VolumetricEnergy U = part.volumetric_energy(state.dilatations[n]);
+        StarStress star{.energy = body.stars.volumes[n] * U.value, .pressure = U.first};
+        const double volume = volume_of_tetrahedra(body, n);
+        if (!(volume > 0)) return star;
+        const Matrix3& H = state.gradients[n];
+        star.energy += (1 - tetrahedron_part) * volume * part.energy(H);
+        star.stress =
+            (1 - tetrahedron_part) * part.stress(H) + U.first * part.dilatation(H).first;
+        const bool ends_at_inversion = !std::holds_alternative<Hooke>(law.constitution);
+        if (ends_at_inversion && !((Matrix3::Identity() + H).determinant() > 0))
+          star.energy = std::numeric_limits<double>::infinity();
+        return star;
+      },
+      law.constitution);
+}
+
+/// F_n - I and t_n.
+void update_means(const CellLaw& law, const Discretisation& body,
+                  const Eigen::VectorXd& displacements, StarsState& state) {
+  std::vector<Matrix3> of_tetrahedra(body.cells.size());
+  std::vector<double> of_others(body.cells.size(), 0);
+  tbb::parallel_for(std::size_t{0}, body.cells.size(), [&](std::size_t c) {
+    const Shape& shape = *body.cells[c].shape;
+    const CellVectors u = of_cell(displacements, body.cells[c]);
+    if (is_tetrahedron(body.cells[c]))
+      of_tetrahedra[c] = displacement_gradient(shape, u, shape.weights.size());
+    else
+      of_others[c] = mean_dilatation(law, shape, u);
+  });
+  tbb::parallel_for(std::size_t{0}, body.stars.size(), [&](std::size_t n) {
+    double t = 0;
+    for (const auto& [cell, weight] : body.stars[n]) t += weight * of_others[cell];
+    if (const double volume = volume_of_tetrahedra(body, n); volume > 0) {
+      Matrix3 H = Matrix3::Zero();
+      for (const auto& [cell, weight] : body.tetrahedron_stars[n])
+        H += weight * of_tetrahedra[cell];
+      state.gradients[n] = H;
+      t += volume / body.stars.volumes[n] * dilatation(law, H).value;
+    }
+    state.dilatations[n] = t;
+  });
 }
 
 }  // namespace
 
 StarsState stars_state(const CellLaw& law, const Discretisation& body,
                        const Eigen::VectorXd& displacements) {
-  const std::size_t cells = body.cells.size(), nodes = body.stars.size();
-  const bool has_tetrahedra = body.tetrahedron_stars.size() > 0;
-  if (nodes == 0) return {.energy = 0,
-            .gradients = {},
-            .dilatations = {},
-            .on_cells = std::vector<FromStars>(cells)};
-  std::vector<Matrix3> cell_gradients(cells);
-  std::vector<double> cell_dilatations(cells);
-  tbb::parallel_for(std::size_t{0}, cells, [&](std::size_t c) {
-    const Shape& shape = *body.cells[c].shape;
-    const CellVectors u = of_cell(displacements, body.cells[c]);
-    cell_gradients[c] = displacement_gradient(shape, u, shape.weights.size());
-    cell_dilatations[c] = mean_dilatation(law, shape, u);
-  });
-
+  const std::size_t nodes = body.stars.size();
   StarsState state{.energy = 0,
-                   .gradients = std::vector<Matrix3>(has_tetrahedra ? nodes : 0),
+                   .gradients = std::vector<Matrix3>(body.tetrahedron_stars.size()),
                    .dilatations = std::vector<double>(nodes),
-                   .on_cells = std::vector<FromStars>(cells)};
-  std::vector<StarLaw> laws(nodes);
+                   .pressures = std::vector<double>(nodes),
+                   .on_cells = std::vector<FromStars>(body.cells.size())};
+  if (nodes == 0) return state;
+  update_means(law, body, displacements, state);
+  std::vector<StarStress> stresses(nodes);
   tbb::parallel_for(std::size_t{0}, nodes, [&](std::size_t n) {
-    double t = 0;
-    for (const auto& [cell, weight] : body.stars[n]) t += weight * cell_dilatations[cell];
-    state.dilatations[n] = t;
-    if (has_tetrahedra) {
-      Matrix3 H = Matrix3::Zero();
-      for (const auto& [cell, weight] : body.tetrahedron_stars[n])
-        H += weight * cell_gradients[cell];
-      state.gradients[n] = H;
-    }
-    std::visit(
-        [&](const auto& part) {
-          laws[n].volumetric = part.volumetric_energy(t);
-          if (!has_tetrahedra || body.tetrahedron_stars[n].empty()) return;
-          laws[n].energy = part.energy(state.gradients[n]);
-          laws[n].stress = part.stress(state.gradients[n]);
-        },
-        law.constitution);
+    stresses[n] = star_stress(law, body, state, n);
+    state.pressures[n] = stresses[n].pressure;
   });
-
-  for (std::size_t n = 0; n < nodes; ++n) {
-    state.energy += body.stars.volumes[n] * laws[n].volumetric.value;
-    if (!has_tetrahedra) continue;
-    state.energy +=
-        (1 - tetrahedron_part) * body.tetrahedron_stars.volumes[n] * laws[n].energy;
-    const Matrix3 F = Matrix3::Identity() + state.gradients[n];
-    if (ends_at_inversion(law) && !(F.determinant() > 0))
-      state.energy = std::numeric_limits<double>::infinity();
-  }
-  for (std::size_t c = 0; c < cells; ++c) {
-    const std::vector<NodeIndex>& at = body.cells[c].nodes;
+  for (const StarStress& star : stresses) state.energy += star.energy;
+  for (std::size_t c = 0; c < body.cells.size(); ++c) {
     FromStars& share = state.on_cells[c];
-    for (const NodeIndex node : at) {
-      share.pressure += laws[node].volumetric.first / static_cast<double>(at.size());
-      if (at.size() == 4) share.stress += (1 - tetrahedron_part) / 4 * laws[node].stress;
-    }
-    if (at.size() == 4) share.own_part = tetrahedron_part;
+    const std::vector<NodeIndex>& at = body.cells[c].nodes;
+    for (const NodeIndex node : at)
+      if (is_tetrahedron(body.cells[c]))
+        share.stress += stresses[node].stress / 4;
+      else
+        share.pressure += stresses[node].pressure / static_cast<double>(at.size());
+    if (is_tetrahedron(body.cells[c])) share.own_part = tetrahedron_part;
   }
   return state;
 }
 
 std::vector<NodeIndex> star_nodes(const Discretisation& body, NodeIndex node) {
-  std::vector<NodeIndex> nodes;
-  for (const auto& [cell, weight] : body.stars[node])
-    nodes.insert(nodes.end(), body.cells[cell].nodes.begin(),
-                 body.cells[cell].nodes.end());
-  std::ranges::sort(nodes);
-  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
-  return nodes;
+  return nodes_of_star(
+      body.stars[node], [&](NodeIndex cell) -> auto& { return body.cells[cell].nodes; });
 }
 
 StarTangent star_tangent(const CellLaw& law, const Discretisation& body,
@@ -112,25 +125,32 @@ StarTangent star_tangent(const CellLaw& law, const Discretisation& body,
   };
   for (const auto& [number, weight] : body.stars[node]) {
     const Cell& cell = body.cells[number];
+    if (is_tetrahedron(cell)) continue;
     add(tangent.dilatation_gradients, cell,
         weight / cell.shape->volume *
-            dilatation_gradient(law, *cell.shape, of_cell(displacements, cell)));
+            integrated_dilatation_gradient(law, *cell.shape,
+                                           of_cell(displacements, cell)));
+  }
+  const double volume = volume_of_tetrahedra(body, node);
+  if (volume > 0) {
+    for (const auto& [number, weight] : body.tetrahedron_stars[node]) {
+      const Cell& cell = body.cells[number];
+      add(tangent.gradients, cell, weight * cell.shape->mean_gradients());
+    }
+    tangent.dilatation_gradients += volume / body.stars.volumes[node] *
+                                    dilatation(law, state.gradients[node]).first *
+                                    tangent.gradients;
   }
   std::visit(
       [&](const auto& part) {
         tangent.volumetric = body.stars.volumes[node] *
                              part.volumetric_energy(state.dilatations[node]).second;
-        if (body.tetrahedron_stars.size() == 0 || body.tetrahedron_stars[node].empty())
-          return;
-        tangent.shape = (1 - tetrahedron_part) * body.tetrahedron_stars.volumes[node] *
-                        part.tangent(state.gradients[node]);
+        if (!(volume > 0)) return;
+        const Matrix3& H = state.gradients[node];
+        tangent.shape = volume * ((1 - tetrahedron_part) * part.tangent(H) +
+                                  state.pressures[node] * part.dilatation(H).second);
       },
       law.constitution);
-  if (body.tetrahedron_stars.size() > 0)
-    for (const auto& [number, weight] : body.tetrahedron_stars[node]) {
-      const Cell& cell = body.cells[number];
-      add(tangent.gradients, cell, weight * cell.shape->mean_gradients());
-    }
   return tangent;
 }
 

@@ -12,13 +12,16 @@ namespace springcheck::fem_reference {
 ///
 ///     W = sum over other cells than tetrahedra int psi(F) dV
 ///       + sum over tetrahedra s V_e psi(F_e)
-///       + sum over nodes (1 - s) V_n psi(F_n),   F_n the mean of F_e,
-///       + sum over nodes V_n U(t_n),             t_n the mean of t_e
+///       + sum over nodes [(1 - s) V_t psi(F_n) + V_n U(t_n)]
 ///
-/// means over the star of cells around a node, by their share of its volume V_n
-/// (stars.hpp), of tetrahedra alone for F_n; t_e is the cell's own mean of t(F). V_n
-/// (1 + t_n) of t = det F - 1 is the volume that the star has. The first sum and the last
-/// are those of any cell's: on a tetrahedron alone W is that of q1.
+/// F_n is the mean of F_e over the tetrahedra around the node, V_t their share in the
+/// node's volume V_n (stars.hpp). t_n is the mean of t(F_n), with the weight V_t, and of
+/// the other cells' own means of t(F), each with its share. On a cell alone W is that of
+/// q1 (tetrahedra) or q1_sri.
+///
+/// With the tetrahedra's own t_e instead of t(F_n) St-Venant's element would wrinkle at
+/// strains of 4 %: the mean of tr E_e is tr E(F_n) and half the variance of F_e, which
+/// displacements that F_n does not see lower for little (s) where the body is pressed.
 ///
 /// The part s that stays on the tetrahedra holds what the means do not see: at s = 0 a
 /// displacement that changes its sign from node to node can leave all F_n as they are. It
@@ -32,16 +35,16 @@ namespace springcheck::fem_reference {
 ///     .25        0   -1.2   -0.9     10.1   10.8    3.7
 ///     q1         0    7.4   18.1    350     34    326
 ///
-/// A small s is right where these elements are needed, near nu = 1/2, and too soft below.
-/// The path of Hencky's law at nu = .499, pressed by 20 %, branches at half of the load
-/// with s = .02 and not at all with .25.
+/// s = .02 was chosen by this table, for nu near 1/2, where these elements are needed;
+/// below they are too soft.
 ///
-/// Source: t_n: Bonet and Burton 1998 (stars.hpp). F_n: Dohrmann, Heinstein, Jung, Key
-/// and Witkowski 2000, Node-based uniform strain elements for three-node triangular and
-/// four-node tetrahedral meshes, International Journal for Numerical Methods in
-/// Engineering 47, 1549-1568. s: Puso and Solberg 2006, A stabilized nodally integrated
-/// tetrahedral, the same journal 67, 841-867, whose stabilising part is of a material of
-/// its own; here it is of the same shape part, and s is a number of ours.
+/// Source: t_n of other cells: Bonet and Burton 1998 (stars.hpp). F_n: Dohrmann,
+/// Heinstein, Jung, Key and Witkowski 2000, Node-based uniform strain elements for
+/// three-node triangular and four-node tetrahedral meshes, International Journal for
+/// Numerical Methods in Engineering 47, 1549-1568. s: Puso and Solberg 2006, A stabilized
+/// nodally integrated tetrahedral, the same journal 67, 841-867, whose stabilising part
+/// is of a material of its own; here it is of the same shape part, and s is a number of
+/// ours.
 inline constexpr double tetrahedron_part = 0.02;
 
 /// The stars of a body in some state.
@@ -49,6 +52,7 @@ struct StarsState {
   double energy;                    // [J]; infinite where det F_n <= 0 and the law ends
   std::vector<Matrix3> gradients;   // F_n - I; none without tetrahedra
   std::vector<double> dilatations;  // t_n
+  std::vector<double> pressures;    // U'(t_n) [Pa]
   std::vector<FromStars> on_cells;  // one per cell
 };
 StarsState stars_state(const CellLaw& law, const Discretisation& body,
@@ -58,7 +62,8 @@ StarsState stars_state(const CellLaw& law, const Discretisation& body,
 std::vector<NodeIndex> star_nodes(const Discretisation& body, NodeIndex node);
 
 /// A star's part of d2W/du2 [N/m], G^T A G + v d d^T with the map G from displacements to
-/// F_n and the gradient d of t_n; dof = 3 node + component of star_nodes.
+/// F_n and the gradient d of t_n, A that of the tetrahedra with t'' at constant U'; dof =
+/// 3 node + component of star_nodes.
 struct StarTangent {
   CellVectors gradients;             // of F_n, as of shape functions [1/m]
   Matrix9 shape;                     // A [J]

@@ -18,7 +18,8 @@ class ElementsBody final : public statics::ElasticBody {
   /// Hooke: yes.
   [[nodiscard]] bool is_linear() const override;
 
-  /// No law but Hooke's has an energy where det F <= 0 at a Gauss point: infinite there.
+  /// No law but Hooke's has an energy where det F <= 0 at a Gauss point, or of the mean
+  /// around a node: infinite there.
   State state(const Eigen::VectorXd& displacements) override;
 
   /// The cells, and of q1_nodal behind them the stars.

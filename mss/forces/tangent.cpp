@@ -104,18 +104,10 @@ Eigen::MatrixXd cell_tangent(const Tangent& at, std::size_t cell) {
 }
 
 std::vector<NodeIndex> star_nodes(const Network& network, std::size_t star) {
-  std::vector<NodeIndex> nodes;
-  for (const Stars* stars : {&network.shape_stars, &network.volume_stars}) {
-    if (stars->size() == 0) continue;
-    for (const auto& [cell, weight] : (*stars)[star]) {
-      const auto at = network.cells.nodes(cell);
-      nodes.insert(nodes.end(), at.begin(), at.end());
-    }
-  }
-  std::ranges::sort(nodes);
-  const auto repeated = std::ranges::unique(nodes);
-  nodes.erase(repeated.begin(), repeated.end());
-  return nodes;
+  const Stars& all =  // volume stars have all cells
+      network.volume_stars.size() > 0 ? network.volume_stars : network.shape_stars;
+  return nodes_of_star(all[star],
+                       [&](NodeIndex cell) { return network.cells.nodes(cell); });
 }
 
 /// What part() says of a star.

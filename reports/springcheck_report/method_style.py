@@ -65,13 +65,14 @@ def colour(name):
 
 def line(name):
     """Keywords of matplotlib's plot for a method: finite elements are dashed, by element,
-    and hollow where they lock."""
+    hollow where they lock and half full where they are averaged around nodes."""
     base = _base(name)
     element = name.split(":")[1].split(",")[0].split(" ")[0] if ":" in name else ""
-    dashes = {"q1": ":", "q2": "-."}.get(element, "--")
+    dashes = {"q1": ":", "q1-nodal": (0, (4, 1, 1, 1, 1, 1)), "q2": "-."}.get(element, "--")
     mark = (methods.look(base) or (None, "*"))[1]
     is_dashed = methods.family(base) == "finite elements"
     return {
+        "fillstyle": "left" if element == "q1-nodal" else "full",
         "markerfacecolor": "white" if methods.locks(base, element) else colour(name),
         "color": colour(name),
         "marker": "*" if ", " in name else mark,  # variants, others' methods

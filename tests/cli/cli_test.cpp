@@ -505,7 +505,7 @@ BOOST_AUTO_TEST_CASE(the_table_of_modes_needs_no_simulation,
     for (const char* method : {"cf", "nfd"})
       BOOST_TEST(row[method].get<double>() > 0, method);
   }
-  BOOST_TEST(ratios.size() == 3U);
+  BOOST_TEST(ratios.size() == 4U);
   const auto find = [&](const std::string& body, double nu, const std::string& modes) {
     for (const Json& row : table["rows"])
       if (row["body"] == body && row["nu"] == nu && row["modes"] == modes) return row;

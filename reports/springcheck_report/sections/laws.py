@@ -250,7 +250,9 @@ _SWINGING = {
 def _off_elements(document, body):
     rows = [row for row in document["rows"] if (row["body"], row["nu"]) == (body, 0.25)]
     labels = [f"{row['modes']} {row['motion'] or ''}" for row in rows]
-    series = {
-        name: np.array([row[f"{key}_off"] for row in rows], dtype=float) for key, name in _SWINGING.items()
+    series = {  # none of what is refused there, or came after the table was stored
+        name: np.array([row[f"{key}_off"] for row in rows], dtype=float)
+        for key, name in _SWINGING.items()
+        if any(row.get(f"{key}_off") is not None for row in rows)
     }
     return body.capitalize(), labels, "frequency off finite elements [%]", series

@@ -80,6 +80,24 @@ BOOST_AUTO_TEST_CASE(every_law_and_element_has_its_closed_form_in_uniaxial_stres
           }
 }
 
+// Nor do averages around nodes leave the homogeneous state of tetrahedra that are
+// pressed, near nu = 1/2 either.
+BOOST_AUTO_TEST_CASE(tetrahedra_averaged_around_nodes_stay_homogeneous,
+                     *boost::unit_test::tolerance(1e-8)) {
+  for (const Law& law : laws)
+    for (const char* cells : {"tetrahedron", "free-tetrahedron"})
+      for (const double nu : {0.25, 0.49})
+        BOOST_TEST_CONTEXT(law.method << ", " << cells << ", nu " << nu) {
+          const Measures m =
+              result_of("uniaxial", {"method=" + law.method, "element=q1-nodal",
+                                     std::string("cell-type=") + cells, number("nu", nu),
+                                     number("deformation", -0.2)})
+                  .measures;
+          BOOST_TEST(m.force->z() == area * law.stress(0.8, nu));
+          BOOST_TEST(1 + *m.volume_change == law.volume_ratio(0.8, nu));
+        }
+}
+
 // Without plates that clamp it the lattice is its own continuum, whatever its springs.
 // mss-nfd and mss-baudet wrinkle when pressed: pulled here.
 BOOST_AUTO_TEST_CASE(springs_are_the_continuum_that_cauchy_born_takes_them_for,
