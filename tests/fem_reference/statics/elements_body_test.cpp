@@ -92,6 +92,37 @@ BOOST_AUTO_TEST_CASE(positive_parts_have_the_positive_eigenvalues_alone) {
   }
 }
 
+// So do the stars' of q1_nodal, part by part: the law's of their tetrahedra, and that of
+// Hencky's volume, whose U'' is negative beyond J = e.
+BOOST_AUTO_TEST_CASE(positive_parts_of_stars_have_no_negative_eigenvalues) {
+  const auto least = [](const Eigen::MatrixXd& K) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K).eigenvalues()[0];
+  };
+  struct Stretched {
+    CellPattern pattern;
+    Law law;
+    double strain;
+  };
+  for (const auto& [pattern, law, strain] :
+       {Stretched{CellPattern::tetrahedron, Law::st_venant_kirchhoff, -.5},
+        Stretched{CellPattern::hexahedron, Law::hencky, 2.}}) {
+    const Discretisation body = discretise(cube(1, pattern), Element::q1_nodal);
+    ElementsBody elements(body, law_of({.law = law, .element = Element::q1_nodal}));
+    elements.linearise(nodal(body, [&](const Vector3& X) -> Vector3 {
+      return {0, 0, strain * X.z()};
+    }));
+    for (std::size_t star = body.cells.size(); star < elements.patches().size(); ++star) {
+      const double size = elements.part(star).norm();
+      BOOST_TEST(least(elements.part(star)) < -1e-3 * size);
+      BOOST_TEST(least(elements.positive_part(star)) > -1e-12 * size);
+    }
+    elements.linearise(Eigen::VectorXd::Zero(3 * std::ssize(body.nodes)));
+    for (std::size_t star = body.cells.size(); star < elements.patches().size(); ++star)
+      BOOST_TEST((elements.part(star) - elements.positive_part(star)).norm() <
+                 1e-12 * elements.part(star).norm());
+  }
+}
+
 // Hooke's law alone has an energy where cells are inside out.
 BOOST_AUTO_TEST_CASE(inverted_states_have_no_energy) {
   for (const Law law : laws)
