@@ -72,7 +72,8 @@ def line(name):
     mark = (methods.look(base) or (None, "*"))[1]
     is_dashed = methods.family(base) == "finite elements"
     return {
-        "fillstyle": "left" if element == "q1-nodal" else "full",
+        "fillstyle": "bottom" if element == "q1-nodal" else "full",
+        "markerfacecoloralt": "white",
         "markerfacecolor": "white" if methods.locks(base, element) else colour(name),
         "color": colour(name),
         "marker": "*" if ", " in name else mark,  # variants, others' methods
