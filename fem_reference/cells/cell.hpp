@@ -38,8 +38,7 @@ struct Cell {
 ///     at_points        W = int psi dV
 ///     cell_mean        W = int shape part dV + V U(t),   t = (1/V) int t(F) dV
 ///     of_mean_gradient W = int shape part dV + V U(t(F_mean)),  F_mean = (1/V) int F dV
-///     star_mean        W = int shape part dV,  the rest around the nodes
-///     (node_stars.hpp)
+///     star_mean        W of the cells and of the stars around nodes: node_stars.hpp
 ///
 /// St-Venant's q1_sri is also described as mu E:E at the points and lambda/2 (tr E)^2 at
 /// the centroid. That is another element: 13.871 and 6.375 % volume error in compression
@@ -66,11 +65,11 @@ struct CellLaw {
   DilatationTaken dilatation;
 };
 
-/// What a cell has of the stars of its nodes (node_stars.hpp), with star_mean.
+/// What a cell has of the stars of its nodes with star_mean; of other elements nothing.
 struct FromStars {
   double own_part = 1;               // of the shape part, at the cell's own points
-  Matrix3 stress = Matrix3::Zero();  // of the stars' shape parts [Pa]
-  double pressure = 0;               // dU/dt of the stars [Pa]
+  Matrix3 stress = Matrix3::Zero();  // of a tetrahedron, by the stars' F_n [Pa]
+  double pressure = 0;               // U' of another cell, by the stars' t_n [Pa]
 };
 
 struct CellState {

@@ -82,8 +82,9 @@ StarsState stars_state(const CellLaw& law, const Discretisation& body,
                    .gradients = std::vector<Matrix3>(body.tetrahedron_stars.size()),
                    .dilatations = std::vector<double>(nodes),
                    .pressures = std::vector<double>(nodes),
-                   .on_cells = std::vector<FromStars>(body.cells.size())};
+                   .on_cells = {}};
   if (nodes == 0) return state;
+  state.on_cells.resize(body.cells.size());
   update_means(law, body, displacements, state);
   std::vector<StarStress> stresses(nodes);
   tbb::parallel_for(std::size_t{0}, nodes, [&](std::size_t n) {

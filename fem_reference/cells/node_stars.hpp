@@ -53,7 +53,7 @@ struct StarsState {
   std::vector<Matrix3> gradients;   // F_n - I; none without tetrahedra
   std::vector<double> dilatations;  // t_n
   std::vector<double> pressures;    // U'(t_n) [Pa]
-  std::vector<FromStars> on_cells;  // one per cell
+  std::vector<FromStars> on_cells;  // one per cell; none without stars
 };
 StarsState stars_state(const CellLaw& law, const Discretisation& body,
                        const Eigen::VectorXd& displacements);

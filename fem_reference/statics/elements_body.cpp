@@ -33,7 +33,7 @@ statics::ElasticBody::State ElementsBody::state(const VectorXd& displacements) {
   tbb::parallel_for(std::size_t{0}, states.size(), [&](std::size_t c) {
     const Cell& cell = body_.cells[c];
     states[c] =
-        cell_state(law_, *cell.shape, of_cell(displacements, cell), stars.on_cells[c]);
+        cell_state(law_, *cell.shape, of_cell(displacements, cell), from_stars(stars, c));
   });
   for (std::size_t c = 0; c < states.size(); ++c) {
     const std::vector<NodeIndex>& nodes = body_.cells[c].nodes;
@@ -62,7 +62,7 @@ void ElementsBody::linearise(const VectorXd& displacements) {
 Eigen::MatrixXd ElementsBody::part(std::size_t patch) const {
   if (patch >= body_.cells.size()) return matrix(star(patch));
   const Cell& cell = body_.cells[patch];
-  return cell_tangent(law_, *cell.shape, of_cell(at_, cell), stars_.on_cells[patch]);
+  return cell_tangent(law_, *cell.shape, of_cell(at_, cell), from_stars(stars_, patch));
 }
 
 Eigen::MatrixXd ElementsBody::positive_part(std::size_t patch) const {

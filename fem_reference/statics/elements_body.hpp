@@ -42,6 +42,9 @@ class ElementsBody final : public statics::ElasticBody {
       const Eigen::VectorXd& displacements) const;
 
  private:
+  [[nodiscard]] FromStars from_stars(const StarsState& stars, std::size_t cell) const {
+    return body_.stars.size() == 0 ? FromStars{} : stars.on_cells[cell];
+  }
   [[nodiscard]] StarTangent star(std::size_t patch) const;
 
   const Discretisation& body_;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int shown = 10;  // modes of the reference
 constexpr double alike = 0.9;
-constexpr int polynomial_degree = 10;
+constexpr int polynomial_degree = 10, polynomial_modes = 30;
 
 constexpr std::size_t theory_column = 5, fem_column = 6;
 
@@ -59,16 +59,14 @@ Sheet empty_sheet() {
           "Small undamped vibrations about the rest state; f = omega/(2 pi). Free cube: "
           "the cube of the scene compression, 5 cm, 10 x 10 x 10 cells, E = 10 kPa, "
           "held nowhere; its six rigid modes are left out. Of tetrahedra: 6 x 6 x 6 "
-          "cubes "
-          "of six each. Cantilever: the beam of the "
-          "scene bending, 0.4 x 0.4 x 2.4 m, 4 x 4 x 24 cells, E = 2 MPa, clamped at one "
-          "end, without gravity. 1000 kg/m^3 both.",
+          "cubes of six each. Cantilever: the beam of the scene bending, 0.4 x 0.4 x "
+          "2.4 m, 4 x 4 x 24 cells, E = 2 MPa, clamped at one end, without gravity. 1000 "
+          "kg/m^3 all.",
           "FEM: fem-hooke:q1-sri with consistent masses, from which percentages are "
           "counted (on tetrahedra that is q1); lumped FEM: the same stiffness with "
-          "row-sum "
-          "masses, which on these cells are the springs' own. What springs differ by "
-          "from "
-          "it is stiffness. Nodal FEM: fem-hooke:q1-nodal with the same masses.",
+          "row-sum masses, which on these cells are the springs' own. What springs "
+          "differ "
+          "by from it is stiffness. Nodal FEM: fem-hooke:q1-nodal with the same masses.",
           "Modes of equal frequency share a row, such as a square beam's two bendings "
           "or a cube's threes. Another method's modes are those whose shapes are most "
           "alike by the modal assurance criterion (MAC, of the mixtures most alike), "
@@ -133,9 +131,10 @@ void add_rows(Sheet& sheet, const SwingingBody& body, double nu, MeshStore& mesh
   std::erase_if(groups, [](const Multiplet& group) { return group.first >= shown; });
   std::vector<Counterpart> exact;
   if (body.hold == Hold::free)
-    exact = counterparts(reference, groups,
-                         free_block_modes(settings.body.block.size, settings.material,
-                                          polynomial_degree, 30, mesh.nodes()));
+    exact =
+        counterparts(reference, groups,
+                     free_block_modes(settings.body.block.size, settings.material,
+                                      polynomial_degree, polynomial_modes, mesh.nodes()));
   BeamCells beam(settings, mesh);
 
   std::vector<SheetRow> rows;
