@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "dynamics/supports.hpp"
@@ -11,6 +12,9 @@ struct State {
   std::vector<Vector3> displacements;  // [m]
   std::vector<Vector3> velocities;     // [m/s]; of Verlet half a step behind
 };
+
+/// The internal forces in a state [N]: springs, dashpots and the like, without loads.
+using ForcesAt = std::function<std::vector<Vector3>(const State& state)>;
 
 /// A step's end. The motions are support_motions at its beginning and end.
 struct StepTo {

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "fem_reference/cells/discretisation.hpp"
+#include "fem_reference/statics/coverage.hpp"
 #include "fem_reference/statics/elements_body.hpp"
 #include "fem_reference/statics/loads.hpp"
 #include "fem_reference/statics/supports.hpp"
@@ -31,29 +31,6 @@ void check(const Scene& scene) {
     throw InputError("material", "density", "above 0 kg/m^3", fmt::to_string(rho));
   if (scene.plates.empty() && !scene.boundary_gradient)
     throw InputError("scene", "plates", "at least 1, or a boundary gradient", "0");
-}
-
-/// q2 has no pyramids or prisms. Hooke's law is solved in one step, which knows where
-/// plates end and not how far they turned. fem-cauchy-born of mss-baudet inherits the
-/// range in which its springs push back.
-std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Scene& scene,
-                                            const Settings& settings) {
-  const CellType first = type_of(mesh.cells().front());  // hexahedra are the last
-  if (settings.element == Element::q2 && first != CellType::hexahedron)
-    return fmt::format("q2 is for hexahedra; cells of type {} in the mesh: {}",
-                       name_of(first), mesh.count(first));
-  for (const Plate& plate : scene.plates)
-    if (settings.law == Law::hooke && std::abs(plate.motion.angle) > std::numbers::pi)
-      return "Hooke's law of small strains sees where a plate ends, not the way there: "
-             "beyond half a turn that is a smaller one";
-  const bool baudet =
-      settings.law == Law::cauchy_born && settings.lattice.springs == Springs::baudet;
-  const double nu = scene.material.poisson_ratio;
-  if (baudet && !(nu > -0.25))
-    return fmt::format(
-        "the edge springs of the mss-baudet lattice are negative for nu <= -0.25; got {}",
-        nu);
-  return std::nullopt;
 }
 
 /// External nodal forces at the full load [N].

@@ -221,6 +221,10 @@ Mesh::Mesh(std::string source, std::vector<Vector3> nodes, std::vector<CellNodes
   sha256_ = springcheck::sha256(bytes);
 }
 
+double Mesh::mean_cell_edge() const {
+  return std::cbrt(volume_ / static_cast<double>(cells_.size()));
+}
+
 std::size_t Mesh::count(CellType type) const {
   return static_cast<std::size_t>(std::ranges::count_if(
       cells_, [&](const CellNodes& cell) { return type_of(cell) == type; }));

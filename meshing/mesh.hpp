@@ -55,6 +55,8 @@ class Mesh {
   /// Exact volume of each cell, bilinear faces [m^3].
   [[nodiscard]] const std::vector<double>& cell_volumes() const { return cell_volumes_; }
   [[nodiscard]] double volume() const { return volume_; }
+  /// (V/number of cells)^(1/3) [m]
+  [[nodiscard]] double mean_cell_edge() const;
 
   /// SHA-256 of nodes, cells and regions, in hexadecimal.
   [[nodiscard]] const std::string& sha256() const { return sha256_; }

@@ -48,4 +48,11 @@ std::vector<Vector3> traction_forces(const Mesh& mesh, const Scene& scene) {
   return forces;
 }
 
+std::vector<Vector3> load_forces(const Mesh& mesh, const Scene& scene,
+                                 std::span<const double> masses) {
+  std::vector<Vector3> forces = traction_forces(mesh, scene);
+  for (std::size_t n = 0; n < forces.size(); ++n) forces[n] += masses[n] * scene.gravity;
+  return forces;
+}
+
 }  // namespace springcheck

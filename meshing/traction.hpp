@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "meshing/scene.hpp"
 
 namespace springcheck {
@@ -15,5 +18,10 @@ std::vector<double> nodal_areas(const Mesh& mesh, const Region& region);
 /// Consistent nodal forces of the scene's tractions at the full load [N], one per node:
 /// A_a times the force per undeformed area. Source: virtual work of a dead load.
 std::vector<Vector3> traction_forces(const Mesh& mesh, const Scene& scene);
+
+/// Those and the weight of the nodes' masses [kg]: the loads of bodies whose mass is
+/// lumped [N].
+std::vector<Vector3> load_forces(const Mesh& mesh, const Scene& scene,
+                                 std::span<const double> masses);
 
 }  // namespace springcheck

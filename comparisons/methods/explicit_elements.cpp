@@ -3,11 +3,13 @@
 #include "comparisons/cases/case.hpp"
 #include "comparisons/methods/protocol.hpp"
 #include "fem_reference/explicit/explicit_dynamics.hpp"
+#include "fem_reference/motion/moving_elements.hpp"
 
 namespace springcheck {
 namespace {
 
 using fem_reference::ExplicitElement;
+using fem_reference::Law;
 
 fem_reference::ExplicitSettings explicit_settings(const CaseSettings& settings,
                                                   ExplicitElement element, int threads) {
@@ -18,11 +20,17 @@ fem_reference::ExplicitSettings explicit_settings(const CaseSettings& settings,
           .threads = threads};
 }
 
-Method that_step(ExplicitElement element, Method own) {
+/// What all have that step.
+Method that_step(Method own) {
   own.family = Family::finite_elements;
-  own.reads = {"damping", "precision"};
-  own.cells = {CellType::hexahedron};
+  own.reads.insert(own.reads.end(), {"damping", "precision"});
   own.solvers = {Solver::semi_implicit_euler, Solver::explicit_euler, Solver::verlet};
+  own.linear_systems = [](const CaseSettings&) { return LinearSystems{}; };
+  return own;
+}
+
+Method hexahedra_that_step(ExplicitElement element, Method own) {
+  own.cells = {CellType::hexahedron};
   own.solve = [element](const CaseSettings& settings, const Mesh& mesh,
                         const Scene& scene, int threads,
                         const dynamics::Observers& observers) {
@@ -43,31 +51,107 @@ Method that_step(ExplicitElement element, Method own) {
   own.charted = {{.precision = dynamics::Precision::double_precision},
                  {.precision = dynamics::Precision::single_precision}};
   own.seconds = {.in_motion = 0.03, .in_motion_off_grids = 0.03};
-  own.linear_systems = [](const CaseSettings&) { return LinearSystems{}; };
-  return own;
+  return that_step(std::move(own));
 }
+
+fem_reference::MotionSettings motion_of(const CaseSettings& settings, Law law) {
+  return {.elements = elements_of(settings, law),
+          .protocol = protocol_of(settings),
+          .damping_ratio = settings.dynamics.damping_ratio};
+}
+
+/// A law's elements at rest, in motion: with what all of them have.
+Method elements_that_step(Law law, Method own) {
+  own.description = "finite elements stepped explicitly, " + own.description;
+  own.reads.push_back("element");
+  own.cells = {all_cell_types.begin(), all_cell_types.end()};
+  own.covers =
+      "cells of any shape, q1, q1-sri and q1-nodal; motions alone, by explicit "
+      "steps in double precision" +
+      own.covers;
+  own.solve = [law](const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
+                    int /*threads*/, const dynamics::Observers& observers) {
+    if (!goes_through_time(settings))
+      return refused("fem-explicit steps explicitly; " +
+                     std::string(settings.method.at_rest) + " has the static solver");
+    if (settings.dynamics.precision == dynamics::Precision::single_precision)
+      return refused("single precision is for fem-explicit-1p and fem-explicit-8p");
+    return fem_reference::run_dynamics(mesh, scene, motion_of(settings, law), observers);
+  };
+  own.stepping = [law](const CaseSettings& settings, const Mesh& mesh,
+                       const Scene& scene) -> MakeMotion {
+    return [&mesh, &scene, law, settings](const SteppingOptions& options) {
+      return fem_reference::motion_of(mesh, scene, motion_of(settings, law),
+                                      options.instruction_set);
+    };
+  };
+  return that_step(std::move(own));
+}
+
+constexpr Seconds of_hooke{.in_motion = 1, .in_motion_off_grids = 1},
+    of_points{.in_motion = 1, .in_motion_off_grids = 1};
 
 }  // namespace
 
 std::vector<Method> explicit_element_methods() {
+  const std::vector<Model> on_tetrahedra{
+      {.element = "q1-nodal",
+       .cells = CellType::tetrahedron,
+       .precision = dynamics::Precision::double_precision}};
   return {
-      that_step(ExplicitElement::one_point,
-                {.name = "fem-explicit-1p",
-                 .description = "finite elements stepped explicitly, "
-                                "St-Venant-Kirchhoff at one point with hourglass "
-                                "control; hexahedra only",
-                 .source = "Flanagan and Belytschko 1981, with a stiffness of our own",
-                 .look = {"#1B7F8C", "8"},
-                 .foremost = 5,
-                 .omits = {{"No further points of integration", "fem-explicit-8p"}}}),
-      that_step(ExplicitElement::eight_points,
-                {.name = "fem-explicit-8p",
-                 .description = "the same at 2x2x2 points: locks near nu = 0.5",
-                 .source = "St-Venant-Kirchhoff on trilinear hexahedra",
-                 .look = {"#A50F5A", "H"},
-                 .locks = true,
-                 .foremost = 4,
-                 .at_rest = "fem-stvk:q1"})};
+      hexahedra_that_step(
+          ExplicitElement::one_point,
+          {.name = "fem-explicit-1p",
+           .description = "finite elements stepped explicitly, "
+                          "St-Venant-Kirchhoff at one point with hourglass "
+                          "control; hexahedra only",
+           .source = "Flanagan and Belytschko 1981, with a stiffness of our own",
+           .look = {"#1B7F8C", "8"},
+           .foremost = 5,
+           .omits = {{"No further points of integration", "fem-explicit-8p"}}}),
+      hexahedra_that_step(ExplicitElement::eight_points,
+                          {.name = "fem-explicit-8p",
+                           .description = "the same at 2x2x2 points: locks near nu = 0.5",
+                           .source = "St-Venant-Kirchhoff on trilinear hexahedra",
+                           .look = {"#A50F5A", "H"},
+                           .locks = true,
+                           .foremost = 4,
+                           .at_rest = "fem-stvk:q1"}),
+      elements_that_step(Law::hooke, {.name = "fem-explicit-hooke",
+                                      .description = "small-strain Hooke; any cells",
+                                      .source = "linear elasticity",
+                                      .look = {"#4D4D4D", "X"},
+                                      .at_rest = "fem-hooke",
+                                      .seconds = of_hooke,
+                                      .charted = on_tetrahedra}),
+      elements_that_step(Law::st_venant_kirchhoff,
+                         {.name = "fem-explicit-stvk",
+                          .description = "St-Venant-Kirchhoff; any cells",
+                          .source = "Hooke's law between Green's strain and the second "
+                                    "Piola-Kirchhoff stress",
+                          .look = {"#B8860B", "P"},
+                          .at_rest = "fem-stvk",
+                          .seconds = of_points,
+                          .charted = on_tetrahedra}),
+      elements_that_step(Law::hencky,
+                         {.name = "fem-explicit-hencky",
+                          .description = "Hencky, logarithmic strain; any cells",
+                          .source = "Hencky 1928",
+                          .look = {"#2F4F4F", "s"},
+                          .at_rest = "fem-hencky",
+                          .seconds = of_points,
+                          .charted = on_tetrahedra}),
+      elements_that_step(
+          Law::cauchy_born,
+          {.name = "fem-explicit-cauchy-born",
+           .description = "the continuum of a spring lattice (option --lattice); any "
+                          "cells",
+           .source = "the lattice's energy under the Cauchy-Born rule",
+           .look = {"#B39DDB", "h"},
+           .reads = {"lattice", "lattice-direction"},
+           .covers = "; Poisson's ratios above -1/4 of the lattice of mss-baudet",
+           .at_rest = "fem-cauchy-born",
+           .seconds = of_points})};
 }
 
 }  // namespace springcheck

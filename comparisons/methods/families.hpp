@@ -32,6 +32,9 @@ std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamic
 std::vector<ElementName> finite_elements();
 std::vector<Method> finite_element_methods();
 
+/// Law and element of a case of finite elements.
+fem_reference::Settings elements_of(const CaseSettings& settings, fem_reference::Law law);
+
 /// The lattice whose continuum a case of fem-cauchy-born is.
 fem_reference::Lattice lattice_of(const CaseSettings& settings);
 

@@ -11,13 +11,6 @@ namespace {
 
 using fem_reference::Law;
 
-fem_reference::Settings reference_settings(const CaseSettings& settings, Law law) {
-  return {.law = law,
-          .element = settings.elements.element.element,
-          .lattice = lattice_of(settings),
-          .linear_solver = settings.elements.linear_solver};
-}
-
 /// A law with what all have.
 Method of_elements(Law law, Method own) {
   own.family = Family::finite_elements;
@@ -34,7 +27,7 @@ Method of_elements(Law law, Method own) {
   own.path.of_load = 1. / 1024;
   own.solve = [law](const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
                     int /*threads*/, const dynamics::Observers& /*observers*/) {
-    return fem_reference::solve(mesh, scene, reference_settings(settings, law));
+    return fem_reference::solve(mesh, scene, elements_of(settings, law));
   };
   own.linear_systems = [](const CaseSettings& settings) -> LinearSystems {
     using enum LinearSystems::Kind;
@@ -175,6 +168,13 @@ std::vector<Method> finite_element_methods() {
                    .covers = "; Poisson's ratios above -1/4 of the lattice of mss-baudet",
                    .seconds = of_others,
                    .charted = {{.element = "q1-sri"}}})};
+}
+
+fem_reference::Settings elements_of(const CaseSettings& settings, Law law) {
+  return {.law = law,
+          .element = settings.elements.element.element,
+          .lattice = lattice_of(settings),
+          .linear_solver = settings.elements.linear_solver};
 }
 
 fem_reference::Lattice lattice_of(const CaseSettings& settings) {

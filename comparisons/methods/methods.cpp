@@ -71,10 +71,14 @@ std::vector<const Method*> moving_elements() {
   return all;
 }
 
+bool is_law(const Method& method) {
+  return reads(method, "element") && !method.follows_solver;
+}
+
 std::vector<const Method*> laws() {
   std::vector<const Method*> all;
   for (const Method& method : methods())
-    if (reads(method, "element")) all.push_back(&method);
+    if (is_law(method)) all.push_back(&method);
   return all;
 }
 

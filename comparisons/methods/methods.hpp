@@ -25,7 +25,8 @@ std::vector<const Method*> foremost(Family family);
 /// Finite elements that step through time: those that have a place, then the others.
 std::vector<const Method*> moving_elements();
 
-/// Finite elements of a law, which bodies converge to by finer cells.
+/// Finite elements of a law at rest, which bodies converge to by finer cells.
+bool is_law(const Method& method);
 std::vector<const Method*> laws();
 
 /// The law that deviations are measured from where a case names none: Hooke's up to small

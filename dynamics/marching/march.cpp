@@ -211,8 +211,7 @@ class March {
         .reactions = std::vector<Vector3>(state.displacements.size(), Vector3::Zero()),
         .kinetic_energy = 0,
         .strain_energy = body_.forces.strain_energy(state.displacements)};
-    std::vector<Vector3> forces(state.displacements.size());
-    body_.forces.internal(state, forces);
+    std::vector<Vector3> forces = body_.forces.internal(state);
     for (std::size_t n = 0; n < forces.size(); ++n)
       forces[n] += moment.load_fraction * body_.load[n];
     for (const auto& [node, i, plate] : prescribed_)

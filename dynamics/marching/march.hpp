@@ -70,7 +70,7 @@ struct Observers {
 /// The body's forces by plain loops in double precision, whatever moves it.
 struct PlainForces {
   // Internal forces [N], dashpots included:
-  std::function<void(const State& state, std::span<Vector3> forces)> internal;
+  ForcesAt internal;
   std::function<double(std::span<const Vector3> displacements)> strain_energy;  // [J]
 };
 

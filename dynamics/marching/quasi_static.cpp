@@ -35,10 +35,6 @@ constexpr double jump = 0.5;
 constexpr double judged_parts = 20;  // of a way's time
 constexpr unsigned seed = 1;  // of where iterations start that end at the same place
 
-double mean_cell_edge(const Mesh& mesh) {
-  return std::cbrt(mesh.volume() / static_cast<double>(mesh.cells().size()));
-}
-
 class QuasiStatic {
  public:
   QuasiStatic(const Mesh& mesh, const Scene& scene, RememberingBody& body)
@@ -48,7 +44,7 @@ class QuasiStatic {
         prescribed_(prescribed_components(mesh, scene)),
         is_free_(free_components(mesh, prescribed_)),
         load_(body.load()),
-        cell_edge_(mean_cell_edge(mesh)),
+        cell_edge_(mesh.mean_cell_edge()),
         positions_(mesh.nodes()),
         forces_(mesh.nodes().size(), Vector3::Zero()) {}
 

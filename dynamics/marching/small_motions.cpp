@@ -2,8 +2,19 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 namespace springcheck::dynamics {
+
+SmallMotions about_rest(std::span<const double> masses, std::vector<bool> is_free,
+                        double cell_edge, bool has_dashpots) {
+  const std::vector<Vector3> at_rest(masses.size(), Vector3::Zero());
+  return {.state = {.displacements = at_rest, .velocities = at_rest},
+          .masses = masses,
+          .is_free = std::move(is_free),
+          .amplitude = probe * cell_edge,
+          .has_dashpots = has_dashpots};
+}
 
 Combination::Combination(const SmallMotions& system, double stiffness_factor,
                          double dashpot_factor)

@@ -1,16 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "dynamics/motion.hpp"
 
 namespace springcheck::dynamics {
-
-/// The internal forces in a state [N]: springs, dashpots and the like, without loads.
-using ForcesAt = std::function<std::vector<Vector3>(const State& state)>;
 
 /// A system about which small motions are looked at.
 struct SmallMotions {
@@ -25,6 +21,10 @@ struct SmallMotions {
 /// SmallMotions::amplitude in mean cell edges, in double precision: forces keep half
 /// their digits at least, and what is not linear stays in the last.
 inline constexpr double probe = 1e-4;
+
+/// About rest, with that amplitude; forces are left open.
+SmallMotions about_rest(std::span<const double> masses, std::vector<bool> is_free,
+                        double cell_edge, bool has_dashpots);
 
 /// An entry per free component, in their order.
 using Field = Eigen::VectorXd;

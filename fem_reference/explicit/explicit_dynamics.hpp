@@ -17,16 +17,6 @@ struct ExplicitSettings {
   int threads = 1;
 };
 
-/// Rate of the drag -alpha m v on every node [1/s]:
-///
-///     alpha = 2 zeta omega,   omega = pi c_s/L,   c_s = sqrt(mu/rho)
-///
-/// L the longest extent of the mesh along an axis. A body held at one end shears in its
-/// slowest standing wave at pi c_s/(2 L), held at both at omega: swings of frequency
-/// omega are damped by zeta of critical, faster ones less. The drag also acts on rigid
-/// motions. Source: mass-proportional part of Rayleigh damping.
-double drag_rate(const Mesh& mesh, const Material& material, double damping_ratio);
-
 /// Why the mesh does not move so, or nothing when it does.
 std::optional<std::string> reason_to_refuse(const Mesh& mesh,
                                             const ExplicitSettings& settings);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meshing/traction.hpp"
 
 namespace springcheck::mss {
 
@@ -40,14 +39,6 @@ void nodal_forces(const Network& network, std::span<const Vector3> positions,
                   std::span<Vector3> forces) {
   CellStates states;
   nodal_forces(network, positions, states, forces);
-}
-
-std::vector<Vector3> load_forces(const Mesh& mesh, const Scene& scene,
-                                 const Network& network) {
-  std::vector<Vector3> forces = traction_forces(mesh, scene);
-  for (std::size_t n = 0; n < forces.size(); ++n)
-    forces[n] += network.masses[n] * scene.gravity;
-  return forces;
 }
 
 double dashpot_constant(const Network& network, const Spring& spring,

@@ -40,11 +40,6 @@ void nodal_forces(const Network& network, std::span<const Vector3> positions,
 void nodal_forces(const Network& network, std::span<const Vector3> positions,
                   std::span<Vector3> forces);
 
-/// Forces of the scene's loads on the nodes at the full load [N]: the weight of their
-/// masses, and traction_forces.
-std::vector<Vector3> load_forces(const Mesh& mesh, const Scene& scene,
-                                 const Network& network);
-
 /// Adds the pull of a dashpot along each spring and damped edge, c (n . (v_b - v_a)) n on
 /// a and the opposite on b, with c = 2 zeta sqrt(k m_a m_b/(m_a + m_b)) [N s/m].
 /// Projected on the spring's axis, it keeps angular momentum. Source: critical damping of

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "dynamics/blocks/explicit_motion.hpp"
-#include "dynamics/marching/stable_step.hpp"
+#include "dynamics/blocks/plain_motion.hpp"
+#include "dynamics/marching/plain_body.hpp"
 #include "meshing/stopwatch.hpp"
+#include "meshing/traction.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/kernels/affine_kernel.hpp"
 #include "mss/kernels/lattice_kernel.hpp"
@@ -26,44 +28,24 @@ double cell_edge(const Network& network) {
   return std::cbrt(volume / static_cast<double>(network.cells.size()));
 }
 
-void plain_forces(const Network& network, double damping_ratio, const State& state,
-                  std::vector<Vector3>& positions, CellStates& room,
-                  std::span<Vector3> forces) {
-  positions.resize(state.displacements.size());
-  for (std::size_t n = 0; n < positions.size(); ++n)
-    positions[n] = network.rest_positions[n] + state.displacements[n];
-  nodal_forces(network, positions, room, forces);
-  if (damping_ratio > 0)
-    add_dashpot_forces(network, damping_ratio, positions, state.velocities, forces);
+std::vector<Vector3> positions_of(const Network& network,
+                                  std::span<const Vector3> displacements) {
+  std::vector<Vector3> positions = network.rest_positions;
+  for (std::size_t n = 0; n < positions.size(); ++n) positions[n] += displacements[n];
+  return positions;
 }
 
-/// The plain loops as the forces of a single block.
-dynamics::BlockForces<double> plain_kernel(const Network& network, double damping_ratio) {
-  struct Room {
-    State state;
-    std::vector<Vector3> positions, forces;
-    CellStates cells;
+/// Those of nodal_forces and add_dashpot_forces, as they stand.
+dynamics::ForcesAt plain_forces(const Network& network, double damping_ratio) {
+  return [&network, damping_ratio,
+          room = std::make_shared<CellStates>()](const State& state) {
+    const std::vector<Vector3> positions = positions_of(network, state.displacements);
+    std::vector<Vector3> forces(positions.size());
+    nodal_forces(network, positions, *room, forces);
+    if (damping_ratio > 0)
+      add_dashpot_forces(network, damping_ratio, positions, state.velocities, forces);
+    return forces;
   };
-  const std::size_t nodes = network.rest_positions.size();
-  const auto room = std::make_shared<Room>();
-  room->state.displacements.resize(nodes);
-  room->state.velocities.resize(nodes);
-  room->forces.resize(nodes);
-  const auto add = [&network, damping_ratio, room](
-                       std::size_t, const dynamics::BlockArrays<double>& arrays) {
-    for (std::size_t n = 0; n < room->forces.size(); ++n)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto j = static_cast<Eigen::Index>(i);
-        room->state.displacements[n][j] = arrays.displacement[i][n];
-        room->state.velocities[n][j] = arrays.velocity[i][n];
-      }
-    plain_forces(network, damping_ratio, room->state, room->positions, room->cells,
-                 room->forces);
-    for (std::size_t n = 0; n < room->forces.size(); ++n)
-      for (std::size_t i = 0; i < 3; ++i)
-        arrays.force[i][n] = room->forces[n][static_cast<Eigen::Index>(i)];
-  };
-  return {.lanes = 1, .add = add};
 }
 
 std::optional<std::vector<Block>> blocks_for_kernel(const Mesh& mesh,
@@ -84,7 +66,7 @@ std::unique_ptr<dynamics::Motion> by_kernel(const Mesh& mesh, const Scene& scene
   auto forces = takes_affine_kernel(network)
                     ? affine_kernel<Real>(network, blocks, settings.damping_ratio, set)
                     : lattice_kernel<Real>(network, blocks, settings.damping_ratio, set);
-  const std::vector<Vector3> load = load_forces(mesh, scene, network);
+  const std::vector<Vector3> load = load_forces(mesh, scene, network.masses);
   return dynamics::explicit_motion<Real>(
       {.rest = network.rest_positions,
        .masses = network.masses,
@@ -95,17 +77,6 @@ std::unique_ptr<dynamics::Motion> by_kernel(const Mesh& mesh, const Scene& scene
       {.integrator = settings.protocol.integrator,
        .instruction_set = set,
        .threads = settings.threads});
-}
-
-dynamics::SmallMotions small_motions(const Network& network, double damping_ratio,
-                                     const std::vector<bool>& is_free) {
-  const std::size_t nodes = network.rest_positions.size();
-  return {.state = {.displacements = std::vector<Vector3>(nodes, Vector3::Zero()),
-                    .velocities = std::vector<Vector3>(nodes, Vector3::Zero())},
-          .masses = network.masses,
-          .is_free = is_free,
-          .amplitude = dynamics::probe * cell_edge(network),
-          .has_dashpots = damping_ratio > 0};
 }
 
 /// Why explicit Euler may find a motion that swings undamped.
@@ -145,28 +116,18 @@ std::unique_ptr<dynamics::Motion> motion_of(const Mesh& mesh, const Scene& scene
     return by_kernel<float>(mesh, scene, network, settings, std::move(*blocks), set);
   if (blocks)
     return by_kernel<double>(mesh, scene, network, settings, std::move(*blocks), set);
-  const std::vector<Vector3> load = load_forces(mesh, scene, network);
-  return dynamics::explicit_motion<double>(
-      {.rest = network.rest_positions,
-       .masses = network.masses,
-       .load = load,
-       .supports = dynamics::supports(scene, prescribed_components(mesh, scene)),
-       .blocks = {dynamics::whole_mesh(mesh)},
-       .forces = plain_kernel(network, settings.damping_ratio)},
-      {.integrator = settings.protocol.integrator, .instruction_set = set, .threads = 1});
+  const std::vector<Vector3> load = load_forces(mesh, scene, network.masses);
+  return dynamics::plain_motion(mesh, scene, network.masses, load,
+                                plain_forces(network, settings.damping_ratio),
+                                settings.protocol.integrator, set);
 }
 
 double largest_stable_step(const Network& network, double damping_ratio,
                            const std::vector<bool>& is_free,
                            dynamics::Integrator integrator) {
-  dynamics::SmallMotions system = small_motions(network, damping_ratio, is_free);
-  std::vector<Vector3> positions;
-  CellStates room;
-  system.forces = [&](const State& state) {
-    std::vector<Vector3> forces(state.displacements.size());
-    plain_forces(network, damping_ratio, state, positions, room, forces);
-    return forces;
-  };
+  dynamics::SmallMotions system = dynamics::about_rest(
+      network.masses, is_free, cell_edge(network), damping_ratio > 0);
+  system.forces = plain_forces(network, damping_ratio);
   return dynamics::largest_stable_step(system, integrator);
 }
 
@@ -178,40 +139,21 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
   const Stopwatch stopwatch;
   const auto motion = motion_of(mesh, scene, network, settings);
   const double motion_wall_s = stopwatch.seconds();
-  const std::vector<Vector3> load = load_forces(mesh, scene, network);
-  const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
-  std::vector<Vector3> positions;
-  CellStates room;
-  const auto stable_step = [&](const std::optional<State>& state,
-                               const dynamics::StableStep* near) {
-    return dynamics::largest_stable_step(
-        small_motions(network, settings.damping_ratio, is_free), *motion,
-        settings.precision, state, settings.protocol.integrator, near);
-  };
+  const std::vector<Vector3> load = load_forces(mesh, scene, network.masses);
   Solution solution = dynamics::march(
       {.mesh = mesh,
        .scene = scene,
        .masses = network.masses,
        .load = load,
-       .forces = {.internal =
-                      [&](const State& state, std::span<Vector3> forces) {
-                        plain_forces(network, settings.damping_ratio, state, positions,
-                                     room, forces);
-                      },
+       .forces = {.internal = plain_forces(network, settings.damping_ratio),
                   .strain_energy =
                       [&](std::span<const Vector3> displacements) {
-                        std::vector<Vector3> x(displacements.size());
-                        for (std::size_t n = 0; n < x.size(); ++n)
-                          x[n] = network.rest_positions[n] + displacements[n];
-                        return strain_energy(network, x);
+                        return strain_energy(network,
+                                             positions_of(network, displacements));
                       }},
-       .stable_step = stable_step,
-       .step_setters = fmt::format("set by nu = {:g}, cells of {:.3g} m and a damping "
-                                   "ratio of {:g}",
-                                   scene.material.poisson_ratio, cell_edge(network),
-                                   settings.damping_ratio),
+       .damping_ratio = settings.damping_ratio,
        .undamped = what_is_undamped(network, settings.damping_ratio)},
-      *motion, settings.protocol, observers);
+      *motion, settings.precision, settings.protocol, observers);
   solution.setup_wall_s += motion_wall_s;
   return solution;
 }

@@ -8,6 +8,7 @@
 #include "dynamics/supports.hpp"
 #include "meshing/breakdown.hpp"
 #include "meshing/sparse_cholesky.hpp"
+#include "meshing/traction.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/forces/tangent.hpp"
 #include "statics/systems/free_triangle.hpp"
@@ -29,7 +30,7 @@ class ImplicitMotion final : public dynamics::Motion {
                  double damping_ratio)
       : network_(network),
         damping_ratio_(damping_ratio),
-        load_(load_forces(mesh, scene, network)),
+        load_(load_forces(mesh, scene, network.masses)),
         supports_(dynamics::supports(scene, prescribed_components(mesh, scene))),
         unknowns_(free_components(mesh, prescribed_components(mesh, scene))),
         matrix_(patches(network), network.masses.size()),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "meshing/traction.hpp"
 #include "mss/forces/forces.hpp"
 #include "statics/systems/nodal_vectors.hpp"
 
@@ -79,7 +80,7 @@ double NetworkBody::rounding(const Eigen::VectorXd& displacements) const {
 
 statics::Loading loading(const Mesh& mesh, const Scene& scene, const Network& network) {
   return statics::loading(mesh, scene,
-                          statics::stacked(load_forces(mesh, scene, network)));
+                          statics::stacked(load_forces(mesh, scene, network.masses)));
 }
 
 }  // namespace springcheck::mss

@@ -21,15 +21,12 @@ class RememberingTissue final : public dynamics::RememberingBody {
  public:
   RememberingTissue(const Mesh& mesh, const Scene& scene, const TissueBody& body)
       : body_(body),
-        load_(traction_forces(mesh, scene)),
+        load_(load_forces(mesh, scene, body.masses)),
         system_(body.rest_positions, patches_of(body),
                 free_components(mesh, prescribed_components(mesh, scene)),
                 statics::LinearSolver::direct),
         memories_(memories_at_rest(body)),
-        stresses_(body.cells.size()) {
-    for (std::size_t n = 0; n < load_.size(); ++n)
-      load_[n] += body.masses[n] * scene.gravity;
-  }
+        stresses_(body.cells.size()) {}
 
   [[nodiscard]] std::vector<Vector3> load() const override { return load_; }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "meshing/stopwatch.hpp"
+#include "meshing/traction.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/forces/tangent.hpp"
 #include "statics/systems/system.hpp"
@@ -29,7 +30,7 @@ class ThesisSprings final : public dynamics::RememberingBody {
       : network_(std::move(network)),
         volumes_(without_springs(network_)),
         spring_(spring),
-        load_(load_forces(mesh, scene, network_)),
+        load_(load_forces(mesh, scene, network_.masses)),
         system_(volumes_.rest_positions, patches(volumes_),
                 free_components(mesh, prescribed_components(mesh, scene)),
                 statics::LinearSolver::direct) {}

@@ -39,20 +39,15 @@ Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueB
   if (const auto reason = reason_to_refuse_tissue(protocol, observers))
     return refused(*reason);
   const Stopwatch stopwatch;
-  Vectors load = traction_forces(mesh, scene);
-  for (std::size_t n = 0; n < load.size(); ++n) load[n] += body.masses[n] * scene.gravity;
+  const Vectors load = load_forces(mesh, scene, body.masses);
   TissueMotion motion(mesh, scene, body, load,
                       {.integrator = protocol.integrator, .threads = threads});
   const double motion_wall_s = stopwatch.seconds();
   const double edge =
       std::cbrt(std::ranges::min_element(body.shapes, {}, &TissueShape::volume)->volume);
-  const dynamics::SmallMotions small{
-      .forces = {},
-      .state = motion.state(),
-      .masses = body.masses,
-      .is_free = free_components(mesh, prescribed_components(mesh, scene)),
-      .amplitude = dynamics::probe * edge,
-      .has_dashpots = body.solid.shear.viscosity > 0};
+  const dynamics::SmallMotions small = dynamics::about_rest(
+      body.masses, free_components(mesh, prescribed_components(mesh, scene)), edge,
+      body.solid.shear.viscosity > 0);
   double largest_strain = 0;
   const auto look_at_strain = [&] {
     largest_strain = std::max(
@@ -66,10 +61,7 @@ Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueB
        .load = load,
        // March asks for both in the state of the motion alone, and goes on from there:
        // the look restores that very state.
-       .forces = {.internal =
-                      [&](const State& state, std::span<Vector3> forces) {
-                        std::ranges::copy(motion.forces_at(state), forces.begin());
-                      },
+       .forces = {.internal = [&](const State& state) { return motion.forces_at(state); },
                   .strain_energy =
                       [&](std::span<const Vector3>) {
                         return free_energy(

@@ -56,7 +56,7 @@ template <class Real>
 double difference(const Mesh& mesh, const Material& material, ExplicitElement element,
                   const Blocks& blocks, double rate, InstructionSet set) {
   const double size =
-      0.1 * std::cbrt(mesh.volume() / static_cast<double>(mesh.cells().size()));
+      0.1 * mesh.mean_cell_edge();
   std::vector<Vector3> u = random_at_nodes(mesh, size, 1),
                        v = random_at_nodes(mesh, 0.1, 2);
   for (Vector3& a : u) a = a.cast<Real>().template cast<double>();

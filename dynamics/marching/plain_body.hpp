@@ -1,0 +1,28 @@
+#pragma once
+
+#include "dynamics/marching/march.hpp"
+#include "dynamics/precision.hpp"
+
+namespace springcheck::dynamics {
+
+/// A body with its forces by plain loops, whatever moves it. Lists hold one entry per
+/// node.
+struct PlainBody {
+  const Mesh& mesh;
+  const Scene& scene;
+  std::span<const double> masses;  // [kg]
+  std::span<const Vector3> load;   // [N] at the full load
+  PlainForces forces;
+  double damping_ratio;  // 0: without dashpots
+  std::string undamped;  // what leaves motions undamped; MarchedBody
+};
+
+/// Marches the body by a motion of that precision, by whose own forces stable steps are
+/// found, about rest and in the states on the way; see march of a MarchedBody.
+Solution march(const PlainBody& body, Motion& motion, Precision precision,
+               const Protocol& protocol, const Observers& observers);
+
+/// Largest stable step about rest, by the plain loops.
+double largest_stable_step(const PlainBody& body, Integrator integrator);
+
+}  // namespace springcheck::dynamics
