@@ -108,9 +108,10 @@ class Words {
     const Method* method = find_method(model_.method);
     if (method == nullptr || method->family != Family::springs) return;
     Model other{.method = advice_.chart.stored.law, .element = "q1-sri"};
-    if (chosen_.place.kind == ChartKind::motion) {
-      other = model_;
-      other.method = moving_elements().front()->name;
+    if (model_.precision) {
+      const auto moving = moving_elements(model_.cells, *model_.precision);
+      if (moving.empty()) return;
+      other = moving.front();
     }
     say_if_measured("No finite elements", other);
   }

@@ -110,7 +110,9 @@ struct Method {
   bool of_thesis = false;         // Golec's own springs, or the law he compares them with
   BarLimit bar_limit{};
   FixedSprings fixed{};        // settings of other springs that it has fixed
-  std::string_view at_rest{};  // a method that steps: label of its statics, another's
+  // Of a method that steps the label of its statics, another's; without an element where
+  // it is that of the case:
+  std::string_view at_rest{};
   std::optional<LatticeName> lattice{};  // whose continuum fem-cauchy-born is
   PathPrecision path{};
 

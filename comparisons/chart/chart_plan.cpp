@@ -41,8 +41,9 @@ RunSettings scene_of(const ChartPlan& plan) {
 std::string law_of(const ChartPlan& plan) {
   if (!plan.law.empty()) return plan.law;
   const Request first = requests(scene_of(plan)).front();
-  const Method& method = (first.reference ? *first.reference : first.settings).method;
-  return is_law(method) ? method.name : usual_law(false).name;
+  const std::string& name =
+      (first.reference ? *first.reference : first.settings).method.name;
+  return is_law(name) ? name : usual_law(false).name;
 }
 
 /// Times of one chart are of one machine, of the same instructions and of one program.

@@ -127,10 +127,10 @@ std::vector<Claim> claims(const Chart& chart) {
     pairs.push_back({ChartKind::equilibrium,
                      {.method = springs->name},
                      {.method = chart.stored.law, .element = "q1-sri"}});
-    for (const Method* elements : moving_elements())
+    for (const Model& elements : moving_elements(CellType::hexahedron, precision))
       pairs.push_back({ChartKind::motion,
                        {.method = springs->name, .precision = precision},
-                       {.method = elements->name, .precision = precision}});
+                       elements});
   }
   std::vector<Claim> all;
   for (const auto& [kind, springs, elements] : pairs)

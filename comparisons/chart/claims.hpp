@@ -32,8 +32,8 @@ struct Claim {
 
 /// Golec's claims of springs, faster than finite elements and as accurate, put to the
 /// foremost springs, but for those that follow another law than the scene's, beside
-/// q1-sri elements of the scene's law, in motions beside each of moving_elements, on one
-/// thread.
+/// q1-sri elements of the scene's law, in motions beside each of moving_elements on
+/// hexahedra, on one thread.
 std::vector<Claim> claims(const Chart& chart);
 
 /// In words, with the figures.

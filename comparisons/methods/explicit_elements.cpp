@@ -54,10 +54,12 @@ Method hexahedra_that_step(ExplicitElement element, Method own) {
   return that_step(std::move(own));
 }
 
-fem_reference::MotionSettings motion_of(const CaseSettings& settings, Law law) {
+fem_reference::MotionSettings motion_settings(const CaseSettings& settings, Law law,
+                                              int threads) {
   return {.elements = elements_of(settings, law),
           .protocol = protocol_of(settings),
-          .damping_ratio = settings.dynamics.damping_ratio};
+          .damping_ratio = settings.dynamics.damping_ratio,
+          .threads = threads};
 }
 
 /// A law's elements at rest, in motion: with what all of them have.
@@ -70,34 +72,42 @@ Method elements_that_step(Law law, Method own) {
       "steps in double precision" +
       own.covers;
   own.solve = [law](const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
-                    int /*threads*/, const dynamics::Observers& observers) {
+                    int threads, const dynamics::Observers& observers) {
     if (!goes_through_time(settings))
       return refused("fem-explicit steps explicitly; " +
                      std::string(settings.method.at_rest) + " has the static solver");
     if (settings.dynamics.precision == dynamics::Precision::single_precision)
       return refused("single precision is for fem-explicit-1p and fem-explicit-8p");
-    return fem_reference::run_dynamics(mesh, scene, motion_of(settings, law), observers);
+    return fem_reference::run_dynamics(
+        mesh, scene, motion_settings(settings, law, threads), observers);
   };
   own.stepping = [law](const CaseSettings& settings, const Mesh& mesh,
                        const Scene& scene) -> MakeMotion {
     return [&mesh, &scene, law, settings](const SteppingOptions& options) {
-      return fem_reference::motion_of(mesh, scene, motion_of(settings, law),
+      return fem_reference::motion_of(mesh, scene,
+                                      motion_settings(settings, law, options.threads),
                                       options.instruction_set);
     };
   };
   return that_step(std::move(own));
 }
 
-constexpr Seconds of_hooke{.in_motion = 1, .in_motion_off_grids = 1},
-    of_points{.in_motion = 1, .in_motion_off_grids = 1};
+constexpr Omission no_moving_hooke{"Not Hooke's law", "fem-explicit-hooke"};
+
+/// Of plain loops: q1, q1-sri and q1-nodal on hexahedra and tetrahedra are within 10 %.
+constexpr Seconds by_loops_in(double seconds) {
+  return {.in_motion = seconds, .in_motion_off_grids = seconds};
+}
 
 }  // namespace
 
 std::vector<Method> explicit_element_methods() {
+  constexpr auto in_double = dynamics::Precision::double_precision;
   const std::vector<Model> on_tetrahedra{
-      {.element = "q1-nodal",
-       .cells = CellType::tetrahedron,
-       .precision = dynamics::Precision::double_precision}};
+      {.element = "q1-nodal", .cells = CellType::tetrahedron, .precision = in_double}};
+  // On hexahedra St-Venant's have their kernels.
+  const std::vector<Model> on_both{on_tetrahedra.front(),
+                                   {.element = "q1-sri", .precision = in_double}};
   return {
       hexahedra_that_step(
           ExplicitElement::one_point,
@@ -117,30 +127,36 @@ std::vector<Method> explicit_element_methods() {
                            .locks = true,
                            .foremost = 4,
                            .at_rest = "fem-stvk:q1"}),
-      elements_that_step(Law::hooke, {.name = "fem-explicit-hooke",
-                                      .description = "small-strain Hooke; any cells",
-                                      .source = "linear elasticity",
-                                      .look = {"#4D4D4D", "X"},
-                                      .at_rest = "fem-hooke",
-                                      .seconds = of_hooke,
-                                      .charted = on_tetrahedra}),
-      elements_that_step(Law::st_venant_kirchhoff,
-                         {.name = "fem-explicit-stvk",
-                          .description = "St-Venant-Kirchhoff; any cells",
-                          .source = "Hooke's law between Green's strain and the second "
-                                    "Piola-Kirchhoff stress",
-                          .look = {"#B8860B", "P"},
-                          .at_rest = "fem-stvk",
-                          .seconds = of_points,
-                          .charted = on_tetrahedra}),
+      elements_that_step(Law::hooke,
+                         {.name = "fem-explicit-hooke",
+                          .description = "small-strain Hooke; any cells",
+                          .source = "linear elasticity",
+                          .look = {"#3B3B58", "X"},
+                          .at_rest = "fem-hooke",
+                          .seconds = by_loops_in(2),
+                          .charted = on_tetrahedra,
+                          .omits = {{"Hooke's law does here, beside it St-Venant's",
+                                     "fem-explicit-stvk"}}}),
+      elements_that_step(
+          Law::st_venant_kirchhoff,
+          {.name = "fem-explicit-stvk",
+           .description = "St-Venant-Kirchhoff; any cells",
+           .source = "Hooke's law between Green's strain and the second "
+                     "Piola-Kirchhoff stress",
+           .look = {"#B8860B", "P"},
+           .at_rest = "fem-stvk",
+           .seconds = by_loops_in(2.6),
+           .charted = on_tetrahedra,
+           .omits = {no_moving_hooke, {"No logarithmic strain", "fem-explicit-hencky"}}}),
       elements_that_step(Law::hencky,
                          {.name = "fem-explicit-hencky",
                           .description = "Hencky, logarithmic strain; any cells",
                           .source = "Hencky 1928",
                           .look = {"#2F4F4F", "s"},
                           .at_rest = "fem-hencky",
-                          .seconds = of_points,
-                          .charted = on_tetrahedra}),
+                          .seconds = by_loops_in(7),
+                          .charted = on_both,
+                          .omits = {no_moving_hooke}}),
       elements_that_step(
           Law::cauchy_born,
           {.name = "fem-explicit-cauchy-born",
@@ -151,7 +167,7 @@ std::vector<Method> explicit_element_methods() {
            .reads = {"lattice", "lattice-direction"},
            .covers = "; Poisson's ratios above -1/4 of the lattice of mss-baudet",
            .at_rest = "fem-cauchy-born",
-           .seconds = of_points})};
+           .seconds = by_loops_in(6)})};
 }
 
 }  // namespace springcheck

@@ -60,26 +60,32 @@ std::vector<const Method*> foremost(Family family) {
   return all;
 }
 
-std::vector<const Method*> moving_elements() {
+std::vector<Model> moving_elements(CellType cells, dynamics::Precision precision) {
   std::vector<const Method*> all;
   for (const Method& method : methods())
-    if (method.family == Family::finite_elements && method.stepping)
-      all.push_back(&method);
+    if (method.family == Family::finite_elements) all.push_back(&method);
   std::ranges::stable_sort(all, {}, [](const Method* method) {
     return std::pair(method->foremost == 0, method->foremost);
   });
-  return all;
-}
-
-bool is_law(const Method& method) {
-  return reads(method, "element") && !method.follows_solver;
+  std::vector<Model> models;
+  for (const Method* method : all)
+    for (Model model : method->charted) {
+      model.method = method->name;
+      if (model.cells == cells && model.precision == precision) models.push_back(model);
+    }
+  return models;
 }
 
 std::vector<const Method*> laws() {
   std::vector<const Method*> all;
   for (const Method& method : methods())
-    if (is_law(method)) all.push_back(&method);
+    if (reads(method, "element") && !method.follows_solver) all.push_back(&method);
   return all;
+}
+
+bool is_law(std::string_view name) {
+  const auto all = laws();
+  return std::ranges::find(all, name, &Method::name) != all.end();
 }
 
 const Method& usual_law(bool is_small) {

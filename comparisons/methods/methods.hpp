@@ -22,12 +22,14 @@ const ElementName* find_element(std::string_view name);
 /// Those of a family that have a place, by it (Method::foremost).
 std::vector<const Method*> foremost(Family family);
 
-/// Finite elements that step through time: those that have a place, then the others.
-std::vector<const Method*> moving_elements();
+/// Finite elements that charts step through time on such cells: those that have a place,
+/// then the others.
+std::vector<Model> moving_elements(CellType cells, dynamics::Precision precision);
 
-/// Finite elements of a law at rest, which bodies converge to by finer cells.
-bool is_law(const Method& method);
+/// Finite elements of a law at rest, which bodies converge to by finer cells; whether one
+/// has that name.
 std::vector<const Method*> laws();
+bool is_law(std::string_view name);
 
 /// The law that deviations are measured from where a case names none: Hooke's up to small
 /// deformations, St-Venant-Kirchhoff's beyond.

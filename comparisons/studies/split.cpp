@@ -247,7 +247,7 @@ CaseSettings continuum_of(const CaseSettings& springs) {
 }
 
 SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
-  if (!is_law(law))
+  if (!is_law(law.name))
     throw InputError("--split", "reference", "a law of finite elements",
                      "'" + std::string(law.name) + "'");
   if (!springs.method.lattice)

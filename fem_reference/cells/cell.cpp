@@ -50,8 +50,9 @@ CellState state(const Law& law, DilatationTaken taken, const Shape& shape,
   for (Eigen::Index q = 0; q < shape.weights.size(); ++q) {
     const Matrix3 H = displacement_gradient(shape, u, q);
     const double w = shape.weights[q];
-    double psi = stars.own_part * law.energy(H);
-    Matrix3 P = stars.own_part * law.stress(H) + stars.stress;
+    const ShapeState shape_part = shape_state(law, H);
+    double psi = stars.own_part * shape_part.energy;
+    Matrix3 P = stars.own_part * shape_part.stress + stars.stress;
     if (taken == DilatationTaken::at_points) {
       const Dilatation t = law.dilatation(H);
       const VolumetricEnergy U = law.volumetric_energy(t.value);

@@ -35,9 +35,10 @@ StarStress star_stress(const CellLaw& law, const Discretisation& body,
         const double volume = volume_of_tetrahedra(body, n);
         if (!(volume > 0)) return star;
         const Matrix3& H = state.gradients[n];
-        star.energy += (1 - tetrahedron_part) * volume * part.energy(H);
-        star.stress =
-            (1 - tetrahedron_part) * part.stress(H) + U.first * part.dilatation(H).first;
+        const ShapeState shape_part = shape_state(part, H);
+        star.energy += (1 - tetrahedron_part) * volume * shape_part.energy;
+        star.stress = (1 - tetrahedron_part) * shape_part.stress +
+                      U.first * part.dilatation(H).first;
         const bool ends_at_inversion = !std::holds_alternative<Hooke>(law.constitution);
         if (ends_at_inversion && !((Matrix3::Identity() + H).determinant() > 0))
           star.energy = std::numeric_limits<double>::infinity();

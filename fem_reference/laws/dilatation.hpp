@@ -36,8 +36,9 @@ VolumetricEnergy quadratic(double modulus, double dilatation);
 /// U = modulus/2 (ln J)^2 of t = J - 1 > -1.
 VolumetricEnergy logarithmic(double modulus, double dilatation);
 
-/// U = cubic_modulus C(ln J) of t = J - 1 > -1: C(q) = q^3/3 to J = 1/2; below, where that
-/// would fall without bound, C' = 2 p^2 - (q + 2 p)^2, p = ln 2, goes on with its slope.
+/// U = cubic_modulus C(ln J) of t = J - 1 > -1: C(q) = q^3/3 to J = 1/2; below, where
+/// that would fall without bound, C' = 2 p^2 - (q + 2 p)^2, p = ln 2, goes on with its
+/// slope.
 VolumetricEnergy cubic_logarithmic(double cubic_modulus, double dilatation);
 
 }  // namespace springcheck::fem_reference

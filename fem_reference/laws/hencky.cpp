@@ -36,17 +36,22 @@ double log1p_over(double x) {
 
 }  // namespace
 
-double Hencky::energy(const Matrix3& displacement_gradient) const {
-  return shear_modulus * principal(displacement_gradient).deviator.matrix().squaredNorm();
-}
-
-Matrix3 Hencky::stress(const Matrix3& displacement_gradient) const {
+ShapeState Hencky::shape_state(const Matrix3& displacement_gradient) const {
   const Principal p = principal(displacement_gradient);
   const Matrix3 S =
       p.directions *
       (2 * shear_modulus * p.deviator / p.stretch_squared).matrix().asDiagonal() *
       p.directions.transpose();
-  return S + displacement_gradient * S;
+  return {.energy = shear_modulus * p.deviator.matrix().squaredNorm(),
+          .stress = S + displacement_gradient * S};
+}
+
+double Hencky::energy(const Matrix3& displacement_gradient) const {
+  return shape_state(displacement_gradient).energy;
+}
+
+Matrix3 Hencky::stress(const Matrix3& displacement_gradient) const {
+  return shape_state(displacement_gradient).stress;
 }
 
 Matrix9 Hencky::tangent(const Matrix3& displacement_gradient) const {

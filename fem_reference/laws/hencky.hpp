@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem_reference/laws/dilatation.hpp"
+#include "fem_reference/laws/shape_state.hpp"
 #include "meshing/scene.hpp"
 
 namespace springcheck::fem_reference {
@@ -32,6 +33,8 @@ struct Hencky {
   [[nodiscard]] double energy(const Matrix3& displacement_gradient) const;
   [[nodiscard]] Matrix3 stress(const Matrix3& displacement_gradient) const;
   [[nodiscard]] Matrix9 tangent(const Matrix3& displacement_gradient) const;
+  /// The first two at once, for half of the time: most of it is that of the directions.
+  [[nodiscard]] ShapeState shape_state(const Matrix3& displacement_gradient) const;
 
   [[nodiscard]] static Dilatation dilatation(const Matrix3& displacement_gradient);
   [[nodiscard]] VolumetricEnergy volumetric_energy(double dilatation) const;

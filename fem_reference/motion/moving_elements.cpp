@@ -1,5 +1,7 @@
 #include "fem_reference/motion/moving_elements.hpp"
 
+#include <tbb/task_arena.h>
+
 #include "dynamics/blocks/plain_motion.hpp"
 #include "dynamics/marching/plain_body.hpp"
 #include "fem_reference/cells/discretisation.hpp"
@@ -39,14 +41,15 @@ class MovingElements {
         elements_(body_, {.constitution = constitution(scene.material, settings.elements),
                           .dilatation = dilatation_taken(settings.elements)}),
         masses_(lumped_masses_of(body_, scene.material.density)),
-        load_(load_forces(mesh, scene, masses_)) {}
+        load_(load_forces(mesh, scene, masses_)),
+        arena_(settings.threads) {}
   MovingElements(const MovingElements&) = delete;
   MovingElements& operator=(const MovingElements&) = delete;
 
   [[nodiscard]] std::vector<Vector3> forces(const State& state) {
-    return with_drag(
-        statics::by_node(elements_.state(statics::stacked(state.displacements)).forces),
-        drag_rate_, masses_, state.velocities);
+    const Eigen::VectorXd forces = arena_.execute(
+        [&] { return elements_.state(statics::stacked(state.displacements)).forces; });
+    return with_drag(statics::by_node(forces), drag_rate_, masses_, state.velocities);
   }
 
   [[nodiscard]] dynamics::PlainBody plain_body() {
@@ -73,6 +76,7 @@ class MovingElements {
   ElementsBody elements_;
   std::vector<double> masses_;
   std::vector<Vector3> load_;
+  tbb::task_arena arena_;
 };
 
 std::unique_ptr<dynamics::Motion> motion_by(

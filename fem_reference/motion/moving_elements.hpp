@@ -12,6 +12,7 @@ struct MotionSettings {
   Settings elements;
   dynamics::Protocol protocol;
   double damping_ratio;  // zeta of the drag, drag.hpp
+  int threads = 1;
 };
 
 /// Why law, element or integrator do not move the mesh so, or nothing when they do. q2,

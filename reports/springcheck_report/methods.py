@@ -60,8 +60,13 @@ def bar_limit(method):
 
 
 def at_rest(name):
-    """The statics of a method that steps, by their name in tables; other methods are their own."""
-    return _methods.get(name, {}).get("at_rest") or name
+    """The statics of a method that steps, by their name in tables, of its element where they name
+    none; other methods are their own."""
+    method, colon, element = name.partition(":")
+    rest = _methods.get(method, {}).get("at_rest")
+    if not rest:
+        return name
+    return rest if ":" in rest else rest + colon + element
 
 
 def corrects_volume():

@@ -233,6 +233,15 @@ class Figures(unittest.TestCase):
             method_style.line("fem-stvk:q1-sri")["markerfacecolor"], method_style.colour("fem-stvk"))
         self.assertEqual(method_style.line("fem-explicit-8p")["markerfacecolor"], "white")
 
+    def test_statics_of_what_steps_are_of_its_element(self):
+        for name, rest in (
+            ("fem-explicit-8p", "fem-stvk:q1"),
+            ("fem-explicit-hencky:q1-nodal", "fem-hencky:q1-nodal"),
+            ("mss-cf", "mss-cf"),
+            ("fem-stvk:q2", "fem-stvk:q2"),
+        ):
+            self.assertEqual(methods.at_rest(name), rest)
+
     def test_a_name_holds_the_solver_only_where_it_is_not_the_methods_own(self):
         case = {"element": None, "stiffness-form": None, "diagonal-ratio": None}
         for method, solver, name in (

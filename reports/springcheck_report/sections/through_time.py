@@ -136,8 +136,8 @@ def _solvers(study):
     heads += ["damping", "transits", "duration [s]", "steps", "precision", "key"]
     note = paragraph(
         '<span class="note">At the end: force or torque on the plate, of beams the drop of the tip. '
-        "Statics are of the same springs on the same problem; of fem-explicit-8p those of "
-        "fem-stvk:q1, its static counterpart.</span>"
+        "Statics are of the same springs, or of the same elements at rest, on the same problem: of "
+        "fem-explicit-8p those of fem-stvk:q1, of fem-explicit-hencky those of fem-hencky.</span>"
     )
     title = Markup("<h3>Solvers through time beside statics</h3>")
     return [title, table(heads, rows, name="solvers", limit=_MOST_ROWS), note]

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fem_reference/motion/drag.hpp"
 #include "fem_reference/solve.hpp"
 #include "tests/fem_reference/explicit/fields.hpp"
 #include "tests/fem_reference/laws.hpp"
