@@ -56,8 +56,9 @@ std::optional<CaseSettings> law_of(const CaseSettings& model, const CaseSettings
   CaseSettings law = model;
   if (method.lattice && is_of_its_cells)
     law = continuum_of(model);
-  else if (!reads(method, "element"))
-    return std::nullopt;
+  else
+    law.method = at_rest(method);
+  if (!reads(law.method, "element")) return std::nullopt;
   law.body = grid.body;
   law.elements.element = grid.elements.element;
   law.elements.linear_solver = grid.elements.linear_solver;

@@ -111,7 +111,10 @@ class Words {
     if (model_.precision) {
       const auto moving = moving_elements(model_.cells, *model_.precision);
       if (moving.empty()) return;
-      other = moving.front();
+      const auto of_law = std::ranges::find_if(moving, [&](const Model& model) {
+        return at_rest(*find_method(model.method)).name == advice_.chart.stored.law;
+      });
+      other = of_law == moving.end() ? moving.front() : *of_law;
     }
     say_if_measured("No finite elements", other);
   }

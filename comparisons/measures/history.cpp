@@ -12,7 +12,7 @@ HistorySample history_sample(const CaseSettings& settings, const Mesh& mesh,
   Solution there{};
   there.displacements = moment.displacements;
   there.reactions = moment.reactions;
-  there.lever_arms = LeverArms::deformed;
+  there.lever_arms = moment.lever_arms;
   there.load_fraction = moment.load_fraction;
   const Measures measures = measure(settings, mesh, there);
   const Vector3 no_vector = Vector3::Constant(none);

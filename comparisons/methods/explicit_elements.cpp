@@ -35,7 +35,7 @@ Method hexahedra_that_step(ExplicitElement element, Method own) {
                         const Scene& scene, int threads,
                         const dynamics::Observers& observers) {
     if (!goes_through_time(settings))
-      return refused("fem-explicit steps explicitly; fem-stvk has the static solver");
+      return refused("it steps explicitly; fem-stvk has the static solver");
     return fem_reference::run_dynamics(
         mesh, scene, explicit_settings(settings, element, threads), observers);
   };
@@ -62,8 +62,14 @@ fem_reference::MotionSettings motion_settings(const CaseSettings& settings, Law 
           .threads = threads};
 }
 
-/// A law's elements at rest, in motion: with what all of them have.
+/// What `own.at_rest` is in motion, with its source, its mark and what its law is like.
 Method elements_that_step(Law law, Method own) {
+  for (const Method& rest : finite_element_methods())
+    if (rest.name == own.at_rest) {
+      own.source = rest.source;
+      own.look.mark = rest.look.mark;
+      own.volume_lost_near_half = rest.volume_lost_near_half;
+    }
   own.description = "finite elements stepped explicitly, " + own.description;
   own.reads.push_back("element");
   own.cells = {all_cell_types.begin(), all_cell_types.end()};
@@ -74,8 +80,8 @@ Method elements_that_step(Law law, Method own) {
   own.solve = [law](const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
                     int threads, const dynamics::Observers& observers) {
     if (!goes_through_time(settings))
-      return refused("fem-explicit steps explicitly; " +
-                     std::string(settings.method.at_rest) + " has the static solver");
+      return refused("it steps explicitly; " + std::string(settings.method.at_rest) +
+                     " has the static solver");
     if (settings.dynamics.precision == dynamics::Precision::single_precision)
       return refused("single precision is for fem-explicit-1p and fem-explicit-8p");
     return fem_reference::run_dynamics(
@@ -130,8 +136,7 @@ std::vector<Method> explicit_element_methods() {
       elements_that_step(Law::hooke,
                          {.name = "fem-explicit-hooke",
                           .description = "small-strain Hooke; any cells",
-                          .source = "linear elasticity",
-                          .look = {"#3B3B58", "X"},
+                          .look = {"#3B3B58", {}},
                           .at_rest = "fem-hooke",
                           .seconds = by_loops_in(2),
                           .charted = on_tetrahedra,
@@ -141,9 +146,7 @@ std::vector<Method> explicit_element_methods() {
           Law::st_venant_kirchhoff,
           {.name = "fem-explicit-stvk",
            .description = "St-Venant-Kirchhoff; any cells",
-           .source = "Hooke's law between Green's strain and the second "
-                     "Piola-Kirchhoff stress",
-           .look = {"#B8860B", "P"},
+           .look = {"#B8860B", {}},
            .at_rest = "fem-stvk",
            .seconds = by_loops_in(2.6),
            .charted = on_tetrahedra,
@@ -151,8 +154,7 @@ std::vector<Method> explicit_element_methods() {
       elements_that_step(Law::hencky,
                          {.name = "fem-explicit-hencky",
                           .description = "Hencky, logarithmic strain; any cells",
-                          .source = "Hencky 1928",
-                          .look = {"#2F4F4F", "s"},
+                          .look = {"#2F4F4F", {}},
                           .at_rest = "fem-hencky",
                           .seconds = by_loops_in(7),
                           .charted = on_both,
@@ -162,8 +164,7 @@ std::vector<Method> explicit_element_methods() {
           {.name = "fem-explicit-cauchy-born",
            .description = "the continuum of a spring lattice (option --lattice); any "
                           "cells",
-           .source = "the lattice's energy under the Cauchy-Born rule",
-           .look = {"#B39DDB", "h"},
+           .look = {"#B39DDB", {}},
            .reads = {"lattice", "lattice-direction"},
            .covers = "; Poisson's ratios above -1/4 of the lattice of mss-baudet",
            .at_rest = "fem-cauchy-born",

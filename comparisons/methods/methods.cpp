@@ -60,6 +60,11 @@ std::vector<const Method*> foremost(Family family) {
   return all;
 }
 
+const Method& at_rest(const Method& method) {
+  if (method.at_rest.empty()) return method;
+  return *find_method(method.at_rest.substr(0, method.at_rest.find(':')));
+}
+
 std::vector<Model> moving_elements(CellType cells, dynamics::Precision precision) {
   std::vector<const Method*> all;
   for (const Method& method : methods())

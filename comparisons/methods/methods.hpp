@@ -22,6 +22,9 @@ const ElementName* find_element(std::string_view name);
 /// Those of a family that have a place, by it (Method::foremost).
 std::vector<const Method*> foremost(Family family);
 
+/// What a method is at rest; itself where it is not another's motion.
+const Method& at_rest(const Method& method);
+
 /// Finite elements that charts step through time on such cells: those that have a place,
 /// then the others.
 std::vector<Model> moving_elements(CellType cells, dynamics::Precision precision);

@@ -138,12 +138,16 @@ std::vector<Model> models(std::vector<CellType> at_rest,
 const std::vector<Model> lattice_models =
     models({CellType::hexahedron}, {double_precision, single_precision});
 
-const std::vector<Model> virtual_models = [] {
+/// Of springs on any cells, whose kernels, of the precisions, are for hexahedra.
+std::vector<Model> models_on_any_cells(std::vector<dynamics::Precision> in_motion) {
   auto all = models({CellType::hexahedron, CellType::tetrahedron, CellType::prism},
-                    {double_precision, single_precision});
+                    std::move(in_motion));
   all.push_back({.cells = CellType::tetrahedron, .precision = double_precision});
   return all;
-}();
+}
+
+const std::vector<Model> virtual_models =
+    models_on_any_cells({double_precision, single_precision});
 
 constexpr std::string_view no_correction = "No volume correction";
 constexpr Omission no_face_diagonals{
@@ -302,9 +306,7 @@ std::vector<Method> spring_methods() {
                             .axes = mss::Axes::twenty_five},
                   .lattice = LatticeName{.springs = Springs::affine, .of_cubes = false},
                   .seconds = of_isochoric_springs,
-                  .charted = models(
-                      {CellType::hexahedron, CellType::tetrahedron, CellType::prism},
-                      {double_precision}),
+                  .charted = models_on_any_cells({double_precision}),
                   .beside_printed = true},
                  2.8),
       of_springs(

@@ -13,7 +13,8 @@ namespace {
 /// "N" or "NX,NY,NZ" behind a reference's '@'.
 std::vector<int> reference_cells_of(const Given& given, const std::string& text) {
   const std::string expected =
-      "a method, or METHOD:ELEMENT or METHOD:SOLVER, and behind it @NX,NY,NZ, @N or "
+      "a method, or METHOD:ELEMENT, METHOD:SOLVER or METHOD:ELEMENT:SOLVER, and behind "
+      "it @NX,NY,NZ, @N or "
       "@converged, counts of at least 1";
   std::vector<int> cells;
   std::istringstream counts(text);
@@ -62,11 +63,15 @@ ReferenceMethod reference_named(const Given& given) {
                             .place = given.place(),
                             .text = text};
   if (colon != std::string::npos) {
-    const std::string by = what.substr(colon + 1);
-    if (reads(reference.method, "element"))
-      reference.element = value_named<ElementName>(given, by);
-    else
-      reference.solver = reference_solver_of(given, reference.method, by);
+    std::string by = what.substr(colon + 1);
+    bool has_solver = true;
+    if (reads(reference.method, "element")) {
+      const std::size_t end = std::min(by.find(':'), by.size());
+      reference.element = value_named<ElementName>(given, by.substr(0, end));
+      has_solver = end < by.size();
+      by.erase(0, end + 1);
+    }
+    if (has_solver) reference.solver = reference_solver_of(given, reference.method, by);
   }
   if (at == std::string::npos) return reference;
   if (reference.method.belongs_to_cells)

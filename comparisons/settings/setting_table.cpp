@@ -273,12 +273,12 @@ static std::vector<std::string> own_readers(const Setting& setting) {
   std::vector<std::string> names;
   for (const Method& method : methods())
     if (reads(method, setting.key)) names.push_back(method.name);
-  const Method& continuum = continuum_of_lattices();
-  if (!reads(continuum, setting.key) &&
-      std::ranges::any_of(lattices(), [&](const LatticeName& lattice) {
+  if (std::ranges::any_of(lattices(), [&](const LatticeName& lattice) {
         return std::ranges::count(lattice.reads, setting.key) > 0;
       }))
-    names.push_back(continuum.name + " of such a lattice");
+    for (const Method& method : methods())
+      if (reads(method, "lattice") && !reads(method, setting.key))
+        names.push_back(method.name + " of such a lattice");
   return names;
 }
 

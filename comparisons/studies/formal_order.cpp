@@ -21,7 +21,7 @@ bool has_glued_edges(const CaseSettings& settings) {
 /// Of the continuum: the method's own, or its lattice's, where they have one.
 double poisson_ratio_of(const CaseSettings& settings) {
   const Method* springs = &settings.method;
-  if (settings.method.name == continuum_of_lattices().name)
+  if (reads(settings.method, "lattice"))
     springs = find_method(settings.elements.lattice.name);
   if (springs != nullptr && springs->own_poisson_ratio)
     return *springs->own_poisson_ratio;

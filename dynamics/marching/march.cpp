@@ -62,7 +62,7 @@ class March {
 
   Solution run() {
     Solution solution{.status = SolveStatus::ok,
-                      .lever_arms = LeverArms::deformed,
+                      .lever_arms = body_.lever_arms,
                       .strain_energy = 0,
                       .load_fraction = 0,
                       .steps = 0,
@@ -209,6 +209,7 @@ class March {
         .load_fraction = fraction(),
         .step = now_.step,
         .reactions = std::vector<Vector3>(state.displacements.size(), Vector3::Zero()),
+        .lever_arms = body_.lever_arms,
         .kinetic_energy = 0,
         .strain_energy = body_.forces.strain_energy(state.displacements)};
     std::vector<Vector3> forces = body_.forces.internal(state);

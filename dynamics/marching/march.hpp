@@ -51,6 +51,7 @@ struct Moment {
   int step;
   std::vector<Vector3> displacements{};  // [m]
   std::vector<Vector3> reactions;        // [N], see Solution
+  LeverArms lever_arms;                  // of the reactions
   double kinetic_energy;                 // [J]
   double strain_energy;                  // [J]
 };
@@ -87,6 +88,7 @@ struct MarchedBody {
       stable_step;
   std::string step_setters;  // what sets the limit, for messages: "nu = 0.4, ..."
   std::string undamped;      // what leaves motions undamped where the limit is 0
+  LeverArms lever_arms = LeverArms::deformed;  // of the reactions
 };
 
 /// Marches to the end of the protocol and returns the state there.

@@ -31,7 +31,8 @@ Solution march(const PlainBody& body, Motion& motion, Precision precision,
                     "set by nu = {:g}, cells of {:.3g} m and a damping ratio of {:g}",
                     body.scene.material.poisson_ratio, body.mesh.mean_cell_edge(),
                     body.damping_ratio),
-                .undamped = body.undamped},
+                .undamped = body.undamped,
+                .lever_arms = body.lever_arms},
                motion, protocol, observers);
 }
 

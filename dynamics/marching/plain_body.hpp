@@ -15,6 +15,7 @@ struct PlainBody {
   PlainForces forces;
   double damping_ratio;  // 0: without dashpots
   std::string undamped;  // what leaves motions undamped; MarchedBody
+  LeverArms lever_arms = LeverArms::deformed;
 };
 
 /// Marches the body by a motion of that precision, by whose own forces stable steps are

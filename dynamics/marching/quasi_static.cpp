@@ -87,6 +87,7 @@ class QuasiStatic {
                   .step = steps_,
                   .displacements = positions_,
                   .reactions = Positions(positions_.size(), Vector3::Zero()),
+                  .lever_arms = LeverArms::deformed,
                   .kinetic_energy = 0,
                   .strain_energy = body_.free_energy(positions_)};
     for (std::size_t n = 0; n < positions_.size(); ++n)

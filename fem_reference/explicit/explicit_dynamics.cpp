@@ -68,10 +68,11 @@ dynamics::PlainBody plain_body(const Mesh& mesh, const Scene& scene,
 std::optional<std::string> reason_to_refuse(const Mesh& mesh,
                                             const ExplicitSettings& settings) {
   if (mesh.count(CellType::hexahedron) != mesh.cells().size())
-    return "fem-explicit is for meshes of hexahedra";
+    return "the kernels are for meshes of hexahedra; any cells are for elements by plain "
+           "loops, as those of fem-explicit-stvk";
   if (settings.protocol.integrator == dynamics::Integrator::implicit_euler)
-    return "fem-explicit steps explicitly: by semi-implicit Euler, Verlet or explicit "
-           "Euler";
+    return "elements in motion step explicitly: by semi-implicit Euler, Verlet or "
+           "explicit Euler";
   return std::nullopt;
 }
 

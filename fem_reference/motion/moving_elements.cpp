@@ -65,7 +65,9 @@ class MovingElements {
                   return elements_.state(statics::stacked(displacements)).strain_energy;
                 }},
         .damping_ratio = damping_ratio_,
-        .undamped = "without drag (--damping) every motion is undamped"};
+        .undamped = "without drag (--damping) every motion is undamped",
+        .lever_arms =
+            elements_.is_linear() ? LeverArms::undeformed : LeverArms::deformed};
   }
 
  private:
@@ -94,10 +96,10 @@ std::unique_ptr<dynamics::Motion> motion_by(
 std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Scene& scene,
                                             const MotionSettings& settings) {
   if (settings.elements.element == Element::q2)
-    return "fem-explicit moves the mesh's nodes; q2 has more of them";
+    return "elements in motion move the mesh's nodes; q2 has more of them";
   if (settings.protocol.integrator == dynamics::Integrator::implicit_euler)
-    return "fem-explicit steps explicitly: by semi-implicit Euler, Verlet or explicit "
-           "Euler";
+    return "elements in motion step explicitly: by semi-implicit Euler, Verlet or "
+           "explicit Euler";
   return reason_to_refuse(mesh, scene, settings.elements);
 }
 
@@ -121,7 +123,6 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene,
   Solution solution = dynamics::march(elements->plain_body(), *motion,
                                       dynamics::Precision::double_precision,
                                       settings.protocol, observers);
-  if (settings.elements.law == Law::hooke) solution.lever_arms = LeverArms::undeformed;
   solution.setup_wall_s += setup_wall_s;
   return solution;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace springcheck::mss {
 
 double strain_energy(const Network& network, std::span<const Vector3> positions) {

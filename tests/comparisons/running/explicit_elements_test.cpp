@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
@@ -41,11 +42,30 @@ BOOST_AUTO_TEST_CASE(what_they_cannot_do_is_refused_with_a_reason) {
   const auto without_duration = [](const char* change) {
     return case_of("compression", {"method=fem-explicit-8p", "cells=3,3,3", change});
   };
-  for (const char* change :
-       {"solver=static", "solver=implicit", "cell-type=tetrahedron"}) {
+  for (const auto& [change, reason] :
+       {std::pair{"solver=static", "fem-stvk has the static solver"},
+        {"solver=implicit", "step explicitly"},
+        {"cell-type=tetrahedron", "fem-explicit-stvk"}}) {
     const CaseResult result = simulated(without_duration(change));
     BOOST_TEST((result.status == Status::refused), change);
-    BOOST_TEST(result.reason.find("fem-explicit") != std::string::npos, result.reason);
+    BOOST_TEST(result.reason.find(reason) != std::string::npos, result.reason);
+  }
+}
+
+// A history's last torque is the solution's, on the lever arms of the law.
+BOOST_AUTO_TEST_CASE(histories_have_the_torques_of_the_end,
+                     *boost::unit_test::tolerance(1e-12)) {
+  for (const char* method : {"method=fem-explicit-hooke", "method=fem-explicit-hencky"}) {
+    const CaseResult result = simulated(
+        case_of("torsion", {method, "element=q1-nodal", "cell-type=tetrahedron",
+                            "cells=2,2,2", "duration=.2", "deformation=1", "history=2"}));
+    BOOST_TEST((result.status == Status::ok), result.reason);
+    BOOST_TEST_REQUIRE(!result.history.empty());
+    const auto torque_z =
+        std::ranges::find(history_columns, "torque_z") - history_columns.begin();
+    BOOST_TEST(result.history.back()[static_cast<std::size_t>(torque_z)] ==
+                   *result.measures.plate_torque,
+               method);
   }
 }
 

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <iostream>
-#include <variant>
+#include <limits>
+#include <map>
+#include <optional>
 
 #include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/measures/hourglassing.hpp"
@@ -19,16 +20,15 @@
 #include "tests/comparisons/settings.hpp"
 
 // The detectors against states whose label comes from theory, not from the eye: from the
-// critical eigenvector at the limit of the path on which they lie. Thresholds are set on
-// one half of the states and judged on the other, of other meshes and other nu.
+// critical eigenvector at the limit of the path on which they lie. What they miss and
+// what they call falsely are figures, of all states; and so is how well thresholds do on
+// scenes, and on methods, that they were not set on.
 
 using namespace springcheck;
 
 BOOST_AUTO_TEST_SUITE(labelled_states_test)
 
 namespace {
-
-enum class Half { setting, judging };
 
 /// Loads of a scene: a deformation, or of the beam its modulus over that of the scene.
 CaseSettings loaded(const std::string& scene, std::vector<std::string> changes,
@@ -40,8 +40,8 @@ CaseSettings loaded(const std::string& scene, std::vector<std::string> changes,
 }
 
 struct State {
+  std::string scene, method;
   std::string name;
-  Half half;
   bool is_wrinkled;  // its label
   Wrinkling surface;
   Hourglassing inside;
@@ -55,26 +55,26 @@ struct State {
         std::min(inside.alternation.value_or(0) / *hourglassing_above.alternation,
                  inside.amplitude / hourglassing_above.amplitude));
   }
-  [[nodiscard]] bool is_called() const {
-    return springcheck::is_wrinkled(surface) || is_hourglassing(inside);
-  }
 };
 
-State state_of(const std::string& name, Half half, bool is_wrinkled,
-               const CaseSettings& settings, const Mesh& mesh,
-               std::span<const Vector3> u) {
+State state_of(const std::string& name, bool is_wrinkled, const CaseSettings& settings,
+               const Mesh& mesh, std::span<const Vector3> u) {
   const auto surface = measure_wrinkling(mesh, mechanical_scene(settings, mesh), u);
   BOOST_TEST_REQUIRE(surface.has_value(), name);
-  return {.name = name,
-          .half = half,
-          .is_wrinkled = is_wrinkled,
-          .surface = *surface,
-          .inside = measure_hourglassing(mesh, u).value_or(Hourglassing{0, 0})};
+  State state{.scene = std::string(entry_of(settings.test).name),
+              .method = settings.method.name,
+              .name = name,
+              .is_wrinkled = is_wrinkled,
+              .surface = *surface,
+              .inside = measure_hourglassing(mesh, u).value_or(Hourglassing{0, 0})};
+  const bool is_called =
+      springcheck::is_wrinkled(state.surface) || is_hourglassing(state.inside);
+  BOOST_TEST((state.score() > 1) == is_called, name);
+  return state;
 }
 
 /// A lattice on cubes, and the load up to which its path is followed.
 struct Path {
-  Half half;
   const char* scene;
   std::vector<std::string> changes;
   double far;
@@ -118,13 +118,9 @@ Limit limit_of(const Path& path) {
 
 /// Before its limit a path is smooth. Beyond a limit with a critical mode, by a quarter
 /// and by a half, solved again from noise, it is wrinkled where the mode is shorter than
-/// three cells and has grown: where it holds at least .15 of the way by which the state
-/// has departed from the path continued in proportion. It is smooth where the mode is of
-/// four cells and more: buckling is not wrinkling. Between is no label, nor where a cell
-/// is inverted or no equilibrium found.
-///
-/// The .15 leaves out mss-nfd in torsion at nu = .45 (.14 and .09), whose wrinkles both
-/// detectors miss; in other states it is .19 and more.
+/// three cells, however little of it a state shows, and smooth where the mode is of four
+/// cells and more: buckling is not wrinkling. Between is no label, nor where a cell is
+/// inverted or no equilibrium found, which their status tells.
 void add_states(std::vector<State>& states, const Path& path) {
   const Limit limit = limit_of(path);
   const std::string name = fmt::format("{} {}", path.scene, fmt::join(path.changes, " "));
@@ -138,25 +134,15 @@ void add_states(std::vector<State>& states, const Path& path) {
     const Mesh mesh = build_mesh(settings.body);
     const CaseResult result = simulate(settings, mesh);
     if (!result.measures.volume_change || result.status == Status::inverted) continue;
-    std::vector<Vector3> departure = result.solution.displacements;
-    for (std::size_t n = 0; n < departure.size(); ++n)
-      departure[n] -= part * limit.displacements[n];
-    double along = 0, square = 0;
-    for (std::size_t n = 0; n < departure.size(); ++n) {
-      along += departure[n].dot(limit.critical_mode[n]);  // a unit vector
-      square += departure[n].squaredNorm();
-    }
-    if (is_beyond && is_short && std::abs(along) < 0.15 * std::sqrt(square)) continue;
     states.push_back(state_of(
         fmt::format("{}, {} of its limit, mode {:.2f}", name, part, limit.wavelength),
-        path.half, is_beyond && is_short, settings, mesh, result.solution.displacements));
+        is_beyond && is_short, settings, mesh, result.solution.displacements));
   }
 }
 
 /// Equilibria far from any limit of their own, of laws and cells that do not wrinkle
 /// before they invert.
 struct Smooth {
-  Half half;
   const char* scene;
   std::vector<std::string> changes;
   std::vector<double> loads;
@@ -173,21 +159,22 @@ void add_states(std::vector<State>& states, const Smooth& smooth) {
                         !result.measures.definite_up_to_deformation),
                        name << ": " << result.reason);
     if (result.status == Status::inverted) continue;
-    states.push_back(state_of(name, smooth.half, false, settings, mesh,
-                              result.solution.displacements));
+    states.push_back(
+        state_of(name, false, settings, mesh, result.solution.displacements));
   }
 }
 
 /// No method wrinkles on tetrahedra before it inverts. An equilibrium there is given the
-/// critical mode of a lattice on cubes with the same nodes, its largest displacement
-/// `height` times the edge.
+/// critical mode of a lattice on cubes with the same nodes, higher and higher.
 struct Moded {
   Path lattice;
   std::vector<std::string> changes;  // of the equilibrium, at the lattice's limit
-  double height;
 };
 
-void add_states(std::vector<State>& states, const Moded& moded) {
+/// Height of the mode, its largest displacement over the edge, from which on the
+/// detectors call it: of .01, .02, .04, ... .64, and none of them. Without it the state
+/// is smooth.
+std::optional<double> height_called(std::vector<State>& states, const Moded& moded) {
   const Limit limit = limit_of(moded.lattice);
   const std::string name = fmt::format("{} {}, mode {:.2f}", moded.lattice.scene,
                                        fmt::join(moded.changes, " "), limit.wavelength);
@@ -196,197 +183,236 @@ void add_states(std::vector<State>& states, const Moded& moded) {
   const Mesh mesh = build_mesh(settings.body);
   const CaseResult result = simulate(settings, mesh);
   BOOST_TEST_REQUIRE((result.status == Status::ok), name << ": " << result.reason);
-  std::vector<Vector3> u = result.solution.displacements;
-  states.push_back(
-      state_of(name + ", without", moded.lattice.half, false, settings, mesh, u));
+  const std::vector<Vector3>& rest = result.solution.displacements;
+  states.push_back(state_of(name + ", without", false, settings, mesh, rest));
   double largest = 0;
   for (const Vector3& v : limit.critical_mode) largest = std::max(largest, v.norm());
   const Block& block = settings.body.block;
-  const double factor = moded.height * block.size[0] / block.cells[0] / largest;
-  for (std::size_t n = 0; n < u.size(); ++n) u[n] += factor * limit.critical_mode[n];
-  states.push_back(state_of(name, moded.lattice.half, true, settings, mesh, u));
+  std::optional<double> called;
+  for (double height = 0.64; height > 0.009; height /= 2) {
+    std::vector<Vector3> u = rest;
+    const double factor = height * block.size[0] / block.cells[0] / largest;
+    for (std::size_t n = 0; n < u.size(); ++n) u[n] += factor * limit.critical_mode[n];
+    if (state_of(name, true, settings, mesh, u).score() <= 1) break;
+    called = height;
+  }
+  std::cout << fmt::format("  {:5} {}\n", called ? fmt::format("{:g}", *called) : "none",
+                           name);
+  return called;
 }
 
 const std::string small = "size=.05,.05,.05";
 
-std::vector<State> all_states() {
-  using enum Half;
+std::vector<State> states_on_paths() {
   std::vector<State> states;
-  const std::vector<Path> paths{
-      {setting, "compression", {"cells=4,4,4", "method=mss-nfd", "nu=0"}, .1},
-      {setting, "compression", {"cells=6,6,6", "method=mss-nfd", "nu=.25"}, .1},
-      {setting, "compression", {"cells=6,6,6", "method=mss-nfd", "nu=.45"}, .1},
-      {setting, "compression", {"cells=6,6,6", "method=mss-cf", "nu=.45"}, .4},
-      {setting, "tension", {"cells=4,4,4", small, "method=mss-nfd", "nu=.25"}, .7},
-      {setting, "tension", {"cells=6,6,6", small, "method=mss-nfd", "nu=.45"}, .2},
-      {setting, "tension", {"cells=6,6,6", small, "method=mss-baudet", "nu=0"}, .3},
-      {setting, "torsion", {"cells=6,6,6", "method=mss-nfd", "nu=.25"}, 1.5},
-      {setting, "torsion", {"cells=6,6,6", "method=mss-nfd", "nu=.45"}, 2},
-      {setting, "bending", {"cells=4,4,24", "method=mss-nfd", "nu=.25"}, 1},
-      {setting, "bending", {"cells=4,4,24", "method=mss-nfd", "nu=.45"}, 1},
-      {judging, "compression", {"cells=5,5,5", "method=mss-nfd", "nu=.1"}, .1},
-      {judging, "compression", {"cells=5,5,5", "method=mss-nfd", "nu=.3"}, .1},
-      {judging, "compression", {"cells=7,7,7", "method=mss-nfd", "nu=.4"}, .1},
-      {judging, "compression", {"cells=5,5,5", "method=mss-cf", "nu=.1"}, .4},
-      {judging, "tension", {"cells=5,5,5", small, "method=mss-nfd", "nu=.3"}, .5},
-      {judging, "tension", {"cells=7,7,7", small, "method=mss-nfd", "nu=.4"}, .2},
-      {judging, "tension", {"cells=5,5,5", small, "method=mss-baudet", "nu=.1"}, .5},
-      {judging, "torsion", {"cells=7,7,7", "method=mss-nfd", "nu=.3"}, 1.5},
-      {judging, "torsion", {"cells=5,5,5", "method=mss-cf", "nu=.4"}, 2},
-      {judging,
-       "bending",
-       {"cells=5,5,20", "size=.4,.4,1.6", "method=mss-nfd", "nu=.3"},
-       2},
-      {judging,
-       "bending",
-       {"cells=5,5,20", "size=.4,.4,1.6", "method=mss-nfd", "nu=.1"},
-       2}};
-  for (const Path& path : paths) add_states(states, path);
-  const std::string sri = "element=q1-sri", affine = "method=mss-affine",
-                    tetrahedra = "cell-type=tetrahedron",
-                    five = "cell-type=tetrahedron-5", free = "cell-type=free-tetrahedron";
-  const std::vector<Smooth> smooth{
-      {setting, "compression", {"cells=6,6,6", "method=mss-cf", "nu=.45"}, {.05}},
-      {setting,
-       "compression",
-       {"cells=4,4,4", "method=fem-hencky", sri, "nu=.25"},
-       {.05, .4}},
-      {setting,
-       "compression",
-       {"cells=4,4,4", "method=fem-hencky", sri, "nu=.45"},
-       {.05, .4}},
-      {setting, "bending", {"cells=4,4,24", "method=mss-cf", "nu=.25"}, {.2, 1}},
-      {setting,
-       "bending",
-       {"cells=4,4,24", "method=fem-stvk", "element=q1", "nu=.45"},
-       {1}},
-      {setting, "compression", {"cells=4,4,4", tetrahedra, affine, "nu=.45"}, {.05, .3}},
-      {setting,
-       "compression",
-       {"cells=4,4,4", "cell-type=prism", affine, "nu=.45"},
-       {.05, .3}},
-      {setting,
-       "compression",
-       {"cells=4,4,4", "distortion=.2", affine, "nu=.45"},
-       {.05, .3}},
-      {setting, "torsion", {"cells=4,4,4", free, affine, "nu=.25"}, {.2, .8}},
-      {judging, "compression", {"cells=5,5,5", "method=mss-cf", "nu=.499"}, {.05, .2}},
-      {judging,
-       "compression",
-       {"cells=5,5,5", "method=fem-stvk", sri, "nu=.499"},
-       {.05, .2}},
-      {judging,
-       "compression",
-       {"cells=5,5,5", "method=fem-hencky", sri, "nu=.3"},
-       {.05, .4}},
-      {judging,
-       "tension",
-       {"cells=5,5,5", small, "method=fem-stvk", sri, "nu=.49"},
-       {.05, .2}},
-      {judging, "tension", {"cells=5,5,5", "method=fem-stvk", sri, "nu=.49"}, {.05}},
-      {judging, "shearing", {"cells=5,5,5", "method=mss-cf", "nu=.49"}, {.05, .3}},
-      {judging, "torsion", {"cells=5,5,5", "method=fem-stvk", sri, "nu=.4"}, {.2, .8}},
-      {judging, "bending", {"cells=3,3,18", "method=mss-cf", "nu=.4"}, {.2, 1}},
-      {judging,
-       "bending",
-       {"cells=3,3,9", "size=.4,.4,1.2", five, affine, "nu=.4"},
-       {.2, 1}},
-      {judging, "compression", {"cells=5,5,5", free, affine, "nu=.4"}, {.05, .2}},
-      {judging, "compression", {"cells=5,5,5", five, affine, "nu=.499"}, {.05, .2}},
-      {judging,
-       "compression",
-       {"cells=5,5,5", "cell-type=mixed", affine, "nu=.4"},
-       {.05, .3}},
-      {judging, "torsion", {"cells=5,5,5", "cell-type=prism", affine, "nu=.3"}, {.2, .8}},
-      {judging,
-       "tension",
-       {"cells=5,5,5", small, "distortion=.25", affine, "nu=.3"},
-       {.05, .3}}};
-  for (const Smooth& one : smooth) add_states(states, one);
-  const std::vector<Moded> moded{
-      {{setting, "compression", {"cells=6,6,6", "method=mss-nfd", "nu=.25"}, .1},
-       {"cells=6,6,6", tetrahedra, affine, "nu=.25"},
-       .05},
-      {{setting, "tension", {"cells=6,6,6", small, "method=mss-nfd", "nu=.45"}, .2},
-       {"cells=6,6,6", small, tetrahedra, affine, "nu=.45"},
-       .1},
-      {{setting, "bending", {"cells=4,4,24", "method=mss-nfd", "nu=.25"}, 1},
-       {"cells=4,4,24", tetrahedra, affine, "nu=.25"},
-       .1},
-      {{setting, "torsion", {"cells=6,6,6", "method=mss-nfd", "nu=.25"}, 1.5},
-       {"cells=6,6,6", tetrahedra, affine, "nu=.25"},
-       .5},
-      {{judging, "compression", {"cells=5,5,5", "method=mss-nfd", "nu=.3"}, .1},
-       {"cells=5,5,5", five, affine, "nu=.3"},
-       .05},
-      {{judging, "compression", {"cells=7,7,7", "method=mss-nfd", "nu=.4"}, .1},
-       {"cells=7,7,7", "cell-type=prism", affine, "nu=.4"},
-       .05},
-      {{judging, "tension", {"cells=5,5,5", small, "method=mss-nfd", "nu=.3"}, .5},
-       {"cells=5,5,5", small, five, affine, "nu=.3"},
-       .3},
-      {{judging,
-        "bending",
-        {"cells=5,5,20", "size=.4,.4,1.6", "method=mss-nfd", "nu=.3"},
-        2},
-       {"cells=5,5,20", "size=.4,.4,1.6", five, affine, "nu=.3"},
-       .1},
-      {{judging, "torsion", {"cells=7,7,7", "method=mss-nfd", "nu=.3"}, 1.5},
-       {"cells=7,7,7", five, affine, "nu=.3"},
-       .5}};
-  for (const Moded& one : moded) add_states(states, one);
+  for (const Path& path : std::vector<Path>{
+           {"compression", {"cells=4,4,4", "method=mss-nfd", "nu=0"}, .1},
+           {"compression", {"cells=5,5,5", "method=mss-nfd", "nu=.1"}, .1},
+           {"compression", {"cells=6,6,6", "method=mss-nfd", "nu=.25"}, .1},
+           {"compression", {"cells=5,5,5", "method=mss-nfd", "nu=.3"}, .1},
+           {"compression", {"cells=7,7,7", "method=mss-nfd", "nu=.4"}, .1},
+           {"compression", {"cells=6,6,6", "method=mss-nfd", "nu=.45"}, .1},
+           {"compression", {"cells=5,5,5", "method=mss-cf", "nu=.1"}, .4},
+           {"compression", {"cells=6,6,6", "method=mss-cf", "nu=.45"}, .4},
+           {"compression", {"cells=5,5,5", "method=mss-hencky", "nu=.1"}, .4},
+           {"compression", {"cells=6,6,6", "method=mss-hencky", "nu=.45"}, .4},
+           {"compression", {"cells=5,5,5", "method=mss-stvk", "nu=.25"}, .5},
+           {"compression", {"cells=5,5,5", "method=mss-baudet", "nu=.1"}, .4},
+           {"tension", {"cells=4,4,4", small, "method=mss-nfd", "nu=.25"}, .7},
+           {"tension", {"cells=5,5,5", small, "method=mss-nfd", "nu=.3"}, .5},
+           {"tension", {"cells=7,7,7", small, "method=mss-nfd", "nu=.4"}, .2},
+           {"tension", {"cells=6,6,6", small, "method=mss-nfd", "nu=.45"}, .2},
+           {"tension", {"cells=6,6,6", small, "method=mss-baudet", "nu=0"}, .3},
+           {"tension", {"cells=5,5,5", small, "method=mss-baudet", "nu=.1"}, .5},
+           {"tension", {"cells=5,5,5", small, "method=mss-stvk", "nu=.499"}, .5},
+           {"shearing", {"cells=5,5,5", "method=mss-nfd", "nu=.3"}, 1},
+           {"shearing", {"cells=6,6,6", "method=mss-nfd", "nu=.45"}, 1},
+           {"torsion", {"cells=6,6,6", "method=mss-nfd", "nu=.25"}, 1.5},
+           {"torsion", {"cells=7,7,7", "method=mss-nfd", "nu=.3"}, 1.5},
+           {"torsion", {"cells=6,6,6", "method=mss-nfd", "nu=.45"}, 2},
+           {"torsion", {"cells=5,5,5", "method=mss-cf", "nu=.4"}, 2},
+           {"torsion", {"cells=5,5,5", "method=mss-hencky", "nu=.4"}, 2},
+           {"bending", {"cells=4,4,24", "method=mss-nfd", "nu=.25"}, 1},
+           {"bending", {"cells=4,4,24", "method=mss-nfd", "nu=.45"}, 1},
+           {"bending", {"cells=5,5,20", "size=.4,.4,1.6", "method=mss-nfd", "nu=.3"}, 2},
+           {"bending", {"cells=5,5,20", "size=.4,.4,1.6", "method=mss-nfd", "nu=.1"}, 2}})
+    add_states(states, path);
   return states;
 }
 
-/// States by label and by call.
-using Confusion = std::array<std::array<int, 2>, 2>;
+const std::string tetrahedra = "cell-type=tetrahedron", five = "cell-type=tetrahedron-5",
+                  affine = "method=mss-affine";
 
-Confusion confusion(const std::vector<State>& states, Half half) {
-  Confusion counts{};
-  for (const State& state : states)
-    if (state.half == half)
-      ++counts[state.is_wrinkled ? 1 : 0][state.is_called() ? 1 : 0];
+std::vector<State> smooth_states() {
+  const std::string sri = "element=q1-sri", free = "cell-type=free-tetrahedron";
+  std::vector<State> states;
+  for (const Smooth& smooth : std::vector<Smooth>{
+           {"compression", {"cells=6,6,6", "method=mss-cf", "nu=.45"}, {.05}},
+           {"compression", {"cells=5,5,5", "method=mss-cf", "nu=.499"}, {.05, .2}},
+           {"compression",
+            {"cells=4,4,4", "method=fem-hencky", sri, "nu=.25"},
+            {.05, .4}},
+           {"compression", {"cells=5,5,5", "method=fem-hencky", sri, "nu=.3"}, {.05, .4}},
+           {"compression",
+            {"cells=4,4,4", "method=fem-hencky", sri, "nu=.45"},
+            {.05, .4}},
+           {"compression", {"cells=5,5,5", "method=fem-stvk", sri, "nu=.499"}, {.05, .2}},
+           {"compression", {"cells=4,4,4", tetrahedra, affine, "nu=.45"}, {.05, .3}},
+           {"compression",
+            {"cells=5,5,5", "cell-type=free-tetrahedron", affine, "nu=.4"},
+            {.05, .2}},
+           {"compression", {"cells=5,5,5", five, affine, "nu=.499"}, {.05, .2}},
+           {"compression",
+            {"cells=4,4,4", "cell-type=prism", affine, "nu=.45"},
+            {.05, .3}},
+           {"compression",
+            {"cells=5,5,5", "cell-type=mixed", affine, "nu=.4"},
+            {.05, .3}},
+           {"compression", {"cells=4,4,4", "distortion=.2", affine, "nu=.45"}, {.05, .3}},
+           {"tension",
+            {"cells=5,5,5", small, "method=fem-stvk", sri, "nu=.49"},
+            {.05, .2}},
+           {"tension", {"cells=5,5,5", "method=fem-stvk", sri, "nu=.49"}, {.05}},
+           {"tension",
+            {"cells=5,5,5", small, "distortion=.25", affine, "nu=.3"},
+            {.05, .3}},
+           {"shearing", {"cells=5,5,5", "method=mss-cf", "nu=.49"}, {.05, .3}},
+           {"torsion", {"cells=4,4,4", free, affine, "nu=.25"}, {.2, .8}},
+           {"torsion", {"cells=5,5,5", "method=fem-stvk", sri, "nu=.4"}, {.2, .8}},
+           {"torsion", {"cells=5,5,5", "cell-type=prism", affine, "nu=.3"}, {.2, .8}},
+           {"bending", {"cells=4,4,24", "method=mss-cf", "nu=.25"}, {.2, 1}},
+           {"bending", {"cells=3,3,18", "method=mss-cf", "nu=.4"}, {.2, 1}},
+           {"bending", {"cells=4,4,24", "method=fem-stvk", "element=q1", "nu=.45"}, {1}},
+           {"bending",
+            {"cells=3,3,9", "size=.4,.4,1.2", five, affine, "nu=.4"},
+            {.2, 1}}})
+    add_states(states, smooth);
+  return states;
+}
+
+std::vector<Moded> moded_equilibria() {
+  const std::vector<std::string> thick{"cells=5,5,20", "size=.4,.4,1.6"};
+  return {{{"compression", {"cells=6,6,6", "method=mss-nfd", "nu=.25"}, .1},
+           {"cells=6,6,6", tetrahedra, affine, "nu=.25"}},
+          {{"compression", {"cells=5,5,5", "method=mss-nfd", "nu=.3"}, .1},
+           {"cells=5,5,5", five, affine, "nu=.3"}},
+          {{"compression", {"cells=7,7,7", "method=mss-nfd", "nu=.4"}, .1},
+           {"cells=7,7,7", "cell-type=prism", affine, "nu=.4"}},
+          {{"tension", {"cells=6,6,6", small, "method=mss-nfd", "nu=.45"}, .2},
+           {"cells=6,6,6", small, tetrahedra, affine, "nu=.45"}},
+          {{"tension", {"cells=5,5,5", small, "method=mss-nfd", "nu=.3"}, .5},
+           {"cells=5,5,5", small, five, affine, "nu=.3"}},
+          {{"bending", {"cells=4,4,24", "method=mss-nfd", "nu=.25"}, 1},
+           {"cells=4,4,24", tetrahedra, affine, "nu=.25"}},
+          {{"bending", {thick[0], thick[1], "method=mss-nfd", "nu=.3"}, 2},
+           {thick[0], thick[1], five, affine, "nu=.3"}},
+          {{"torsion", {"cells=6,6,6", "method=mss-nfd", "nu=.25"}, 1.5},
+           {"cells=6,6,6", tetrahedra, affine, "nu=.25"}},
+          {{"torsion", {"cells=7,7,7", "method=mss-nfd", "nu=.3"}, 1.5},
+           {"cells=7,7,7", five, affine, "nu=.3"}}};
+}
+
+/// States by label and by call.
+struct Confusion {
+  int wrinkled = 0, missed = 0, smooth = 0, false_calls = 0;
+
+  void count(const State& state, double threshold) {
+    const bool is_called = state.score() > threshold;
+    ++(state.is_wrinkled ? wrinkled : smooth);
+    if (state.is_wrinkled && !is_called) ++missed;
+    if (!state.is_wrinkled && is_called) ++false_calls;
+  }
+  [[nodiscard]] std::string words() const {
+    return fmt::format("{:3} wrinkled, {:2} missed; {:3} smooth, {:2} falsely called",
+                       wrinkled, missed, smooth, false_calls);
+  }
+};
+
+using Key = std::string State::*;
+
+std::map<std::string, Confusion> counted(const std::vector<State>& states, Key key) {
+  std::map<std::string, Confusion> counts;
+  for (const State& state : states) counts[state.*key].count(state, 1);
   return counts;
 }
 
-void print(const char* title, const Confusion& counts) {
-  std::cout << fmt::format(
-      "{}\n  label     called smooth  called wrinkled\n  smooth   {:14} {:16}\n"
-      "  wrinkled {:14} {:16}\n",
-      title, counts[0][0], counts[0][1], counts[1][0], counts[1][1]);
+/// The threshold with the fewest errors on some states, in the middle of the widest gap
+/// between scores that has so few.
+double threshold_set_on(const std::vector<State>& states) {
+  std::vector<double> scores;
+  for (const State& state : states) scores.push_back(std::max(state.score(), 1e-3));
+  std::ranges::sort(scores);
+  double best = 1, gap = 0;
+  int fewest = std::numeric_limits<int>::max();
+  for (std::size_t i = 1; i < scores.size(); ++i) {
+    const double middle = std::sqrt(scores[i - 1] * scores[i]);
+    Confusion counts;
+    for (const State& state : states) counts.count(state, middle);
+    const int errors = counts.missed + counts.false_calls;
+    const double width = scores[i] / scores[i - 1];
+    if (errors < fewest || (errors == fewest && width > gap)) {
+      best = middle;
+      gap = width;
+      fewest = errors;
+    }
+  }
+  return best;
+}
+
+/// All states, each called by a threshold that was set on those of other scenes, or of
+/// other methods.
+Confusion held_out(const std::vector<State>& states, Key key) {
+  Confusion counts;
+  for (const auto& [name, own] : counted(states, key)) {
+    std::vector<State> others;
+    for (const State& state : states)
+      if (state.*key != name) others.push_back(state);
+    const double threshold = threshold_set_on(others);
+    Confusion here;
+    for (const State& state : states)
+      if (state.*key == name) {
+        counts.count(state, threshold);
+        here.count(state, threshold);
+      }
+    std::cout << fmt::format("  {:12} {:.2f} times ours: {}\n", name, threshold,
+                             here.words());
+  }
+  return counts;
 }
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(detectors_call_states_what_their_critical_modes_do,
+// What is printed here stands in docs/explanation/stability.md.
+BOOST_AUTO_TEST_CASE(detectors_call_states_as_their_critical_modes_are,
                      *boost::unit_test::label("slow")) {
-  const std::vector<State> states = all_states();
-  BOOST_TEST(states.size() >= 60U);
-  double smooth = 0, wrinkled = INFINITY;  // scores in the setting half
+  std::vector<State> states = states_on_paths();
+  for (State& state : smooth_states()) states.push_back(std::move(state));
+  std::cout << "Heights of a mode, in edges, from which on it is called:\n";
+  std::vector<std::optional<double>> heights;
+  for (const Moded& moded : moded_equilibria())
+    heights.push_back(height_called(states, moded));
   for (const State& state : states) {
     const std::string figures = fmt::format(
-        "{} {:8} surface {:6.3f} {:6.3f}, inside {:5.3f} {:6.3f}, score {:6.3f}: {}",
-        state.half == Half::setting ? "setting" : "judging",
+        "{:8} surface {:6.3f} {:6.3f}, inside {:5.3f} {:6.3f}, score {:6.3f}: {}",
         state.is_wrinkled ? "wrinkled" : "smooth",
         state.surface.alternation.value_or(NAN), state.surface.amplitude,
         state.inside.alternation.value_or(NAN), state.inside.amplitude, state.score(),
         state.name);
     BOOST_TEST_MESSAGE(figures);
-    if (state.half == Half::judging)
-      BOOST_TEST(state.is_called() == state.is_wrinkled, figures);
-    else if (state.is_wrinkled)
-      wrinkled = std::min(wrinkled, state.score());
-    else
-      smooth = std::max(smooth, state.score());
+    if ((state.score() > 1) != state.is_wrinkled)
+      std::cout << (state.is_wrinkled ? "missed: " : "falsely called: ") << figures
+                << '\n';
   }
-  print("set on", confusion(states, Half::setting));
-  print("judged on", confusion(states, Half::judging));
-  std::cout << fmt::format("thresholds could be {:.2f} to {:.2f} times what they are\n",
-                           smooth, wrinkled);
-  BOOST_TEST(smooth < 1);
-  BOOST_TEST(wrinkled > 1);
-  for (const Half half : {Half::setting, Half::judging})
-    for (const auto& row : confusion(states, half)) BOOST_TEST(row[0] + row[1] >= 10);
+  for (const Key key : {&State::scene, &State::method})
+    for (const auto& [name, counts] : counted(states, key))
+      std::cout << fmt::format("  {:12} {}\n", name, counts.words());
+  Confusion all;
+  for (const State& state : states) all.count(state, 1);
+  std::cout << "All: " << all.words() << "\nHeld out by scene:\n";
+  const Confusion by_scene = held_out(states, &State::scene);
+  std::cout << "  all " << by_scene.words() << "\nHeld out by method:\n";
+  const Confusion by_method = held_out(states, &State::method);
+  std::cout << "  all " << by_method.words() << '\n';
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -157,13 +157,20 @@ const std::vector<Bad> bad_scenes{
     {good + "expect = \"fine\"\n",
      "scene.toml:9:10: expect: unknown value 'fine', expected one of ok, wrinkled"},
     {good + "reference = \"fem-stvk@fine\"\n",
-     "scene.toml:9:13: reference: expected a method, or METHOD:ELEMENT or METHOD:SOLVER, "
-     "and behind it @NX,NY,NZ"},
+     "scene.toml:9:13: reference: expected a method, or METHOD:ELEMENT, METHOD:SOLVER "
+     "or METHOD:ELEMENT:SOLVER, and behind it @NX,NY,NZ"},
     {good + "reference = \"mss-cf:q1@4\"\n",
      "scene.toml:9:13: reference: unknown value 'q1', expected one of static, explicit, "
      "semi-implicit, verlet, implicit"},
     {good + "reference = \"mss-cf:limit\"\n",
      "scene.toml:9:13: reference: unknown value 'limit', expected one of static"},
+    {good + "reference = \"fem-explicit-stvk:verlet\"\n",
+     "scene.toml:9:13: reference: unknown value 'verlet', expected one of q1, q1-sri"},
+    {good + "reference = \"fem-explicit-stvk:q1:static\"\n",
+     "scene.toml:9:13: reference: unknown value 'static', expected one of "
+     "semi-implicit, explicit, verlet"},
+    {good + "reference = \"fem-stvk:q1:static\"\n",
+     "scene.toml:9:13: reference: expected fem-stvk without a solver: it has one"},
     {good + "reference = \"fem-tissue:static\"\n",
      "scene.toml:9:13: reference: expected fem-tissue without a solver: it has one"},
     {good + "reference = \"fem@converged\"\n",

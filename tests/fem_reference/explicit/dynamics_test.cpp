@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(what_they_do_not_cover_is_refused_with_a_reason) {
   settings.protocol.integrator = Integrator::implicit_euler;
   const Solution implicit = run_dynamics(cube(2), scene, settings);
   BOOST_TEST((implicit.status == SolveStatus::refused));
-  BOOST_TEST(implicit.reason.find("steps explicitly") != std::string::npos);
+  BOOST_TEST(implicit.reason.find("step explicitly") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

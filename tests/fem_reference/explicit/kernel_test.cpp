@@ -55,8 +55,7 @@ Blocks blocks_of(const Mesh& mesh) {
 template <class Real>
 double difference(const Mesh& mesh, const Material& material, ExplicitElement element,
                   const Blocks& blocks, double rate, InstructionSet set) {
-  const double size =
-      0.1 * mesh.mean_cell_edge();
+  const double size = 0.1 * mesh.mean_cell_edge();
   std::vector<Vector3> u = random_at_nodes(mesh, size, 1),
                        v = random_at_nodes(mesh, 0.1, 2);
   for (Vector3& a : u) a = a.cast<Real>().template cast<double>();
