@@ -50,8 +50,10 @@ std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
                                            std::span<const Vector3> displacements);
 
 /// Above both it is wrinkled: zigzags shorter than three cells, cos(2 pi/3) = -1/2. Waves
-/// of three to four cells are not told from the bulges of few cells. Set on half of the
-/// states in tests/comparisons/running/labelled_states_test.cpp, judged on the other half.
+/// of three to four cells are not told from the bulges of few cells. What they miss of
+/// states whose label is known is counted by
+/// tests/comparisons/running/labelled_states_test.cpp, thresholds of other scenes and
+/// other methods beside them.
 ///
 /// Two nodes in a line, a side of three cells, cannot alternate by more: such sides are
 /// never called wrinkled.

@@ -116,24 +116,36 @@ Limit limit_of(const Path& path) {
           .wavelength = shortest_wavelength(mesh, mode)};
 }
 
-/// Before its limit a path is smooth. Beyond a limit with a critical mode, by a quarter
-/// and by a half, solved again from noise, it is wrinkled where the mode is shorter than
-/// three cells, however little of it a state shows, and smooth where the mode is of four
-/// cells and more: buckling is not wrinkling. Between is no label, nor where a cell is
-/// inverted or no equilibrium found, which their status tells.
+/// Before its limit a path is smooth. Beyond a limit with a critical mode, by a
+/// twentieth, a quarter and a half, solved again from noise, it is wrinkled where the
+/// mode is shorter than three cells, however little of it a state shows, and smooth where
+/// the mode is of four cells and more: buckling is not wrinkling. Between is no label,
+/// nor where a cell is inverted or no equilibrium found, which their status tells.
 void add_states(std::vector<State>& states, const Path& path) {
   const Limit limit = limit_of(path);
   const std::string name = fmt::format("{} {}", path.scene, fmt::join(path.changes, " "));
-  for (const double part : {0.5, 0.9, 1.25, 1.5}) {
+  const bool is_short = limit.wavelength < 3;
+  for (const double part : {0.5, 0.9, 1.05, 1.25, 1.5}) {
     const bool is_beyond = part > 1;
-    if (is_beyond && !limit.is_critical()) continue;
-    const bool is_short = limit.wavelength < 3;
-    if (is_beyond && !is_short && limit.wavelength < 4) continue;
+    const auto leave_out = [&](std::string_view why) {
+      std::cout << fmt::format("  {}, {} of its limit: {}\n", name, part, why);
+    };
+    if (is_beyond && !limit.is_critical()) {
+      leave_out("no mode of zero curvature there");
+      continue;
+    }
+    if (is_beyond && !is_short && limit.wavelength < 4) {
+      leave_out(fmt::format("a mode of {:.2f} cells", limit.wavelength));
+      continue;
+    }
     const CaseSettings settings =
         loaded(path.scene, path.changes, part * limit.load, is_beyond ? 0.01 : 0);
     const Mesh mesh = build_mesh(settings.body);
     const CaseResult result = simulate(settings, mesh);
-    if (!result.measures.volume_change || result.status == Status::inverted) continue;
+    if (!result.measures.volume_change || result.status == Status::inverted) {
+      leave_out(name_of(result.status));
+      continue;
+    }
     states.push_back(state_of(
         fmt::format("{}, {} of its limit, mode {:.2f}", name, part, limit.wavelength),
         is_beyond && is_short, settings, mesh, result.solution.displacements));
@@ -204,6 +216,7 @@ std::optional<double> height_called(std::vector<State>& states, const Moded& mod
 const std::string small = "size=.05,.05,.05";
 
 std::vector<State> states_on_paths() {
+  std::cout << "Left out:\n";
   std::vector<State> states;
   for (const Path& path : std::vector<Path>{
            {"compression", {"cells=4,4,4", "method=mss-nfd", "nu=0"}, .1},
@@ -215,8 +228,12 @@ std::vector<State> states_on_paths() {
            {"compression", {"cells=5,5,5", "method=mss-cf", "nu=.1"}, .4},
            {"compression", {"cells=6,6,6", "method=mss-cf", "nu=.45"}, .4},
            {"compression", {"cells=5,5,5", "method=mss-hencky", "nu=.1"}, .4},
+           {"compression", {"cells=6,6,6", "method=mss-hencky", "nu=.25"}, .4},
            {"compression", {"cells=6,6,6", "method=mss-hencky", "nu=.45"}, .4},
            {"compression", {"cells=5,5,5", "method=mss-stvk", "nu=.25"}, .5},
+           {"compression", {"cells=6,6,6", "method=mss-stvk", "nu=.499"}, .6},
+           {"compression", {"cells=6,6,6", "method=mss-fd", "nu=.25"}, .6},
+           {"compression", {"cells=8,8,8", "method=mss-affine-stvk", "nu=.25"}, .6},
            {"compression", {"cells=5,5,5", "method=mss-baudet", "nu=.1"}, .4},
            {"tension", {"cells=4,4,4", small, "method=mss-nfd", "nu=.25"}, .7},
            {"tension", {"cells=5,5,5", small, "method=mss-nfd", "nu=.3"}, .5},
@@ -374,7 +391,7 @@ Confusion held_out(const std::vector<State>& states, Key key) {
         counts.count(state, threshold);
         here.count(state, threshold);
       }
-    std::cout << fmt::format("  {:12} {:.2f} times ours: {}\n", name, threshold,
+    std::cout << fmt::format("  {:16} {:.2f} times ours: {}\n", name, threshold,
                              here.words());
   }
   return counts;
@@ -382,7 +399,10 @@ Confusion held_out(const std::vector<State>& states, Key key) {
 
 }  // namespace
 
-// What is printed here stands in docs/explanation/stability.md.
+// What is printed here stands in docs/explanation/stability.md. A state missed or falsely
+// called is a figure; that it has changed is told. By two states, since wrinkled ones are
+// found from noise, and near a threshold another processor's rounding may decide; heights
+// by a factor of two, their steps.
 BOOST_AUTO_TEST_CASE(detectors_call_states_as_their_critical_modes_are,
                      *boost::unit_test::label("slow")) {
   std::vector<State> states = states_on_paths();
@@ -405,7 +425,7 @@ BOOST_AUTO_TEST_CASE(detectors_call_states_as_their_critical_modes_are,
   }
   for (const Key key : {&State::scene, &State::method})
     for (const auto& [name, counts] : counted(states, key))
-      std::cout << fmt::format("  {:12} {}\n", name, counts.words());
+      std::cout << fmt::format("  {:16} {}\n", name, counts.words());
   Confusion all;
   for (const State& state : states) all.count(state, 1);
   std::cout << "All: " << all.words() << "\nHeld out by scene:\n";
@@ -413,6 +433,22 @@ BOOST_AUTO_TEST_CASE(detectors_call_states_as_their_critical_modes_are,
   std::cout << "  all " << by_scene.words() << "\nHeld out by method:\n";
   const Confusion by_method = held_out(states, &State::method);
   std::cout << "  all " << by_method.words() << '\n';
+
+  const auto is_as_recorded = [](const Confusion& counts, const Confusion& recorded) {
+    const auto is_near = [](int a, int b) { return std::abs(a - b) <= 2; };
+    return is_near(counts.wrinkled, recorded.wrinkled) &&
+           is_near(counts.missed, recorded.missed) &&
+           is_near(counts.smooth, recorded.smooth) &&
+           is_near(counts.false_calls, recorded.false_calls);
+  };
+  BOOST_TEST(is_as_recorded(all, {68, 6, 123, 0}));
+  BOOST_TEST(is_as_recorded(by_scene, {68, 6, 123, 1}));
+  BOOST_TEST(is_as_recorded(by_method, {68, 6, 123, 1}));
+  const std::vector<double> recorded{.01, .04, .01, .08, .16, .01, .01, .32, .32};
+  for (std::size_t i = 0; i < recorded.size(); ++i) {
+    BOOST_TEST_REQUIRE(heights.at(i).has_value());
+    BOOST_TEST(std::abs(std::log2(*heights[i] / recorded[i])) < 1.5);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
