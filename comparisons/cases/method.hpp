@@ -109,7 +109,7 @@ struct Method {
                                   // to see first, from 1; 0: behind them
   bool of_thesis = false;         // Golec's own springs, or the law he compares them with
   BarLimit bar_limit{};
-  FixedSprings fixed{};        // settings of other springs that it has fixed
+  FixedSprings fixed{};  // settings of other springs that it has fixed
   // Of a method that steps the label of its statics, another's; without an element where
   // it is that of the case:
   std::string_view at_rest{};

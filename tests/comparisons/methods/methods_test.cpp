@@ -138,6 +138,20 @@ BOOST_AUTO_TEST_CASE(elements_that_charts_move_are_those_of_the_cells) {
   BOOST_TEST(names(CellType::tetrahedron, single_precision) == "");
 }
 
+BOOST_AUTO_TEST_CASE(a_law_is_at_rest_what_it_is_in_motion) {
+  for (const Method& method : methods()) {
+    const Method& rest = at_rest(method);
+    BOOST_TEST(rest.at_rest.empty(), method.name);
+    if (!reads(method, "element")) continue;
+    BOOST_TEST(is_law(rest.name), method.name);
+    BOOST_TEST(is_law(method.name) == method.at_rest.empty(), method.name);
+    BOOST_TEST(method.volume_lost_near_half == rest.volume_lost_near_half, method.name);
+  }
+  BOOST_TEST(at_rest(*find_method("fem-explicit-8p")).name == "fem-stvk");
+  BOOST_TEST(at_rest(*find_method("fem-explicit-hencky")).name == "fem-hencky");
+  BOOST_TEST(at_rest(*find_method("mss-cf")).name == "mss-cf");
+}
+
 // Springs follow laws that finite elements are known by.
 BOOST_AUTO_TEST_CASE(a_law_that_springs_follow_is_one_of_finite_elements) {
   for (const Method& method : methods()) {
