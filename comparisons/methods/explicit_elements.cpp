@@ -100,7 +100,8 @@ Method elements_that_step(Law law, Method own) {
 
 constexpr Omission no_moving_hooke{"Not Hooke's law", "fem-explicit-hooke"};
 
-/// Of plain loops: q1, q1-sri and q1-nodal on hexahedra and tetrahedra are within 10 %.
+/// Of plain loops: q1, q1-sri and q1-nodal on hexahedra and tetrahedra
+/// are within 20 %.
 constexpr Seconds by_loops_in(double seconds) {
   return {.in_motion = seconds, .in_motion_off_grids = seconds};
 }

@@ -37,7 +37,7 @@ std::unique_ptr<dynamics::Motion> motion_in(const Mesh& mesh, const Scene& scene
        .threads = settings.threads});
 }
 
-/// The body by plain loops. Refers to all three.
+/// The body by plain loops. Refers to all that it is made of.
 dynamics::PlainBody plain_body(const Mesh& mesh, const Scene& scene,
                                const ExplicitSettings& settings,
                                std::span<const double> masses,

@@ -18,7 +18,6 @@ namespace springcheck::mss {
 namespace {
 
 using dynamics::Block;
-using dynamics::ExplicitBody;
 using dynamics::State;
 
 double cell_edge(const Network& network) {

@@ -7,6 +7,7 @@
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 #include "fem_reference/motion/drag.hpp"
 #include "fem_reference/solve.hpp"
+#include "tests/dynamics/marching/beside_limit.hpp"
 #include "tests/fem_reference/explicit/fields.hpp"
 #include "tests/fem_reference/laws.hpp"
 
@@ -227,18 +228,14 @@ BOOST_AUTO_TEST_CASE(they_are_stable_below_the_limit_and_diverged_above) {
         scene.gravity = {.1, .2, .3};
         MotionSettings settings =
             settings_of(law, Element::q1_nodal, 1, std::nullopt, 0.05);
-        settings.protocol.force_time_step = true;
         const double limit = largest_stable_step(mesh, scene, settings);
-        const auto run = [&](double fraction) {
-          settings.protocol.duration = 1000 * fraction * limit;
-          settings.protocol.time_step = fraction * limit;
-          return run_dynamics(mesh, scene, settings);
-        };
         BOOST_TEST_CONTEXT(words(law) << ", " << words(pattern) << ", nu " << nu) {
-          const Solution below = run(0.98), above = run(1.02);
-          BOOST_TEST((below.status == SolveStatus::ok), below.reason);
-          BOOST_TEST(longest(below.displacements) < 2 * squeeze);
-          BOOST_TEST((above.status == SolveStatus::diverged));
+          dynamics::expect_stability_up_to(limit, settings.protocol.integrator,
+                                           2 * squeeze,
+                                           [&](const dynamics::Protocol& protocol) {
+                                             settings.protocol = protocol;
+                                             return run_dynamics(mesh, scene, settings);
+                                           });
         }
       }
 }

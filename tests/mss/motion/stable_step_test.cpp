@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mss/motion/dynamics.hpp"
+#include "tests/dynamics/marching/beside_limit.hpp"
 #include "tests/mss/blocks.hpp"
 
 using namespace springcheck;
@@ -25,12 +26,6 @@ double limit_of_free_block(int n, Method method, double nu, double damping_ratio
   const Network network = build_network(mesh, tissue(nu), springs_in(measure, method));
   return largest_stable_step(network, damping_ratio,
                              std::vector<bool>(3 * mesh.nodes().size(), true));
-}
-
-double largest(const std::vector<Vector3>& vectors) {
-  double size = 0;
-  for (const Vector3& v : vectors) size = std::max(size, v.norm());
-  return size;
 }
 
 /// Adds a spring, and a cell of two nodes that has it: its tangent is the cell's.
@@ -189,24 +184,13 @@ BOOST_AUTO_TEST_CASE(dynamics_is_stable_below_the_limit_and_diverged_above) {
           const double limit = largest_stable_step(
               network, damping,
               free_components(mesh, prescribed_components(mesh, scene)));
-          const auto run = [&](double fraction) {
-            return run_dynamics(mesh, scene, network,
-                                {.protocol = {.integrator = integrator,
-                                              .duration = 1000 * fraction * limit,
-                                              .time_step = fraction * limit,
-                                              .force_time_step = true},
-                                 .damping_ratio = damping});
-          };
           BOOST_TEST_CONTEXT(name << ", nu " << nu << ", zeta " << damping << ", "
                                   << static_cast<int>(integrator)) {
-            const Solution below = run(0.98), above = run(1.02);
-            BOOST_TEST((below.status == SolveStatus::ok), below.reason);
-            BOOST_TEST(below.steps == 1000);
-            BOOST_TEST(largest(below.displacements) < 2 * squeeze);
-            BOOST_TEST((above.status == SolveStatus::diverged));
-            BOOST_TEST(above.reason.find("by step " + std::to_string(above.steps)) !=
-                           std::string::npos,
-                       above.reason);
+            dynamics::expect_stability_up_to(
+                limit, integrator, 2 * squeeze, [&](const dynamics::Protocol& protocol) {
+                  return run_dynamics(mesh, scene, network,
+                                      {.protocol = protocol, .damping_ratio = damping});
+                });
           }
         }
 }
