@@ -18,8 +18,7 @@ struct ThesisTissue {
 ///
 /// Source: Golec 2018, section 4.4, which names E, nu and the mesh of section 5.3 but not
 /// the constants; section 4.5 says they were chapter 3's, without face diagonals. This
-/// reading is ours: of those tried it alone has the errors that an independent prototype
-/// of Eq. 4.4 had for all organs and rates.
+/// reading is ours.
 ThesisTissue thesis_tissue(const tissue::BipowerLaw& law, double hand_fitted_limit,
                            tissue::Elongation elongation, double cell_edge);
 

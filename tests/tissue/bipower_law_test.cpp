@@ -1,12 +1,10 @@
 #include "tissue/bipower_law.hpp"
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
-#include "tests/tissue/reference_rows.hpp"
+#include "tests/referee/figures.hpp"
 #include "tests/tissue/refusal.hpp"
 #include "tissue/rheometer.hpp"
 
@@ -17,107 +15,64 @@ BOOST_AUTO_TEST_SUITE(bipower_law_test)
 
 namespace {
 
-// The files have eight digits; one unit of the last is up to 1e-7.
-constexpr double of_the_files = 2e-7;
+// Quadratures there go to 1e-12, those of discs to 1e-10.
+constexpr double of_the_referee = 1e-9;
 
 const BipowerLaw liver = law_of_organ("liver");
 
-double integral(const std::function<double(double)>& f, double from, double to) {
-  return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, from, to, 15,
-                                                                       1e-12);
-}
-
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(stresses_at_constant_rate_are_the_prototypes,
-                     *boost::unit_test::tolerance(of_the_files)) {
-  const auto rows = reference_rows("bipower_stress.csv");
-  BOOST_TEST(rows.size() == 171U);
-  for (const ReferenceRow& row : rows) {
-    const BipowerLaw law = row.law();
-    BOOST_TEST(law.consistency == row.number("K_Pa_s^n"));
-    BOOST_TEST(law.linear_index == row.number("n"));
-    BOOST_TEST(law.linear_limit == row.number("gamma_lim"));
-    BOOST_TEST(law.hardening_index == row.number("p"));
-    const ShearStress stress =
-        constant_rate_stress(law, row.number("gamma"), row.number("rate_1/s"));
-    BOOST_TEST(stress.linear == row.number("linear_part_Pa"));
-    BOOST_TEST(stress.total() == row.number("stress_Pa"));
-    // There it is the rest of the whole, whose round-off it has.
-    const double hardening = row.number("hardening_part_Pa");
-    BOOST_TEST(std::abs(stress.hardening - hardening) <
-               of_the_files * hardening + 1e-15 * stress.total());
-  }
-}
-
-BOOST_AUTO_TEST_CASE(relaxation_after_ramps_and_steps_is_the_prototypes,
-                     *boost::unit_test::tolerance(of_the_files)) {
-  const auto rows = reference_rows("relaxation.csv");
-  BOOST_TEST(rows.size() == 384U);
-  for (const ReferenceRow& row : rows) {
-    const double strain = row.number("gamma0");
-    const double time = row.number("time_since_end_of_ramp_s");
-    const ShearStress stress =
-        row.text("protocol") == "ramp_hold"
-            ? ramp_and_hold_stress(row.law(), strain, row.number("ramp_rate_1/s"), time)
-            : ideal_step_stress(row.law(), strain, time);
-    BOOST_TEST(stress.total() == row.number("stress_Pa"));
-    BOOST_TEST(stress.total() / strain == row.number("sigma_over_gamma0_Pa"));
-  }
-}
-
-// tan_delta has six decimals: half a unit is 4e-6 of it.
-BOOST_AUTO_TEST_CASE(small_oscillations_are_the_prototypes) {
-  const auto rows = reference_rows("saos.csv");
-  BOOST_TEST(rows.size() == 30U);
-  for (const ReferenceRow& row : rows) {
-    const ComplexModulus moduli = small_oscillation(row.law(), row.number("omega_rad/s"));
-    BOOST_TEST(moduli.storage == row.number("Gprime_Pa"),
-               boost::test_tools::tolerance(of_the_files));
-    BOOST_TEST(moduli.loss == row.number("Gdoubleprime_Pa"),
-               boost::test_tools::tolerance(of_the_files));
-    BOOST_TEST(std::abs(moduli.loss_tangent() - row.number("tan_delta")) < 0.6e-6);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(torques_of_discs_are_the_prototypes,
-                     *boost::unit_test::tolerance(of_the_files)) {
-  const auto rows = reference_rows("disc_torque.csv");
+BOOST_AUTO_TEST_CASE(stresses_at_constant_rate_are_eq_4_1_integrated,
+                     *boost::unit_test::tolerance(of_the_referee)) {
+  const auto rows = referee::rows("tissue_at_rate");
   BOOST_TEST(rows.size() == 90U);
-  for (const ReferenceRow& row : rows) {
-    const double radius = 1e-3 * row.number("R_mm");
-    const double strain = row.number("rim_gamma"), rate = row.number("rim_rate_1/s");
-    const double torque = disc_torque(row.law(), strain, rate, radius);
-    BOOST_TEST(torque == row.number("torque_N_m"));
-    BOOST_TEST(apparent_stress(torque, radius) == row.number("sigma_app_2M/(pi R^3)_Pa"));
-    BOOST_TEST(constant_rate_stress(row.law(), strain, rate).total() ==
-               row.number("sigma_rim_true_Pa"));
+  for (const referee::Row& row : rows) {
+    const ShearStress stress = constant_rate_stress(
+        law_of_organ(row.text("organ")), row.number("strain"), row.number("rate"));
+    BOOST_TEST(stress.linear == row.number("linear"));
+    BOOST_TEST(stress.hardening == row.number("hardening"));
   }
 }
 
-// M = 2 pi int sigma r^2 dr over the radius; quadrature to 1e-12.
-BOOST_AUTO_TEST_CASE(a_disc_s_torque_is_its_stress_over_all_radii,
-                     *boost::unit_test::tolerance(1e-10)) {
-  constexpr double R = 0.01, strain = 0.8, rate = 0.3;
-  const auto ring = [&](double r) {
-    return r == 0 ? 0
-                  : constant_rate_stress(liver, strain * r / R, rate * r / R).total() *
-                        2 * std::numbers::pi * r * r;
-  };
-  BOOST_TEST(disc_torque(liver, strain, rate, R) == integral(ring, 0, R));
+BOOST_AUTO_TEST_CASE(relaxation_after_ramps_and_steps_is_eq_4_1_integrated,
+                     *boost::unit_test::tolerance(of_the_referee)) {
+  const auto rows = referee::rows("tissue_held");
+  BOOST_TEST(rows.size() == 384U);
+  for (const referee::Row& row : rows) {
+    const BipowerLaw law = law_of_organ(row.text("organ"));
+    const double strain = row.number("strain"), time = row.number("held");
+    const ShearStress stress =
+        row.text("rate") == "inf"
+            ? ideal_step_stress(law, strain, time)
+            : ramp_and_hold_stress(law, strain, row.number("rate"), time);
+    BOOST_TEST(stress.total() == row.number("stress"));
+  }
 }
 
-// Eq. 4.1 with u = s^(1-n), which takes the singularity at s = 0 away.
-BOOST_AUTO_TEST_CASE(stress_at_constant_rate_is_eq_4_1_integrated,
-                     *boost::unit_test::tolerance(1e-9)) {
-  const auto [K, n, limit, p] = liver;
-  constexpr double strain = 0.7, rate = 0.2;
-  const auto integrand = [&](double u) {
-    const double s = std::pow(u, 1 / (1 - n));
-    return K / std::tgamma(2 - n) * (1 + std::pow(rate * s / limit, p)) * rate;
-  };
-  BOOST_TEST(constant_rate_stress(liver, strain, rate).total() ==
-             integral(integrand, 0, std::pow(strain / rate, 1 - n)));
+BOOST_AUTO_TEST_CASE(small_oscillations_have_the_law_s_fourier_integral,
+                     *boost::unit_test::tolerance(of_the_referee)) {
+  const auto rows = referee::rows("tissue_oscillating");
+  BOOST_TEST(rows.size() == 15U);
+  for (const referee::Row& row : rows) {
+    const ComplexModulus moduli =
+        small_oscillation(law_of_organ(row.text("organ")), row.number("frequency"));
+    BOOST_TEST(moduli.storage == row.number("storage"));
+    BOOST_TEST(moduli.loss == row.number("loss"));
+    BOOST_TEST(moduli.loss_tangent() == row.number("loss") / row.number("storage"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(torques_of_discs_are_those_of_their_rings,
+                     *boost::unit_test::tolerance(of_the_referee)) {
+  const auto rows = referee::rows("tissue_between_discs");
+  BOOST_TEST(rows.size() == 90U);
+  for (const referee::Row& row : rows) {
+    const double radius = row.number("radius"), torque = row.number("torque");
+    BOOST_TEST(disc_torque(law_of_organ(row.text("organ")), row.number("strain"),
+                           row.number("rate"), radius) == torque);
+    BOOST_TEST(apparent_stress(torque, radius) ==
+               2 * torque / (std::numbers::pi * std::pow(radius, 3)));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(relaxation_begins_where_the_ramp_ended,

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <ostream>
 
-#include "tests/tissue/reference_rows.hpp"
+#include "tests/referee/figures.hpp"
 #include "tests/tissue/shear.hpp"
 #include "tissue/maxwell_fit.hpp"
 #include "tissue/strain_history.hpp"
@@ -61,14 +61,14 @@ BOOST_DATA_TEST_CASE(it_follows_the_law_at_constant_rate, data::make(names), org
 BOOST_DATA_TEST_CASE(it_relaxes_as_the_law_within_the_fitted_times, data::make(names),
                      organ) {
   double within = 0, beyond = 0;
-  for (const ReferenceRow& row : reference_rows("relaxation.csv")) {
-    if (row.text("organ") != organ || row.text("protocol") != "ramp_hold") continue;
-    const double strain = row.number("gamma0"), rate = row.number("ramp_rate_1/s");
-    const double held = row.number("time_since_end_of_ramp_s");
+  for (const referee::Row& row : referee::rows("tissue_held")) {
+    if (row.text("organ") != organ || row.text("rate") == "inf") continue;
+    const double strain = row.number("strain"), rate = row.number("rate");
+    const double held = row.number("held");
     ShearedPoint point(model_of(organ));
     point.move(0, strain, strain / rate, 400);
     const double deviation =
-        std::abs(point.move(strain, strain, held, 1) / row.number("stress_Pa") - 1);
+        std::abs(point.move(strain, strain, held, 1) / row.number("stress") - 1);
     double& largest = held <= FitRange{}.times_held.to ? within : beyond;
     largest = std::max(largest, deviation);
   }

@@ -1,8 +1,7 @@
 #pragma once
 
 /// Footnotes of the comparison tables: what a reader must know before comparing a printed
-/// figure of Golec 2018 with ours. Measured statements come from the project's own runs
-/// and from independent prototypes.
+/// figure of Golec 2018 with ours. Measured statements come from the project's own runs.
 namespace springcheck::table_notes {
 
 inline constexpr const char* fem_column =

@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(volume_of_tetrahedra_is_exact_for_plane_faces,
 }
 
 // Eq. 6.6 on cubes whose corners are off by up to 20 % of their edge: 4.9 % as root mean
-// square (an independent computation gave 4.8), 3.9 % in mean of the absolute value. To
+// square, 3.9 % in mean of the absolute value. To
 // about four standard deviations of 20000 cubes, whose spread is about half the figure.
 BOOST_AUTO_TEST_CASE(six_tetrahedra_miss_a_warped_hexahedron_s_volume) {
   std::mt19937 random(1);

@@ -5,17 +5,17 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "tissue/bipower_law.hpp"
+// Figures that the second program in this folder computes, figures.py. How near the first
+// must come is each test's own matter: both solve the same equations, to 1e-8 and below.
+namespace referee {
 
-namespace springcheck::tissue {
-
-/// A row of a file in tests/tissue/reference, by the names of its columns.
-class ReferenceRow {
+/// A row of tests/referee/figures/TOPIC.csv, by the names of its columns.
+class Row {
  public:
-  explicit ReferenceRow(std::map<std::string, std::string> cells)
-      : cells_(std::move(cells)) {}
+  explicit Row(std::map<std::string, std::string> cells) : cells_(std::move(cells)) {}
 
   [[nodiscard]] const std::string& text(const std::string& column) const {
     return cells_.at(column);
@@ -23,7 +23,6 @@ class ReferenceRow {
   [[nodiscard]] double number(const std::string& column) const {
     return std::stod(text(column));
   }
-  [[nodiscard]] BipowerLaw law() const { return law_of_organ(text("organ")); }
 
  private:
   std::map<std::string, std::string> cells_;
@@ -36,21 +35,31 @@ inline std::vector<std::string> split_at_commas(const std::string& line) {
   return parts;
 }
 
-inline std::vector<ReferenceRow> reference_rows(const std::string& name) {
-  std::ifstream file(std::string("tests/tissue/reference/") + name);
-  BOOST_TEST_REQUIRE(file.is_open(), name << " is missing");
+inline std::vector<Row> rows(const std::string& topic) {
+  std::ifstream file("tests/referee/figures/" + topic + ".csv");
+  BOOST_TEST_REQUIRE(file.is_open(), topic << ".csv is missing");
   std::string line;
   std::getline(file, line);
   const std::vector<std::string> columns = split_at_commas(line);
-  std::vector<ReferenceRow> rows;
+  std::vector<Row> rows;
   while (std::getline(file, line)) {
     const std::vector<std::string> parts = split_at_commas(line);
     BOOST_TEST_REQUIRE(parts.size() == columns.size(), line);
     std::map<std::string, std::string> cells;
     for (std::size_t i = 0; i < columns.size(); ++i) cells[columns[i]] = parts[i];
-    rows.emplace_back(cells);
+    rows.emplace_back(std::move(cells));
   }
   return rows;
 }
 
-}  // namespace springcheck::tissue
+/// Of a topic whose columns are case, quantity and value.
+inline double figure(const std::string& topic, const std::string& of_case,
+                     const std::string& quantity) {
+  for (const Row& row : rows(topic))
+    if (row.text("case") == of_case && row.text("quantity") == quantity)
+      return row.number("value");
+  BOOST_TEST_REQUIRE(false, topic << ".csv has no " << quantity << " of " << of_case);
+  return 0;
+}
+
+}  // namespace referee

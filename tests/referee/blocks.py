@@ -1,0 +1,268 @@
+"""Blocks of equal cells between two plates, and equilibria on them.
+
+Lengths in m, forces in N. A node's number is i + (nx + 1) (j + (ny + 1) k); a cell's
+corners are numbered the same way. A body is a list of parts, each with
+
+    energy(x), gradient(x), hessian(x)      x of shape (nodes, 3)
+
+of which the last gives a sparse matrix of all components.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sparse
+import scipy.sparse.linalg as linalg
+
+CORNERS = np.array([[a, b, c] for c in (0, 1) for b in (0, 1) for a in (0, 1)])
+
+
+@dataclass
+class Block:
+    """`cells` of three counts, `size` of three edges."""
+
+    size: tuple
+    cells: tuple
+
+    def __post_init__(self):
+        nx, ny, nz = self.cells
+        self.edges = np.array(self.size) / self.cells
+        k, j, i = np.meshgrid(*(np.arange(n + 1) for n in (nz, ny, nx)), indexing="ij")
+        steps = np.stack([i.ravel(), j.ravel(), k.ravel()], axis=1)
+        self.nodes = steps * self.edges
+        self.layer = steps[:, 2]
+        k, j, i = np.meshgrid(*(np.arange(n) for n in (nz, ny, nx)), indexing="ij")
+        first = i.ravel() + (nx + 1) * (j.ravel() + (ny + 1) * k.ravel())
+        self.corners = first[:, None] + CORNERS @ [1, nx + 1, (nx + 1) * (ny + 1)]
+        self.cell_volume = float(np.prod(self.edges))
+        self.volume = float(np.prod(self.size))
+
+    @property
+    def top(self):
+        return self.layer == self.cells[2]
+
+    @property
+    def bottom(self):
+        return self.layer == 0
+
+    def middle_of_top(self):
+        """The node at the centre of the upper face, of even counts."""
+        layer = (self.cells[0] + 1) * (self.cells[1] + 1)
+        return len(self.nodes) - 1 - layer // 2
+
+    def masses(self, density):
+        """An eighth of each cell to each of its corners [kg]."""
+        return density * self.cell_volume / 8 * np.bincount(self.corners.ravel())
+
+    def assembled(self, gradients):
+        """Of gradients of cells, (cells, 8, 3), those of nodes."""
+        total = np.zeros_like(self.nodes)
+        np.add.at(total, self.corners, gradients)
+        return total
+
+    def components(self):
+        return (3 * self.corners[:, :, None] + np.arange(3)).reshape(-1, 24)
+
+    def assembled_matrix(self, hessians):
+        """Of matrices of cells, (cells, 24, 24), the one of all components."""
+        own = self.components()
+        rows = np.repeat(own, 24, axis=1).ravel()
+        columns = np.tile(own, (1, 24)).ravel()
+        n = 3 * len(self.nodes)
+        return sparse.csc_matrix((hessians.ravel(), (rows, columns)), shape=(n, n))
+
+    def exact_volume(self, x):
+        """Of trilinear cells: det of the Jacobian at 2 x 2 x 2 Gauss points, which is
+        exact for its degree of two in each direction."""
+        jacobians = np.einsum("cad,qae->cqde", x[self.corners], gauss_gradients(self.edges))
+        return float(np.linalg.det(jacobians).sum() * self.cell_volume / 8)
+
+    def corner_jacobians(self, x):
+        """det F at the corners of all cells."""
+        gradients = np.stack([shape_gradients(c, self.edges) for c in CORNERS])
+        return np.linalg.det(np.einsum("cad,qae->cqde", x[self.corners], gradients))
+
+
+def shape_gradients(point, edges):
+    """Of the eight trilinear functions at a point of the unit cell, (8, 3) [1/m]."""
+    values = np.where(CORNERS == 1, point, 1 - np.asarray(point))
+    slopes = np.where(CORNERS == 1, 1.0, -1.0) / edges
+    return np.stack([slopes[:, d] * np.prod(np.delete(values, d, axis=1), axis=1)
+                     for d in range(3)], axis=1)
+
+
+def gauss_gradients(edges):
+    """At 2 x 2 x 2 Gauss points, (8, 8, 3); each has an eighth of the volume."""
+    points = (1 + (2 * CORNERS - 1) / np.sqrt(3)) / 2
+    return np.stack([shape_gradients(p, edges) for p in points])
+
+
+# ------------------------------------------------------------------------- motions
+
+
+def shifted(vector):
+    return lambda block, fraction: block.nodes + fraction * np.asarray(vector)
+
+
+def turned(angle):
+    """Right-handed about the axis of the block [rad]."""
+
+    def motion(block, fraction):
+        x = block.nodes.copy()
+        middle = np.array([block.size[0] / 2, block.size[1] / 2, 0])
+        c, s = np.cos(fraction * angle), np.sin(fraction * angle)
+        turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+        return (x - middle) @ turn.T + middle
+
+    return motion
+
+
+# --------------------------------------------------------------------- equilibrium
+
+
+class NotConverged(Exception):
+    pass
+
+
+def total_gradient(parts, x):
+    return sum(part.gradient(x) for part in parts)
+
+
+def total_hessian(parts, x):
+    return sum(part.hessian(x) for part in parts)
+
+
+def free_components(fixed_nodes):
+    return np.flatnonzero(~np.repeat(fixed_nodes, 3))
+
+
+@np.errstate(all="ignore")  # states far off overflow, and that is told below
+def newton(parts, x, free, force, most=40):
+    """The state near x where the gradient is `force` in the free components, to 1e-11 of
+    the largest reaction, or, where rounding leaves more, to what it leaves."""
+    before = np.inf
+    for _ in range(most):
+        g = total_gradient(parts, x) - force
+        residual = np.abs(g.ravel()[free]).max()
+        if not np.isfinite(residual):
+            raise NotConverged("not finite")
+        off = residual / max(np.abs(g).max(), np.abs(force).max(), 1e-300)
+        if off <= 1e-11 or (off <= 1e-8 and residual > before / 2):
+            return x
+        before = residual
+        matrix = total_hessian(parts, x)[free][:, free].tocsc()
+        step = factorised(matrix).solve(g.ravel()[free])
+        moved = x.ravel().copy()
+        moved[free] -= step
+        x = moved.reshape(-1, 3)
+    raise NotConverged(f"residual {residual:g} after {most} steps")
+
+
+def factorised(matrix):
+    """L D L^T by SuperLU without pivoting, whose D has the matrix's inertia."""
+    return linalg.splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0,
+                       options={"SymmetricMode": True})
+
+
+def negative_eigenvalues(matrix):
+    lu = factorised(matrix)
+    assert np.array_equal(lu.perm_r, lu.perm_c), "a pivot was taken off the diagonal"
+    return int((lu.U.diagonal() < 0).sum())
+
+
+@dataclass
+class State:
+    x: np.ndarray
+    reactions: np.ndarray  # the gradient less the load [N]
+
+
+class Path:
+    """The equilibria of a body whose lower plate stays and whose upper one follows
+    `motion`, or is free where there is none, under `force` on nodes."""
+
+    def __init__(self, block, parts, motion=None, force=None):
+        self.block, self.parts, self.motion = block, parts, motion
+        self.force = np.zeros_like(block.nodes) if force is None else force
+        self.held = block.bottom | (block.top if motion else False)
+        self.free = free_components(self.held)
+        self.x, self.fraction = block.nodes.copy(), 0.0
+
+    def advance(self, fraction):
+        """One step of the load: the tangent's guess, then Newton's method."""
+        before, x = self.x, self.x.copy()
+        if self.motion:
+            x[self.block.top] = self.motion(self.block, fraction)[self.block.top]
+        prescribed = (x - before).ravel()
+        hessian = total_hessian(self.parts, before)
+        rest = hessian @ prescribed + (total_gradient(self.parts, before) -
+                                       fraction * self.force).ravel()
+        matrix = hessian[self.free][:, self.free].tocsc()
+        moved = x.ravel()
+        moved[self.free] -= factorised(matrix).solve(rest[self.free])
+        self.x = newton(self.parts, moved.reshape(-1, 3), self.free, fraction * self.force)
+        self.fraction = fraction
+        return self
+
+    def state(self):
+        return State(self.x, total_gradient(self.parts, self.x) - self.fraction * self.force)
+
+    def is_stable(self):
+        matrix = total_hessian(self.parts, self.x)[self.free][:, self.free].tocsc()
+        return negative_eigenvalues(matrix) == 0
+
+    def is_right_side_out(self):
+        return self.block.corner_jacobians(self.x).min() > 0
+
+
+def equilibrium(block, parts, motion=None, force=None, steps=1):
+    """Stable, or AssertionError; with more steps where those given are too few."""
+    path = Path(block, parts, motion, force)
+    try:
+        for step in range(1, steps + 1):
+            path.advance(step / steps)
+    except NotConverged:
+        if steps > 100:
+            raise
+        return equilibrium(block, parts, motion, force, 2 * steps)
+    assert path.is_stable(), "a saddle"
+    return path.state()
+
+
+def limit_of_stability(path, step, resolution):
+    """(fraction, how) to which the path is stable, right side out and found, by steps
+    and bisection: how is 'bifurcation', 'inversion' or 'no equilibrium'."""
+    while True:
+        before = path.x, path.fraction
+        if path.fraction + step > 1 + 1e-12:
+            return 1.0, "none"
+        try:
+            path.advance(path.fraction + step)
+            how = (None if path.is_stable() and path.is_right_side_out() else
+                   "bifurcation" if path.is_right_side_out() else "inversion")
+        except (NotConverged, RuntimeError):  # RuntimeError: an exactly singular matrix
+            how = "no equilibrium"
+        if how is None:
+            continue
+        path.x, path.fraction = before
+        if step <= resolution:
+            return path.fraction, how
+        step /= 2
+
+
+# ------------------------------------------------------------------------ measures
+
+
+def plate_force(block, state):
+    return state.reactions[block.top].sum(axis=0)
+
+
+def plate_torque(block, state, small_strain=False):
+    """About the axis, arms in the deformed state, or of small strain at rest [N m]."""
+    places = block.nodes if small_strain else state.x
+    arms = places[block.top] - [block.size[0] / 2, block.size[1] / 2, 0]
+    forces = state.reactions[block.top]
+    return float((arms[:, 0] * forces[:, 1] - arms[:, 1] * forces[:, 0]).sum())
+
+
+def volume_change(block, state):
+    return block.exact_volume(state.x) / block.volume - 1

@@ -1,0 +1,205 @@
+"""Figures at equilibrium: forces, torques, volumes and deflections."""
+
+import elements
+import numpy as np
+from blocks import (Block, equilibrium, plate_force, plate_torque, shifted, turned,
+                    volume_change)
+from springs import affine, lame, lattice
+
+E = 1e4
+CUBE = Block((0.05, 0.05, 0.05), (10, 10, 10))
+COARSE = Block((0.05, 0.05, 0.05), (5, 5, 5))
+SMALL_BEAM = Block((0.004, 0.004, 0.024), (4, 4, 24))
+
+
+def pressed(strain):
+    return "compression", strain, lambda block: shifted((0, 0, -strain * block.size[2]))
+
+
+def pulled(strain):
+    return "tension", strain, lambda block: shifted((0, 0, strain * block.size[2]))
+
+
+def sheared(strain):
+    return "shearing", strain, lambda block: shifted((strain * block.size[2], 0, 0))
+
+
+def twisted(degrees):
+    return "torsion", degrees, lambda block: turned(np.radians(degrees))
+
+
+def figures_of(name, block, parts, load, steps=None):
+    """Of one state: the force on the plate, its norm, the torque, the volume."""
+    test, amount, motion = load
+    small = {"torsion": 12}.get(test, 0.05)
+    state = equilibrium(block, parts, motion(block), steps=steps or int(np.ceil(amount / small)))
+    case = f"{test} {amount:g} {name}"
+    force = plate_force(block, state)
+    along = force[0] if test == "shearing" else force[2]
+    if test == "torsion":
+        yield case, "torque", plate_torque(block, state, small_strain="hooke" in name)
+    else:
+        yield case, "force", abs(along)
+        yield case, "norm of force", float(np.linalg.norm(force))
+    yield case, "volume change", volume_change(block, state)
+
+
+def plates():
+    """mss-cf on the thesis's cube and beam."""
+    def springs(block, nu, form, load):
+        name = f"mss-cf {form} nu {nu:g}"
+        return figures_of(name, block, lattice(block, "mss-cf", E, nu, form), load)
+
+    for nu in (0, 0.25, 0.499):
+        for strain in (0.05, 0.2):
+            yield from springs(CUBE, nu, "mu", pressed(strain))
+            if nu > 0:
+                yield from springs(SMALL_BEAM, nu, "mu", pulled(strain))
+    yield from springs(SMALL_BEAM, 0, "mu", pulled(0.05))
+    for strain in (0.05, 0.2):
+        yield from springs(CUBE, 0, "E", pressed(strain))
+        yield from springs(CUBE, 0.25, "mu", sheared(strain))
+    for degrees in (1, 45):
+        yield from springs(CUBE, 0.25, "mu", twisted(degrees))
+
+
+LAWS = {("hooke", "q1"): elements.hooke,
+        ("hooke", "q1-sri"): elements.hooke_reduced,
+        ("stvk", "q1"): elements.st_venant_kirchhoff,
+        ("stvk", "q1-sri"): elements.st_venant_kirchhoff_reduced,
+        ("hencky", "q1-sri"): elements.hencky_reduced,
+        ("cauchy-born", "q1"): elements.continuum_of_lattice,
+        ("cauchy-born", "q1-sri"): elements.continuum_of_lattice_reduced}
+
+
+def trilinear():
+    """Elements of every law, on the cells of the thesis."""
+    def rows(law, element, nu, block, load):
+        parts = LAWS[law, element](block, E, nu)
+        for _, quantity, value in figures_of("fem-" + law, block, parts, load):
+            yield load[0], load[1], law, element, nu, quantity, value
+
+    near_a_half = 0, 0.25, 0.499
+    for law, element in (("hooke", "q1"), ("hooke", "q1-sri"), ("stvk", "q1-sri"),
+                         ("hencky", "q1-sri")):
+        for nu in near_a_half:
+            for strain in (0.05, 0.2):
+                yield from rows(law, element, nu, CUBE, pressed(strain))
+                if nu < 0.4 or law != "stvk":
+                    yield from rows(law, element, nu, SMALL_BEAM, pulled(strain))
+    for law, element in LAWS:
+        for load in (sheared(0.05), sheared(0.2), twisted(1), twisted(45)):
+            if law != "hooke" or load[1] in (0.05, 1):
+                yield from rows(law, element, 0.25, CUBE, load)
+    yield from rows("stvk", "q1", 0.25, CUBE, pressed(0.2))
+    for element in ("q1", "q1-sri"):
+        for nu in near_a_half:
+            yield from rows("cauchy-born", element, nu, CUBE, pressed(0.05))
+        yield from rows("cauchy-born", element, 0.25, CUBE, pressed(0.2))
+        yield from rows("cauchy-born", element, 0.25, SMALL_BEAM, pulled(0.2))
+
+
+def bending():
+    """Beams clamped at z = 0 under their weight, g = 10 along -x: drop of the tip."""
+    def drop(size, across, parts_of, steps):
+        block = Block(size, (across, across, 6 * across))
+        weight = np.outer(block.masses(1000), [-10.0, 0, 0])
+        state = equilibrium(block, parts_of(block), force=weight, steps=steps)
+        return float(block.nodes[block.middle_of_top(), 0] - state.x[block.middle_of_top(), 0])
+
+    metres, centimetres = (0.4, 0.4, 2.4), (0.004, 0.004, 0.024)
+    # Only states that are one of a kind: mss-nfd at 2 MPa and on 8 cells wrinkles.
+    for method, modulus, across in (("mss-cf", 10e6, 4), ("mss-cf", 10e6, 8),
+                                    ("mss-cf", 2e6, 4), ("mss-cf", 2e6, 8),
+                                    ("mss-nfd", 10e6, 4)):
+        yield (f"{across} across {method} E {modulus:g}", "drop",
+               drop(metres, across, lambda b: lattice(b, method, modulus, 0.25), 12))
+    for law, element, across in (("hooke", "q1", 4), ("hooke", "q1", 8),
+                                 ("hooke", "q1-sri", 4), ("hooke", "q1-sri", 8),
+                                 ("stvk", "q1-sri", 4)):
+        yield (f"{across} across in centimetres fem-{law} {element}", "drop",
+               drop(centimetres, across, lambda b: LAWS[law, element](b, 2e6, 0.25), 1))
+
+
+def small_strain():
+    """Plate forces and torques at 1e-4, 5^3 cells; tips of cantilevers of one, two and
+    four cells across."""
+    strain = 1e-4
+    for nu in (0, 0.25, 0.45, 0.499):
+        for name, parts in (("mss-cf", lattice(COARSE, "mss-cf", E, nu)),
+                            ("mss-affine on cells", affine(COARSE, E, nu, stars=False)),
+                            ("mss-affine", affine(COARSE, E, nu))):
+            for test, _, motion in (pressed(strain), sheared(strain),
+                                    ("torsion", strain, lambda block: turned(strain))):
+                state = equilibrium(COARSE, parts, motion(COARSE))
+                force = plate_force(COARSE, state)
+                answer = (plate_torque(COARSE, state) if test == "torsion" else
+                          abs(force[0 if test == "shearing" else 2]))
+                yield f"{test} {name} nu {nu:g}", "force or torque", float(answer)
+
+    thick, nu, pull = 0.01, 0.25, 1e-2
+    for name, parts_of in (("mss-cf", lambda b: lattice(b, "mss-cf", E, nu)),
+                           ("mss-affine", lambda b: affine(b, E, nu))):
+        for across in (1, 2, 4):
+            block = Block((thick, thick, 6 * thick), (across, across, 6 * across))
+            # Nodes' shares of the end face go with their numbers of cells.
+            shares = block.masses(1) * block.top
+            force = np.outer(pull * thick**2 * shares / shares.sum(), [1.0, 0, 0])
+            state = equilibrium(block, parts_of(block), force=force)
+            yield (f"cantilever {name} {across} across", "mean deflection of the end",
+                   float((state.x - block.nodes)[block.top, 0].mean()))
+
+
+def strain_measures():
+    """Springs of other strains, and elements of Hencky's law."""
+    for nu in (0, 0.25, 0.4):
+        parts = lattice(CUBE, "mss-cf", E, nu, measure="green")
+        for load in (pressed(0.05), pressed(0.2), pulled(0.05), pulled(0.2), sheared(0.05),
+                     sheared(0.2), twisted(1), twisted(45)):
+            yield from figures_of(f"green nu {nu:g}", CUBE, parts, load)
+    parts = lattice(CUBE, "mss-cf", E, 0.49, measure="green")
+    for load in (pulled(0.05), pulled(0.2), sheared(0.05), twisted(1)):
+        yield from figures_of("green nu 0.49", CUBE, parts, load)
+    for nu in (0, 0.25, 0.4, 0.499):
+        for name, parts in (
+            ("logarithmic", lattice(COARSE, "mss-cf", E, nu, measure="logarithmic")),
+            ("hencky", lattice(COARSE, "mss-cf", E, nu, measure="hencky")),
+            ("fem-hencky q1-sri", elements.hencky_reduced(COARSE, E, nu))):
+            if name == "hencky" and nu > 0.45:
+                continue  # without a use
+            for load in (pressed(0.05), pressed(0.2), pulled(0.2), sheared(0.2), twisted(45)):
+                yield from figures_of(f"{name} nu {nu:g}", COARSE, parts, load)
+
+
+def bars():
+    """Of mss-cf's continuum along lines of the lattice: stress over E strain; and how
+    far the stress of virtual springs depends on the body's turn."""
+    n, weights = elements.lattice_directions(A=1)
+    for nu in (0.25, 0.499):
+        law = elements.cauchy_born(E, nu, n, weights)
+        for line in ("100", "110", "111"):
+            for strain in (-0.05, -0.2):
+                stress = elements.bar_stress(law, [int(c) for c in line], 1 + strain)
+                yield f"mss-cf nu {nu:g} along {line} {strain:g}", "stress", float(
+                    stress / (E * strain))
+
+    six = elements.icosahedron(), np.full(6, 1 / 6)
+    _, mu = lame(E, 0.25)
+    for axes, shear, (n, w) in ((6, 0.05, six), (6, 0.2, six),
+                                (16, 0.2, elements.sixteen_axes()),
+                                (16, 0.5, elements.sixteen_axes())):
+        F = np.eye(3)
+        F[0, 2] = shear
+        stresses = []
+        for i in range(300):
+            Q = turn(0.7 * i, np.array([np.sin(i), np.sin(2 * i + 1), np.cos(3 * i)]))
+            stresses.append(elements.pull_of_springs(n, 15 * w, mu, F @ Q) @ Q.T)
+        stresses = np.array(stresses)
+        spread = np.ptp(stresses, axis=0).max() / np.abs(stresses).max()
+        yield f"{axes} axes sheared by {shear:g}", "spread", float(spread)
+
+
+def turn(angle, axis):
+    x, y, z = axis / np.linalg.norm(axis)
+    W = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.eye(3) + np.sin(angle) * W + (1 - np.cos(angle)) * W @ W
