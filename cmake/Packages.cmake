@@ -1,10 +1,5 @@
 # Everything but deal.II (DealII.cmake), each as a target.
 find_package(Eigen3 3.4 REQUIRED)
-find_package(OpenMP REQUIRED COMPONENTS CXX)
-# To tell the libraries' OpenMP how many threads it may take; nothing of ours is compiled
-# with -fopenmp.
-add_library(openmp_runtime INTERFACE)
-target_link_libraries(openmp_runtime INTERFACE ${OpenMP_CXX_LIBRARIES})
 find_package(TBB REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)

@@ -1,5 +1,7 @@
 #include "meshing/sparse_cholesky.hpp"
 
+#include <omp.h>
+
 #include <Eigen/CholmodSupport>
 #include <new>
 #include <stdexcept>
@@ -20,6 +22,12 @@ void check(const cholmod_common& common) {
     throw std::runtime_error("CHOLMOD ends with status " + std::to_string(common.status));
 }
 
+/// CHOLMOD starts teams of four, whatever OMP_NUM_THREADS says, for loops so small that
+/// factors of 10^3 cells take three times as long. A thread without levels has no teams.
+void stay_on_this_thread() {
+  omp_set_max_active_levels(0);
+}
+
 }  // namespace
 
 struct SparseCholesky::Factor {
@@ -35,6 +43,7 @@ SparseCholesky::~SparseCholesky() = default;
 
 bool SparseCholesky::factor(const Matrix& matrix) {
   auto& cholmod = factor_->cholmod;
+  stay_on_this_thread();
   if (!factor_->analysed) {
     const std::lock_guard lock(random_numbers());  // the ordering is METIS's
     cholmod.analyzePattern(matrix);
@@ -47,12 +56,14 @@ bool SparseCholesky::factor(const Matrix& matrix) {
 }
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right) const {
+  stay_on_this_thread();
   Eigen::MatrixXd solution = factor_->cholmod.solve(right);
   check(factor_->cholmod.cholmod());
   return solution;
 }
 
 Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& right) const {
+  stay_on_this_thread();
   Eigen::VectorXd solution = factor_->cholmod.solve(right);
   check(factor_->cholmod.cholmod());
   return solution;

@@ -9,6 +9,7 @@ extern const char* const commit;   // abbreviated, "-dirty" with uncommitted cha
 /// (Revision.cmake).
 extern const char* const revision;
 extern const char* const compiler;
+extern const char* const flags;  // of the compiler, but those of warnings and kernels
 extern const char* const deal_ii_version;
 extern const char* const eigen_version;
 extern const char* const hdf5_version;

@@ -15,7 +15,7 @@
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/studies/converged.hpp"
 #include "comparisons/studies/formal_order.hpp"
-#include "comparisons/system/processor.hpp"
+#include "comparisons/system/environment.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/sha256.hpp"
 
@@ -46,12 +46,9 @@ std::string law_of(const ChartPlan& plan) {
   return is_law(name) ? name : usual_law(false).name;
 }
 
-/// Times of one chart are of one machine, of the same instructions and of one program.
+/// Times of one chart are of one environment and of one program.
 std::string measured_on() {
-  const std::string digits = machine_digits();
-  return fmt::format("{}{}, {}, {}, revision {}", processor_name(),
-                     digits.empty() ? "" : " (machine " + digits + ")", instructions(),
-                     build_info::compiler, build_info::revision);
+  return fmt::format("{}, revision {}", text_of(environment()), build_info::revision);
 }
 
 /// What determines all models of the chart, whichever they are.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
-#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -30,6 +29,7 @@
 #include "comparisons/settings/suggestion.hpp"
 #include "comparisons/studies/study.hpp"
 #include "comparisons/system/blas.hpp"
+#include "comparisons/system/environment.hpp"
 #include "comparisons/system/memory.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/text.hpp"
@@ -492,10 +492,7 @@ int run_arguments(int argc, char** argv) {
     restart_with_fitting_blas(argv);
     check_address_space(threads);
   }
-  use_one_blas_thread();
-  const tbb::global_control limit(
-      tbb::global_control::max_allowed_parallelism,
-      static_cast<std::size_t>(*chart || *advise ? std::max(threads, cores) : threads));
+  const ThreadsInUse in_use(*chart || *advise ? std::max(threads, cores) : threads);
 
   if (*run) {
     watch.checkpoint = path_or_none(checkpoint);

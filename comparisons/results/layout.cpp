@@ -11,8 +11,9 @@ const std::vector<Described>& file_layout() {
        "not is NaN or an empty text; vectors are rows of 3, matrices of 9 numbers"},
       {"/provenance",
        "a row for each time the file was written: springcheck, commit, revision (of the "
-       "numerics: a hash of their sources), compiler, deal.II, gmsh, Eigen, HDF5, BLAS "
-       "(with its kernels), cpu, instructions, cores, threads, date"},
+       "numerics: a hash of their sources), compiler, flags, deal.II, gmsh, Eigen, HDF5, "
+       "BLAS (with its kernels), cpu, machine (digits of its own), clock (who sets the "
+       "frequency), instructions, cores, threads, date"},
       {"/meshes/SHA256",
        "nodes [m]; tetrahedra, pyramids, prisms, hexahedra, those there are (gmsh's "
        "order, from 0; fields of cells follow in this order); regions/NAME (outward "

@@ -1,14 +1,10 @@
 #include "comparisons/results/provenance.hpp"
 
-#include <tbb/global_control.h>
-
 #include <array>
 #include <ctime>
-#include <thread>
 
 #include "comparisons/build_info/build_info.hpp"
-#include "comparisons/system/blas.hpp"
-#include "comparisons/system/processor.hpp"
+#include "comparisons/system/environment.hpp"
 #include "meshing/gmsh/version.hpp"
 
 namespace springcheck {
@@ -21,28 +17,30 @@ std::string utc_now() {
   return text.data();
 }
 
-std::vector<double> number(std::size_t value) {
+std::vector<double> number(int value) {
   return {static_cast<double>(value)};
 }
 
 }  // namespace
 
 Row provenance(const std::string& revision) {
-  using tbb::global_control;
+  const Environment here = environment();
   return {{"springcheck", std::string(build_info::version)},
           {"commit", std::string(build_info::commit)},
           {"revision", revision.empty() ? build_info::revision : revision},
-          {"compiler", std::string(build_info::compiler)},
+          {"compiler", here.compiler},
+          {"flags", here.flags},
           {"deal.II", std::string(build_info::deal_ii_version)},
           {"gmsh", gmsh_version()},
           {"Eigen", std::string(build_info::eigen_version)},
           {"HDF5", std::string(build_info::hdf5_version)},
-          {"BLAS", blas_name()},
-          {"cpu", processor_name()},
-          {"instructions", instructions()},
-          {"cores", number(std::thread::hardware_concurrency())},
-          {"threads",
-           number(global_control::active_value(global_control::max_allowed_parallelism))},
+          {"BLAS", here.blas},
+          {"cpu", here.processor},
+          {"machine", here.machine},
+          {"clock", here.clock},
+          {"instructions", here.instructions},
+          {"cores", number(here.cores)},
+          {"threads", number(here.threads)},
           {"date", utc_now()}};
 }
 

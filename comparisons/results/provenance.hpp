@@ -6,9 +6,8 @@
 
 namespace springcheck {
 
-/// What ran when and where: version, commit and revision of this program, compiler,
-/// versions of the libraries, processor and its instructions, cores and threads, date
-/// (UTC). The revision of the numerics is this program's, unless another is given.
+/// What ran when and where: version, commit and revision of this program, versions of the
+/// libraries, the environment, date (UTC). The revision of the numerics is this program's, unless another is given.
 Row provenance(const std::string& revision = "");
 
 }  // namespace springcheck

@@ -1,7 +1,6 @@
 #include "comparisons/running/simulate.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -183,9 +182,6 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
 
 CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, int threads,
                     const Watch& watch) {
-  // CHOLMOD starts teams of four, whatever OMP_NUM_THREADS says, for loops so small that
-  // factors of 10^3 cells take three times as long. A thread without levels has no teams.
-  omp_set_max_active_levels(0);
   std::optional<LockFile> lock;  // two runs must not write one checkpoint
   if (watch.checkpoint && goes_through_time(settings))
     lock.emplace(link_target(*watch.checkpoint));

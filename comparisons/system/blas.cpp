@@ -1,10 +1,13 @@
 #include "comparisons/system/blas.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <string_view>
 #include <vector>
 
@@ -31,16 +34,23 @@ const char* fitting_core() {
   return nullptr;
 }
 
+/// Returns where that fails, which is told with what it means.
+void start_again(char** arguments, const char* variable, const char* value,
+                 const char* otherwise) {
+  setenv(variable, value, 1);
+  execv("/proc/self/exe", arguments);
+  fmt::print(stderr, "springcheck: could not start again with {}={} ({}): {}\n", variable,
+             value, std::strerror(errno), otherwise);
+}
+
 }  // namespace
 
 void restart_with_fitting_blas(char** arguments) {
   constexpr const char* variable = "OPENBLAS_CORETYPE";
   const char* core = fitting_core();
   if (core != nullptr && std::getenv(variable) == nullptr &&
-      std::string_view(openblas_get_corename()) == "Prescott") {
-    setenv(variable, core, 0);
-    execv("/proc/self/exe", arguments);
-  }
+      std::string_view(openblas_get_corename()) == "Prescott")
+    start_again(arguments, variable, core, "OpenBLAS takes half as long again");
 }
 
 void restart_with_one_blas_thread(char** arguments) {
@@ -49,8 +59,8 @@ void restart_with_one_blas_thread(char** arguments) {
   if (std::isinf(room_of_address_space()) ||
       (threads != nullptr && std::string_view(threads) == "1"))
     return;
-  setenv(variable, "1", 1);
-  execv("/proc/self/exe", arguments);
+  start_again(arguments, variable, "1",
+              "in so little address space it may hang as it ends");
 }
 
 void use_one_blas_thread() {

@@ -8,13 +8,13 @@ namespace springcheck {
 /// itself those for any x86-64, which take half as long again. Where it did so though
 /// better ones would run, starts the program again with OPENBLAS_CORETYPE naming them,
 /// which costs the time of loading it; a user's own choice stays. Returns where there is
-/// nothing to gain, or starting fails.
+/// nothing to gain; and with a warning on stderr where starting fails.
 void restart_with_fitting_blas(char** arguments);
 
 /// Where the address space is limited (ulimit -v), starts the program again without the
 /// threads that OpenBLAS starts as it is loaded: each asks for its buffer again and
 /// again, for ever, where it gets none, and the program could not end. Returns where it
-/// has none.
+/// has none; and with a warning on stderr where starting fails.
 void restart_with_one_blas_thread(char** arguments);
 
 /// One thread for each call: what runs in parallel are simulations and loops, with the

@@ -511,7 +511,7 @@ BOOST_AUTO_TEST_CASE(the_table_of_modes_needs_no_simulation,
       if (row["body"] == body && row["nu"] == nu && row["modes"] == modes) return row;
     return Json();
   };
-  const Json cube = find("free cube", 0.25, "1-2");
+  const Json cube = find("free cube", 0.25, "1-2");  // recorded
   BOOST_TEST(std::abs(cube["theory"].get<double>() - 18.1815) < 1e-3);
   BOOST_TEST(std::abs(cube["fem"].get<double>() - 18.356) < 1e-3);
   const double fem = cube["fem"], springs = cube["cf"];

@@ -14,8 +14,7 @@
 #include "tests/referee/figures.hpp"
 
 // The thesis's deformation tests on their own meshes, solved for equilibrium, against the
-// referee: another program, whose states have a residual of 1e-11 of the force. Ours is
-// 1e-8 of it and below.
+// referee, another program. Residuals of both are below 1e-8 of the force.
 
 using namespace springcheck;
 using namespace springcheck::mss;

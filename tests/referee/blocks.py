@@ -3,9 +3,9 @@
 Lengths in m, forces in N. A node's number is i + (nx + 1) (j + (ny + 1) k); a cell's
 corners are numbered the same way. A body is a list of parts, each with
 
-    energy(x), gradient(x), hessian(x)      x of shape (nodes, 3)
+    gradient(x), hessian(x)      x of shape (nodes, 3)
 
-of which the last gives a sparse matrix of all components.
+of its energy, of which the last is a sparse matrix of all components.
 """
 
 from dataclasses import dataclass
@@ -137,9 +137,11 @@ def free_components(fixed_nodes):
 
 
 @np.errstate(all="ignore")  # states far off overflow, and that is told below
-def newton(parts, x, free, force, most=40):
+def newton(parts, x, free, force, factors, most=60):
     """The state near x where the gradient is `force` in the free components, to 1e-11 of
-    the largest reaction, or, where rounding leaves more, to what it leaves."""
+    the largest reaction, or, where rounding leaves more, to what it leaves, 1e-8 at
+    most. The tangent, at first that of `factors`, is kept as long as residuals fall to a
+    tenth."""
     before = np.inf
     for _ in range(most):
         g = total_gradient(parts, x) - force
@@ -149,19 +151,22 @@ def newton(parts, x, free, force, most=40):
         off = residual / max(np.abs(g).max(), np.abs(force).max(), 1e-300)
         if off <= 1e-11 or (off <= 1e-8 and residual > before / 2):
             return x
+        if residual > before / 10:
+            factors = factorised(total_hessian(parts, x)[free][:, free].tocsc())
         before = residual
-        matrix = total_hessian(parts, x)[free][:, free].tocsc()
-        step = factorised(matrix).solve(g.ravel()[free])
         moved = x.ravel().copy()
-        moved[free] -= step
+        moved[free] -= factors.solve(g.ravel()[free])
         x = moved.reshape(-1, 3)
     raise NotConverged(f"residual {residual:g} after {most} steps")
 
 
 def factorised(matrix):
     """L D L^T by SuperLU without pivoting, whose D has the matrix's inertia."""
-    return linalg.splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0,
-                       options={"SymmetricMode": True})
+    try:
+        return linalg.splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0,
+                           options={"SymmetricMode": True})
+    except RuntimeError as error:
+        raise NotConverged(f"SuperLU: {error}") from error
 
 
 def negative_eigenvalues(matrix):
@@ -196,10 +201,11 @@ class Path:
         hessian = total_hessian(self.parts, before)
         rest = hessian @ prescribed + (total_gradient(self.parts, before) -
                                        fraction * self.force).ravel()
-        matrix = hessian[self.free][:, self.free].tocsc()
+        factors = factorised(hessian[self.free][:, self.free].tocsc())
         moved = x.ravel()
-        moved[self.free] -= factorised(matrix).solve(rest[self.free])
-        self.x = newton(self.parts, moved.reshape(-1, 3), self.free, fraction * self.force)
+        moved[self.free] -= factors.solve(rest[self.free])
+        self.x = newton(self.parts, moved.reshape(-1, 3), self.free, fraction * self.force,
+                        factors)
         self.fraction = fraction
         return self
 
@@ -230,16 +236,15 @@ def equilibrium(block, parts, motion=None, force=None, steps=1):
 
 def limit_of_stability(path, step, resolution):
     """(fraction, how) to which the path is stable, right side out and found, by steps
-    and bisection: how is 'bifurcation', 'inversion' or 'no equilibrium'."""
-    while True:
+    and bisection: how it ends is a 'bifurcation', an 'inversion', 'no equilibrium' or
+    'none'. The fraction is the last at which all is well."""
+    while path.fraction < 1:
         before = path.x, path.fraction
-        if path.fraction + step > 1 + 1e-12:
-            return 1.0, "none"
         try:
-            path.advance(path.fraction + step)
+            path.advance(min(path.fraction + step, 1.0))
             how = (None if path.is_stable() and path.is_right_side_out() else
                    "bifurcation" if path.is_right_side_out() else "inversion")
-        except (NotConverged, RuntimeError):  # RuntimeError: an exactly singular matrix
+        except NotConverged:
             how = "no equilibrium"
         if how is None:
             continue
@@ -247,6 +252,7 @@ def limit_of_stability(path, step, resolution):
         if step <= resolution:
             return path.fraction, how
         step /= 2
+    return 1.0, "none"
 
 
 # ------------------------------------------------------------------------ measures

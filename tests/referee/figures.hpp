@@ -55,11 +55,14 @@ inline std::vector<Row> rows(const std::string& topic) {
 /// Of a topic whose columns are case, quantity and value.
 inline double figure(const std::string& topic, const std::string& of_case,
                      const std::string& quantity) {
+  std::vector<double> found;
   for (const Row& row : rows(topic))
     if (row.text("case") == of_case && row.text("quantity") == quantity)
-      return row.number("value");
-  BOOST_TEST_REQUIRE(false, topic << ".csv has no " << quantity << " of " << of_case);
-  return 0;
+      found.push_back(row.number("value"));
+  BOOST_TEST_REQUIRE(found.size() == 1U, topic << ".csv: " << quantity << " of "
+                                               << of_case << ", expected one, got "
+                                               << found.size());
+  return found.front();
 }
 
 }  // namespace referee

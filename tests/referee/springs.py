@@ -3,8 +3,10 @@
 All follow from stretches s = |g . X| of a cell, X its corners (8, 3) and g a vector of
 eight numbers: of a spring, +1 and -1; of a virtual spring along n, the mean gradient
 times n. Sources: Golec 2018, chapter 5, with the constants of the shear modulus;
-Flanagan and Belytschko 1981 for the mean gradient; what is the project's own stands in
-docs/explanation/models.md, from whose formulas this was written.
+Flanagan and Belytschko 1981 for the mean gradient; docs/explanation/models.md for what is
+the project's own. Which stiffness the hourglass springs of mss-affine have and which axes
+its virtual ones is a choice, not a formula: those are taken over from
+mss/networks/hourglass.hpp and axes.hpp, and a wrong choice is not seen here.
 """
 
 from dataclasses import dataclass
@@ -31,7 +33,8 @@ class Stretches:
     f: Callable
     r: np.ndarray = None
 
-    def parts(self, x):
+    def stretches(self, x):
+        """Sign, vectors, lengths and directions of each of the two."""
         X = x[self.block.corners]
         for sign, g in ((1.0, self.g), (-1.0, self.r)):
             if g is None:
@@ -41,11 +44,11 @@ class Stretches:
             yield sign, g, s, y / s[:, :, None]
 
     def elongation(self, x):
-        return sum(sign * s for sign, _, s, _ in self.parts(x))
+        return sum(sign * s for sign, _, s, _ in self.stretches(x))
 
     def slopes(self, x):
         """dq/dX, (cells, m, 8, 3)."""
-        return sum(sign * np.einsum("ma,cmd->cmad", g, n) for sign, g, _, n in self.parts(x))
+        return sum(sign * np.einsum("ma,cmd->cmad", g, n) for sign, g, _, n in self.stretches(x))
 
     def energy(self, x):
         return float(self.f(self.elongation(x))[0].sum())
@@ -59,7 +62,7 @@ class Stretches:
         cells = len(first)
         slopes = self.slopes(x).reshape(cells, -1, 24)
         H = np.matmul(np.swapaxes(slopes * second[:, :, None], 1, 2), slopes)
-        for sign, g, s, n in self.parts(x):
+        for sign, g, s, n in self.stretches(x):
             across = (np.eye(3) - n[:, :, :, None] * n[:, :, None, :])
             across *= (sign * first / s)[:, :, None, None]
             pairs = (g[:, :, None] * g[:, None, :]).reshape(len(g), 64)
@@ -177,30 +180,30 @@ class Stars:
 
 @dataclass
 class Traces:
-    """V0 kappa/2 (tr E)^2 of each cell, E Green's strain of the mean edges."""
+    """V0 kappa/2 (tr E)^2 of each cell, E Green's strain of the mean edges y."""
 
     block: Block
     G: np.ndarray
     kappa: float
 
-    def trace(self, x):
+    def trace_and_edges(self, x):
         y = np.einsum("cad,ae->cde", x[self.block.corners], self.G)
         return ((y**2).sum(axis=(1, 2)) - 3) / 2, y
 
     def energy(self, x):
-        t, _ = self.trace(x)
+        t, _ = self.trace_and_edges(x)
         return float(self.block.cell_volume * self.kappa / 2 * (t**2).sum())
 
     def slopes(self, y):
         return np.einsum("ae,cde->cad", self.G, y)
 
     def gradient(self, x):
-        t, y = self.trace(x)
+        t, y = self.trace_and_edges(x)
         pull = self.block.cell_volume * self.kappa * t
         return self.block.assembled(pull[:, None, None] * self.slopes(y))
 
     def hessian(self, x):
-        t, y = self.trace(x)
+        t, y = self.trace_and_edges(x)
         slopes = self.slopes(y).reshape(-1, 24)
         curved = np.einsum("ae,be,kl->akbl", self.G, self.G, np.eye(3)).reshape(24, 24)
         scale = self.block.cell_volume * self.kappa
@@ -229,7 +232,7 @@ def logarithmic(k, L):
 
 
 def hencky(k, L, a=0.7, b=0.3):
-    """s dW/ds = k L^2 (u - 1)/(2 u (a + b u)), u = (s/L)^2. No value: none is needed."""
+    """s dW/ds = k L^2 (u - 1)/(2 u (a + b u)), u = (s/L)^2; no value."""
 
     def f(s):
         u = (s / L)**2
@@ -315,22 +318,35 @@ def lattice(block, method, E, nu, form="mu", measure="engineering", A=None):
     return parts + [Volumes(Determinants(block, mean_edges(block)), U)]
 
 
+def cyclic(*vectors):
+    return [v[i:] + v[:i] for v in vectors for i in range(3)]
+
+
 def icosahedron():
     """Its six axes."""
     golden = (1 + np.sqrt(5)) / 2
-    axes = np.array([[0, 1, golden], [0, -1, golden], [1, golden, 0], [-1, golden, 0],
-                     [golden, 0, 1], [golden, 0, -1]])
+    axes = np.array(cyclic((golden, 1, 0), (golden, -1, 0)))
     return axes / np.linalg.norm(axes, axis=1)[:, None]
 
 
+def sixteen_axes():
+    """Of the icosahedron and the dodecahedron dual to it, and their weights in the mean
+    over directions."""
+    golden = (1 + np.sqrt(5)) / 2
+    corners = np.array([(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)] +
+                       cyclic((0, 1 / golden, golden), (0, -1 / golden, golden)))
+    return (np.vstack([icosahedron(), corners / np.sqrt(3)]),
+            np.array([25 / 420] * 6 + [27 / 420] * 10))
+
+
 def affine(block, E, nu, stars=None):
-    """mss-affine on cubes: six virtual springs, kappa on cells up to nu = 1/4 and on
+    """mss-affine on cubes: sixteen virtual springs, kappa on cells up to nu = 1/4 and on
     stars above unless said, hourglass springs whose rest length follows the mean
     gradient."""
     G, V = mean_edges(block), block.cell_volume
     _, mu = lame(E, nu)
-    n = icosahedron()
-    parts = [Stretches(block, n @ G.T, engineering(np.full(6, 5 * mu / 2 * V), 1.0))]
+    n, weights = sixteen_axes()
+    parts = [Stretches(block, n @ G.T, engineering(15 * mu * V * weights, 1.0))]
     kappa, J = kappa_of(E, nu), Determinants(block, G)
     if stars is None:
         stars = nu > 0.25

@@ -1,10 +1,11 @@
-"""Figures of theories: the elastica, and living tissue in simple shear, by quadrature and
-by integration in time."""
+"""Figures of theories: the elastica, volumes, and living tissue in simple shear, by
+quadrature and by integration in time."""
 
-import elements
 import numpy as np
 import scipy.integrate as integrate
 import scipy.optimize as optimize
+from blocks import CORNERS, gauss_gradients
+from laws import lattice_directions
 from scipy.special import gamma as gamma_function
 from springs import constants
 
@@ -29,6 +30,29 @@ def elastica():
         EI = E * 0.4**4 / 12
         start = optimize.brentq(lambda k: shot(k, EI)[1], 0, w * L**2 / (2 * EI), xtol=1e-14)
         yield f"E {E:g}", "drop of the tip", float(shot(start, EI)[2])
+
+
+def volumes():
+    """By how much six tetrahedra around a diagonal miss the volume of a hexahedron whose
+    corners are off by up to 20 % of the edge, over 200,000 of them, seed 1; and what the
+    kidney's hilum leaves of the ellipsoid between its planes, |z| < .8."""
+    X = CORNERS + np.random.default_rng(1).uniform(-0.2, 0.2, (200000, 8, 3))
+    exact = np.linalg.det(np.einsum("cad,qae->cqde", X, gauss_gradients(np.ones(3))))
+    exact = exact.mean(axis=1)
+    six = 0.0
+    for first, second in ((1, 3), (3, 2), (2, 6), (6, 4), (4, 5), (5, 1)):
+        sides = np.stack([X[:, i] - X[:, 0] for i in (first, second, 7)], axis=1)
+        six = six + np.linalg.det(sides) / 6
+    off = six / exact - 1
+    yield "six tetrahedra", "root mean square", float(np.sqrt((off**2).mean()))
+    yield "six tetrahedra", "mean of the absolute value", float(np.abs(off).mean())
+
+    def chord(x, z):  # of both ellipsoids in y
+        hilum, body = 1 - z * z - ((x - 1.1) / 0.5)**2, 1 - x * x - z * z
+        return 2 * min(0.4 * np.sqrt(max(hilum, 0)), np.sqrt(max(body, 0)))
+
+    taken = integrate.dblquad(chord, 0, 0.8, 0.6, 1.0, epsabs=1e-7)[0] * 2
+    yield "kidney", "left by the hilum", float(1 - taken / (np.pi * (1.6 - 2 * 0.8**3 / 3)))
 
 
 # ------------------------------------------------------------------ the law of tissue
@@ -79,14 +103,20 @@ def tissue_held():
 
 
 def tissue_oscillating():
-    """G' and G'' of G0(t) = K t^-n/Gamma(1-n): i omega times its Fourier integral, whose
-    path is turned to the imaginary axis, where it does not oscillate."""
+    """G' and G'' of G0(t) = K t^-n/Gamma(1-n): omega times the integrals of G0 with sine
+    and cosine, over a period with the singular weight, and on by QUADPACK's rule for
+    oscillating integrands."""
     for organ, (K, n, *_) in ORGANS.items():
-        decays = sum(integrate.quad(lambda y: y**-n * np.exp(-y), *span, epsabs=0,
-                                    epsrel=1e-12)[0] for span in ((0, 1), (1, 60)))
         for omega in (0.01, 0.1, 1, 10, 100):
-            G = K / gamma_function(1 - n) * (1j * omega)**n * decays
-            yield organ, omega, float(G.real), float(G.imag)
+            period = 2 * np.pi / omega
+            moduli = []
+            for name, function in (("sin", np.sin), ("cos", np.cos)):
+                near = integrate.quad(lambda t: function(omega * t), 0, period, weight="alg",
+                                      wvar=(-n, 0), epsabs=0, epsrel=1e-12)[0]
+                far = integrate.quad(lambda t: t**-n, period, np.inf, weight=name, wvar=omega,
+                                     epsabs=1e-11 * period, limlst=200)[0]
+                moduli.append(float(omega * K / gamma_function(1 - n) * (near + far)))
+            yield organ, omega, *moduli
 
 
 def tissue_between_discs():
@@ -143,7 +173,7 @@ def thesis_springs():
     its stress over the law's at the same rate, root mean square of the logarithm over
     strains of 0.01 to 1; and its stress [Pa]."""
     h = 0.005
-    directions, _ = elements.lattice_directions(1)
+    directions, _ = lattice_directions(1)
     lengths = h * np.array([1.0] * 3 + [np.sqrt(2)] * 6 + [np.sqrt(3)] * 4)
     for organ, law in ORGANS.items():
         K, n, _, p, limit = law

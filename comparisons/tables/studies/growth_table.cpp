@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <malloc.h>
-#include <omp.h>
 #include <tbb/task_arena.h>
 
 #include <cmath>
@@ -15,8 +14,8 @@
 #include "comparisons/running/stepping.hpp"
 #include "comparisons/running/timing.hpp"
 #include "comparisons/studies/extrapolation.hpp"
+#include "comparisons/system/environment.hpp"
 #include "comparisons/system/memory.hpp"
-#include "comparisons/system/processor.hpp"
 #include "comparisons/tables/plans/planned_requests.hpp"
 #include "meshing/stopwatch.hpp"
 #include "mss/statics/equilibrium.hpp"
@@ -184,7 +183,6 @@ void add_rows(Sheet& sheet, const Growing& growing, double most_seconds) {
 
 Sheet growth_sheet(const std::vector<int>& across,
                    const std::vector<int>& across_directly, double most_seconds) {
-  omp_set_max_active_levels(0);  // see simulate
   Sheet sheet{
       .name = "growth",
       .title = "How time and memory grow with the cells",
@@ -197,8 +195,8 @@ Sheet growth_sheet(const std::vector<int>& across,
                   {"megabytes", "memory [MB]", "{:.4g}"},
                   {"memory_exponent", "exponent", "{:.3f}"}},
       .notes = {
-          fmt::format("Measured on {}, compiled by {} (commit {}), one thread.",
-                      processor_name(), build_info::compiler, build_info::commit),
+          fmt::format("Measured on {} (commit {}), one thread.", text_of(environment()),
+                      build_info::commit),
           "Exponents: least squares of the logarithms over all sizes of the series. "
           "Explicit steps at nu = .4, the shortest of five measurements of .1 s or one "
           "step each; memory: the arrays and constants that move, without mesh. "

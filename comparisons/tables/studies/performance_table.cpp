@@ -8,7 +8,7 @@
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/running/stepping.hpp"
-#include "comparisons/system/processor.hpp"
+#include "comparisons/system/environment.hpp"
 
 namespace springcheck {
 namespace {
@@ -102,12 +102,10 @@ Sheet measured_sheet() {
                   {"printed_seconds", "printed, mss-cf on 8 threads [s]", "{:.4g}"},
                   {"seconds_as_printed", "ours for as many steps [s]", "{:.4g}"}},
       .notes = {
-          fmt::format(
-              "Measured on {}, instruction set {}, compiled by {} (commit {}); the "
-              "shortest of five measurements of .1 s each, and what follows from "
-              "it for the figure's number of steps.",
-              processor_name(), name_of(dynamics::best_instruction_set()),
-              build_info::compiler, build_info::commit),
+          fmt::format("Measured on {} (commit {}); the shortest of five measurements of "
+                      ".1 s each, "
+                      "and what follows from it for the figure's number of steps.",
+                      text_of(environment()), build_info::commit),
           "fem-explicit-1p and -8p are St-Venant-Kirchhoff elements of one point with "
           "hourglass control and of eight points, by kernels of the same making.",
           "Plain loops: unique springs, square roots and divisions, one thread, mss-cf's "

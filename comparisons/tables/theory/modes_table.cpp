@@ -1,7 +1,6 @@
 #include "comparisons/tables/theory/theory_tables.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 
@@ -185,7 +184,6 @@ void add_rows(Sheet& sheet, const SwingingBody& body, double nu, MeshStore& mesh
 
 SheetPlan plan_modes_table() {
   return {.make = [](std::span<const CaseResult>, MeshStore& meshes) {
-    omp_set_num_threads(1);  // CHOLMOD's small loops only wait otherwise
     Sheet sheet = empty_sheet();
     for (const SwingingBody& body : bodies())
       for (const double nu : body.ratios) add_rows(sheet, body, nu, meshes);

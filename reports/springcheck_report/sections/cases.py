@@ -60,8 +60,9 @@ def provenance(study):
     if sessions.empty:
         return None
     section = Section("provenance", "Provenance")
-    columns = ["date", "springcheck", "commit", "revision", "compiler"]
-    columns += ["deal.II", "gmsh", "Eigen", "HDF5", "BLAS", "cpu", "instructions", "cores", "threads"]
+    columns = ["date", "springcheck", "commit", "revision", "compiler", "flags"]
+    columns += ["deal.II", "gmsh", "Eigen", "HDF5", "BLAS", "cpu", "machine", "clock"]
+    columns += ["instructions", "cores", "threads"]
     columns = [name for name in columns if name in sessions]
     counts = study.cases.provenance.value_counts()
     rows = []

@@ -114,8 +114,8 @@ std::ostream& operator<<(std::ostream& out, const Verdict& verdict) {
 const std::string nfd = "method=mss-nfd", baudet = "method=mss-baudet",
                   hencky = "method=fem-hencky";
 
-// Of few cells: Hencky's bulges are those of finer grids. Where paths are lost the
-// referee says too (path_limit_test).
+// Recorded, on few cells: Hencky's bulges are those of finer grids. Where paths in
+// compression are lost the referee says (path_limit_test).
 const std::vector<Verdict> verdicts{
     {"compression", {nfd}, Status::wrinkled},
     {"compression", {nfd, at_20}, Status::wrinkled},
@@ -151,8 +151,10 @@ BOOST_DATA_TEST_CASE(a_scene_gives_the_referee_s_figure, data::make(figures)) {
 // elements: fem_reference/figures_test.
 BOOST_AUTO_TEST_CASE(elements_in_torsion_have_the_referee_s_torques,
                      *boost::unit_test::tolerance(1e-7)) {
+  int torques = 0;
   for (const referee::Row& row : referee::rows("elements")) {
     if (row.text("quantity") != "torque") continue;
+    ++torques;
     const std::vector<std::string> changes{"method=fem-" + row.text("law"),
                                            "element=" + row.text("element"),
                                            "deformation=" + row.text("amount") + "deg"};
@@ -160,6 +162,7 @@ BOOST_AUTO_TEST_CASE(elements_in_torsion_have_the_referee_s_torques,
     BOOST_TEST(measure_named(result_of("torsion", changes), "plate_torque") ==
                row.number("value"));
   }
+  BOOST_TEST(torques == 12);
 }
 
 // w L^4/(8 E I), w = 10^4 N/m^3 of the section, at both scales.
@@ -183,7 +186,7 @@ BOOST_AUTO_TEST_CASE(mss_cf_at_nu_0_cannot_be_stretched_by_20_percent) {
   BOOST_TEST((result.status == Status::no_equilibrium));
   BOOST_TEST(std::abs(.2 * result.solution.load_fraction -
                       referee::figure("paths", "tension mss-cf nu 0 no equilibrium",
-                                      "strain")) < 3e-4);
+                                      "strain")) < 6e-4);
   BOOST_TEST(!result.measures.volume_error.has_value());
   BOOST_TEST(result.solution.displacements.size() > 0U);  // of the last state reached
 }

@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(a_homogeneous_state_has_no_discretisation_part,
       BOOST_TEST(std::abs(*q.discretisation.value) < 1e-8);
       BOOST_TEST(std::abs(*q.law.value) > 1e-6);
     }
-  // Hencky: E ln z/z on the undeformed area; Cauchy-Born .906 E strain (MODEL table).
+  // Hencky: E ln z/z on the undeformed area; Cauchy-Born .906 E strain.
   const SplitQuantity& force = quantity(split, "plate_force");
   BOOST_TEST(*force.reference.converged.value == -10e3 * 0.0025 * std::log(0.8) / 0.8);
   BOOST_TEST(*force.law.value ==

@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(st_venants_change_of_volume_is_said_where_it_shows) {
   }
 }
 
-// The printed nu = 0 rows of 5.1 need the E-form (MODEL.md section 1).
+// The printed nu = 0 rows of 5.1 need the E-form (docs/explanation/thesis.md).
 BOOST_AUTO_TEST_CASE(table_5_1_shows_the_young_modulus_form_at_nu_0_only) {
   int rows = 0;
   for (const PlannedRow& row : plan_table("5.1", std::nullopt).rows)

@@ -80,8 +80,8 @@ BOOST_AUTO_TEST_CASE(a_rod_s_first_frequency_is_bracketed, *utf::tolerance(1e-8)
 
 // Rayleigh's principle: with everything integrated exactly, as on undistorted cells by
 // q1, any mesh's frequencies are upper bounds that fall by h^2. The limit is that of
-// Rayleigh and Ritz on the same cube at nu = .25, 18.1810 Hz (free_block_modes with
-// polynomials up to degree 13). The band of the ratio is for coarse meshes.
+// Rayleigh and Ritz on the same cube at nu = .25, 18.1810 Hz (recorded: free_block_modes
+// with polynomials up to degree 13). The band of the ratio is for coarse meshes.
 BOOST_AUTO_TEST_CASE(consistent_frequencies_fall_to_the_limit_on_any_cells) {
   const double limit = 18.1810;
   for (const CellPattern pattern : patterns) {

@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(unstable_straight_state_is_left_for_a_minimum) {
 }
 
 // Mss-cf in tension at nu = 0 has no equilibrium beyond 17.5 % strain. We follow the load
-// in steps of 1/1024 of 20 %, .02 %.
+// in steps of 1/1024 of 20 %, .02 %, and end up to three of them short of the last.
 BOOST_AUTO_TEST_CASE(tension_without_equilibrium_ends_where_it_is_lost) {
   const Mesh mesh = generate_block({.size = {0.004, 0.004, 0.024}, .cells = {4, 4, 24}});
   Scene scene =
@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(tension_without_equilibrium_ends_where_it_is_lost) {
   BOOST_TEST((solution.status == SolveStatus::no_equilibrium));
   BOOST_TEST(std::abs(.2 * solution.load_fraction -
                       referee::figure("paths", "tension mss-cf nu 0 no equilibrium",
-                                      "strain")) < 3e-4,
+                                      "strain")) < 6e-4,
              20 * solution.load_fraction << " %");
   BOOST_TEST(solution.displacements.size() == mesh.nodes().size());  // the last state
   BOOST_TEST(solution.definite_up_to.value() == solution.load_fraction);

@@ -9,8 +9,9 @@ using namespace springcheck::mss;
 
 BOOST_AUTO_TEST_SUITE(large_equilibrium_test)
 
-// 30^3 cells, 84,000 unknowns: solved iteratively. The plate's force is the direct
-// solver's, printed to ten digits; residuals of 1e-10 leave it about eight.
+// 30^3 cells, 84,000 unknowns: solved iteratively. The plate's force is as
+// recorded of this program's direct solver; residuals of 1e-10 leave it about eight
+// digits.
 BOOST_AUTO_TEST_CASE(large_block_is_in_balance) {
   constexpr double side = 0.05, strain = 0.05;  // [m]
   const Mesh mesh = cube(30, side / 30);
