@@ -48,10 +48,10 @@ def waves():
     """The strain in compression at which the infinite lattice, its sides free, loses its
     first wave; long ones included."""
     cell = Block((h, h, h), (1, 1, 1))
-    grid = [np.array([a, b, c]) * np.pi / 8 for a in range(9) for b in range(9)
-            for c in range(9) if a + b + c > 0]
-    long = 1e-3
-    grid += [long * t / np.linalg.norm(t) for t in grid]
+    short = [np.array([a, b, c]) * np.pi / 8 for a in range(9) for b in range(9)
+             for c in range(9) if a + b + c > 0]
+    long = [1e-3 * t for t in {tuple(np.round(t / np.linalg.norm(t), 12)): t /
+                               np.linalg.norm(t) for t in short}.values()]
 
     def lowest(parts, z):
         def energy_slope(l):
@@ -62,18 +62,20 @@ def waves():
         H = total_hessian(parts, cell.nodes * [l, l, z]).toarray().reshape(8, 3, 8, 3)
 
         def modulus(t):
-            """The least eigenvalue; those of long waves go with t^2, which is divided
-            out, so that they can be held against others."""
+            """The least eigenvalue over that of the lattice's Laplacian, so that long
+            waves, whose eigenvalues go with t^2, can be held against others."""
             phase = np.expm1(1j * CORNERS @ t)  # less one: a cell that moves has no forces
             D = np.einsum("a,akbl,b->kl", phase.conj(), H, phase)
-            return np.linalg.eigvalsh(D)[0] / min(t @ t, 1.0)
+            return np.linalg.eigvalsh(D)[0] / (np.sin(t / 2)**2).sum()
 
-        start = min(grid, key=modulus)
-        best = optimize.minimize(modulus, start, method="Nelder-Mead",
-                                 options={"xatol": 1e-7, "fatol": 1e-12 * abs(modulus(start)),
-                                          "initial_simplex": start + 0.05 * np.linalg.norm(start) *
-                                          np.vstack([np.zeros(3), np.eye(3)])})
-        return min(modulus(start), best.fun)
+        # The least point of a grid is not always beside the least of all.
+        starts = sorted(short, key=modulus)[:8] + sorted(long, key=modulus)[:4]
+        corners = np.vstack([np.zeros(3), np.eye(3)])
+        return min(optimize.minimize(
+            modulus, start, method="Nelder-Mead",
+            options={"xatol": 1e-7, "fatol": 1e-12 * abs(modulus(start)),
+                     "initial_simplex": start + 0.05 * np.linalg.norm(start) * corners}).fun
+                   for start in starts)
 
     for A in (0.01, 0.1, 1, 10):
         for nu in (0, 0.25, 0.499):

@@ -53,7 +53,7 @@ double error(const Lattice& lattice, double nu) {
 
 }  // namespace
 
-// The referee's are of 20,000 states: 1,000 may be off by a tenth.
+// The referee's are of 20,000 other states: 1,000 may be off by a tenth.
 BOOST_AUTO_TEST_CASE(stress_is_as_far_off_henckys_as_the_referee_s) {
   constexpr auto hencky = SpringStrain::hencky;
   const struct {

@@ -182,7 +182,8 @@ BOOST_AUTO_TEST_CASE(definite_tangents_are_told_from_indefinite_ones) {
 }
 
 // St-Venant's cube of 6^3 cells loses definiteness at about 32 % of compression. Both
-// solvers tell the same story: the same strain, the same last state.
+// solvers tell the same story: the same strain, the same last state, up to three of the
+// load's steps of 1/1024 short of it.
 BOOST_AUTO_TEST_CASE(loss_of_definiteness_is_found_at_the_same_strain) {
   for (const double strain : {0.325, 0.36}) {
     const Solution last =
@@ -193,7 +194,7 @@ BOOST_AUTO_TEST_CASE(loss_of_definiteness_is_found_at_the_same_strain) {
     BOOST_TEST(std::abs(*last.definite_up_to * strain -
                         referee::figure(
                             "paths", "compression fem-stvk 6 across nu 0.25 bifurcation",
-                            "strain")) < 0.0004);
+                            "strain")) < 3 * strain / 1024);
   }
 }
 

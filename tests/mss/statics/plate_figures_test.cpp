@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(cubes_have_the_referee_s_forces_and_torques) {
        {Springs{"mss-cf", Method::cf, Correction::as_built},
         Springs{"mss-affine", Method::affine, Correction::as_built},
         Springs{"mss-affine on cells", Method::affine, Correction::on_cells}})
-    for (std::size_t nu = 0; nu < 4; ++nu)
+    for (std::size_t nu = correction == Correction::on_cells ? 2 : 0; nu < 4; ++nu)
       for (const Load load : loads) {
         constexpr const char* names[] = {"compression", "shearing", "torsion"};
         BOOST_TEST(answer(mesh, in_shear_modulus_form(method), load, nu, correction) ==
