@@ -28,12 +28,12 @@ def twisted(degrees):
     return "torsion", degrees, lambda block: turned(np.radians(degrees))
 
 
-def figures_of(name, block, parts, load, steps=None, small_strain=False):
+def figures_of(name, block, parts, load, small_strain=False):
     """Of one state: the force on the plate along the load and its norm, or the torque;
     and the change of volume."""
     test, amount, motion = load
-    small = {"torsion": 12}.get(test, 0.05)
-    state = equilibrium(block, parts, motion(block), steps=steps or int(np.ceil(amount / small)))
+    step = 12 if test == "torsion" else 0.05
+    state = equilibrium(block, parts, motion(block), steps=int(np.ceil(amount / step)))
     case = f"{test} {amount:g} {name}"
     force = plate_force(block, state)
     along = force[0] if test == "shearing" else force[2]
@@ -77,7 +77,7 @@ def trilinear():
     """Elements of every law, on the cells of the thesis."""
     def rows(law, element, nu, block, load):
         parts = LAWS[law, element](block, E, nu)
-        for _, quantity, value in figures_of("", block, parts, load, None, law == "hooke"):
+        for _, quantity, value in figures_of("", block, parts, load, small_strain=law == "hooke"):
             yield load[0], load[1], law, element, nu, quantity, value
 
     ratios = 0, 0.25, 0.499
