@@ -29,8 +29,9 @@ Environment environment();
 std::string text_of(const Environment& environment);
 
 /// Sets what a process computes with, for as long as this lives: one thread for each call
-/// of OpenBLAS and OpenMP, so that results have the same bits for any number of threads,
-/// and at most so many for loops, which run cases, cells and nodes side by side.
+/// of OpenBLAS, so that results have the same bits for any number of threads, and at most
+/// so many for loops, which run cases, cells and nodes side by side. CHOLMOD is kept to
+/// one where it is called (meshing/sparse_cholesky).
 class ThreadsInUse {
  public:
   explicit ThreadsInUse(int threads);

@@ -106,10 +106,14 @@ double tip_drop(const std::array<double, 3>& size, int cells_across,
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(trilinear_elements_at_a_quarter_have_the_referee_s_figures) {
+// At nu = 1/4, and in compression by 5 % at all others.
+BOOST_AUTO_TEST_CASE(a_sample_of_trilinear_elements_has_the_referee_s_figures) {
   std::vector<referee::Row> rows = referee::rows("elements");
-  std::erase_if(rows, [](const referee::Row& row) { return row.text("nu") != "0.25"; });
-  BOOST_TEST(rows.size() == 129U);
+  std::erase_if(rows, [](const referee::Row& row) {
+    return row.text("nu") != "0.25" &&
+           (row.text("test") != "compression" || row.text("amount") != "0.05");
+  });
+  BOOST_TEST(rows.size() == 177U);
   check_against_the_referee(rows);
 }
 
