@@ -15,6 +15,7 @@
 #include "meshing/stopwatch.hpp"
 #include "meshing/turn.hpp"
 #include "statics/equilibrium.hpp"
+#include "statics/last_stable_equilibrium.hpp"
 #include "statics/systems/nodal_vectors.hpp"
 
 namespace springcheck::fem_reference {
@@ -78,7 +79,8 @@ std::vector<CellNodes> finest_cells(const Mesh& mesh, const Discretisation& body
 
 }  // namespace
 
-Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
+Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
+               const statics::Search& search) {
   check(scene);
   if (const auto reason = reason_to_refuse(mesh, scene, settings))
     return refused(*reason);
@@ -89,8 +91,8 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
                                .dilatation = dilatation_taken(settings)});
   // Where Hooke's law takes the supports is one place.
   const bool turns = turns_far(scene) && !elements.is_linear();
-  const std::vector<CellNodes> cells =
-      turns ? finest_cells(mesh, body) : std::vector<CellNodes>{};
+  const std::vector<CellNodes> finest =
+      turns || search.to_limit ? finest_cells(mesh, body) : std::vector<CellNodes>{};
   const statics::Loading loading{
       .is_free = supports.is_free(),
       .displacements = [&](double s) { return supports.displacements(s); },
@@ -99,12 +101,15 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings) {
           [&](const Eigen::VectorXd& displacements, double s) {
             const Eigen::VectorXd positions =
                 statics::stacked(body.nodes) + displacements;
-            return !turns || shows_imposed_turn(mesh, scene, {cells, body.nodes},
+            return !turns || shows_imposed_turn(mesh, scene, {finest, body.nodes},
                                                 statics::by_node(positions), s);
           }};
   const double setup_wall_s = stopwatch.seconds();
-  const statics::Equilibrium found = statics::find_equilibrium(
-      elements, loading, {.linear_solver = settings.linear_solver});
+  const statics::Equilibrium found =
+      search.to_limit
+          ? statics::last_stable_equilibrium(elements, loading, {mesh.cells(), finest},
+                                             search.linear_solver)
+          : statics::find_equilibrium(elements, loading, search);
 
   Solution solution = statics::solution_of(found);
   solution.displacements.resize(mesh.nodes().size());  // q2 has more

@@ -40,14 +40,16 @@ struct Sums {
 
 }  // namespace
 
-double shortest_wavelength(const Mesh& mesh, std::span<const Vector3> field) {
+double shortest_wavelength(std::span<const CellNodes> cells,
+                           std::span<const Vector3> nodes,
+                           std::span<const Vector3> field) {
   std::set<std::pair<NodeIndex, NodeIndex>> all_edges;
-  for (const CellNodes& cell : mesh.cells())
+  for (const CellNodes& cell : cells)
     for (const LocalEdge& edge : edges(type_of(cell)))
       all_edges.insert(std::minmax(cell[edge[0]], cell[edge[1]]));
   std::array<Sums, 13> sums{};
   for (const auto& [a, b] : all_edges) {
-    Sums& sum = sums[nearest_direction(mesh.nodes()[b] - mesh.nodes()[a])];
+    Sums& sum = sums[nearest_direction(nodes[b] - nodes[a])];
     sum.products += field[a].dot(field[b]);
     sum.squares += (field[a].squaredNorm() + field[b].squaredNorm()) / 2;
     ++sum.edges;

@@ -18,6 +18,8 @@ namespace springcheck {
 /// A direction counts where it has at least half as many edges as the one with most; the
 /// same between edges of different lengths in units of their own. Below 4 where
 /// neighbours pull in opposite ways.
-double shortest_wavelength(const Mesh& mesh, std::span<const Vector3> field);
+double shortest_wavelength(std::span<const CellNodes> cells,
+                           std::span<const Vector3> nodes,
+                           std::span<const Vector3> field);
 
 }  // namespace springcheck

@@ -16,9 +16,7 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
   const auto solved = [&] {
     if (settings.dynamics)
       return run_dynamics(mesh, scene, network, *settings.dynamics, observers);
-    if (settings.to_limit) return last_stable_equilibrium(mesh, scene, network);
-    return find_equilibrium(mesh, scene, network,
-                            {.seed = settings.seed, .noise = settings.noise});
+    return find_equilibrium(mesh, scene, network, settings.search);
   };
   Solution solution = solved();
   solution.setup_wall_s += network_wall_s;

@@ -5,16 +5,9 @@
 #include "meshing/scene.hpp"
 #include "statics/elastic_body.hpp"
 #include "statics/loading.hpp"
-#include "statics/systems/linear_solver.hpp"
+#include "statics/search.hpp"
 
 namespace springcheck::statics {
-
-/// What an equilibrium is searched with.
-struct Search {
-  unsigned seed = 1;
-  LinearSolver linear_solver = LinearSolver::automatic;
-  double noise = 0;  // in mean cell edges
-};
 
 /// The last state of a path, and how it was found. Vectors hold all components.
 struct Equilibrium {
@@ -25,7 +18,7 @@ struct Equilibrium {
   double strain_energy;           // [J]
   double load_fraction;
   std::optional<double> definite_up_to;  // load fraction, where definiteness was lost
-  std::optional<double> critical_wavelength;  // in cell edges, by last_stable_equilibrium
+  std::optional<double> critical_wavelength;  // by last_stable_equilibrium
   int steps;
   int force_evaluations;
   std::optional<int> linear_iterations, factorisations;

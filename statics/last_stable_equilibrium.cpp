@@ -13,8 +13,6 @@
 namespace springcheck::statics {
 namespace {
 
-constexpr double resolution = 0.002;  // of the load reached
-
 SolveStatus status_of(PathEnd end) {
   switch (end) {
     case PathEnd::full_load:
@@ -40,7 +38,7 @@ std::string reason_of(const PathLimit& limit, double wavelength) {
       return {};
     case PathEnd::bifurcation:
       return fmt::format(
-          "the tangent loses positive definiteness {}, by a mode {:.3g} cells long: {}",
+          "the tangent loses positive definiteness {}, by a mode {:.3g} edges long: {}",
           where, wavelength, wavelength < 4 ? "it wrinkles" : "it buckles");
     case PathEnd::limit_point:
       return fmt::format("the path turns back {}: no equilibrium nearby beyond", where);
@@ -58,17 +56,17 @@ std::string reason_of(const PathLimit& limit, double wavelength) {
 }  // namespace
 
 Equilibrium last_stable_equilibrium(ElasticBody& body, const Loading& loading,
-                                    const Mesh& mesh) {
+                                    const MeshCells& cells, LinearSolver linear_solver) {
   bool lost_turn = false;  // what was tried last
   const Eigen::VectorXd rest = stacked(body.nodes());
   const auto is_whole = [&](const Eigen::VectorXd& u, double load_fraction) {
     lost_turn = !loading.follows_supports(u, load_fraction);
-    return !lost_turn && !has_inverted_cell(mesh.cells(), by_node(rest + u));
+    return !lost_turn && !has_inverted_cell(cells.whole, by_node(rest + u));
   };
   const Stopwatch stopwatch;
-  Landscape landscape(body, loading, LinearSolver::automatic);
+  Landscape landscape(body, loading, linear_solver);
   const double setup_wall_s = stopwatch.seconds();
-  const PathLimit limit = follow_to_limit(landscape, resolution, is_whole);
+  const PathLimit limit = follow_to_limit(landscape, limit_resolution, is_whole);
   Equilibrium equilibrium{.status = status_of(limit.end),
                           .reason = "",
                           .displacements = limit.state.displacements,
@@ -83,7 +81,8 @@ Equilibrium last_stable_equilibrium(ElasticBody& body, const Loading& loading,
                           .factorisations = landscape.factorisations(),
                           .setup_wall_s = setup_wall_s};
   if (limit.end == PathEnd::full_load) return equilibrium;
-  const double wavelength = shortest_wavelength(mesh, by_node(limit.critical_mode));
+  const double wavelength =
+      shortest_wavelength(cells.finest, body.nodes(), by_node(limit.critical_mode));
   equilibrium.critical_wavelength = wavelength;
   equilibrium.reason = reason_of(limit, wavelength);
   if (limit.end == PathEnd::rejected && lost_turn) {

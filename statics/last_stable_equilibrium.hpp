@@ -1,15 +1,26 @@
 #pragma once
 
+#include <span>
+
 #include "statics/equilibrium.hpp"
 
 namespace springcheck::statics {
 
+/// Cells on a body's nodes: those of its mesh, and the parts of them that its
+/// intermediate nodes make, where it has any.
+struct MeshCells {
+  std::span<const CellNodes> whole, finest;
+};
+
+/// To which the load fraction is found, of the load reached.
+inline constexpr double limit_resolution = 0.002;
+
 /// The last state of the path from rest that is stable and turns no cell of the mesh
-/// inside out, with the load fraction found to .2 % (follow_to_limit). Status ok at the
-/// full load; before it indefinite where the path goes on without stability,
-/// no_equilibrium at a limit point, inverted, or not_converged where the solver fails;
-/// but for that with definite_up_to, and critical_wavelength.
+/// inside out (follow_to_limit). Status ok at the full load; before it indefinite where
+/// the path goes on without stability, no_equilibrium at a limit point, inverted, or
+/// not_converged where the solver fails; but for that with definite_up_to, and
+/// critical_wavelength, in edges of the finest cells.
 Equilibrium last_stable_equilibrium(ElasticBody& body, const Loading& loading,
-                                    const Mesh& mesh);
+                                    const MeshCells& cells, LinearSolver linear_solver);
 
 }  // namespace springcheck::statics

@@ -49,16 +49,16 @@ struct Mode {
   double curvature = 0;
 };
 
-/// The least curvature of the tangent taken last, positive definite, by inverse
-/// iteration.
-Mode least_curvature(Landscape& landscape, std::mt19937_64& random) {
+/// The least curvature of the tangent taken last, positive definite, by inverse iteration
+/// until it changes by less than that part of itself.
+Mode least_curvature(Landscape& landscape, std::mt19937_64& random, double change) {
   constexpr int most_iterations = 200;
   Mode mode{.shape = random_vector(landscape.unknowns().count(), random).normalized(),
             .curvature = 0};
   for (int i = 0; i < most_iterations; ++i) {
     const Eigen::VectorXd image = landscape.solve(mode.shape, 1e-6).value();
     const double curvature = 1 / mode.shape.dot(image);
-    const bool settled = std::abs(curvature - mode.curvature) < 1e-6 * curvature;
+    const bool settled = std::abs(curvature - mode.curvature) < change * curvature;
     mode.curvature = curvature;
     mode.shape = image.normalized();
     if (settled) break;
@@ -67,13 +67,20 @@ Mode least_curvature(Landscape& landscape, std::mt19937_64& random) {
 }
 
 /// The part of the path's direction at u, on the unknowns, that is along the mode; the
-/// landscape has the tangent there.
+/// landscape has the tangent there. The inner product is that of mean_gradient: where
+/// pins hold a body, shifts that both have as the pins are placed are nothing in common.
 double part_along(Landscape& landscape, const Eigen::VectorXd& u, double load,
                   const Eigen::VectorXd& mode) {
   constexpr double little = 1e-6;  // of the load
+  const ElasticBody& body = landscape.body();
+  const Unknowns& unknowns = landscape.unknowns();
   const Eigen::VectorXd way =
-      landscape.unknowns().in(landscape.predicted(u, load + little) - u);
-  return std::abs(mode.dot(way)) / way.norm();
+      unknowns.spread(unknowns.in(landscape.predicted(u, load + little) - u));
+  const Eigen::VectorXd one = mode / body.mean_gradient(mode),
+                        other = way / body.mean_gradient(way);
+  const double sum = body.mean_gradient(one + other),
+               difference = body.mean_gradient(one - other);
+  return std::abs(sum * sum - difference * difference) / 4;
 }
 
 }  // namespace
@@ -103,14 +110,17 @@ PathLimit follow_to_limit(Landscape& landscape, double resolution,
         landscape.unknowns().spread(landscape.negative_curvature(downhill, random));
     return limit;
   }
-  limit.rest_curvature = least_curvature(landscape, random).curvature;
   const double whole = landscape.path_gradient(landscape.predicted(rest, 1));
   const double longest_step = std::min(first_step, first_gradient / whole);
   Mode mode;
-  const auto softest = [&] {
+  const auto find_mode = [&] {
+    if (limit.rest_curvature == 0) {
+      landscape.linearise(rest);
+      limit.rest_curvature = least_curvature(landscape, random, 1e-3).curvature;
+    }
     landscape.set_load(limit.load_fraction);
     landscape.linearise(limit.state.displacements);
-    return least_curvature(landscape, random);
+    mode = least_curvature(landscape, random, 1e-6);
   };
   bool was_rejected = false;
   constexpr double none = 2;
@@ -140,25 +150,24 @@ PathLimit follow_to_limit(Landscape& landscape, double resolution,
     const double gap = to - limit.load_fraction;
     const bool is_finest = to < finest || gap <= finest * to;
     if (is_finest || gap <= resolution * to) {
-      mode = softest();
+      find_mode();
       // A mode of few nodes may be stiff until shortly before it is lost.
       if (is_finest || was_rejected || mode.curvature <= small * limit.rest_curvature)
         break;
     }
     step = gap / 2;
   }
-  if (limit.load_fraction == 1) mode = softest();
+  if (limit.load_fraction == 1) {
+    limit.next_load_fraction = 1;
+    return limit;
+  }
   limit.curvature = mode.curvature;
   limit.critical_mode = landscape.unknowns().spread(mode.shape);
-  const double part_of_mode = limit.load_fraction < 1
-                                  ? part_along(landscape, limit.state.displacements,
-                                               limit.load_fraction, mode.shape)
-                                  : 0;
+  const double part_of_mode = part_along(landscape, limit.state.displacements,
+                                         limit.load_fraction, limit.critical_mode);
   landscape.linearise(rest);
   limit.mode_rest_curvature = landscape.curvature_along(mode.shape);
-  if (limit.load_fraction == 1)
-    limit.end = PathEnd::full_load;
-  else if (was_rejected)
+  if (was_rejected)
     limit.end = PathEnd::rejected;
   else if (mode.curvature > small * limit.mode_rest_curvature)
     limit.end = PathEnd::solver;

@@ -21,11 +21,11 @@ struct PathLimit {
   double load_fraction;       // of that state
   double next_load_fraction;  // tried last, and not reached; that of the full load: 1
   Landscape::State state;
-  // Unit vector of least curvature of the energy there, as it goes to zero where
-  // definiteness is lost; of all components, 0 where held:
+  // Short of the full load, a unit vector of least curvature of the energy there, as it
+  // goes to zero where definiteness is lost; of all components, 0 where held:
   Eigen::VectorXd critical_mode;
   double curvature;            // of the energy along it [N/m]
-  double rest_curvature;       // least curvature at rest [N/m]
+  double rest_curvature;       // least curvature at rest, to 1 % [N/m]
   double mode_rest_curvature;  // along the critical mode at rest [N/m]
   int steps;
 };
@@ -47,8 +47,8 @@ using AcceptState =
 ///
 /// The path's direction du/ds then tells a limit point from a bifurcation: it grows
 /// without bound along the critical mode at the one, and has no part of it at the other
-/// (imperfections aside). Where more than half of du/ds is along the mode it is called a
-/// limit point.
+/// (imperfections aside). Where more than half of du/ds, shifts of the body aside, is
+/// along the mode it is called a limit point.
 PathLimit follow_to_limit(Landscape& landscape, double resolution,
                           const AcceptState& accept);
 

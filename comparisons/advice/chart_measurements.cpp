@@ -61,7 +61,7 @@ std::optional<CaseSettings> law_of(const CaseSettings& model, const CaseSettings
   if (!reads(law.method, "element")) return std::nullopt;
   law.body = grid.body;
   law.elements.element = grid.elements.element;
-  law.elements.linear_solver = grid.elements.linear_solver;
+  law.search.linear_solver = grid.search.linear_solver;
   return law;
 }
 

@@ -51,8 +51,12 @@ bool has_load(const CaseSettings& settings) {
 
 Solver solver_of(const CaseSettings& settings) {
   const Method& method = settings.method;
-  if (!method.follows_solver) return Solver::static_equilibrium;
-  return settings.solver.value_or(method.solvers.front());
+  const auto has = [&](Solver solver) {
+    return std::ranges::count(method.solvers, solver) > 0;
+  };
+  if (settings.solver && (method.follows_solver || has(*settings.solver)))
+    return *settings.solver;
+  return method.solvers.empty() ? Solver::static_equilibrium : method.solvers.front();
 }
 
 bool goes_through_time(const CaseSettings& settings) {

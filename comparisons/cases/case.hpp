@@ -8,7 +8,7 @@
 #include "comparisons/cases/named.hpp"
 #include "comparisons/cases/test.hpp"
 #include "mss/motion/dynamics.hpp"
-#include "statics/systems/linear_solver.hpp"
+#include "statics/search.hpp"
 #include "tissue/bipower_law.hpp"
 
 namespace springcheck {
@@ -34,16 +34,9 @@ struct Dynamics {
   std::optional<Oscillation> oscillation{};  // whose path the load is
 };
 
-/// Of the static solver of springs.
-struct StaticSprings {
-  unsigned seed;  // of the way out of a saddle, and of the noise
-  double noise;   // [cell edges] of a solution, which is solved again from there
-};
-
 /// Of finite elements.
 struct ElementSettings {
   ElementName element;
-  statics::LinearSolver linear_solver;
   LatticeName lattice;  // of fem-cauchy-born
   fem_reference::LatticeDirection lattice_direction;
 };
@@ -105,8 +98,8 @@ struct CaseSettings {
   ElementSettings elements;
   std::optional<Solver> solver;  // none: the method's own
   Dynamics dynamics;             // of solvers through time, and tissue
-  StaticSprings statics;
-  Tissue tissue;  // of methods of tissue
+  statics::Search search{};      // of static solvers; whether to a limit `solver` says
+  Tissue tissue;                 // of methods of tissue
 };
 
 /// The case's springs with what is fixed, and without what its method does not read.

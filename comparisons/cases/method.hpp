@@ -37,13 +37,6 @@ struct Look {
   std::string_view colour, mark;
 };
 
-/// How far beyond the last definite state of a path its loss may lie: a fraction of that
-/// state's load, and one of the whole load.
-struct PathPrecision {
-  double of_state = 0;
-  double of_load = 0;
-};
-
 /// Compression at which a bar of a law bears its largest force, and in words; 0: nowhere.
 struct BarLimit {
   double strain = 0;
@@ -62,6 +55,7 @@ struct Seconds {
 struct LinearSystems {
   enum class Kind { none, cholesky, multigrid } kind = Kind::none;
   double coupling = 1;
+  double multigrid_bytes = 0;  // in place of a factor, for each division of element_nodes
   double entries_per_node = 0;  // of the matrix, inside a large grid
 };
 
@@ -95,7 +89,7 @@ struct Method {
   std::string covers{};                       // in words; it refuses the rest in its own
   std::vector<CellType> cells{};              // it refuses others
   std::vector<Solver> solvers{};              // the first is its own; it refuses others
-  bool follows_solver = true;                 // no: static whatever solver a case names
+  bool follows_solver = true;                 // no: its own where it has not a case's
   bool is_elastic = true;                     // its material has a Young's modulus
   std::optional<double> own_poisson_ratio{};  // which it has whatever is asked for
   bool has_history = false;  // the way to a load matters without inertia too
@@ -114,7 +108,6 @@ struct Method {
   // it is that of the case:
   std::string_view at_rest{};
   std::optional<LatticeName> lattice{};  // whose continuum fem-cauchy-born is
-  PathPrecision path{};
 
   /// Solution of a case. It refuses, in words, what the method does not cover. None: what
   /// another program computed. threads: of steps through time.

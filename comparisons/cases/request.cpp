@@ -17,10 +17,10 @@ std::vector<CaseSettings> reference_cases(const Request& request) {
 std::string reference_label(const Request& request) {
   if (!request.reference) return {};
   std::string name = label(*request.reference);
-  const std::vector<Solver>& solvers = request.reference->method.solvers;
+  const Method& method = request.reference->method;
   const Solver solver = solver_of(*request.reference);
-  if (solvers.size() > 1 &&
-      (solver != solvers.front() || solver != solver_of(request.settings)))
+  if (method.follows_solver && method.solvers.size() > 1 &&
+      (solver != method.solvers.front() || solver != solver_of(request.settings)))
     name += fmt::format(":{}", name_of(solver));
   if (request.reference_grid == ReferenceGrid::converged) return name + "@converged";
   const Body& body = request.reference->body;

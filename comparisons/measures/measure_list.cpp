@@ -49,8 +49,8 @@ const std::vector<Described>& measure_list() {
        "where that was lost on the way",
        ""},
       {"critical_wavelength",
-       "of solver limit: wavelength in cells of the mode that becomes unstable, along "
-       "the direction in which it is shortest",
+       "of solver limit: wavelength of the mode that becomes unstable, in edges between "
+       "neighbouring nodes, along the direction in which it is shortest",
        ""},
       {"mean_deviation",
        "mean distance between nodes of this solution and the reference's", "m"},

@@ -61,8 +61,9 @@ struct Measures {
   // way: load fraction times deformation. Known of runs that found no equilibrium too;
   // empty in tests without a deformation.
   Value definite_up_to_deformation{};
-  // Of solver limit: wavelength of the mode that becomes unstable there, in cells, along
-  // the direction in which it is shortest. Below 4 it is a wrinkle, else it buckles.
+  // Of solver limit: wavelength of the mode that becomes unstable there, in edges between
+  // nodes, along the direction in which it is shortest. Below 4 it is a wrinkle, else it
+  // buckles.
   Value critical_wavelength{};
 
   // Distances between equal nodes of this solution and the reference's [m].

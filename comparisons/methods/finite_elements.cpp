@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "comparisons/cases/case.hpp"
+#include "comparisons/methods/protocol.hpp"
 #include "fem_reference/solve.hpp"
-#include "statics/systems/linear_solver.hpp"
 
 namespace springcheck {
 namespace {
@@ -16,27 +16,23 @@ Method of_elements(Law law, Method own) {
   own.family = Family::finite_elements;
   if (own.description.empty())
     own.description = "finite elements, " + std::string(own.law);
-  own.reads.insert(own.reads.end(), {"element", "linear-solver"});
+  own.reads.insert(own.reads.end(), {"element", "linear-solver", "noise", "seed"});
   own.covers =
-      "cells of any shape, q2 hexahedra alone; bodies at rest, whatever solver a "
-      "case names" +
+      "cells of any shape, q2 hexahedra alone; bodies at rest, by solver limit where a "
+      "case names that" +
       own.covers;
   own.cells = {all_cell_types.begin(), all_cell_types.end()};
-  own.solvers = {Solver::static_equilibrium};
+  own.solvers = {Solver::static_equilibrium, Solver::path_limit};
   own.follows_solver = false;
-  own.path.of_load = 1. / 1024;
   own.solve = [law](const CaseSettings& settings, const Mesh& mesh, const Scene& scene,
                     int /*threads*/, const dynamics::Observers& /*observers*/) {
-    return fem_reference::solve(mesh, scene, elements_of(settings, law));
+    return fem_reference::solve(mesh, scene, elements_of(settings, law),
+                                search_of(settings));
   };
   own.linear_systems = [](const CaseSettings& settings) -> LinearSystems {
-    using enum LinearSystems::Kind;
-    const auto [nx, ny, nz] = element_nodes(settings);
-    const statics::LinearSolver taken = statics::linear_solver_taken(
-        settings.elements.linear_solver, static_cast<std::ptrdiff_t>(3 * nx * ny * nz));
-    // Conjugate gradients by themselves need no more than with multigrid.
-    return {.kind = taken == statics::LinearSolver::direct ? cholesky : multigrid,
+    return {.kind = linear_systems_of(settings),
             .coupling = settings.elements.element.coupling,
+            .multigrid_bytes = settings.elements.element.multigrid_bytes,
             .entries_per_node = settings.elements.element.entries_per_node};
   };
   return own;
@@ -66,18 +62,18 @@ constexpr Omission no_small_strain{"Not Hooke's law", "fem-hooke"};
 std::vector<ElementName> finite_elements() {
   using fem_reference::Element;
   constexpr Omission no_quadratic{"No quadratic elements", "q2"};
-  // Of multigrid's memory: peak of `run compression`, Hooke and Hencky alike: 580 MB at
-  // 30^3 cells of q1-sri, 3435 MB at 60^3; 1646 MB at 20^3 cells of q2, which are 40^3
-  // divisions. Of q1-nodal 603 MB at 20^3, 1662 MB at 30^3; factorised 810 MB at 20^3 and
-  // 2520 MB at 28^3, where q1-sri takes 366 and 869. Entries: 3 x 3 blocks of 27 nodes,
-  // those of q2 of 64 on average.
+  // Peaks of `run compression` by multigrid, Hooke and others alike: 721 MB at 30^3 cells
+  // of q1 and q1-sri, 4621 MB at 60^3; 2263 MB at 20^3 cells of q2, which are 40^3
+  // divisions; 618 MB at 20^3 cells of q1-nodal, 1702 MB at 30^3. Factors: q1-nodal 810
+  // MB at 20^3 and 2520 MB at 28^3, where q1-sri takes 366 and 869. Entries: 3 x 3 blocks
+  // of 27 nodes, those of q2 of 64 on average.
   constexpr double of_q1 = 9 * 27, of_q1_nodal = 9 * 125, of_q2 = 9 * 64;
   return {{.name = "q1",
            .element = Element::q1,
            .description = "linear or trilinear, full integration: locks near nu = 0.5",
            .order = 2,
            .divisions = 1,
-           .multigrid_bytes = 13e3,
+           .multigrid_bytes = 18e3,
            .entries_per_node = of_q1,
            .omits = {{"No reduced integration", "q1-sri"}, no_quadratic},
            .locks = true},
@@ -87,7 +83,7 @@ std::vector<ElementName> finite_elements() {
                           "reduced integration; on tetrahedra it is q1)",
            .order = 2,
            .divisions = 1,
-           .multigrid_bytes = 13e3,
+           .multigrid_bytes = 18e3,
            .entries_per_node = of_q1,
            .omits = {no_quadratic}},
           {.name = "q1-nodal",
@@ -97,7 +93,7 @@ std::vector<ElementName> finite_elements() {
                           "near nu = 0.5",
            .order = 2,
            .divisions = 1,
-           .multigrid_bytes = 60e3,
+           .multigrid_bytes = 55e3,
            .entries_per_node = of_q1_nodal,
            .coupling = 3.2,
            .omits = {no_quadratic}},
@@ -106,7 +102,7 @@ std::vector<ElementName> finite_elements() {
            .description = "triquadratic (27 nodes), 3x3x3 points; hexahedra only",
            .order = 3,
            .divisions = 2,
-           .multigrid_bytes = 24e3,
+           .multigrid_bytes = 33e3,
            .entries_per_node = of_q2}};
 }
 
@@ -173,8 +169,7 @@ std::vector<Method> finite_element_methods() {
 fem_reference::Settings elements_of(const CaseSettings& settings, Law law) {
   return {.law = law,
           .element = settings.elements.element.element,
-          .lattice = lattice_of(settings),
-          .linear_solver = settings.elements.linear_solver};
+          .lattice = lattice_of(settings)};
 }
 
 fem_reference::Lattice lattice_of(const CaseSettings& settings) {

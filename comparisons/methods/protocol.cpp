@@ -1,5 +1,7 @@
 #include "comparisons/methods/protocol.hpp"
 
+#include "statics/systems/linear_solver.hpp"
+
 namespace springcheck {
 namespace {
 
@@ -29,6 +31,21 @@ dynamics::Protocol protocol_of(const CaseSettings& settings) {
           .step_ratio = settings.dynamics.step_ratio,
           .force_time_step = settings.dynamics.force_time_step,
           .load = settings.dynamics.load};
+}
+
+statics::Search search_of(const CaseSettings& settings) {
+  statics::Search search = settings.search;
+  search.to_limit = solver_of(settings) == Solver::path_limit;
+  return search;
+}
+
+LinearSystems::Kind linear_systems_of(const CaseSettings& settings) {
+  using enum LinearSystems::Kind;
+  if (goes_through_time(settings)) return cholesky;
+  const auto [nx, ny, nz] = element_nodes(settings);
+  const statics::LinearSolver taken = statics::linear_solver_taken(
+      settings.search.linear_solver, static_cast<std::ptrdiff_t>(3 * nx * ny * nz));
+  return taken == statics::LinearSolver::direct ? cholesky : multigrid;
 }
 
 }  // namespace springcheck

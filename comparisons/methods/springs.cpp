@@ -46,8 +46,12 @@ std::string words_of(mss::CellShapes shapes) {
          "which A has no effect";
 }
 
-/// 3 x 3 blocks with half of 26 neighbours, and half of the own one.
-constexpr double lower_triangle_of_neighbours = 13 * 9 + 6;
+/// 3 x 3 blocks with 26 neighbours and the own one.
+constexpr double entries_of_neighbours = 9 * 27;
+
+/// Of memory for each cell. Peaks of `run compression` by multigrid: 779 MB at 30^3 cells
+/// of mss-cf, 5047 MB at 60^3; of mss-affine at nu = .4 1740 MB at 30^3, 3931 MB at 40^3.
+constexpr double multigrid_bytes = 20e3;
 
 /// A method with what all of springs have. Of a solution's systems the coupling is that
 /// above nu = 1/4.
@@ -65,10 +69,10 @@ Method of_springs(mss::Method springs, Method own, double coupling = 1) {
                   (std::ranges::count(own.reads, "spring-strain") > 0
                        ? ", of engineering and green strain"
                        : "");
-  own.reads.insert(own.reads.end(), {"damping", "precision", "noise", "seed"});
+  own.reads.insert(own.reads.end(),
+                   {"damping", "precision", "linear-solver", "noise", "seed"});
   own.solvers = {Solver::static_equilibrium,  Solver::path_limit, Solver::explicit_euler,
                  Solver::semi_implicit_euler, Solver::verlet,     Solver::implicit_euler};
-  own.path.of_state = 0.002;
   own.seconds.at_rest = 0.5;  // .25 to 1.6, most where they wrinkle
   own.solve = [springs](const CaseSettings& settings, const Mesh& mesh,
                         const Scene& scene, int threads,
@@ -76,9 +80,7 @@ Method of_springs(mss::Method springs, Method own, double coupling = 1) {
     return mss::solve(mesh, scene,
                       {.network = network_settings(settings, springs),
                        .dynamics = motion_settings(settings, threads),
-                       .to_limit = solver_of(settings) == Solver::path_limit,
-                       .seed = settings.statics.seed,
-                       .noise = settings.statics.noise},
+                       .search = search_of(settings)},
                       observers);
   };
   own.network = [springs](const CaseSettings& settings,
@@ -106,9 +108,10 @@ Method of_springs(mss::Method springs, Method own, double coupling = 1) {
   own.linear_systems = [coupling](const CaseSettings& settings) -> LinearSystems {
     if (!needs_tangents(settings)) return {};
     const double further = settings.material.poisson_ratio > 0.25 ? coupling : 1;
-    return {.kind = LinearSystems::Kind::cholesky,
+    return {.kind = linear_systems_of(settings),
             .coupling = further,
-            .entries_per_node = lower_triangle_of_neighbours * further};
+            .multigrid_bytes = multigrid_bytes * further,
+            .entries_per_node = entries_of_neighbours * further};
   };
   return own;
 }

@@ -66,7 +66,7 @@ double estimated_memory(const CaseSettings& settings) {
     case LinearSystems::Kind::none:
       break;
     case LinearSystems::Kind::multigrid:
-      return bytes + settings.elements.element.multigrid_bytes * cells;
+      return bytes + systems.multigrid_bytes * cells;
     case LinearSystems::Kind::cholesky: {
       // Peak of `run compression`, one method, at 10^3, 20^3, 30^3 cells: 188, 432, 1264
       // MB (mss-cf), 191, 400, 1181 MB (fem-stvk). Fitted: so much per cell for matrices,

@@ -49,7 +49,9 @@ CaseSettings with_reference_method(CaseSettings settings,
                                    const ReferenceMethod& reference) {
   settings.method = reference.method;
   settings.elements.element = reference.element;
-  if (reference.solver) settings.solver = reference.solver;
+  // Where it follows none it is a body at rest under the load, whatever the case is.
+  if (reference.solver || !reference.method.follows_solver)
+    settings.solver = reference.solver;
   return settings;
 }
 

@@ -143,7 +143,7 @@ inline void read_reference(RunSettings& run, const Given& given) {
 }
 
 inline nlohmann::json seed_told(const CaseSettings& c) {
-  return c.statics.seed;
+  return c.search.seed;
 }
 
 inline nlohmann::json stiffness_told(const CaseSettings& c) {
@@ -180,9 +180,9 @@ inline void read_kappa(RunSettings& run, const Given& given) {
 }
 
 inline void read_seed(RunSettings& run, const Given& given) {
-  run.common.statics.seed = seed_of(given);
+  run.common.search.seed = seed_of(given);
   if (run.common.body.shape != BodyShape::file && reads_seed(run.common.body.block))
-    run.common.body.block.seed = run.common.statics.seed;
+    run.common.body.block.seed = run.common.search.seed;
 }
 
 inline void read_mesh(RunSettings& run, const Given& given) {

@@ -81,6 +81,7 @@ constexpr Readers of_methods{.of_methods = true},
     of_methods_as_option{.unread = Unread::refused_as_option, .of_methods = true},
     of_methods_alone{.unread = Unread::refused, .of_methods = true},
     of_methods_at_rest{.is_one = at_rest, .of_methods = true},
+    of_methods_without_inertia{.is_one = has_no_inertia, .of_methods = true},
     of_dashpots{goes_through_time, Unread::refused_as_option,
                 "without a solver that goes through time, of springs or fem-explicit "
                 "methods",

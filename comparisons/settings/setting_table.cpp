@@ -17,6 +17,7 @@ using namespace setting_table;
 using enum InCharts;
 using C = CaseSettings;
 using Network = mss::NetworkSettings;
+using statics::Search;
 
 constexpr std::string_view what_runs = "what is compared", body = "body",
                            material = "material", load = "load", of_lattices = "springs",
@@ -151,11 +152,6 @@ constexpr Setting table[] = {
     {"element", of_elements, chosen, of_methods,
      in_elements<named<ElementName>, &ElementSettings::element>, "q1-sri",
      "finite element: q1, q1-sri, q1-nodal, or q2 on hexahedra"},
-    {"linear-solver", of_elements, chosen, of_methods,
-     in_elements<named<statics::LinearSolver>, &ElementSettings::linear_solver>,
-     "auto",
-     "of linear systems: auto (by size), direct, or conjugate-gradients by themselves "
-     "or with multigrid"},
     {"lattice", of_elements, chosen, of_methods_alone,
      in_elements<named<LatticeName>, &ElementSettings::lattice>,
      "mss-cf",
@@ -168,15 +164,19 @@ constexpr Setting table[] = {
 
     {"solver", solution, chosen, of_solvers,
      telling(value<named<Solver>, &C::solver>, solver_told), {},
-     "of spring methods: static, limit (static, to where the path loses its stability "
-     "or a cell is turned inside out), or dynamics by explicit (Euler), semi-implicit "
-     "(Euler), verlet or implicit (Euler); fem-explicit methods are never static or "
-     "implicit, other finite elements always static",
+     "static, limit (static, to where the path loses its stability or a cell is turned "
+     "inside out), or dynamics by explicit (Euler), semi-implicit (Euler), verlet or "
+     "implicit (Euler) of spring methods; fem-explicit methods are never static or "
+     "implicit, other finite elements static or limit",
      {.default_text = "static; of fem-explicit methods semi-implicit"}},
+    {"linear-solver", solution, chosen, of_methods_without_inertia,
+     value<named<statics::LinearSolver>, &C::search, &Search::linear_solver>, "auto",
+     "of the linear systems of static solutions: auto (by size), direct, or "
+     "conjugate-gradients by themselves or with multigrid"},
     {"noise", solution, chosen, of_methods_at_rest,
-     value<not_negative_of, &C::statics, &StaticSprings::noise>, "0",
-     "of static spring solutions: noise on the nodes' positions, in cell edges, from "
-     "which they are solved again; 0: none", {.label = "noise over the cell edge"}},
+     value<not_negative_of, &C::search, &Search::noise>, "0",
+     "of static solutions: noise on the nodes' positions, in cell edges, from which they "
+     "are solved again; 0: none", {.label = "noise over the cell edge"}},
 
     {"dt", motion, chosen, of_steps,
      telling(in_motion<time_step_of, &Dynamics::time_step>, time_step_told), "auto",

@@ -12,6 +12,7 @@
 #include "comparisons/running/memory.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "meshing/input_error.hpp"
+#include "statics/last_stable_equilibrium.hpp"
 
 namespace springcheck {
 namespace {
@@ -85,8 +86,7 @@ std::optional<AtlasLimit> limit_on_path(const Line& line, const CaseResult& resu
   }
   if (!result.measures.definite_up_to_deformation) return std::nullopt;
   limit.low = unit * std::abs(*result.measures.definite_up_to_deformation);
-  const PathPrecision& path = result.request.settings.method.path;
-  limit.high = *limit.low / (1 - path.of_state) + whole * path.of_load;
+  limit.high = *limit.low / (1 - statics::limit_resolution);
   return limit;
 }
 

@@ -38,7 +38,7 @@ struct AtlasLimit {
   std::optional<double> low{}, high{};
   Failure failure;  // at `high`
   std::string reason{};
-  std::optional<double> wavelength{};  // [cells] of the mode that becomes unstable
+  std::optional<double> wavelength{};  // [edges between nodes] of the mode that becomes unstable
   std::vector<std::string> cases{};    // keys: that which fails first
 };
 

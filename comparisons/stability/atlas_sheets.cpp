@@ -96,7 +96,7 @@ Sheet limits_sheet(const Atlas& atlas, const AtlasPlan& plan) {
        std::initializer_list<Column>{{"holds", "holds at" + unit, "{:.5g}"},
                                      {"fails", "fails at" + unit, "{:.5g}"},
                                      {"failure", "by"},
-                                     {"wavelength", "mode [cells]", "{:.3g}"},
+                                     {"wavelength", "mode [edges]", "{:.3g}"},
                                      {"reason", "reason"}})
     sheet.columns.push_back(column);
   for (const AtlasLimit& limit : atlas.limits) {

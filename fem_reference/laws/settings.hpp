@@ -1,7 +1,5 @@
 #pragma once
 
-#include "statics/systems/linear_solver.hpp"
-
 namespace springcheck::fem_reference {
 
 /// Constitutive laws; formulas and sources in materials.hpp.
@@ -45,7 +43,6 @@ struct Settings {
   Law law;
   Element element;
   Lattice lattice{};  // read by cauchy_born
-  statics::LinearSolver linear_solver = statics::LinearSolver::automatic;
 };
 
 }  // namespace springcheck::fem_reference

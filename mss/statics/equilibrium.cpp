@@ -8,15 +8,12 @@ namespace springcheck::mss {
 Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
                           const statics::Search& search) {
   NetworkBody body(network);
+  const statics::Loading drive = loading(mesh, scene, network);
   return statics::solution_of(
-      statics::find_equilibrium(body, loading(mesh, scene, network), search));
-}
-
-Solution last_stable_equilibrium(const Mesh& mesh, const Scene& scene,
-                                 const Network& network) {
-  NetworkBody body(network);
-  return statics::solution_of(
-      statics::last_stable_equilibrium(body, loading(mesh, scene, network), mesh));
+      search.to_limit
+          ? statics::last_stable_equilibrium(body, drive, {mesh.cells(), mesh.cells()},
+                                             search.linear_solver)
+          : statics::find_equilibrium(body, drive, search));
 }
 
 }  // namespace springcheck::mss

@@ -5,12 +5,9 @@
 
 namespace springcheck::mss {
 
-/// The network's equilibrium under a scene's loads, by statics::find_equilibrium.
+/// The network's equilibrium under a scene's loads, by statics::find_equilibrium, or
+/// last_stable_equilibrium where the search is to the path's limit.
 Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
                           const statics::Search& search = {});
-
-/// The like, by statics::last_stable_equilibrium.
-Solution last_stable_equilibrium(const Mesh& mesh, const Scene& scene,
-                                 const Network& network);
 
 }  // namespace springcheck::mss

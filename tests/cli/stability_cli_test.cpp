@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_mapped_is_refused) {
   expect_bad_input(stability, "--over");
   expect_bad_input(stability + "--over young", "KEY=FROM:TO:COUNT");
   expect_bad_input(stability + "--method mss-cf --over dt-ratio", "changes no case");
-  expect_bad_input(stability + "--method fem-hooke --over noise=0,.1", "changes no case");
+  expect_bad_input(stability + "--method mss-cf --over element=q1,q2", "changes no case");
   expect_bad_input(stability + "--over nu,deformation,distortion", "one or two");
 }
 

@@ -29,10 +29,8 @@ void expect_one_limit(Law law, const Vector3& strain, double angle, double band,
                       const std::function<double(const Measured&)>& measure) {
   const auto limit = [&](Element element, int cells, double least_rate) {
     const auto on = [&](int n) {
-      return measure(measured(
-          cube_of(n), 0.25,
-          {.law = law, .element = element, .linear_solver = LinearSolver::multigrid},
-          strain, angle));
+      return measure(measured(cube_of(n), 0.25, {.law = law, .element = element}, strain,
+                              angle, {.linear_solver = LinearSolver::multigrid}));
     };
     return aitken(on(cells), on(2 * cells), on(4 * cells), least_rate);
   };

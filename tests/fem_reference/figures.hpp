@@ -34,7 +34,8 @@ inline double deformed_volume(const Mesh& mesh, const Solution& solution) {
 }
 
 inline Measured measured(const Block& block, double nu, const Settings& settings,
-                         const Vector3& strain, double angle) {
+                         const Vector3& strain, double angle,
+                         const statics::Search& search = {}) {
   const double height = block.size[2];
   const Vector3 centre(block.size[0] / 2, block.size[1] / 2, height);
   const Mesh mesh = generate_block(block);
@@ -46,7 +47,7 @@ inline Measured measured(const Block& block, double nu, const Settings& settings
                                                        .centre = centre,
                                                        .angle = angle})},
              .gravity = Vector3::Zero()},
-            settings);
+            settings, search);
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
   Measured sum{
       .volume_error =

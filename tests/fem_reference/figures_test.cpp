@@ -151,13 +151,11 @@ BOOST_AUTO_TEST_CASE(selective_integration_and_q2_free_the_locked_body) {
 // Load steps of 1/1024 find it to .03 %.
 BOOST_AUTO_TEST_CASE(st_venant_loses_definiteness_where_the_referee_s_does) {
   for (const LinearSolver solver : {LinearSolver::direct, LinearSolver::multigrid}) {
-    Settings settings = st_venant_sri;
-    settings.linear_solver = solver;
     const Solution solution = solve(
         cube(10),
         between_plates({.young_modulus = 1e4, .poisson_ratio = 0.25, .density = 1000},
                        {0, 0, -0.32 * edge}),
-        settings);
+        st_venant_sri, {.linear_solver = solver});
     BOOST_TEST((solution.status == SolveStatus::no_equilibrium), solution.reason);
     BOOST_TEST_REQUIRE(solution.definite_up_to.has_value());
     check(0.32 * *solution.definite_up_to,

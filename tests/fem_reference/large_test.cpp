@@ -16,9 +16,8 @@ BOOST_AUTO_TEST_CASE(iterations_hardly_grow_up_to_sixty_cells_along_each_axis) {
   const auto iterations = [](int cells) {
     const Solution solution =
         solve(cube(cells), between_plates(of_poisson_ratio(0.25), {0, 0, -0.05 * edge}),
-              {.law = Law::hooke,
-               .element = Element::q1_sri,
-               .linear_solver = LinearSolver::multigrid});
+              {.law = Law::hooke, .element = Element::q1_sri},
+              {.linear_solver = LinearSolver::multigrid});
     BOOST_TEST((solution.status == SolveStatus::ok));
     return solution.linear_iterations.value();
   };

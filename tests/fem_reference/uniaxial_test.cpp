@@ -223,8 +223,9 @@ BOOST_AUTO_TEST_CASE(laws_without_a_right_nu_give_their_closed_solution_too) {
 }
 
 // The lattice of mss-cf at nu = 0 loses its minimum across the stretch between 19.4 and
-// 19.5 %; the elements stop there and do not pass a state beyond off as one. Of q2 a mode
-// within the cells is lost before, at 18.5 %.
+// 19.5 %; the elements stop there and do not pass a state beyond off as one. Before, one
+// end of the body grows thinner than the other: of q2, which has that mode well, at 18.5
+// % (of q1 on 8^3 cells too).
 BOOST_AUTO_TEST_CASE(a_stretch_without_equilibrium_is_reported) {
   const homogeneous::Lattice springs = homogeneous::cf_lattice(E, 0, 1);
   BOOST_TEST(has_a_minimum(springs, 1.194));

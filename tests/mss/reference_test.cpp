@@ -45,11 +45,7 @@ Measured measured(const Block& block, StiffnessForm form, double nu,
       .gravity = Vector3::Zero()};
   const Settings settings{
       .network = {.method = Method::cf, .stiffness_form = form, .diagonal_ratio = 1},
-
-      .dynamics = {},
-      .to_limit = false,
-      .seed = 1,
-      .noise = 0};
+      .dynamics = {}};
   const Solution solution = solve(mesh, scene, settings);
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
 
@@ -146,12 +142,7 @@ double tip_drop(const Beam& beam) {
                                  .density = 1000},
                     .plates = {{"bottom", translation(Vector3::Zero()), all_components}},
                     .gravity = {-10, 0, 0}};
-  const Settings settings{.network = in_shear_modulus_form(beam.springs),
-
-                          .dynamics = {},
-                          .to_limit = false,
-                          .seed = 1,
-                          .noise = 0};
+  const Settings settings{.network = in_shear_modulus_form(beam.springs), .dynamics = {}};
   const Solution solution = solve(mesh, scene, settings);
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
   // The middle of the end face, which is the last layer of nodes.

@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(behind_a_bifurcation_the_path_goes_on_in_a_minimum) {
     for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
       AnalyticBody body(with_bifurcation());
       const Equilibrium found =
-          find_equilibrium(body, pulled(1.5), {.seed = seed, .linear_solver = solver});
+          find_equilibrium(body, pulled(1.5), {.linear_solver = solver, .seed = seed});
       BOOST_TEST((found.status == SolveStatus::ok), found.reason);
       BOOST_TEST(found.reason.find("the path may branch between") == 0U, found.reason);
       BOOST_TEST(std::abs(found.displacements[3]) == 1, round_off);

@@ -18,7 +18,6 @@
 #include "comparisons/system/memory.hpp"
 #include "comparisons/tables/plans/planned_requests.hpp"
 #include "meshing/stopwatch.hpp"
-#include "mss/statics/equilibrium.hpp"
 
 namespace springcheck {
 namespace {
@@ -53,9 +52,7 @@ std::optional<Cost> cost_of_step(const char* method, Loops loops, int n) {
 }
 
 /// Time of the solution, and the peak of memory that it adds to the mesh.
-std::optional<Cost> cost_of(
-    const CaseSettings& settings,
-    const std::function<Solution(const Mesh&, const Scene&)>& solve) {
+std::optional<Cost> cost_of(const CaseSettings& settings) {
   const Mesh mesh = build_mesh(settings.body);
   const Scene scene = mechanical_scene(settings, mesh);
   malloc_trim(0);
@@ -63,32 +60,10 @@ std::optional<Cost> cost_of(
   reset_peak_memory();
   const Stopwatch stopwatch;
   tbb::task_arena arena(1);
-  const Solution solution = arena.execute([&] { return solve(mesh, scene); });
+  const Solution solution =
+      arena.execute([&] { return settings.method.solve(settings, mesh, scene, 1, {}); });
   if (solution.status != SolveStatus::ok) return std::nullopt;
   return Cost{.seconds = stopwatch.seconds(), .bytes = peak_memory() - before};
-}
-
-std::optional<Cost> cost_of_springs(int n, statics::LinearSolver linear_solver) {
-  const CaseSettings settings =
-      case_of_scene("compression", Changes{{"method", "mss-cf"}} + cells_of(n));
-  return cost_of(settings, [&](const Mesh& mesh, const Scene& scene) {
-    const mss::Network network = settings.method.network(settings, mesh).value();
-    return mss::find_equilibrium(mesh, scene, network, {.linear_solver = linear_solver});
-  });
-}
-
-CaseSettings elements_of(int n, const std::string& linear_solver) {
-  return case_of_scene("compression", Changes{{"method", "fem-stvk"},
-                                              {"element", "q1-sri"},
-                                              {"linear-solver", linear_solver}} +
-                                          cells_of(n));
-}
-
-std::optional<Cost> cost_of_elements(int n, const std::string& linear_solver) {
-  const CaseSettings settings = elements_of(n, linear_solver);
-  return cost_of(settings, [&](const Mesh& mesh, const Scene& scene) {
-    return settings.method.solve(settings, mesh, scene, 1, {});
-  });
 }
 
 std::vector<Growing> all_growing(const std::vector<int>& wide,
@@ -106,40 +81,20 @@ std::vector<Growing> all_growing(const std::vector<int>& wide,
   for (const char* method :
        {"mss-nfd", "mss-cf", "mss-affine", "fem-explicit-1p", "fem-explicit-8p"})
     add_steps(method, method, Loops::kernel);
-  const auto memory_of = [](const char* method) {
-    return [method](int n) {
-      return estimated_memory(
-          case_of_scene("compression", Changes{{"method", method}} + cells_of(n)));
-    };
-  };
-  all.push_back(
-      {.model = "mss-cf",
-       .what = "equilibrium, direct",
-       .across = narrow,
-       .cost = [](int n) { return cost_of_springs(n, statics::LinearSolver::direct); },
-       .expected_bytes = memory_of("mss-cf")});
-  all.push_back(
-      {.model = "mss-cf",
-       .what = "equilibrium, conjugate gradients",
-       .across = wide,
-       .cost =
-           [](int n) {
-             return cost_of_springs(n, statics::LinearSolver::conjugate_gradients);
-           },
-       .expected_bytes = [](int n) { return 14e3 * std::pow(n, 3); }});  // .4 GB at 30^3
-  all.push_back({.model = "fem-stvk:q1-sri",
-                 .what = "equilibrium, direct",
-                 .across = narrow,
-                 .cost = [](int n) { return cost_of_elements(n, "direct"); },
-                 .expected_bytes =
-                     [](int n) { return estimated_memory(elements_of(n, "direct")); }});
-  all.push_back(
-      {.model = "fem-stvk:q1-sri",
-       .what = "equilibrium, multigrid",
-       .across = wide,
-       .cost = [](int n) { return cost_of_elements(n, "multigrid"); },
-       .expected_bytes =
-           [](int n) { return estimated_memory(elements_of(n, "multigrid")); }});
+  for (const char* method : {"mss-cf", "fem-stvk"})
+    for (const char* linear_solver : {"direct", "conjugate-gradients", "multigrid"}) {
+      const auto settings = [=](int n) {
+        return case_of_scene(
+            "compression",
+            Changes{{"method", method}, {"linear-solver", linear_solver}} + cells_of(n));
+      };
+      all.push_back(
+          {.model = label(settings(narrow.front())),
+           .what = fmt::format("equilibrium, {}", linear_solver),
+           .across = linear_solver == std::string_view("direct") ? narrow : wide,
+           .cost = [=](int n) { return cost_of(settings(n)); },
+           .expected_bytes = [=](int n) { return estimated_memory(settings(n)); }});
+    }
   return all;
 }
 

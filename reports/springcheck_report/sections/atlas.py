@@ -201,7 +201,7 @@ def _limits_table(study, one, name):
         place = [limit["method"], limit["other"]]
         rows.append([*place, *bounds, limit["failure"], _mode(study, key), ((key or "")[:8], "key")])
     heads = ["method", second["key"], f"holds at {first['key']}{unit}", f"fails at{unit}", "by"]
-    heads += ["mode [cells]", "case's key"]
+    heads += ["mode [edges]", "case's key"]
     return [table(heads, rows, name=f"limits-{name}", limit=_MOST_ROWS)]
 
 

@@ -1,4 +1,4 @@
-"""Limits of the equilibrium path: where springs lose their stability, beside theory."""
+"""Limits of the equilibrium path: where bodies lose their stability, beside theory."""
 
 import methods
 import numpy as np
@@ -27,7 +27,7 @@ def stability_limits(study):
         paragraph(
             "The static path from rest, followed through stable states alone to the first that is "
             "not: found by bisection of the load to 0.2 %. The mode that becomes unstable there "
-            "tells by its wavelength, in cells, whether a body wrinkles (below 4) or buckles."
+            "tells by its wavelength, in edges between nodes, whether a body wrinkles (below 4) or buckles."
         )
     )
     section.blocks += _figures(study)
@@ -42,10 +42,8 @@ def _figures(study):
         cases = cases[cases.mesh == cases.mesh.mode()[0]]
         if cases.nu.nunique() < 3:
             continue
-        drawn = [
-            _curve(method_name(of_method.iloc[0].drop("solver")), of_method.sort_values("nu"))
-            for _, of_method in cases.groupby(["method", "diagonal-ratio"], dropna=False)
-        ]
+        names = cases.drop(columns="solver").apply(method_name, axis=1)
+        drawn = [_curve(name, of_name.sort_values("nu")) for name, of_name in cases.groupby(names, sort=False)]
         drawn = [curve for curve in drawn if np.isfinite(curve.y).any()]
         if not drawn:
             continue  # all paths held
@@ -96,7 +94,7 @@ def _table(study):
         mode = _number(case, key, "critical_wavelength", 1, 3)
         name = method_name(case.drop("solver"))
         rows.append([name, case_text(case), limit, _BY.get(case.status, case.status), mode, (key[:8], "key")])
-    heads = ["method", "case, tried up to", "limit [%, °]", "there it", "mode [cells]", "case's key"]
+    heads = ["method", "case, tried up to", "limit [%, °]", "there it", "mode [edges]", "case's key"]
     return Markup("<h3>All limits</h3>") + table(heads, rows, name="stability-limits", limit=_MOST_ROWS)
 
 

@@ -113,7 +113,7 @@ Limit limit_of(const Path& path) {
           .displacements = statics::by_node(found.state.displacements),
           .critical_mode = mode,
           .load = found.load_fraction * path.far,
-          .wavelength = shortest_wavelength(mesh, mode)};
+          .wavelength = shortest_wavelength(mesh.cells(), mesh.nodes(), mode)};
 }
 
 /// Before its limit a path is smooth. Beyond a limit with a critical mode, by a

@@ -10,6 +10,7 @@
 
 #include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/methods/families.hpp"
+#include "comparisons/methods/protocol.hpp"
 #include "comparisons/settings/case_json.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
@@ -481,7 +482,7 @@ BOOST_AUTO_TEST_CASE(settings_json_holds_what_a_method_reads) {
   const auto json = [](const std::vector<std::string>& changes) {
     return settings_json(case_of("compression", changes)).dump();
   };
-  BOOST_TEST(json({"method=fem-hooke"}) == json({"method=fem-hooke", "seed=7"}));
+  BOOST_TEST(json({"method=fem-hooke"}) != json({"method=fem-hooke", "seed=7"}));
   BOOST_TEST(json({"method=fem-hooke"}) != json({"method=fem-hooke", "element=q1"}));
   BOOST_TEST(json({"method=mss-cf"}) == json({"method=mss-cf", "element=q1"}));
   BOOST_TEST(json({"method=mss-cf"}) != json({"method=mss-cf", "diagonal-ratio=2"}));
@@ -497,7 +498,13 @@ BOOST_AUTO_TEST_CASE(settings_json_holds_what_a_method_reads) {
   };
   BOOST_TEST(differ("fem-stvk", "linear-solver=direct"));
   BOOST_TEST(differ("fem-stvk", "element=q2"));
-  BOOST_TEST(!differ("mss-cf", "linear-solver=direct"));
+  BOOST_TEST(differ("mss-cf", "linear-solver=direct"));
+  const std::string method = "method=fem-explicit-stvk", duration = "duration=.1",
+                    damping = "damping=.1";
+  for (const char* change : {"seed=7", "noise=.1", "linear-solver=direct"})
+    BOOST_TEST(
+        json({method, duration, damping}) == json({method, duration, damping, change}),
+        change);
   for (const char* change : {"lattice=mss-nfd", "lattice-direction=111",
                              "diagonal-ratio=2", "stiffness-form=E"}) {
     BOOST_TEST(differ("fem-cauchy-born", change), change);
@@ -543,14 +550,25 @@ BOOST_AUTO_TEST_CASE(settings_json_holds_what_a_test_reads) {
              json("affine", "gradient=0,.1,0,0,0,0,0,0,0"));
 }
 
+BOOST_AUTO_TEST_CASE(every_key_of_searches_reaches_springs_and_finite_elements) {
+  for (const std::string method : {"method=mss-cf", "method=fem-stvk"}) {
+    const CaseSettings settings =
+        case_of("compression", {method, "noise=.1", "seed=7", "linear-solver=multigrid"});
+    const statics::Search search = search_of(settings);
+    BOOST_TEST(search.noise == .1);
+    BOOST_TEST(search.seed == 7U);
+    BOOST_TEST((search.linear_solver == statics::LinearSolver::multigrid));
+    BOOST_TEST(!search.to_limit);
+    BOOST_TEST(search_of(case_of("compression", {method, "solver=limit"})).to_limit);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(every_key_reaches_the_finite_elements) {
-  const CaseSettings settings =
-      case_of("compression", {"method=fem-cauchy-born", "element=q2", "lattice=mss-fd",
-                              "lattice-direction=110", "diagonal-ratio=3",
-                              "stiffness-form=E", "linear-solver=multigrid"});
+  const CaseSettings settings = case_of(
+      "compression", {"method=fem-cauchy-born", "element=q2", "lattice=mss-fd",
+                      "lattice-direction=110", "diagonal-ratio=3", "stiffness-form=E"});
   using namespace fem_reference;
   BOOST_TEST((settings.elements.element.element == Element::q2));
-  BOOST_TEST((settings.elements.linear_solver == statics::LinearSolver::multigrid));
   const Lattice lattice = lattice_of(settings);
   BOOST_TEST((lattice.springs == Springs::fd));
   BOOST_TEST((lattice.direction == LatticeDirection::d110));

@@ -22,10 +22,9 @@ namespace {
 
 const Material material = of_poisson_ratio(0.25);
 
-Solution solved(const Mesh& mesh, const Scene& scene, Settings settings,
+Solution solved(const Mesh& mesh, const Scene& scene, const Settings& settings,
                 LinearSolver solver) {
-  settings.linear_solver = solver;
-  return solve(mesh, scene, settings);
+  return solve(mesh, scene, settings, {.linear_solver = solver});
 }
 
 /// Both solvers end in the same state, up to `band` of the largest displacement and

@@ -338,11 +338,7 @@ BOOST_AUTO_TEST_CASE(a_path_on_which_layers_lose_their_turn_ends_there) {
 
 BOOST_AUTO_TEST_CASE(method_that_does_not_cover_the_material_is_refused) {
   const Settings settings{.network = in_shear_modulus_form(Method::baudet),
-
-                          .dynamics = {},
-                          .to_limit = false,
-                          .seed = 1,
-                          .noise = 0};
+                          .dynamics = {}};
   const Solution solution = solve(cube(2, edge), compression(-0.3, 0.01), settings);
   BOOST_TEST((solution.status == SolveStatus::refused));
   BOOST_TEST(solution.displacements.empty());

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "statics/systems/linear_solver.hpp"
+
+namespace springcheck::statics {
+
+/// Which equilibrium is searched for, and what with.
+struct Search {
+  bool to_limit = false;  // the last stable state of the path, not that of the full load
+  LinearSolver linear_solver = LinearSolver::automatic;
+  // Of the state of the full load alone:
+  unsigned seed = 1;  // of the way out of a saddle, and of the noise
+  double noise = 0;   // in mean cell edges
+};
+
+}  // namespace springcheck::statics
