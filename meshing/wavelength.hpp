@@ -6,8 +6,8 @@
 
 namespace springcheck {
 
-/// Wavelength of a vector field on the nodes, in cells, along the direction in which it
-/// is shortest: at least 2.
+/// Wavelength of a vector field on the nodes, in edges of the cells, along the direction
+/// in which it is shortest: at least 2.
 ///
 /// The cells' edges are sorted by direction, each to the nearest of the 13 from a cube's
 /// centre to its faces, edges and corners. Over those of a direction the correlation

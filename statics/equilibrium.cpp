@@ -249,6 +249,14 @@ class Follower {
 
 }  // namespace
 
+void tell_truncated(Equilibrium& equilibrium, int truncated) {
+  if (equilibrium.reason.empty() || truncated == 0) return;
+  equilibrium.reason += fmt::format(
+      "; conjugate gradients gave up on {} of the linear systems before they were as "
+      "accurate as asked",
+      truncated);
+}
+
 Solution solution_of(const Equilibrium& equilibrium) {
   return {.status = equilibrium.status,
           .reason = equilibrium.reason,
@@ -274,11 +282,7 @@ Equilibrium find_equilibrium(ElasticBody& body, const Loading& loading,
   Follower path(landscape, loading, search.seed);
   path.run(search.noise);
   Equilibrium equilibrium = path.equilibrium();
-  if (!equilibrium.reason.empty() && landscape.truncated() > 0)
-    equilibrium.reason += fmt::format(
-        "; conjugate gradients gave up on {} of the linear systems before they were as "
-        "accurate as asked",
-        landscape.truncated());
+  tell_truncated(equilibrium, landscape.truncated());
   equilibrium.setup_wall_s = setup_wall_s;
   return equilibrium;
 }

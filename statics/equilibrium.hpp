@@ -25,6 +25,10 @@ struct Equilibrium {
   double setup_wall_s;
 };
 
+/// Adds to a reason how many linear systems were solved less accurately than asked
+/// (Landscape::truncated).
+void tell_truncated(Equilibrium& equilibrium, int truncated);
+
 /// Its Solution on the body's nodes; lever arms deformed.
 Solution solution_of(const Equilibrium& equilibrium);
 

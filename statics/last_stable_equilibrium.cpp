@@ -91,6 +91,7 @@ Equilibrium last_stable_equilibrium(ElasticBody& body, const Loading& loading,
         "beyond {:.4g} % of the load the body is not turned as its plates are",
         100 * limit.load_fraction);
   }
+  tell_truncated(equilibrium, landscape.truncated());
   if (limit.end != PathEnd::solver) equilibrium.definite_up_to = limit.load_fraction;
   return equilibrium;
 }

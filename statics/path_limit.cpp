@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <cmath>
+#include <deque>
 #include <random>
 
 #include "meshing/random_vector.hpp"
@@ -17,6 +18,7 @@ constexpr double longest_move = 0.5;    // of a node in one correction, in cell 
 constexpr double first_step = 1. / 16;  // of the load
 constexpr double finest = 1e-6;         // difference of loads, of the load
 constexpr double small = 0.1;           // a curvature over that at rest
+constexpr double earlier = 1. / 32;     // of the load, in which a curvature changes much
 constexpr unsigned seed = 1;  // of where iterations start that end at the same place
 
 /// Newton's method with the true tangent, as long as that is positive definite: an
@@ -66,28 +68,49 @@ Mode least_curvature(Landscape& landscape, std::mt19937_64& random, double chang
   return mode;
 }
 
-/// The part of the path's direction at u, on the unknowns, that is along the mode; the
-/// landscape has the tangent there. The inner product is that of mean_gradient: where
-/// pins hold a body, shifts that both have as the pins are placed are nothing in common.
-double part_along(Landscape& landscape, const Eigen::VectorXd& u, double load,
-                  const Eigen::VectorXd& mode) {
+/// A state of the path.
+struct Passed {
+  double load_fraction;
+  Eigen::VectorXd displacements;
+};
+
+/// How a path goes on along a mode.
+struct Along {
+  double amplitude;  // of the mode in du/ds, on the unknowns
+  double part;       // of du/ds
+  double curvature;  // of the energy
+};
+
+Along along(Landscape& landscape, const Passed& state, const Eigen::VectorXd& mode) {
   constexpr double little = 1e-6;  // of the load
-  const ElasticBody& body = landscape.body();
-  const Unknowns& unknowns = landscape.unknowns();
-  const Eigen::VectorXd way =
-      unknowns.spread(unknowns.in(landscape.predicted(u, load + little) - u));
-  const Eigen::VectorXd one = mode / body.mean_gradient(mode),
-                        other = way / body.mean_gradient(way);
-  const double sum = body.mean_gradient(one + other),
-               difference = body.mean_gradient(one - other);
-  return std::abs(sum * sum - difference * difference) / 4;
+  landscape.set_load(state.load_fraction);
+  landscape.linearise(state.displacements);
+  const Eigen::VectorXd way = landscape.unknowns().in(
+      landscape.predicted(state.displacements, state.load_fraction + little) -
+      state.displacements);
+  const double amplitude = std::abs(mode.dot(way));
+  return {.amplitude = amplitude / little,
+          .part = amplitude / way.norm(),
+          .curvature = landscape.curvature_along(mode)};
+}
+
+/// Whether du/ds grows along the mode as its curvature falls from an earlier state to the
+/// last: by more than the curvature's root does, which is half way between staying and
+/// growing like its inverse. A smaller part than a hundredth is an imperfection's, or
+/// round-off.
+bool turns_back(Landscape& landscape, const Passed& earlier, const Passed& last,
+                const Eigen::VectorXd& mode) {
+  constexpr double least_part = 0.01;
+  const Along before = along(landscape, earlier, mode),
+              now = along(landscape, last, mode);
+  return now.part > least_part && now.amplitude * std::sqrt(now.curvature) >
+                                      before.amplitude * std::sqrt(before.curvature);
 }
 
 }  // namespace
 
 PathLimit follow_to_limit(Landscape& landscape, double resolution,
                           const AcceptState& accept) {
-  constexpr double half = 0.5;
   std::mt19937_64 random(seed);
   const Eigen::VectorXd rest =
       Eigen::VectorXd::Zero(3 * std::ssize(landscape.body().nodes()));
@@ -123,6 +146,7 @@ PathLimit follow_to_limit(Landscape& landscape, double resolution,
     mode = least_curvature(landscape, random, 1e-6);
   };
   bool was_rejected = false;
+  std::deque<Passed> passed{{.load_fraction = 0, .displacements = rest}};
   constexpr double none = 2;
   double failed = none;  // the lowest load that was tried and not reached
   for (double step = longest_step; limit.load_fraction < 1;) {
@@ -141,6 +165,9 @@ PathLimit follow_to_limit(Landscape& landscape, double resolution,
       limit.state = std::move(*state);
       limit.load_fraction = to;
       ++limit.steps;
+      passed.push_back({to, limit.state.displacements});
+      while (passed.size() > 1 && passed[1].load_fraction <= (1 - earlier) * to)
+        passed.pop_front();
       // What a long step failed at is tried again by a shorter one.
       if (to >= failed) failed = none;
       if (failed == none) step = std::min(longest_step, 2 * step);
@@ -163,8 +190,6 @@ PathLimit follow_to_limit(Landscape& landscape, double resolution,
   }
   limit.curvature = mode.curvature;
   limit.critical_mode = landscape.unknowns().spread(mode.shape);
-  const double part_of_mode = part_along(landscape, limit.state.displacements,
-                                         limit.load_fraction, limit.critical_mode);
   landscape.linearise(rest);
   limit.mode_rest_curvature = landscape.curvature_along(mode.shape);
   if (was_rejected)
@@ -172,7 +197,9 @@ PathLimit follow_to_limit(Landscape& landscape, double resolution,
   else if (mode.curvature > small * limit.mode_rest_curvature)
     limit.end = PathEnd::solver;
   else
-    limit.end = part_of_mode > half ? PathEnd::limit_point : PathEnd::bifurcation;
+    limit.end = turns_back(landscape, passed.front(), passed.back(), mode.shape)
+                    ? PathEnd::limit_point
+                    : PathEnd::bifurcation;
   return limit;
 }
 

@@ -45,10 +45,11 @@ using AcceptState =
 /// that is small beside those of other modes. Where then it is not below a tenth of what
 /// the same mode has at rest the solver is to blame.
 ///
-/// The path's direction du/ds then tells a limit point from a bifurcation: it grows
-/// without bound along the critical mode at the one, and has no part of it at the other
-/// (imperfections aside). Where more than half of du/ds, shifts of the body aside, is
-/// along the mode it is called a limit point.
+/// The path's direction du/ds then tells a limit point from a bifurcation: along the
+/// critical mode it grows like the inverse of the mode's curvature at the one, and not at
+/// the other, imperfections aside. It is called a limit point where du/ds has more than a
+/// hundredth of the mode, and that has grown, since a state a thirty-second of the load or
+/// a little more before, by more than the curvature's root has fallen.
 PathLimit follow_to_limit(Landscape& landscape, double resolution,
                           const AcceptState& accept);
 

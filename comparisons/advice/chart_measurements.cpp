@@ -106,7 +106,8 @@ StaticPath ChartMeasurements::static_path(const ChartModel& model, int across) {
     return {.was_followed = true};
   CaseSettings settings = model_case(plan_.scene, plan_.options, model, across);
   settings.solver = Solver::path_limit;
-  // The same of both precisions, and of rest and motion.
+  settings.search.linear_solver = statics::LinearSolver::automatic;
+  // The same of all linear solvers, of both precisions, and of rest and motion.
   const std::string key = settings_json(settings).dump();
   if (const auto known = paths_.find(key); known != paths_.end()) return known->second;
   const StaticPath coarser =

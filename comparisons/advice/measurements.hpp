@@ -9,7 +9,7 @@
 
 namespace springcheck {
 
-/// What following the static path of springs to the full load showed (solver limit).
+/// What following the static path to the full load showed (solver limit).
 struct StaticPath {
   bool was_followed = false;  // not where it would have taken more than the budget
   std::string against{};      // why it ends before the full load; empty where it does not
@@ -44,8 +44,8 @@ class Measurements {
   /// most_rounds in all: one restless time decides nothing, of a file's neither.
   virtual void time_again(const ChartModel& model, int across) = 0;
 
-  /// The static path of a model's springs, on so many cells across; of finite elements it
-  /// has nothing against.
+  /// The static path of a model, on so many cells across; there is nothing against one
+  /// that never rests.
   virtual StaticPath static_path(const ChartModel& model, int across) = 0;
 
   /// Errors of what the model converges to, where its law is known; none where not.

@@ -35,7 +35,7 @@ class Examiner {
 
   /// Of a candidate of the wish (Judge). It is sound where
   ///
-  /// - springs reach the full load by a stable path (solver limit), as far as the budget
+  /// - it reaches the full load by a stable path (solver limit), as far as the budget
   ///   lets it be followed,
   /// - no error of what the model converges to exceeds the tolerance: by its law
   ///   (Measurements::law_errors), or where that is not known by three sizes, and then

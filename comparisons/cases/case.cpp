@@ -44,6 +44,13 @@ CaseSettings in_last_direction(const CaseSettings& settings, double reached) {
   return at_load(settings, acted < 0 ? -1 : 1);
 }
 
+CaseSettings without_noise(CaseSettings settings) {
+  // Seeds of noise then tell one case from another no more.
+  if (settings.search.noise > 0)
+    settings.search = {.linear_solver = settings.search.linear_solver};
+  return settings;
+}
+
 bool has_load(const CaseSettings& settings) {
   return settings.deformation.value_or(0) != 0 || !settings.gravity.isZero(0) ||
          !settings.traction.isZero(0) || !settings.gradient.isZero(0);

@@ -124,6 +124,9 @@ CaseSettings at_largest_load(const CaseSettings& settings, double reached);
 /// was reached; where that is none as it acted last.
 CaseSettings in_last_direction(const CaseSettings& settings, double reached);
 
+/// The case as one that others are held against, without noise on its solution.
+CaseSettings without_noise(CaseSettings settings);
+
 /// Whether anything deforms the body.
 bool has_load(const CaseSettings& settings);
 

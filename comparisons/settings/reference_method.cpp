@@ -38,7 +38,7 @@ Solver reference_solver_of(const Given& given, const Method& method,
   for (const Solver solver : method.solvers)
     if (solver != Solver::path_limit) names.push_back(name_of(solver));
   if (!method.follows_solver || names.size() < 2)
-    given.refuse(method.name + " without a solver: it has one");
+    given.refuse(method.name + " without a solver: as a reference it has one");
   if (std::ranges::count(names, name) == 0) given.refuse_name(name, names);
   return value_named<Solver>(given, name);
 }
@@ -49,10 +49,11 @@ CaseSettings with_reference_method(CaseSettings settings,
                                    const ReferenceMethod& reference) {
   settings.method = reference.method;
   settings.elements.element = reference.element;
-  // Where it follows none it is a body at rest under the load, whatever the case is.
-  if (reference.solver || !reference.method.follows_solver)
-    settings.solver = reference.solver;
-  return settings;
+  if (reference.solver) settings.solver = reference.solver;
+  if (reference.method.follows_solver) return settings;
+  // A body at rest under the load, whatever the case is.
+  settings.solver.reset();
+  return without_noise(settings);
 }
 
 ReferenceMethod reference_named(const Given& given) {

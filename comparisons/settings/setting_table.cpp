@@ -78,8 +78,8 @@ constexpr Setting table[] = {
      {.dimension = Dimension::fraction, .label = "distortion over the cell edge",
       .usual_axis = "0:0.3:7", .instead = "mesh"}},
     {"seed", body, taken, of_chance, {read_seed, seed_told, type_of<int>()}, "1",
-     "of distorted and mixed meshes, and of the choice between equal directions out of "
-     "an unstable state", {.counts = true}},
+     "of distorted and mixed meshes, of noise, and of the choice between equal "
+     "directions out of an unstable state", {.counts = true}},
 
     {"nu", material, taken, all, in_material<poisson_ratio_of, &Material::poisson_ratio>,
      {},

@@ -84,7 +84,8 @@ std::optional<AtlasLimit> limit_on_path(const Line& line, const CaseResult& resu
     limit.low = whole;
     return limit;
   }
-  if (!result.measures.definite_up_to_deformation) return std::nullopt;
+  const bool is_limit = solver_of(result.request.settings) == Solver::path_limit;
+  if (!is_limit || !result.measures.definite_up_to_deformation) return std::nullopt;
   limit.low = unit * std::abs(*result.measures.definite_up_to_deformation);
   limit.high = *limit.low / (1 - statics::limit_resolution);
   return limit;
@@ -92,7 +93,7 @@ std::optional<AtlasLimit> limit_on_path(const Line& line, const CaseResult& resu
 
 /// The same body by elements that do not lock, where there are any of the same law.
 std::optional<CaseSettings> control_of(const CaseSettings& settings) {
-  CaseSettings control = settings;
+  CaseSettings control = without_noise(settings);
   control.elements.element = *find_element("q1-sri");
   if (reads(settings.method, "element"))
     return label(control) == label(settings) ? std::nullopt : std::optional(control);
@@ -193,7 +194,8 @@ std::vector<Line> lines_of(const Atlas& atlas) {
   return lines;
 }
 
-/// Cases of solver limit at the end of each line in statics whose method has it.
+/// Cases of solver limit at the end of each line in statics whose method has it; with
+/// noise, which no path has, none.
 std::map<std::size_t, CaseResult> path_limits(CaseRunner& runner,
                                               const std::vector<Line>& lines) {
   std::vector<std::size_t> places;
@@ -202,7 +204,7 @@ std::map<std::size_t, CaseResult> path_limits(CaseRunner& runner,
     const CaseSettings& settings = lines[i].points.back()->result.request.settings;
     const auto& solvers = settings.method.solvers;
     if (std::ranges::find(solvers, Solver::path_limit) == solvers.end() ||
-        solver_of(settings) != Solver::static_equilibrium)
+        solver_of(settings) != Solver::static_equilibrium || settings.search.noise > 0)
       continue;
     places.push_back(i);
     cases.push_back(settings);

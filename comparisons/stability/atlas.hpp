@@ -31,14 +31,13 @@ struct AtlasPoint {
 struct AtlasLimit {
   std::string method;
   std::optional<std::string> other;  // value of the second axis
-  // It holds at `low` and fails at `high`, within 1 % of it where that was bisected; of
-  // paths within .2 % (springs) or 1/1024 of the last value (elements). No low: it fails
-  // at the first value; no high: it holds at the last, or what failed tells nothing of
-  // the body (solver failure, not covered).
+  // It holds at `low` and fails at `high`, within 1 % of it where that was bisected, of
+  // paths within .2 %. No low: it fails at the first value; no high: it holds at the
+  // last, or what failed tells nothing of the body (solver failure, not covered).
   std::optional<double> low{}, high{};
   Failure failure;  // at `high`
   std::string reason{};
-  std::optional<double> wavelength{};  // [edges between nodes] of the mode that becomes unstable
+  std::optional<double> wavelength{};  // of the mode that is lost, in edges between nodes
   std::vector<std::string> cases{};    // keys: that which fails first
 };
 
@@ -48,8 +47,8 @@ struct Atlas {
 };
 
 /// Runs every method at every combination of the axes' values, and finds the limits along
-/// the first: of the deformation of springs by solver limit, of finite elements from what
-/// their path tells, else by bisection of cases. Locking is judged against the same law
+/// the first: of the deformation of bodies at rest by solver limit, else by bisection of
+/// cases. Locking is judged against the same law
 /// on q1-sri; of springs on hexahedra against fem-cauchy-born of their lattice; of others
 /// not. The runner keeps the map, at first without its limits. Throws InputError.
 Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner);

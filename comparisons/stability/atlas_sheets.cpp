@@ -84,8 +84,7 @@ Sheet limits_sheet(const Atlas& atlas, const AtlasPlan& plan) {
           "it; none: it fails from the first value on, holds to the last, or what "
           "failed tells nothing of the body. Limits along a positive deformation are "
           "of the path from rest, where it loses its stability or a cell is turned "
-          "inside out: of springs within .2 %, of finite elements within 1/1024 of "
-          "the last value. Beyond it the map may show another stable state."}};
+          "inside out, within .2 %. Beyond it the map may show another stable state."}};
   if (along.key == "dt" || along.key == "dt-ratio")
     sheet.notes.push_back(
         "Limits of steps are of the duration that was run: a motion just above its limit "

@@ -45,14 +45,14 @@ inline constexpr std::array value_names<Failure>{
                 "no equilibrium beyond some part of the load"},
     FailureName{Failure::wrinkling, "wrinkling", 'W',
                 "a free face zigzags from cell to cell; of a path's limit, the mode that "
-                "becomes unstable is shorter than four cells"},
+                "becomes unstable is shorter than four edges between nodes"},
     FailureName{Failure::hourglassing, "hourglassing", 'H',
                 "the inside of hexahedra alternates from cell to cell in modes that the "
                 "cells' mean strain does not see: more than half of their hourglass "
                 "displacement, higher than .05 of edge times strain"},
     FailureName{Failure::loss_of_definiteness, "loss of definiteness", 'D',
-                "equilibrium, but no minimum of the energy; finite elements also where "
-                "the path there lost it"},
+                "equilibrium, but no minimum of the energy, or one that the path there "
+                "was lost before"},
     FailureName{
         Failure::locking, "locking", 'L',
         "with --locking: plate force or torque more than 10 % above that of the same law "

@@ -238,7 +238,7 @@ SplitQuantity split_field(const CaseResult& springs, const ContinuumRuns& cauchy
 }  // namespace
 
 CaseSettings continuum_of(const CaseSettings& springs) {
-  CaseSettings continuum = springs;
+  CaseSettings continuum = without_noise(springs);
   continuum.method = continuum_of_lattices();
   continuum.elements.element = *find_element("q1-sri");
   continuum.elements.lattice = springs.method.lattice.value();
@@ -267,7 +267,7 @@ SplitPlan plan_split(const CaseSettings& springs, const Method& law) {
                      "none");
   CaseSettings lattice = continuum_of(springs);
   lattice.body = on_hexahedra(springs.body, springs.body.block.cells);
-  CaseSettings reference = springs;
+  CaseSettings reference = without_noise(springs);
   reference.body = lattice.body;
   reference.method = law;
   reference.elements.element = lattice.elements.element;

@@ -93,8 +93,24 @@ BOOST_AUTO_TEST_CASE(buckling_of_a_pinned_body_is_no_limit_point) {
   BOOST_TEST((end.status == SolveStatus::indefinite), end.reason);
 }
 
-// Half as long as that of the same mode in cells, of which there are none shorter than
-// two.
+// A uniform bar necks down, and a cube leaves its axis: neither path turns back.
+BOOST_AUTO_TEST_CASE(a_path_is_left_where_its_direction_does_not_grow) {
+  for (const int cells : {4, 6, 10}) {
+    const double width = 1. / cells;
+    const Mesh bar = generate_block({.size = {width, width, 1}, .cells = {1, 1, cells}});
+    Scene scene = sliding_plates(0, 2 / edge);
+    scene.pins.back().point = {width, 0, 0};
+    const Solution end = end_of(bar, scene, {.law = Law::hencky, .element = Element::q1});
+    BOOST_TEST((end.status == SolveStatus::indefinite), cells << ": " << end.reason);
+  }
+  const Solution end =
+      end_of(cube(2), compressed(0.25, 0.45),
+             {.law = Law::st_venant_kirchhoff, .element = Element::q1_sri});
+  BOOST_TEST((end.status == SolveStatus::indefinite), end.reason);
+}
+
+// Corners alone would show no wave shorter than two edges of whole cells, four between
+// nodes.
 BOOST_AUTO_TEST_CASE(the_wavelength_on_q2_is_in_edges_between_its_nodes) {
   const Solution end = end_of(cube(4), compressed(0.499, 0.25),
                               {.law = Law::st_venant_kirchhoff, .element = Element::q2});

@@ -42,8 +42,10 @@ def _figures(study):
         cases = cases[cases.mesh == cases.mesh.mode()[0]]
         if cases.nu.nunique() < 3:
             continue
-        names = cases.drop(columns="solver").apply(method_name, axis=1)
-        drawn = [_curve(name, of_name.sort_values("nu")) for name, of_name in cases.groupby(names, sort=False)]
+        drawn = [
+            _curve(name, of_name.sort_values("nu"))
+            for name, of_name in cases.groupby(cases.apply(_name, axis=1), sort=False)
+        ]
         drawn = [curve for curve in drawn if np.isfinite(curve.y).any()]
         if not drawn:
             continue  # all paths held
@@ -58,6 +60,11 @@ def _figures(study):
         panel = curves.Panel(f"Limit in {test}", "Poisson's ratio", label, drawn, from_zero=True)
         figures.append(Figure(f"limits_{test}", caption, curves.draw, ([panel],)))
     return figures
+
+
+def _name(case):
+    name = method_name(case.drop("solver"))
+    return f"{name}, {case.further}" if case.further else name
 
 
 def _curve(name, cases):
@@ -92,8 +99,7 @@ def _table(study):
     for key, case in study.limits.sort_values(["test", "method", "nu"]).iterrows():
         limit = _number(case, key, "definite_up_to_deformation", _scale(case), 4)
         mode = _number(case, key, "critical_wavelength", 1, 3)
-        name = method_name(case.drop("solver"))
-        rows.append([name, case_text(case), limit, _BY.get(case.status, case.status), mode, (key[:8], "key")])
+        rows.append([_name(case), case_text(case), limit, _BY.get(case.status, case.status), mode, (key[:8], "key")])
     heads = ["method", "case, tried up to", "limit [%, °]", "there it", "mode [edges]", "case's key"]
     return Markup("<h3>All limits</h3>") + table(heads, rows, name="stability-limits", limit=_MOST_ROWS)
 

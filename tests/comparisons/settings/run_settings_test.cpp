@@ -171,9 +171,13 @@ const std::vector<Bad> bad_scenes{
      "scene.toml:9:13: reference: unknown value 'static', expected one of "
      "semi-implicit, explicit, verlet"},
     {good + "reference = \"fem-stvk:q1:static\"\n",
-     "scene.toml:9:13: reference: expected fem-stvk without a solver: it has one"},
+     "scene.toml:9:13: reference: expected fem-stvk without a solver: as a reference it "
+     "has "
+     "one"},
     {good + "reference = \"fem-tissue:static\"\n",
-     "scene.toml:9:13: reference: expected fem-tissue without a solver: it has one"},
+     "scene.toml:9:13: reference: expected fem-tissue without a solver: as a reference "
+     "it "
+     "has one"},
     {good + "reference = \"fem@converged\"\n",
      "scene.toml:9:13: reference: unknown value 'fem', expected one of mss-baudet"},
     {good + "traction = [0, 0, 1]\n",
@@ -548,6 +552,25 @@ BOOST_AUTO_TEST_CASE(settings_json_holds_what_a_test_reads) {
   BOOST_TEST(json("traction", "traction=0,0,1") != json("traction", "traction=0,0,2"));
   BOOST_TEST(json("affine", "gradient=.1,0,0,0,0,0,0,0,0") !=
              json("affine", "gradient=0,.1,0,0,0,0,0,0,0"));
+}
+
+// Nor have finite elements a solver that a case names; springs are what the case is.
+BOOST_AUTO_TEST_CASE(elements_that_a_case_is_held_against_have_no_noise) {
+  const auto reference = [](const std::string& name) {
+    return requests(run_of("compression", {"method=mss-nfd", "reference=" + name,
+                                           "noise=.1", "seed=7", "linear-solver=direct"}))
+        .front()
+        .reference.value();
+  };
+  const CaseSettings elements = reference("fem-stvk");
+  BOOST_TEST(elements.search.noise == 0);
+  BOOST_TEST(elements.search.seed == 1U);
+  BOOST_TEST((elements.search.linear_solver == statics::LinearSolver::direct));
+  BOOST_TEST(reference("mss-cf").search.noise == .1);
+  BOOST_TEST(reference("mss-cf").search.seed == 7U);
+  const auto beside_a_limit = requests(
+      run_of("compression", {"method=mss-cf", "reference=fem-stvk", "solver=limit"}));
+  BOOST_TEST(!beside_a_limit.front().reference.has_value());
 }
 
 BOOST_AUTO_TEST_CASE(every_key_of_searches_reaches_springs_and_finite_elements) {

@@ -81,6 +81,24 @@ BOOST_AUTO_TEST_CASE(a_map_has_a_limit_for_every_column_and_method) {
              std::string::npos);
 }
 
+// Of finite elements too; with noise, which no path has, cases are bisected.
+BOOST_AUTO_TEST_CASE(limits_of_elements_are_those_of_their_paths) {
+  for (const bool has_noise : {false, true}) {
+    const AtlasPlan plan = plan_of("compression", {"deformation=10%:50%:3"},
+                                   {{"cells", "3,3,3"},
+                                    {"method", "fem-stvk"},
+                                    {"noise", has_noise ? "1e-3" : "0"}});
+    CaseRunner runner(std::nullopt, 2);
+    const Atlas atlas = make_atlas(plan, runner);
+    BOOST_TEST_REQUIRE(atlas.limits.size() == 1U);
+    const AtlasLimit& limit = atlas.limits.front();
+    BOOST_TEST((runner.computed() == 4) == !has_noise);
+    BOOST_TEST((limit.failure == Failure::loss_of_definiteness));
+    BOOST_TEST(limit.wavelength.has_value() == !has_noise);
+    BOOST_TEST(*limit.high - *limit.low <= (has_noise ? .01 : .0021) * *limit.high);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_fails_at_once_or_never_says_so) {
   const Atlas atlas =
       atlas_of(plan_of("compression", {"nu=-0.5:-0.3:2"},

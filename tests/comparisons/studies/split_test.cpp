@@ -107,6 +107,15 @@ BOOST_AUTO_TEST_CASE(springs_without_a_known_continuum_are_not_split) {
                         });
 }
 
+BOOST_AUTO_TEST_CASE(springs_alone_have_noise) {
+  const SplitPlan plan =
+      plan_split(case_of("compression", {"method=mss-cf", "cells=3,3,3", "noise=.1"}),
+                 *find_method("fem-hencky"));
+  BOOST_TEST(plan.springs.search.noise == .1);
+  for (const Request& request : split_requests(plan))
+    BOOST_TEST(request.settings.search.noise == 0);
+}
+
 // Springs of mss-cf on a box have another continuum than on a cube; mss-affine has one.
 BOOST_AUTO_TEST_CASE(boxes_are_not_split_by_the_continuum_of_cubes) {
   BOOST_CHECK_EXCEPTION(plan_of("uniaxial", {"cells=2,2,3", "method=mss-cf"}), InputError,
