@@ -10,7 +10,6 @@
 
 #include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/methods/families.hpp"
-#include "comparisons/methods/protocol.hpp"
 #include "comparisons/settings/case_json.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
@@ -552,38 +551,6 @@ BOOST_AUTO_TEST_CASE(settings_json_holds_what_a_test_reads) {
   BOOST_TEST(json("traction", "traction=0,0,1") != json("traction", "traction=0,0,2"));
   BOOST_TEST(json("affine", "gradient=.1,0,0,0,0,0,0,0,0") !=
              json("affine", "gradient=0,.1,0,0,0,0,0,0,0"));
-}
-
-// Nor have finite elements a solver that a case names; springs are what the case is.
-BOOST_AUTO_TEST_CASE(elements_that_a_case_is_held_against_have_no_noise) {
-  const auto reference = [](const std::string& name) {
-    return requests(run_of("compression", {"method=mss-nfd", "reference=" + name,
-                                           "noise=.1", "seed=7", "linear-solver=direct"}))
-        .front()
-        .reference.value();
-  };
-  const CaseSettings elements = reference("fem-stvk");
-  BOOST_TEST(elements.search.noise == 0);
-  BOOST_TEST(elements.search.seed == 1U);
-  BOOST_TEST((elements.search.linear_solver == statics::LinearSolver::direct));
-  BOOST_TEST(reference("mss-cf").search.noise == .1);
-  BOOST_TEST(reference("mss-cf").search.seed == 7U);
-  const auto beside_a_limit = requests(
-      run_of("compression", {"method=mss-cf", "reference=fem-stvk", "solver=limit"}));
-  BOOST_TEST(!beside_a_limit.front().reference.has_value());
-}
-
-BOOST_AUTO_TEST_CASE(every_key_of_searches_reaches_springs_and_finite_elements) {
-  for (const std::string method : {"method=mss-cf", "method=fem-stvk"}) {
-    const CaseSettings settings =
-        case_of("compression", {method, "noise=.1", "seed=7", "linear-solver=multigrid"});
-    const statics::Search search = search_of(settings);
-    BOOST_TEST(search.noise == .1);
-    BOOST_TEST(search.seed == 7U);
-    BOOST_TEST((search.linear_solver == statics::LinearSolver::multigrid));
-    BOOST_TEST(!search.to_limit);
-    BOOST_TEST(search_of(case_of("compression", {method, "solver=limit"})).to_limit);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(every_key_reaches_the_finite_elements) {

@@ -208,6 +208,25 @@ BOOST_AUTO_TEST_CASE(matrices_that_solvers_cannot_count_are_refused) {
   BOOST_TEST(!is_counted("mss-cf", 207));
 }
 
+// Peaks as measured, within a tenth.
+BOOST_AUTO_TEST_CASE(the_estimate_is_of_the_linear_solver) {
+  const auto gigabytes = [](const char* method, const char* nu, const char* cells,
+                            const char* linear_solver) {
+    return estimated_memory(case_of(
+               "compression", {std::string("method=") + method, std::string("nu=") + nu,
+                               std::string("cells=") + cells,
+                               std::string("linear-solver=") + linear_solver})) /
+           1e9;
+  };
+  const auto tenth = boost::test_tools::tolerance(.1);
+  BOOST_TEST(gigabytes("mss-cf", ".4", "60,60,60", "auto") == 5.05, tenth);
+  BOOST_TEST(gigabytes("mss-cf", ".4", "30,30,30", "multigrid") == .78, tenth);
+  BOOST_TEST(gigabytes("mss-cf", ".4", "30,30,30", "direct") == 1.26, tenth);
+  BOOST_TEST(gigabytes("mss-affine", ".4", "40,40,40", "multigrid") == 3.93, tenth);
+  BOOST_TEST(gigabytes("mss-affine", ".2", "30,30,30", "multigrid") == .77, tenth);
+  BOOST_TEST(gigabytes("fem-stvk", ".4", "60,60,60", "auto") == 4.62, tenth);
+}
+
 // Steps of implicit Euler factor the same tangents as statics.
 BOOST_AUTO_TEST_CASE(the_estimate_counts_the_factors_of_implicit_steps) {
   const auto bytes = [](const std::string& solver) {

@@ -180,6 +180,18 @@ BOOST_AUTO_TEST_CASE(a_path_without_a_limit_reaches_the_full_load) {
   BOOST_TEST(limit.next_load_fraction == 1);
 }
 
+BOOST_AUTO_TEST_CASE(a_state_tried_in_vain_is_forgotten_at_the_full_load) {
+  const Mesh mesh = cube(3, h);
+  const Network network =
+      build_network(mesh, tissue_of(.25), in_shear_modulus_form(Method::cf));
+  int tries = 0;
+  const PathLimit limit =
+      limit_of(mesh, between_plates(tissue_of(.25), {0, 0, -.1 * h}), network, .01,
+               [&](const Eigen::VectorXd&, double) { return ++tries != 3; });
+  BOOST_TEST((limit.end == PathEnd::full_load));
+  BOOST_TEST(limit.next_load_fraction == 1);
+}
+
 // A caller's refusal is found to the resolution, wherever it begins.
 BOOST_AUTO_TEST_CASE(a_state_that_is_not_accepted_ends_the_path) {
   const Mesh mesh = cube(3, h);
