@@ -25,7 +25,7 @@ struct PathLimit {
   // goes to zero where definiteness is lost; of all components, 0 where held:
   Eigen::VectorXd critical_mode;
   double curvature;            // of the energy along it [N/m]
-  double rest_curvature;       // least curvature at rest, to 1 % [N/m]
+  double rest_curvature;       // about the least curvature at rest [N/m]
   double mode_rest_curvature;  // along the critical mode at rest [N/m]
   int steps;
 };
@@ -48,8 +48,8 @@ using AcceptState =
 /// The path's direction du/ds then tells a limit point from a bifurcation: along the
 /// critical mode it grows like the inverse of the mode's curvature at the one, and not at
 /// the other, imperfections aside. It is called a limit point where du/ds has more than a
-/// hundredth of the mode, and that has grown, since a state a thirty-second of the load or
-/// a little more before, by more than the curvature's root has fallen.
+/// hundredth of the mode, and that has grown, since a state a thirty-second of the load
+/// or a little more before, by more than the curvature's root has fallen.
 PathLimit follow_to_limit(Landscape& landscape, double resolution,
                           const AcceptState& accept);
 

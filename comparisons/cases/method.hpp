@@ -53,7 +53,7 @@ struct Seconds {
 /// The linear systems that a solution keeps in memory at most, one with `coupling` times
 /// the entries of a body whose nodes meet their neighbours alone.
 struct LinearSystems {
-  enum class Kind { none, cholesky, multigrid } kind = Kind::none;
+  enum class Kind { none, cholesky, conjugate_gradients, multigrid } kind = Kind::none;
   double coupling = 1;
   double multigrid_bytes = 0;  // in place of a factor, for each division of element_nodes
   double entries_per_node = 0;  // of the matrix, inside a large grid

@@ -43,9 +43,17 @@ LinearSystems::Kind linear_systems_of(const CaseSettings& settings) {
   using enum LinearSystems::Kind;
   if (goes_through_time(settings)) return cholesky;
   const auto [nx, ny, nz] = element_nodes(settings);
-  const statics::LinearSolver taken = statics::linear_solver_taken(
-      settings.search.linear_solver, static_cast<std::ptrdiff_t>(3 * nx * ny * nz));
-  return taken == statics::LinearSolver::direct ? cholesky : multigrid;
+  switch (statics::linear_solver_taken(settings.search.linear_solver,
+                                       static_cast<std::ptrdiff_t>(3 * nx * ny * nz))) {
+    case statics::LinearSolver::conjugate_gradients:
+      return conjugate_gradients;
+    case statics::LinearSolver::multigrid:
+      return multigrid;
+    case statics::LinearSolver::direct:
+    case statics::LinearSolver::automatic:
+      break;
+  }
+  return cholesky;
 }
 
 }  // namespace springcheck

@@ -12,7 +12,6 @@ dynamics::Protocol protocol_of(const CaseSettings& settings);
 statics::Search search_of(const CaseSettings& settings);
 
 /// What its linear systems take memory for, through time those of implicit steps.
-/// Conjugate gradients by themselves need no more than with multigrid.
 LinearSystems::Kind linear_systems_of(const CaseSettings& settings);
 
 }  // namespace springcheck

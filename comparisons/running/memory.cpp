@@ -65,6 +65,13 @@ double estimated_memory(const CaseSettings& settings) {
   switch (systems.kind) {
     case LinearSystems::Kind::none:
       break;
+    case LinearSystems::Kind::conjugate_gradients: {
+      // A matrix, and vectors and what it is assembled from, which take as much at most.
+      // Peaks at 20^3 cells: 199 MB (q1-sri), 267 (q1-nodal), 274 (mss-affine, nu = .4);
+      // at 46^3 755 (mss-cf); of q2 at 12^3 261.
+      constexpr double per_entry = 16;
+      return bytes + per_entry * systems.entries_per_node * cells;
+    }
     case LinearSystems::Kind::multigrid:
       return bytes + systems.multigrid_bytes * cells;
     case LinearSystems::Kind::cholesky: {

@@ -51,8 +51,8 @@ inline constexpr std::array value_names<Failure>{
                 "cells' mean strain does not see: more than half of their hourglass "
                 "displacement, higher than .05 of edge times strain"},
     FailureName{Failure::loss_of_definiteness, "loss of definiteness", 'D',
-                "equilibrium, but no minimum of the energy, or one that the path there "
-                "was lost before"},
+                "equilibrium, but no minimum of the energy, or one beyond where the path "
+                "from rest lost its stability"},
     FailureName{
         Failure::locking, "locking", 'L',
         "with --locking: plate force or torque more than 10 % above that of the same law "
