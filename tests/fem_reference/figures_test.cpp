@@ -12,8 +12,8 @@
 #include "meshing/generators/generate_block.hpp"
 #include "tests/referee/figures.hpp"
 
-// The thesis's bodies between plates, and beams: every figure of the referee's trilinear
-// elements, locking and the loss of definiteness.
+// The thesis's bodies between plates, and beams: every figure of the referee's elements,
+// locking and the loss of definiteness.
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
@@ -38,25 +38,36 @@ Settings settings_of(const std::string& law, const std::string& element) {
                                         {"stvk", Law::st_venant_kirchhoff},
                                         {"hencky", Law::hencky},
                                         {"cauchy-born", Law::cauchy_born}};
-  return {.law = laws.at(law),
-          .element = element == "q1" ? Element::q1 : Element::q1_sri};
+  const std::map<std::string, Element> elements{{"q1", Element::q1},
+                                                {"q1-sri", Element::q1_sri},
+                                                {"q1-nodal", Element::q1_nodal},
+                                                {"q2", Element::q2}};
+  return {.law = laws.at(law), .element = elements.at(element)};
+}
+
+Block of_the_thesis(const referee::Row& row) {
+  return row.text("test") == "tension" ? thin_beam : cube_of(10);
+}
+Block coarse_cube(const referee::Row& row) {
+  return cube_of(row.text("element") == "q2" ? 4 : 5);
 }
 
 /// A state of the referee's.
-Measured measured_as(const referee::Row& row) {
+Measured measured_as(const referee::Row& row, const Block& body) {
   const std::string& test = row.text("test");
   const double amount = row.number("amount");
   const Vector3 way = test == "compression" ? Vector3(0, 0, -amount)
                       : test == "tension"   ? Vector3(0, 0, amount)
                       : test == "shearing"  ? Vector3(amount, 0, 0)
                                             : Vector3::Zero();
-  return measured(test == "tension" ? thin_beam : cube_of(10), row.number("nu"),
+  return measured(body, row.number("nu"),
                   settings_of(row.text("law"), row.text("element")), way,
                   test == "torsion" ? amount * degree : 0);
 }
 
 /// Residuals are 1e-8 of the force here, and less there.
-void check_against_the_referee(const std::vector<referee::Row>& rows) {
+template <typename BodyOf>
+void check_against_the_referee(const std::vector<referee::Row>& rows, BodyOf body_of) {
   const auto tolerance = boost::test_tools::tolerance(1e-7);
   std::string state;
   Measured found;
@@ -66,7 +77,7 @@ void check_against_the_referee(const std::vector<referee::Row>& rows) {
     const std::string name =
         fmt::format("fem-{} {} nu {}, {} {}", row.text("law"), row.text("element"),
                     row.text("nu"), row.text("test"), row.text("amount"));
-    if (name != state) found = measured_as(row);
+    if (name != state) found = measured_as(row, body_of(row));
     state = name;
     BOOST_TEST_CONTEXT(name << ": " << quantity) {
       if (quantity == "volume change")  // near nu = 1/2 the difference of larger ones
@@ -114,14 +125,20 @@ BOOST_AUTO_TEST_CASE(a_sample_of_trilinear_elements_has_the_referee_s_figures) {
            (row.text("test") != "compression" || row.text("amount") != "0.05");
   });
   BOOST_TEST(rows.size() == 177U);
-  check_against_the_referee(rows);
+  check_against_the_referee(rows, of_the_thesis);
 }
 
 BOOST_AUTO_TEST_CASE(trilinear_elements_have_the_referee_s_figures,
                      *boost::unit_test::label("slow")) {
   const std::vector<referee::Row> rows = referee::rows("elements");
   BOOST_TEST(rows.size() == 243U);
-  check_against_the_referee(rows);
+  check_against_the_referee(rows, of_the_thesis);
+}
+
+BOOST_AUTO_TEST_CASE(triquadratic_and_node_averaged_elements_have_the_referee_s_figures) {
+  const std::vector<referee::Row> rows = referee::rows("other_elements");
+  BOOST_TEST(rows.size() == 294U);
+  check_against_the_referee(rows, coarse_cube);
 }
 
 // 4 x 4 x 24 and 8 x 8 x 48 cells. Euler and Bernoulli have 155.52 um.

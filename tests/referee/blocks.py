@@ -1,7 +1,8 @@
 """Blocks of equal cells between two plates, and equilibria on them.
 
-Lengths in m, forces in N. A node's number is i + (nx + 1) (j + (ny + 1) k); a cell's
-corners are numbered the same way. A body is a list of parts, each with
+Lengths in m, forces in N. Nodes are numbered along x first, then y, then z; those of a
+cell in the same order, (degree + 1)^3 of them: corners, and of degree 2 those between.
+A body is a list of parts, each with
 
     gradient(x), hessian(x)      x of shape (nodes, 3)
 
@@ -14,32 +15,40 @@ import numpy as np
 import scipy.sparse as sparse
 import scipy.sparse.linalg as linalg
 
-CORNERS = np.array([[a, b, c] for c in (0, 1) for b in (0, 1) for a in (0, 1)])
+
+def lattice_points(*counts):
+    """(i, j, k) of a lattice of so many points along each axis, the first fastest."""
+    k, j, i = np.meshgrid(*(np.arange(n) for n in reversed(counts)), indexing="ij")
+    return np.stack([i.ravel(), j.ravel(), k.ravel()], axis=1)
+
+
+CORNERS = lattice_points(2, 2, 2)
 
 
 @dataclass
 class Block:
-    """`cells` of three counts, `size` of three edges."""
+    """`cells` of three counts, `size` of three edges; displacements are polynomials of
+    the `degree` along each axis of a cell."""
 
     size: tuple
     cells: tuple
+    degree: int = 1
 
     def __post_init__(self):
-        nx, ny, nz = self.cells
         self.edges = np.array(self.size) / self.cells
-        k, j, i = np.meshgrid(*(np.arange(n + 1) for n in (nz, ny, nx)), indexing="ij")
-        steps = np.stack([i.ravel(), j.ravel(), k.ravel()], axis=1)
-        self.nodes = steps * self.edges
+        counts = self.degree * np.array(self.cells) + 1
+        steps = lattice_points(*counts)
+        self.nodes = steps * self.edges / self.degree
         self.layer = steps[:, 2]
-        k, j, i = np.meshgrid(*(np.arange(n) for n in (nz, ny, nx)), indexing="ij")
-        first = i.ravel() + (nx + 1) * (j.ravel() + (ny + 1) * k.ravel())
-        self.corners = first[:, None] + CORNERS @ [1, nx + 1, (nx + 1) * (ny + 1)]
+        number = [1, counts[0], counts[0] * counts[1]]
+        first = self.degree * lattice_points(*self.cells) @ number
+        self.of_cells = first[:, None] + lattice_points(*[self.degree + 1] * 3) @ number
         self.cell_volume = float(np.prod(self.edges))
         self.volume = float(np.prod(self.size))
 
     @property
     def top(self):
-        return self.layer == self.cells[2]
+        return self.layer == self.layer[-1]
 
     @property
     def bottom(self):
@@ -51,50 +60,65 @@ class Block:
         return len(self.nodes) - 1 - layer // 2
 
     def masses(self, density):
-        """An eighth of each cell to each of its corners [kg]."""
-        return density * self.cell_volume / 8 * np.bincount(self.corners.ravel())
+        """An eighth of each cell to each of its corners, of degree 1 [kg]."""
+        return density * self.cell_volume / 8 * np.bincount(self.of_cells.ravel())
 
     def assembled(self, gradients):
-        """Of gradients of cells, (cells, 8, 3), those of nodes."""
+        """Of gradients of cells, (cells, nodes of each, 3), those of nodes."""
         total = np.zeros_like(self.nodes)
-        np.add.at(total, self.corners, gradients)
+        np.add.at(total, self.of_cells, gradients)
         return total
 
     def components(self):
-        return (3 * self.corners[:, :, None] + np.arange(3)).reshape(-1, 24)
+        return (3 * self.of_cells[:, :, None] + np.arange(3)).reshape(len(self.of_cells), -1)
 
     def assembled_matrix(self, hessians):
-        """Of matrices of cells, (cells, 24, 24), the one of all components."""
+        """Of matrices of cells, as large as they have components, the one of all."""
         own = self.components()
-        rows = np.repeat(own, 24, axis=1).ravel()
-        columns = np.tile(own, (1, 24)).ravel()
+        rows = np.repeat(own, own.shape[1], axis=1).ravel()
+        columns = np.tile(own, (1, own.shape[1])).ravel()
         n = 3 * len(self.nodes)
         return sparse.csc_matrix((hessians.ravel(), (rows, columns)), shape=(n, n))
 
     def exact_volume(self, x):
-        """Of trilinear cells: det of the Jacobian at 2 x 2 x 2 Gauss points, which is
-        exact for its degree of two in each direction."""
-        jacobians = np.einsum("cad,qae->cqde", x[self.corners], gauss_gradients(self.edges))
-        return float(np.linalg.det(jacobians).sum() * self.cell_volume / 8)
+        """det of the Jacobian at Gauss points: exact, its degree in each direction being
+        three times that of displacements, less one."""
+        B, weights = gauss_gradients(self.edges, self.degree)
+        jacobians = np.einsum("cad,qae->cqde", x[self.of_cells], B)
+        return float((np.linalg.det(jacobians) @ weights).sum() * self.cell_volume)
 
     def corner_jacobians(self, x):
         """det F at the corners of all cells."""
-        gradients = np.stack([shape_gradients(c, self.edges) for c in CORNERS])
-        return np.linalg.det(np.einsum("cad,qae->cqde", x[self.corners], gradients))
+        gradients = np.stack([shape_gradients(c, self.edges, self.degree) for c in CORNERS])
+        return np.linalg.det(np.einsum("cad,qae->cqde", x[self.of_cells], gradients))
 
 
-def shape_gradients(point, edges):
-    """Of the eight trilinear functions at a point of the unit cell, (8, 3) [1/m]."""
-    values = np.where(CORNERS == 1, point, 1 - np.asarray(point))
-    slopes = np.where(CORNERS == 1, 1.0, -1.0) / edges
-    return np.stack([slopes[:, d] * np.prod(np.delete(values, d, axis=1), axis=1)
-                     for d in range(3)], axis=1)
+def lagrange(degree):
+    """Polynomials that are one at one of degree + 1 equidistant points of [0, 1] and zero
+    at the others."""
+    places = np.linspace(0, 1, degree + 1)
+    return [np.poly1d(others, r=True) / np.prod(place - others)
+            for place, others in ((p, np.delete(places, i)) for i, p in enumerate(places))]
 
 
-def gauss_gradients(edges):
-    """At 2 x 2 x 2 Gauss points, (8, 8, 3); each has an eighth of the volume."""
-    points = (1 + (2 * CORNERS - 1) / np.sqrt(3)) / 2
-    return np.stack([shape_gradients(p, edges) for p in points])
+def shape_gradients(point, edges, degree=1):
+    """Of a cell's (degree + 1)^3 products of Lagrange's polynomials at a point of the
+    unit cell, (functions, 3) [1/m]."""
+    functions = lagrange(degree)
+    values = np.array([[f(s) for s in point] for f in functions])
+    slopes = np.array([[f.deriv()(s) for s in point] for f in functions]) / edges
+    factors = np.stack([np.where(np.eye(3, dtype=bool)[d], slopes, values) for d in range(3)])
+    i, j, k = lattice_points(*[degree + 1] * 3).T
+    return (factors[:, i, 0] * factors[:, j, 1] * factors[:, k, 2]).T
+
+
+def gauss_gradients(edges, degree=1):
+    """At degree + 1 Gauss points along each axis, (points, functions, 3); and each point's
+    part of the volume."""
+    places, weights = np.polynomial.legendre.leggauss(degree + 1)
+    points = lattice_points(*[degree + 1] * 3)
+    gradients = [shape_gradients(p, edges, degree) for p in (1 + places[points]) / 2]
+    return np.stack(gradients), (weights[points] / 2).prod(axis=1)
 
 
 # ------------------------------------------------------------------------- motions

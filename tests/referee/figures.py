@@ -21,12 +21,13 @@ import theory
 
 FOLDER = Path(__file__).parent / "figures"
 FIGURE = "case", "quantity", "value"
+ELEMENTS = "test", "amount", "law", "element", "nu", "quantity", "value"
 # Columns, what computes the rows, how much a figure may move from one machine to another
 # (relative: linear solvers round otherwise, searches stop a step apart), whether quick.
 TOPICS = {
     "plates": (FIGURE, statics.plates, 1e-7, False),
-    "elements": (("test", "amount", "law", "element", "nu", "quantity", "value"),
-                 statics.trilinear, 1e-7, False),
+    "elements": (ELEMENTS, statics.trilinear, 1e-7, False),
+    "other_elements": (ELEMENTS, statics.triquadratic_and_nodal, 1e-7, False),
     "bending": (FIGURE, statics.bending, 1e-7, False),
     "small_strain": (FIGURE, statics.small_strain, 1e-7, True),
     "strain_measures": (FIGURE, statics.strain_measures, 1e-7, False),

@@ -30,12 +30,12 @@ class Step:
     found: np.ndarray = field(default=None, repr=False)
 
     def __post_init__(self):
-        self.before = self.block.nodes[self.block.corners]
+        self.before = self.block.nodes[self.block.of_cells]
         self.stress = np.zeros((len(self.before), 8, 3, 3))
 
     def __call__(self, X):
         la, mu = lame(E, self.nu)
-        B, V = quadrature(self.block)
+        B, VB = quadrature(self.block)
         middle = np.einsum("cad,qae->cqde", (X + self.before) / 2, B)
         G = np.einsum("cad,qae->cqde", X - self.before, B) @ np.linalg.inv(middle)
         D, W = (G + transposed(G)) / 2, (G - transposed(G)) / 2
@@ -45,7 +45,7 @@ class Step:
                       (la + 2 * mu / 3) * mean * IDENTITY)
         F = np.einsum("cad,qae->cqde", X, B)
         P = np.linalg.det(F)[..., None, None] * self.found @ transposed(np.linalg.inv(F))
-        return V * np.einsum("cqde,qae->cad", P, B)
+        return np.einsum("cqde,qae->cad", P, VB)
 
 
 def end_of(load, nu, count):
@@ -53,7 +53,7 @@ def end_of(load, nu, count):
     path = Path(CUBE, [Elements(CUBE, step)], load[2](CUBE))
     for i in range(1, count + 1):
         path.advance(i / count)
-        X = path.x[CUBE.corners]
+        X = path.x[CUBE.of_cells]
         step(X)
         step.before, step.stress = X, step.found
         # The gradient at the end, of no further step, is the same.

@@ -8,7 +8,7 @@ import elements
 import numpy as np
 from blocks import Block
 from figures import FOLDER
-from springs import affine, lattice
+from springs import Stars, affine, lattice
 
 BLOCK = Block((0.03, 0.02, 0.02), (3, 2, 2))
 
@@ -53,7 +53,8 @@ class Derivatives(unittest.TestCase):
 
     def test_tangents_are_slopes_of_forces(self):
         laws = [("stvk", elements.st_venant_kirchhoff(BLOCK, 1e4, 0.3)),
-                ("hencky", elements.hencky_reduced(BLOCK, 1e4, 0.3))]
+                ("hencky", elements.hencky_parted(BLOCK, 1e4, 0.3)),
+                ("hencky q1-nodal", elements.hencky_parted(BLOCK, 1e4, 0.3, Stars))]
         for name, parts in [*bodies(), *laws]:
             for seed, part in enumerate(parts):
                 x, way = state(seed)

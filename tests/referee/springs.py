@@ -35,7 +35,7 @@ class Stretches:
 
     def stretches(self, x):
         """Sign, vectors, lengths and directions of each of the two."""
-        X = x[self.block.corners]
+        X = x[self.block.of_cells]
         for sign, g in ((1.0, self.g), (-1.0, self.r)):
             if g is None:
                 continue
@@ -81,7 +81,7 @@ class Determinants:
         return np.linalg.det(self.columns(x))
 
     def columns(self, x):
-        return np.einsum("cad,ae->cde", x[self.block.corners], self.G)
+        return np.einsum("cad,ae->cde", x[self.block.of_cells], self.G)
 
     def cofactors(self, x):
         y = self.columns(x)
@@ -136,32 +136,34 @@ class Volumes:
 
 @dataclass
 class Stars:
-    """Sum over nodes of V_n kappa/2 (J_n - 1)^2, J_n the mean of J over the cells at
-    the node, V_n an eighth of their volumes."""
+    """Sum over nodes of V_n U(J_n), J_n the mean of J over the cells at the node, V_n an
+    eighth of their volumes."""
 
     determinants: Determinants
-    kappa: float
+    U: Callable
 
     def __post_init__(self):
         block = self.determinants.block
-        cells = np.repeat(np.arange(len(block.corners)), 8)
-        self.count = np.bincount(block.corners.ravel())
-        shape = len(block.nodes), len(block.corners)
-        self.sums = sparse.csr_matrix((np.ones(len(cells)), (block.corners.ravel(), cells)),
+        cells = np.repeat(np.arange(len(block.of_cells)), 8)
+        self.count = np.bincount(block.of_cells.ravel())
+        shape = len(block.nodes), len(block.of_cells)
+        self.sums = sparse.csr_matrix((np.ones(len(cells)), (block.of_cells.ravel(), cells)),
                                       shape=shape)
-        self.weights = self.kappa * block.cell_volume / 8 * self.count
+        self.volumes = block.cell_volume / 8 * self.count
 
     def mean(self, values):
         return self.sums @ values / self.count
 
+    def of_nodes(self, x):
+        """V_n U and its derivatives."""
+        return [self.volumes * u for u in self.U(self.mean(self.determinants.value(x)))]
+
     def by_cell(self, x):
         """dW/dJ of the cells."""
-        d = self.determinants
-        pressure = self.weights * (self.mean(d.value(x)) - 1)
-        return self.sums.T @ (pressure / self.count)
+        return self.sums.T @ (self.of_nodes(x)[1] / self.count)
 
     def energy(self, x):
-        return float((self.weights / 2 * (self.mean(self.determinants.value(x)) - 1)**2).sum())
+        return float(self.of_nodes(x)[0].sum())
 
     def gradient(self, x):
         d = self.determinants
@@ -175,7 +177,7 @@ class Stars:
                               shape=(len(own), 3 * len(d.block.nodes)))
         means = sparse.diags(1 / self.count) @ self.sums @ D
         curved = d.block.assembled_matrix(self.by_cell(x)[:, None, None] * d.curvatures(x))
-        return (means.T @ sparse.diags(self.weights) @ means + curved).tocsc()
+        return (means.T @ sparse.diags(self.of_nodes(x)[2]) @ means + curved).tocsc()
 
 
 @dataclass
@@ -187,7 +189,7 @@ class Traces:
     kappa: float
 
     def trace_and_edges(self, x):
-        y = np.einsum("cad,ae->cde", x[self.block.corners], self.G)
+        y = np.einsum("cad,ae->cde", x[self.block.of_cells], self.G)
         return ((y**2).sum(axis=(1, 2)) - 3) / 2, y
 
     def energy(self, x):
@@ -272,7 +274,7 @@ def cell_springs(edges):
 
 def mean_edges(block):
     """G (8, 3): the mean gradient of a cell, which is that at its centre."""
-    return gauss_gradients(block.edges).mean(axis=0)
+    return gauss_gradients(block.edges)[0].mean(axis=0)
 
 
 def kappa_of(E, nu):
@@ -350,7 +352,7 @@ def affine(block, E, nu, stars=None):
     kappa, J = kappa_of(E, nu), Determinants(block, G)
     if stars is None:
         stars = nu > 0.25
-    parts.append(Stars(J, kappa) if stars else Volumes(J, linear_in_volume(kappa)))
+    parts.append((Stars if stars else Volumes)(J, linear_in_volume(kappa)))
     vectors, L, apart = cell_springs(block.edges)
     m = 0.843 / (2 * (1 + nu))
     eta = np.array([np.nan, ((1 + np.sqrt(1 + 4 * m * m)) / 2 - m) / 12, m / 3, 0])[apart]
@@ -373,8 +375,8 @@ def whole_springs(block, method, E, nu):
     pairs, shares = [], []
     for row, kind in enumerate(apart):
         if by_kind[kind] > 0:
-            pairs.append(np.sort(block.corners[:, np.flatnonzero(vectors[row])], axis=1))
-            shares.append(np.full(len(block.corners), by_kind[kind]))
+            pairs.append(np.sort(block.of_cells[:, np.flatnonzero(vectors[row])], axis=1))
+            shares.append(np.full(len(block.of_cells), by_kind[kind]))
     ends, spring = np.unique(np.vstack(pairs), axis=0, return_inverse=True)
     along = block.nodes[ends[:, 1]] - block.nodes[ends[:, 0]]
     return ends, np.bincount(spring.ravel(), np.concatenate(shares)), np.linalg.norm(along, axis=1)

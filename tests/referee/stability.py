@@ -5,7 +5,7 @@ import scipy.optimize as optimize
 import scipy.sparse as sparse
 import scipy.sparse.linalg as linalg
 from blocks import CORNERS, Block, Path, limit_of_stability, shifted, total_hessian, turned
-from elements import st_venant_kirchhoff_reduced
+from elements import st_venant_kirchhoff_parted
 from springs import dashpots, lattice, whole_springs
 
 E, h = 1e4, 0.005
@@ -20,7 +20,7 @@ def paths():
     ten, six, beam = cube(10), cube(6), Block((4 * h, 4 * h, 24 * h), (4, 4, 24))
 
     def limit(block, method, nu, motion, full, step):
-        parts = (st_venant_kirchhoff_reduced(block, E, nu) if method == "fem-stvk" else
+        parts = (st_venant_kirchhoff_parted(block, E, nu) if method == "fem-stvk" else
                  lattice(block, method, E, nu))
         path = Path(block, parts, motion)
         fraction, how = limit_of_stability(path, step / full, 1e-4 * step / full)

@@ -4,7 +4,7 @@ import elements
 import numpy as np
 from blocks import (Block, equilibrium, plate_force, plate_torque, shifted, turned,
                     volume_change)
-from springs import affine, lattice
+from springs import Stars, affine, lattice
 
 E = 1e4
 CUBE = Block((0.05, 0.05, 0.05), (10, 10, 10))
@@ -65,10 +65,10 @@ def plates():
 
 
 LAWS = {("hooke", "q1"): elements.hooke,
-        ("hooke", "q1-sri"): elements.hooke_reduced,
+        ("hooke", "q1-sri"): elements.hooke_parted,
         ("stvk", "q1"): elements.st_venant_kirchhoff,
-        ("stvk", "q1-sri"): elements.st_venant_kirchhoff_reduced,
-        ("hencky", "q1-sri"): elements.hencky_reduced,
+        ("stvk", "q1-sri"): elements.st_venant_kirchhoff_parted,
+        ("hencky", "q1-sri"): elements.hencky_parted,
         ("cauchy-born", "q1"): elements.continuum_of_lattice,
         ("cauchy-born", "q1-sri"): elements.continuum_of_lattice_reduced}
 
@@ -101,6 +101,28 @@ def trilinear():
             yield from rows("cauchy-born", element, nu, CUBE, pressed(0.05))
         yield from rows("cauchy-born", element, 0.25, CUBE, pressed(0.2))
         yield from rows("cauchy-born", element, 0.25, SMALL_BEAM, pulled(0.2))
+
+
+def triquadratic_and_nodal():
+    """q2 of every law on 4 x 4 x 4 cells, and q1-nodal on 5 x 5 x 5."""
+    fine = Block(CUBE.size, (4, 4, 4), degree=2)
+    bodies = {("hooke", "q2"): lambda nu: elements.hooke(fine, E, nu),
+              ("stvk", "q2"): lambda nu: elements.st_venant_kirchhoff(fine, E, nu),
+              ("hencky", "q2"): lambda nu: elements.hencky(fine, E, nu),
+              ("cauchy-born", "q2"): lambda nu: elements.continuum_of_lattice(fine, E, nu)}
+    for law, parted in (("hooke", elements.hooke_parted),
+                        ("stvk", elements.st_venant_kirchhoff_parted),
+                        ("hencky", elements.hencky_parted)):
+        bodies[law, "q1-nodal"] = lambda nu, parted=parted: parted(COARSE, E, nu, Stars)
+    for (law, element), parts_of in bodies.items():
+        block = fine if element == "q2" else COARSE
+        # Near nu = 1/2 St-Venant's law, and at 0 in tension that of mss-cf, lose their
+        # stability.
+        for nu in {"stvk": (0, 0.25), "cauchy-born": (0.25,)}.get(law, (0, 0.25, 0.45, 0.499)):
+            for load in (pressed(0.05), pressed(0.2), pulled(0.2), sheared(0.2), twisted(45)):
+                for _, quantity, value in figures_of("", block, parts_of(nu), load,
+                                                     small_strain=law == "hooke"):
+                    yield load[0], load[1], law, element, nu, quantity, value
 
 
 def bending():
@@ -170,7 +192,7 @@ def strain_measures():
         for name, parts in (
             ("logarithmic", lattice(COARSE, "mss-cf", E, nu, measure="logarithmic")),
             ("hencky", lattice(COARSE, "mss-cf", E, nu, measure="hencky")),
-            ("fem-hencky q1-sri", elements.hencky_reduced(COARSE, E, nu))):
+            ("fem-hencky q1-sri", elements.hencky_parted(COARSE, E, nu))):
             if name == "hencky" and nu > 0.45:
                 continue  # without a use
             for load in (pressed(0.05), pressed(0.2), pulled(0.2), sheared(0.2), twisted(45)):
