@@ -38,7 +38,7 @@ void expect_one_limit(Law law, const Vector3& strain, double angle, double band,
 }
 
 double volume_error(const Measured& m) {
-  return m.volume_error;
+  return 100 * std::abs(m.volume_change);
 }
 double force(const Measured& m) {
   return m.force.norm();

@@ -42,7 +42,7 @@ class Block:
         self.layer = steps[:, 2]
         number = [1, counts[0], counts[0] * counts[1]]
         first = self.degree * lattice_points(*self.cells) @ number
-        self.of_cells = first[:, None] + lattice_points(*[self.degree + 1] * 3) @ number
+        self.cell_nodes = first[:, None] + lattice_points(*[self.degree + 1] * 3) @ number
         self.cell_volume = float(np.prod(self.edges))
         self.volume = float(np.prod(self.size))
 
@@ -55,22 +55,22 @@ class Block:
         return self.layer == 0
 
     def middle_of_top(self):
-        """The node at the centre of the upper face, of even counts."""
+        """The node at the centre of the upper face, of even counts and degree 1."""
         layer = (self.cells[0] + 1) * (self.cells[1] + 1)
         return len(self.nodes) - 1 - layer // 2
 
     def masses(self, density):
         """An eighth of each cell to each of its corners, of degree 1 [kg]."""
-        return density * self.cell_volume / 8 * np.bincount(self.of_cells.ravel())
+        return density * self.cell_volume / 8 * np.bincount(self.cell_nodes.ravel())
 
     def assembled(self, gradients):
         """Of gradients of cells, (cells, nodes of each, 3), those of nodes."""
         total = np.zeros_like(self.nodes)
-        np.add.at(total, self.of_cells, gradients)
+        np.add.at(total, self.cell_nodes, gradients)
         return total
 
     def components(self):
-        return (3 * self.of_cells[:, :, None] + np.arange(3)).reshape(len(self.of_cells), -1)
+        return (3 * self.cell_nodes[:, :, None] + np.arange(3)).reshape(len(self.cell_nodes), -1)
 
     def assembled_matrix(self, hessians):
         """Of matrices of cells, as large as they have components, the one of all."""
@@ -84,13 +84,13 @@ class Block:
         """det of the Jacobian at Gauss points: exact, its degree in each direction being
         three times that of displacements, less one."""
         B, weights = gauss_gradients(self.edges, self.degree)
-        jacobians = np.einsum("cad,qae->cqde", x[self.of_cells], B)
+        jacobians = np.einsum("cad,qae->cqde", x[self.cell_nodes], B)
         return float((np.linalg.det(jacobians) @ weights).sum() * self.cell_volume)
 
     def corner_jacobians(self, x):
         """det F at the corners of all cells."""
         gradients = np.stack([shape_gradients(c, self.edges, self.degree) for c in CORNERS])
-        return np.linalg.det(np.einsum("cad,qae->cqde", x[self.of_cells], gradients))
+        return np.linalg.det(np.einsum("cad,qae->cqde", x[self.cell_nodes], gradients))
 
 
 def lagrange(degree):

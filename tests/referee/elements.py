@@ -12,38 +12,30 @@ import numpy as np
 from blocks import Block, gauss_gradients
 from laws import (IDENTITY, cauchy_born, deviator, kirchhoff_of_hencky, lattice_directions,
                   pull_of_springs, trace, transposed)
-from springs import (Determinants, Volumes, lame, linear_in_volume, logarithmic_volume,
+from springs import (Determinants, Stars, Volumes, lame, linear_in_volume, logarithmic_volume,
                      mean_edges)
 
-
-@dataclass
-class Elements:
-    """cell_gradient(X) of the cells' nodes X, (cells, nodes of each, 3)."""
-
-    block: Block
-    cell_gradient: Callable
-
-    def gradient(self, x):
-        return self.block.assembled(self.cell_gradient(x[self.block.of_cells]))
-
-    def hessian(self, x, step=1e-6):
-        X = x[self.block.of_cells]
-        H = slopes_of(self.cell_gradient, X, step * self.block.edges.min())
-        return self.block.assembled_matrix((H + H.transpose(0, 2, 1)) / 2)
+STEP = 1e-6  # of central differences, of F and of an edge
 
 
-def slopes_of(gradient, X, h):
-    """Central differences of cells' gradients by their nodes X, a matrix for each."""
-    size = X[0].size
-    H = np.zeros((len(X), size, size))
-    for a in range(X.shape[1]):
-        for d in range(3):
+def slopes(f, X, h):
+    """Central differences of f by its arguments' last two axes, behind those of f."""
+    columns = []
+    for a in range(X.shape[-2]):
+        for d in range(X.shape[-1]):
             there, back = X.copy(), X.copy()
-            there[:, a, d] += h
-            back[:, a, d] -= h
-            slope = gradient(there) - gradient(back)
-            H[:, :, 3 * a + d] = (slope / (2 * h)).reshape(-1, size)
-    return H
+            there[..., a, d] += h
+            back[..., a, d] -= h
+            columns.append((f(there) - f(back)) / (2 * h))
+    found = np.stack(columns, axis=-1)
+    return found.reshape(*found.shape[:-1], *X.shape[-2:])
+
+
+def slopes_by_nodes(cell_gradient, block, x):
+    """Of gradients of cells by their own nodes, a symmetric matrix for each."""
+    X = x[block.cell_nodes]
+    H = slopes(cell_gradient, X, STEP * block.edges.min()).reshape(len(X), X[0].size, -1)
+    return (H + H.transpose(0, 2, 1)) / 2
 
 
 def quadrature(block):
@@ -65,29 +57,18 @@ class AtPoints:
         self.B, self.VB = quadrature(self.block)
 
     def deformation_gradients(self, x):
-        return np.einsum("cad,qae->cqde", x[self.block.of_cells], self.B)
+        return np.einsum("cad,qae->cqde", x[self.block.cell_nodes], self.B)
 
     def gradient(self, x):
         stress = self.P(self.deformation_gradients(x))
         return self.block.assembled(np.einsum("cqde,qae->cad", stress, self.VB))
 
-    def hessian(self, x, step=1e-6):
+    def hessian(self, x):
         F = self.deformation_gradients(x)
-        slopes = np.zeros((*F.shape, 3, 3))
-        for k in range(3):
-            for f in range(3):
-                there, back = F.copy(), F.copy()
-                there[..., k, f] += step
-                back[..., k, f] -= step
-                slopes[..., k, f] = (self.P(there) - self.P(back)) / (2 * step)
-        H = np.einsum("qae,cqdekf,qbf->cadbk", self.VB, slopes, self.B, optimize=True)
+        moduli = slopes(self.P, F, STEP)
+        H = np.einsum("qae,cqdekf,qbf->cadbk", self.VB, moduli, self.B, optimize=True)
         H = H.reshape(len(F), 3 * H.shape[1], -1)
         return self.block.assembled_matrix((H + H.transpose(0, 2, 1)) / 2)
-
-
-def full(block, P):
-    """q1, or q2 of a block of degree 2."""
-    return [AtPoints(block, P)]
 
 
 def hooke(block, E, nu):
@@ -98,7 +79,7 @@ def hooke(block, E, nu):
         strain = (F + transposed(F)) / 2 - IDENTITY
         return 2 * mu * strain + la * trace(strain)[..., None, None] * IDENTITY
 
-    return full(block, P)
+    return [AtPoints(block, P)]
 
 
 def st_venant_kirchhoff(block, E, nu):
@@ -109,42 +90,40 @@ def st_venant_kirchhoff(block, E, nu):
         strain = (transposed(F) @ F - IDENTITY) / 2
         return F @ (2 * mu * strain + la * trace(strain)[..., None, None] * IDENTITY)
 
-    return full(block, P)
+    return [AtPoints(block, P)]
 
 
 def hencky(block, E, nu):
-    """q2 of mu |dev ln V|^2 + K/2 ln^2 J."""
+    """q1 or q2 of mu |dev ln V|^2 + K/2 ln^2 J."""
     la, mu = lame(E, nu)
-    return full(block, laws.hencky(mu, la + 2 * mu / 3))
+    return [AtPoints(block, laws.hencky(mu, la + 2 * mu / 3))]
 
 
 @dataclass
 class Means:
-    """One and the mean over each cell's points of a measure t(F) of volume, given with
-    dt/dF."""
+    """One plus the mean over each cell of a measure t(F) of volume, given with dt/dF."""
 
     block: Block
     measure: Callable
 
     def __post_init__(self):
-        self.B, VB = quadrature(self.block)
-        self.weighted = VB / self.block.cell_volume
+        self.B, self.weights = gauss_gradients(self.block.edges, self.block.degree)
 
     def at_points(self, X):
         return self.measure(np.einsum("cad,qae->cqde", X, self.B))
 
     def value(self, x):
-        return 1 + self.at_points(x[self.block.of_cells])[0].mean(axis=1)
+        return 1 + self.at_points(x[self.block.cell_nodes])[0] @ self.weights
 
     def slopes_at(self, X):
-        return np.einsum("cqde,qae->cad", self.at_points(X)[1], self.weighted)
+        weighted = self.weights[:, None, None] * self.B
+        return np.einsum("cqde,qae->cad", self.at_points(X)[1], weighted)
 
     def slopes(self, x):
-        return self.slopes_at(x[self.block.of_cells])
+        return self.slopes_at(x[self.block.cell_nodes])
 
     def curvatures(self, x):
-        h = 1e-6 * self.block.edges.min()
-        return slopes_of(self.slopes_at, x[self.block.of_cells], h)
+        return slopes_by_nodes(self.slopes_at, self.block, x)
 
 
 def small_strain_trace(F):
@@ -162,11 +141,11 @@ def change_of_volume(F):
 
 def parted(block, E, nu, shape_stress, measure, volumetric, averaged):
     """The part of a law that resists change of shape at the cells' points, P = 2 mu
-    times `shape_stress(F)`, and U of the bulk modulus of `measure`'s mean: over each cell
-    (averaged = Volumes, q1-sri) or around each node (Stars, q1-nodal)."""
+    times `shape_stress(F)`, and U, with the bulk modulus, of the mean of `measure`: over
+    each cell (averaged = Volumes, q1-sri) or around each node (Stars, q1-nodal)."""
     la, mu = lame(E, nu)
-    return full(block, lambda F: 2 * mu * shape_stress(F)) + [
-        averaged(Means(block, measure), volumetric(la + 2 * mu / 3))]
+    return [AtPoints(block, lambda F: 2 * mu * shape_stress(F)),
+            averaged(Means(block, measure), volumetric(la + 2 * mu / 3))]
 
 
 def hooke_parted(block, E, nu, averaged=Volumes):
@@ -189,12 +168,21 @@ def hencky_parted(block, E, nu, averaged=Volumes):
 
 def continuum_of_lattice(block, E, nu):
     """q1 or q2 of mss-cf's continuum, A = 1."""
-    return full(block, cauchy_born(E, nu, *lattice_directions(1)))
+    return [AtPoints(block, cauchy_born(E, nu, *lattice_directions(1)))]
 
 
-def continuum_of_lattice_reduced(block, E, nu):
+def continuum_of_lattice_parted(block, E, nu):
     """q1-sri: the springs at 2 x 2 x 2 points, kappa/2 (det F - 1)^2 at the centre."""
     la, mu = lame(E, nu)
     n, weights = lattice_directions(1)
     volume = Volumes(Determinants(block, mean_edges(block)), linear_in_volume(la - mu))
-    return full(block, lambda F: pull_of_springs(n, weights, mu, F)) + [volume]
+    return [AtPoints(block, lambda F: pull_of_springs(n, weights, mu, F)), volume]
+
+
+def continuum_of_lattice_nodal(block, E, nu):
+    """q1-nodal: the springs at 2 x 2 x 2 points, kappa/2 (J - 1)^2 of the mean around each
+    node."""
+    la, mu = lame(E, nu)
+    n, weights = lattice_directions(1)
+    volume = Stars(Means(block, change_of_volume), linear_in_volume(la - mu))
+    return [AtPoints(block, lambda F: pull_of_springs(n, weights, mu, F)), volume]

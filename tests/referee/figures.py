@@ -27,7 +27,7 @@ ELEMENTS = "test", "amount", "law", "element", "nu", "quantity", "value"
 TOPICS = {
     "plates": (FIGURE, statics.plates, 1e-7, False),
     "elements": (ELEMENTS, statics.trilinear, 1e-7, False),
-    "other_elements": (ELEMENTS, statics.triquadratic_and_nodal, 1e-7, False),
+    "quadratic_and_nodal": (ELEMENTS, statics.quadratic_and_nodal, 1e-7, False),
     "bending": (FIGURE, statics.bending, 1e-7, False),
     "small_strain": (FIGURE, statics.small_strain, 1e-7, True),
     "strain_measures": (FIGURE, statics.strain_measures, 1e-7, False),

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from blocks import Block, Path, plate_torque, volume_change
-from elements import Elements, quadrature
+from elements import quadrature, slopes_by_nodes
 from laws import IDENTITY, deviator, trace, transposed
 from springs import lame
 from statics import CUBE, E, pressed, twisted
@@ -21,7 +21,7 @@ from statics import CUBE, E, pressed, twisted
 
 @dataclass
 class Step:
-    """The gradient at x of a step from x0 and its stress."""
+    """A body of which gradient(x) is that at the end of a step from x0 and its stress."""
 
     block: Block
     nu: float
@@ -30,10 +30,16 @@ class Step:
     found: np.ndarray = field(default=None, repr=False)
 
     def __post_init__(self):
-        self.before = self.block.nodes[self.block.of_cells]
+        self.before = self.block.nodes[self.block.cell_nodes]
         self.stress = np.zeros((len(self.before), 8, 3, 3))
 
-    def __call__(self, X):
+    def gradient(self, x):
+        return self.block.assembled(self.cell_gradient(x[self.block.cell_nodes]))
+
+    def hessian(self, x):
+        return self.block.assembled_matrix(slopes_by_nodes(self.cell_gradient, self.block, x))
+
+    def cell_gradient(self, X):
         la, mu = lame(E, self.nu)
         B, VB = quadrature(self.block)
         middle = np.einsum("cad,qae->cqde", (X + self.before) / 2, B)
@@ -50,11 +56,11 @@ class Step:
 
 def end_of(load, nu, count):
     step = Step(CUBE, nu)
-    path = Path(CUBE, [Elements(CUBE, step)], load[2](CUBE))
+    path = Path(CUBE, [step], load[2](CUBE))
     for i in range(1, count + 1):
         path.advance(i / count)
-        X = path.x[CUBE.of_cells]
-        step(X)
+        X = path.x[CUBE.cell_nodes]
+        step.cell_gradient(X)
         step.before, step.stress = X, step.found
         # The gradient at the end, of no further step, is the same.
     return path.state()

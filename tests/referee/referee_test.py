@@ -8,7 +8,7 @@ import elements
 import numpy as np
 from blocks import Block
 from figures import FOLDER
-from springs import Stars, affine, lattice
+from springs import Stars, Volumes, affine, lattice
 
 BLOCK = Block((0.03, 0.02, 0.02), (3, 2, 2))
 
@@ -23,9 +23,17 @@ def bodies():
             yield f"mss-affine nu {nu} {stars}", affine(BLOCK, 1e4, nu, stars)
 
 
-def state(seed):
+def averaged():
+    """Elements whose volumetric part is a mean, over cells or around nodes."""
+    for means in (Volumes, Stars):
+        for parted in (elements.hooke_parted, elements.st_venant_kirchhoff_parted,
+                       elements.hencky_parted):
+            yield f"{parted.__name__} {means.__name__}", parted(BLOCK, 1e4, 0.3, means)
+
+
+def state(seed, block=BLOCK):
     random = np.random.default_rng(seed)
-    x = BLOCK.nodes @ (np.eye(3) + 0.2 * random.uniform(-1, 1, (3, 3)))
+    x = block.nodes @ (np.eye(3) + 0.2 * random.uniform(-1, 1, (3, 3)))
     return x + 0.0005 * random.uniform(-1, 1, x.shape), random.uniform(-1, 1, x.shape)
 
 
@@ -42,7 +50,8 @@ class Derivatives(unittest.TestCase):
     # Differences of a step of 1e-5 of a cell leave 1e-10 of the slope and rounding.
 
     def test_forces_are_slopes_of_energies(self):
-        for name, parts in bodies():
+        volumetric = [(name, parts[1:]) for name, parts in averaged()]
+        for name, parts in [*bodies(), *volumetric]:
             for seed, part in enumerate(parts):
                 x, way = state(seed)
                 if np.isnan(part.energy(x)):
@@ -52,12 +61,12 @@ class Derivatives(unittest.TestCase):
                     self.assertAlmostEqual(slope(part.energy, x, way) / found, 1, delta=1e-6)
 
     def test_tangents_are_slopes_of_forces(self):
+        quadratic = Block(BLOCK.size, BLOCK.cells, degree=2)
         laws = [("stvk", elements.st_venant_kirchhoff(BLOCK, 1e4, 0.3)),
-                ("hencky", elements.hencky_parted(BLOCK, 1e4, 0.3)),
-                ("hencky q1-nodal", elements.hencky_parted(BLOCK, 1e4, 0.3, Stars))]
+                ("hencky q2", elements.hencky(quadratic, 1e4, 0.3)), *averaged()]
         for name, parts in [*bodies(), *laws]:
             for seed, part in enumerate(parts):
-                x, way = state(seed)
+                x, way = state(seed, quadratic if name == "hencky q2" else BLOCK)
                 with self.subTest(name, part=type(part).__name__):
                     found = (part.hessian(x) @ way.ravel()).reshape(way.shape)
                     off = np.linalg.norm(slope(part.gradient, x, way) - found)

@@ -35,7 +35,7 @@ class Stretches:
 
     def stretches(self, x):
         """Sign, vectors, lengths and directions of each of the two."""
-        X = x[self.block.of_cells]
+        X = x[self.block.cell_nodes]
         for sign, g in ((1.0, self.g), (-1.0, self.r)):
             if g is None:
                 continue
@@ -81,7 +81,7 @@ class Determinants:
         return np.linalg.det(self.columns(x))
 
     def columns(self, x):
-        return np.einsum("cad,ae->cde", x[self.block.of_cells], self.G)
+        return np.einsum("cad,ae->cde", x[self.block.cell_nodes], self.G)
 
     def cofactors(self, x):
         y = self.columns(x)
@@ -111,22 +111,23 @@ class Determinants:
 
 @dataclass
 class Volumes:
-    """V0 U(J) of each cell, J of `determinants`; U gives value and derivatives."""
+    """V0 U(J) of each cell of degree 1, J what `measure` has of it, one at rest; U gives
+    value and derivatives."""
 
-    determinants: Determinants
+    measure: object
     U: Callable
 
     def energy(self, x):
-        block = self.determinants.block
-        return float(block.cell_volume * self.U(self.determinants.value(x))[0].sum())
+        block = self.measure.block
+        return float(block.cell_volume * self.U(self.measure.value(x))[0].sum())
 
     def gradient(self, x):
-        d = self.determinants
+        d = self.measure
         first = d.block.cell_volume * self.U(d.value(x))[1]
         return d.block.assembled(first[:, None, None] * d.slopes(x))
 
     def hessian(self, x):
-        d = self.determinants
+        d = self.measure
         _, first, second = (d.block.cell_volume * u for u in self.U(d.value(x)))
         slopes = d.slopes(x).reshape(-1, 24)
         return d.block.assembled_matrix(
@@ -136,18 +137,18 @@ class Volumes:
 
 @dataclass
 class Stars:
-    """Sum over nodes of V_n U(J_n), J_n the mean of J over the cells at the node, V_n an
-    eighth of their volumes."""
+    """Sum over nodes of V_n U(J_n), J_n the mean of J over the cells at the node, of
+    degree 1, V_n an eighth of their volumes."""
 
-    determinants: Determinants
+    measure: object
     U: Callable
 
     def __post_init__(self):
-        block = self.determinants.block
-        cells = np.repeat(np.arange(len(block.of_cells)), 8)
-        self.count = np.bincount(block.of_cells.ravel())
-        shape = len(block.nodes), len(block.of_cells)
-        self.sums = sparse.csr_matrix((np.ones(len(cells)), (block.of_cells.ravel(), cells)),
+        block = self.measure.block
+        cells = np.repeat(np.arange(len(block.cell_nodes)), 8)
+        self.count = np.bincount(block.cell_nodes.ravel())
+        shape = len(block.nodes), len(block.cell_nodes)
+        self.sums = sparse.csr_matrix((np.ones(len(cells)), (block.cell_nodes.ravel(), cells)),
                                       shape=shape)
         self.volumes = block.cell_volume / 8 * self.count
 
@@ -156,7 +157,7 @@ class Stars:
 
     def of_nodes(self, x):
         """V_n U and its derivatives."""
-        return [self.volumes * u for u in self.U(self.mean(self.determinants.value(x)))]
+        return [self.volumes * u for u in self.U(self.mean(self.measure.value(x)))]
 
     def by_cell(self, x):
         """dW/dJ of the cells."""
@@ -166,11 +167,11 @@ class Stars:
         return float(self.of_nodes(x)[0].sum())
 
     def gradient(self, x):
-        d = self.determinants
+        d = self.measure
         return d.block.assembled(self.by_cell(x)[:, None, None] * d.slopes(x))
 
     def hessian(self, x):
-        d = self.determinants
+        d = self.measure
         slopes, own = d.slopes(x).reshape(-1, 24), d.block.components()
         rows = np.repeat(np.arange(len(own)), 24)
         D = sparse.csr_matrix((slopes.ravel(), (rows, own.ravel())),
@@ -189,7 +190,7 @@ class Traces:
     kappa: float
 
     def trace_and_edges(self, x):
-        y = np.einsum("cad,ae->cde", x[self.block.of_cells], self.G)
+        y = np.einsum("cad,ae->cde", x[self.block.cell_nodes], self.G)
         return ((y**2).sum(axis=(1, 2)) - 3) / 2, y
 
     def energy(self, x):
@@ -375,8 +376,8 @@ def whole_springs(block, method, E, nu):
     pairs, shares = [], []
     for row, kind in enumerate(apart):
         if by_kind[kind] > 0:
-            pairs.append(np.sort(block.of_cells[:, np.flatnonzero(vectors[row])], axis=1))
-            shares.append(np.full(len(block.of_cells), by_kind[kind]))
+            pairs.append(np.sort(block.cell_nodes[:, np.flatnonzero(vectors[row])], axis=1))
+            shares.append(np.full(len(block.cell_nodes), by_kind[kind]))
     ends, spring = np.unique(np.vstack(pairs), axis=0, return_inverse=True)
     along = block.nodes[ends[:, 1]] - block.nodes[ends[:, 0]]
     return ends, np.bincount(spring.ravel(), np.concatenate(shares)), np.linalg.norm(along, axis=1)

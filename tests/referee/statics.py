@@ -1,5 +1,7 @@
 """Figures at equilibrium: forces, torques, volumes and deflections."""
 
+from functools import partial
+
 import elements
 import numpy as np
 from blocks import (Block, equilibrium, plate_force, plate_torque, shifted, turned,
@@ -70,7 +72,7 @@ LAWS = {("hooke", "q1"): elements.hooke,
         ("stvk", "q1-sri"): elements.st_venant_kirchhoff_parted,
         ("hencky", "q1-sri"): elements.hencky_parted,
         ("cauchy-born", "q1"): elements.continuum_of_lattice,
-        ("cauchy-born", "q1-sri"): elements.continuum_of_lattice_reduced}
+        ("cauchy-born", "q1-sri"): elements.continuum_of_lattice_parted}
 
 
 def trilinear():
@@ -103,24 +105,28 @@ def trilinear():
         yield from rows("cauchy-born", element, 0.25, SMALL_BEAM, pulled(0.2))
 
 
-def triquadratic_and_nodal():
+QUADRATIC = {"hooke": elements.hooke,
+             "stvk": elements.st_venant_kirchhoff,
+             "hencky": elements.hencky,
+             "cauchy-born": elements.continuum_of_lattice}
+NODAL = {"hooke": partial(elements.hooke_parted, averaged=Stars),
+         "stvk": partial(elements.st_venant_kirchhoff_parted, averaged=Stars),
+         "hencky": partial(elements.hencky_parted, averaged=Stars),
+         "cauchy-born": elements.continuum_of_lattice_nodal}
+
+
+def quadratic_and_nodal():
     """q2 of every law on 4 x 4 x 4 cells, and q1-nodal on 5 x 5 x 5."""
-    fine = Block(CUBE.size, (4, 4, 4), degree=2)
-    bodies = {("hooke", "q2"): lambda nu: elements.hooke(fine, E, nu),
-              ("stvk", "q2"): lambda nu: elements.st_venant_kirchhoff(fine, E, nu),
-              ("hencky", "q2"): lambda nu: elements.hencky(fine, E, nu),
-              ("cauchy-born", "q2"): lambda nu: elements.continuum_of_lattice(fine, E, nu)}
-    for law, parted in (("hooke", elements.hooke_parted),
-                        ("stvk", elements.st_venant_kirchhoff_parted),
-                        ("hencky", elements.hencky_parted)):
-        bodies[law, "q1-nodal"] = lambda nu, parted=parted: parted(COARSE, E, nu, Stars)
-    for (law, element), parts_of in bodies.items():
-        block = fine if element == "q2" else COARSE
-        # Near nu = 1/2 St-Venant's law, and at 0 in tension that of mss-cf, lose their
-        # stability.
-        for nu in {"stvk": (0, 0.25), "cauchy-born": (0.25,)}.get(law, (0, 0.25, 0.45, 0.499)):
+    quadratic = Block(CUBE.size, (4, 4, 4), degree=2)
+    # St-Venant's path may branch in compression at .499, and the continuum of mss-cf has
+    # no equilibrium in tension at 0.
+    ratios = {"hooke": (0, 0.25, 0.45, 0.499), "stvk": (0, 0.25, 0.45),
+              "hencky": (0, 0.25, 0.45, 0.499), "cauchy-born": (0.25, 0.45)}
+    for element, laws, block in (("q2", QUADRATIC, quadratic), ("q1-nodal", NODAL, COARSE)):
+        for law, nu in ((law, nu) for law in laws for nu in ratios[law]):
+            parts = laws[law](block, E, nu)
             for load in (pressed(0.05), pressed(0.2), pulled(0.2), sheared(0.2), twisted(45)):
-                for _, quantity, value in figures_of("", block, parts_of(nu), load,
+                for _, quantity, value in figures_of("", block, parts, load,
                                                      small_strain=law == "hooke"):
                     yield load[0], load[1], law, element, nu, quantity, value
 
