@@ -74,8 +74,8 @@ Measured measured_as(const referee::Row& row, const Block& body) {
 }
 
 /// Residuals are 1e-10 of the norm of the forces here, 1e-11 of the largest there.
-template <typename BodyOf>
-void check_against_the_referee(const std::vector<referee::Row>& rows, BodyOf body_of) {
+void check_against_the_referee(const std::vector<referee::Row>& rows,
+                               Block (*body_of)(const referee::Row&)) {
   const auto tolerance = boost::test_tools::tolerance(1e-7);
   std::string state;
   Measured found;

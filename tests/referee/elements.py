@@ -12,7 +12,7 @@ import numpy as np
 from blocks import Block, gauss_gradients
 from laws import (IDENTITY, cauchy_born, deviator, kirchhoff_of_hencky, lattice_directions,
                   pull_of_springs, trace, transposed)
-from springs import (Determinants, Stars, Volumes, lame, linear_in_volume, logarithmic_volume,
+from springs import (Determinants, Volumes, lame, linear_in_volume, logarithmic_volume,
                      mean_edges)
 
 STEP = 1e-6  # of central differences, of F and of an edge
@@ -171,18 +171,12 @@ def continuum_of_lattice(block, E, nu):
     return [AtPoints(block, cauchy_born(E, nu, *lattice_directions(1)))]
 
 
-def continuum_of_lattice_parted(block, E, nu):
-    """q1-sri: the springs at 2 x 2 x 2 points, kappa/2 (det F - 1)^2 at the centre."""
+def continuum_of_lattice_parted(block, E, nu, averaged=Volumes):
+    """The springs at 2 x 2 x 2 points, and kappa/2 (J - 1)^2 with J = det F at each cell's
+    centre (q1-sri) or the mean of det F around each node (q1-nodal)."""
     la, mu = lame(E, nu)
     n, weights = lattice_directions(1)
-    volume = Volumes(Determinants(block, mean_edges(block)), linear_in_volume(la - mu))
-    return [AtPoints(block, lambda F: pull_of_springs(n, weights, mu, F)), volume]
-
-
-def continuum_of_lattice_nodal(block, E, nu):
-    """q1-nodal: the springs at 2 x 2 x 2 points, kappa/2 (J - 1)^2 of the mean around each
-    node."""
-    la, mu = lame(E, nu)
-    n, weights = lattice_directions(1)
-    volume = Stars(Means(block, change_of_volume), linear_in_volume(la - mu))
-    return [AtPoints(block, lambda F: pull_of_springs(n, weights, mu, F)), volume]
+    J = (Determinants(block, mean_edges(block)) if averaged is Volumes else
+         Means(block, change_of_volume))
+    return [AtPoints(block, lambda F: pull_of_springs(n, weights, mu, F)),
+            averaged(J, linear_in_volume(la - mu))]

@@ -27,7 +27,7 @@ def averaged():
     """Elements whose volumetric part is a mean, over cells or around nodes."""
     for means in (Volumes, Stars):
         for parted in (elements.hooke_parted, elements.st_venant_kirchhoff_parted,
-                       elements.hencky_parted):
+                       elements.hencky_parted, elements.continuum_of_lattice_parted):
             yield f"{parted.__name__} {means.__name__}", parted(BLOCK, 1e4, 0.3, means)
 
 

@@ -109,10 +109,8 @@ QUADRATIC = {"hooke": elements.hooke,
              "stvk": elements.st_venant_kirchhoff,
              "hencky": elements.hencky,
              "cauchy-born": elements.continuum_of_lattice}
-NODAL = {"hooke": partial(elements.hooke_parted, averaged=Stars),
-         "stvk": partial(elements.st_venant_kirchhoff_parted, averaged=Stars),
-         "hencky": partial(elements.hencky_parted, averaged=Stars),
-         "cauchy-born": elements.continuum_of_lattice_nodal}
+NODAL = {law: partial(parts_of, averaged=Stars)
+         for (law, element), parts_of in LAWS.items() if element == "q1-sri"}
 
 
 def quadratic_and_nodal():
