@@ -46,6 +46,11 @@ std::string words_of(mss::CellShapes shapes) {
          "which A has no effect";
 }
 
+constexpr const char* virtual_source =
+    "own; cells of mean gradient as Flanagan and Belytschko 1981, averages around "
+    "nodes as Bonet and Burton 1998, springs along directions as microplane models "
+    "(Carol, Jirasek and Bazant 2004)";
+
 /// 3 x 3 blocks with 26 neighbours and the own one.
 constexpr double entries_of_neighbours = 9 * 27;
 
@@ -219,7 +224,7 @@ std::vector<Method> spring_methods() {
       of_springs(cf, {.name = "mss-stvk",
                       .description = "mss-cf in squared lengths (spring-strain = green): "
                                      "St-Venant-Kirchhoff's law",
-                      .source = "own; constants as mss-cf",
+                      .source = "springs as Delingette 2008; constants as mss-cf",
                       .same_law_as = "fem-stvk",
                       .look = {"#FF8C42", "o"},
                       .reads = {"diagonal-ratio", "stiffness-form"},
@@ -267,7 +272,7 @@ std::vector<Method> spring_methods() {
       of_springs(affine,
                  {.name = "mss-affine",
                   .description = "virtual springs, on any cells of any shape",
-                  .source = "own",
+                  .source = virtual_source,
                   .look = {"#009E73", "D"},
                   .reads = {"spring-strain", "directions"},
                   .cells = any_cells,
@@ -281,7 +286,7 @@ std::vector<Method> spring_methods() {
                  {.name = "mss-affine-stvk",
                   .description = "mss-affine in squared lengths (spring-strain = green): "
                                  "St-Venant-Kirchhoff's law, on any cells",
-                  .source = "own",
+                  .source = virtual_source,
                   .same_law_as = "fem-stvk",
                   .look = {"#8F3D00", "D"},
                   .cells = any_cells,
@@ -299,7 +304,7 @@ std::vector<Method> spring_methods() {
                   .description = "mss-affine of springs that see a cell's shape alone "
                                  "(spring-strain = hencky, 25 directions): Hencky's law "
                                  "to third order, on any cells",
-                  .source = "own",
+                  .source = virtual_source,
                   .same_law_as = "fem-hencky",
                   .look = {"#0B6623", "D"},
                   .cells = any_cells,

@@ -26,8 +26,8 @@ namespace springcheck::mss {
 /// with volume stars psi is without kappa, and V_n U(t_n) is at each node. F_n and t_n
 /// are means of F and of the volume change over the star, V_n = sum V/n over its cells.
 ///
-/// Source: Golec 2018, Eq. 3.1, 5.14 (V0 the cell's own) and 5.19; the cells' virtual and
-/// affine springs and the stars are our own.
+/// Source: Golec 2018, Eq. 3.1, 5.14 (V0 the cell's own) and 5.19; virtual springs as
+/// VirtualSprings; stars as Bonet and Burton, Commun. Numer. Meth. Eng. 14 (1998) 437.
 double strain_energy(const Network& network, std::span<const Vector3> positions);
 
 /// Forces on the nodes [N], minus the gradient of strain_energy: T d/|d| along each

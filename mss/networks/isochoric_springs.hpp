@@ -31,7 +31,8 @@ namespace springcheck::mss {
 /// Every function takes H = F - I; where det F <= 0 the energy is infinite, stress and
 /// tangent are 0.
 ///
-/// Source: own; third-order means over directions.
+/// Source: own (om and b), by third-order means over directions; a microplane law: Carol,
+/// Jirasek and Bazant, Int. J. Solids Struct. 41 (2004) 511.
 struct IsochoricSprings {
   double shear_modulus;  // mu [Pa]
   Axes axes;

@@ -30,7 +30,7 @@ Spring between(const CellNodes& nodes, const LocalEdge& ends, double stiffness,
   return {.a = a, .b = b, .stiffness = stiffness, .rest_length = rest_length};
 }
 
-/// h of hencky's volume correction [Pa]: sum k L^2/(15 V) of springs that are not
+/// G of hencky's volume correction [Pa]: sum k L^2/(15 V) of springs that are not
 /// virtual.
 double cubic_modulus(const Network& network) {
   if (network.strain_measure != StrainMeasure::hencky ||

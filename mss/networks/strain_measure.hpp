@@ -19,12 +19,12 @@ namespace springcheck::mss {
 /// is with green St-Venant-Kirchhoff's material in every homogeneous state.
 ///
 ///     hencky       lambda dW/dlambda = k L^2 (u - 1)/(2 u (a + b u)), u = lambda^2
-///                  a = .7, b = .3; d2W/dlambda^2 > 0 to lambda = 1.42
-///                  t = det F - 1   U = kappa/2 ln^2(1 + t) + h C(ln(1 + t))
+///                  a = .7, b = .3; d2W/dlambda^2 > 0 to lambda = 1.427
+///                  t = det F - 1   U = kappa/2 ln^2(1 + t) + G C(ln(1 + t))
 ///                  C(q) = q^3/3 down to J = 1/2 (CubicVolume)
 ///
 /// is of another kind: springs that make lattices follow Hencky's law in large strain.
-/// With h = sum k L^2/(15 V), the shear modulus of an isotropic lattice, a lattice's
+/// With G = sum k L^2/(15 V), the shear modulus of an isotropic lattice, a lattice's
 /// stress differs from Hencky's over random principal stretches of +-20 % by a root mean
 /// square of 7.5, 4.4, 1.8, .9 % (A = 1), 5.6, 3.4, 1.4, .7 % (A = 16/9) at nu = 0, .25,
 /// .4, .499, where engineering strain's differs by 37, 29, 38, 5 %. b is fitted; the pull
@@ -129,7 +129,7 @@ inline ElongationSlopes elongation_slopes(StrainMeasure measure, double rest_len
 /// Moduli of the volume correction [Pa].
 struct VolumeModuli {
   double kappa = 0;
-  double cubic = 0;  // h of hencky
+  double cubic = 0;  // G of hencky
 
   [[nodiscard]] bool act() const { return kappa != 0 || cubic != 0; }
 };

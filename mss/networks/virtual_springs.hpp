@@ -24,7 +24,8 @@ AxisValues axis_strains(Axes axes, const Matrix3& displacement_gradient);
 /// Every function takes the displacement gradient H = F - I. A direction pressed to a
 /// point pulls nowhere.
 ///
-/// Source: own; kappa as in Golec 2018, Eq. 5.36.
+/// Source: kappa as in Golec 2018, Eq. 5.36; springs along directions are a microplane
+/// law: Carol, Jirasek and Bazant, Int. J. Solids Struct. 41 (2004) 511.
 struct VirtualSprings {
   double shear_modulus;        // mu [Pa]; 0: no springs
   VolumeModuli volume_moduli;  // of the correction

@@ -12,7 +12,7 @@
 // must come is each test's own matter: both solve the same equations, to 1e-8 and below.
 namespace referee {
 
-/// A row of tests/referee/figures/TOPIC.csv, by the names of its columns.
+/// A row of a file of figures, by the names of its columns.
 class Row {
  public:
   explicit Row(std::map<std::string, std::string> cells) : cells_(std::move(cells)) {}
@@ -35,9 +35,9 @@ inline std::vector<std::string> split_at_commas(const std::string& line) {
   return parts;
 }
 
-inline std::vector<Row> rows(const std::string& topic) {
-  std::ifstream file("tests/referee/figures/" + topic + ".csv");
-  BOOST_TEST_REQUIRE(file.is_open(), topic << ".csv is missing");
+inline std::vector<Row> rows_of(const std::string& path) {
+  std::ifstream file(path);
+  BOOST_TEST_REQUIRE(file.is_open(), path << " is missing");
   std::string line;
   std::getline(file, line);
   const std::vector<std::string> columns = split_at_commas(line);
@@ -50,6 +50,11 @@ inline std::vector<Row> rows(const std::string& topic) {
     rows.emplace_back(std::move(cells));
   }
   return rows;
+}
+
+/// Of tests/referee/figures/TOPIC.csv.
+inline std::vector<Row> rows(const std::string& topic) {
+  return rows_of("tests/referee/figures/" + topic + ".csv");
 }
 
 /// Of a topic whose columns are case, quantity and value.

@@ -32,8 +32,8 @@ def _what(study):
             solvers.append(f"{words} ({', '.join(names)})")
     return paragraph(
         "Do springs deform like the elastic body that they stand for? Bodies were deformed by {} "
-        "on the same meshes, in {} {}: {}. A mass-spring system replaces the body by springs and is "
-        "fast; finite elements solve the equations of elasticity. This page shows how far the two "
+        "on the same meshes, in {} {}: {}. A mass-spring system replaces the body by springs; "
+        "finite elements solve the equations of elasticity. This page shows how far the two "
         "are apart: in the force that holds the deformed body, in its volume, and in the place of "
         "its points.",
         " and ".join(solvers),
@@ -137,7 +137,7 @@ def _against_print(study):
     items = []
     for method, law in (
         (methods.of_thesis(), ""),
-        (f"{methods.reference_law()}:q1-sri", " (the law that reproduces the thesis's FEM column)"),
+        (f"{methods.reference_law()}:q1-sri", " (of three laws the nearest to the thesis's FEM column)"),
     ):
         judged = []
         for document in study.tables.values():
