@@ -240,8 +240,8 @@ int run_arguments(int argc, char** argv) {
   table
       ->add_option(
           "name", name,
-          "see 'springcheck list tables'; tissue-torsion, split, elements, convergence "
-          "and growth take minutes, laws more than an hour")
+          "see 'springcheck list tables'; tissue-torsion, elements and convergence take "
+          "minutes, split, growth and laws ten to twenty")
       ->required();
   table->add_option("--from", from, "result files to take cases from; computes the rest")
       ->check(check_not_empty);
