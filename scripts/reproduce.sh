@@ -2,7 +2,7 @@
 # Regenerates every comparison table and the report page: installs what is missing, builds,
 # computes.
 # Usage: bash scripts/reproduce.sh [--all] [FOLDER]     (default: results)
-# --all: the tables split, laws and growth too, which take more than an hour on two cores.
+# --all: the tables split, laws and growth too, which take most of an hour on two cores.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 extent=()

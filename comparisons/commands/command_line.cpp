@@ -241,7 +241,7 @@ int run_arguments(int argc, char** argv) {
       ->add_option(
           "name", name,
           "see 'springcheck list tables'; tissue-torsion, elements and convergence take "
-          "minutes, split, growth and laws ten to twenty")
+          "minutes, split, growth and laws ten and more")
       ->required();
   table->add_option("--from", from, "result files to take cases from; computes the rest")
       ->check(check_not_empty);

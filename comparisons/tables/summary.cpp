@@ -48,7 +48,7 @@ std::string worst_against_thesis(const Table& table, const std::string& method) 
       worst->plan.notes.empty() ? "" : ": see its notes in the table");
 }
 
-/// mss-cf against the thesis's own, and the law that reproduces its FEM column.
+/// mss-cf against the thesis's own, and the law nearest to its FEM column.
 std::string against_thesis(const Table& table) {
   std::string text = worst_against_thesis(table, "mss-cf");
   if (text.empty()) return "no printed figure of mss-cf to compare with";

@@ -30,8 +30,8 @@ namespace springcheck::fem_reference {
 /// F_iJ F_kL. Lattices whose small-strain tensor is isotropic are St-Venant-Kirchhoff's
 /// law.
 ///
-/// With hencky the springs are HenckySprings; U = kappa/2 ln^2 J + h/3 ln^3 J with
-/// h = sum w/15, and of virtual springs, whose shape part alone they are,
+/// With hencky the springs are HenckySprings; U = kappa/2 ln^2 J + G/3 ln^3 J with
+/// G = sum w/15, and of virtual springs, whose shape part alone they are,
 /// U = (kappa + sum w/9)/2 ln^2 J.
 ///
 /// Validity: any F with no spring of zero length; logarithmic and hencky: det F > 0.
@@ -42,7 +42,7 @@ struct CauchyBorn {
   double volume_modulus;  // kappa [Pa]
   SpringStrain strain = SpringStrain::engineering;
   SpringStretch stretch = SpringStretch::whole;  // read with hencky
-  double cubic_modulus = 0;                      // h of hencky's U [Pa]
+  double cubic_modulus = 0;                      // G of hencky's U [Pa]
 
   /// The springs' part of psi [Pa], its stress and its tangent dP/dF.
   [[nodiscard]] double energy(const Matrix3& displacement_gradient) const;

@@ -6,8 +6,8 @@ namespace springcheck::table_notes {
 
 inline constexpr const char* fem_column =
     "The thesis's FEM (LS-DYNA, \"Hooke\") follows a large-rotation law in logarithmic "
-    "strain: fem-hencky reproduces it. Small-strain Hooke and St-Venant-Kirchhoff are "
-    "other laws, and at 20 % the laws differ.";
+    "strain, of three laws nearest to fem-hencky. Small-strain Hooke and "
+    "St-Venant-Kirchhoff are other laws, and at 20 % the laws differ.";
 inline constexpr const char* young_form =
     "The printed value was computed with the E-forms of Eq. 5.12, which are right at "
     "nu = 0.25 only; the row marked E-form reproduces it, the other row is the material "
