@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(affine_springs_pass_the_patch_test_and_the_formulas_miss_it
   struct Range {
     double smallest = 10, largest = 0;
   };
-  enum Kind { at_a_quarter, corrected, uncorrected };  // these at .45, at 0 and .45
+  enum Kind { at_a_quarter, corrected, uncorrected };  // at nu .25, at .45, at 0 and .45
   std::map<std::pair<Method, Kind>, Range> ranges;
   for (const CellPattern pattern : {CellPattern::tetrahedron, CellPattern::tetrahedron_5,
                                     CellPattern::tetrahedron_12})
