@@ -145,7 +145,7 @@ ExitStatus advise_command(const std::string& scene,
              evidence_text(advice, wish));
   std::vector<std::string> cautions = advice.cautions;
   if (const std::string of_law = caution_of_truth(plan); !of_law.empty())
-    cautions.push_back(of_law + " Another is taken by --truth-law.");
+    cautions.push_back(of_law + " Another is taken by --converged-law.");
   for (const std::string& caution : cautions) fmt::print("\nCaution: {}\n", caution);
   if (!advice.chosen) {
     fmt::print("\n{}", failure_text(advice, wish));

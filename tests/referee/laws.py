@@ -83,6 +83,19 @@ def springs_of_hencky(mu, kappa, n, weights):
     return P
 
 
+def springs_in_logarithms(mu, kappa, n, weights):
+    """P(F) of springs of energy k L^2 ln^2 s / 2 and of kappa/2 ln^2 J."""
+    def P(F):
+        d = np.einsum("...ij,mj->...mi", F, n)
+        square = (d**2).sum(axis=-1)
+        pull = mu * weights * np.log(square) / 2 / square
+        pressure = (kappa * np.log(np.linalg.det(F)))[..., None, None]
+        return (np.einsum("...m,...mi,mj->...ij", pull, d, n) +
+                pressure * transposed(np.linalg.inv(F)))
+
+    return P
+
+
 def isochoric_springs(mu, K, n, weights):
     """P(F) of the mean over directions of w(s), s = J^(-1/3) |F n|, s w' = 10/3 mu
     (1 - s^(-9/2)), and of K/2 ln^2 J."""
@@ -110,6 +123,17 @@ def axes_of_a_cube():
         weights += [weight] * len(first)
     n = np.array(lines, dtype=float)
     return n / np.linalg.norm(n, axis=1)[:, None], np.array(weights)
+
+
+def all_directions(count=12):
+    """Gauss's points along an axis times equal angles around it, and their weights in the
+    mean over half a sphere: exact to the degree 2 count - 1."""
+    z, weights = np.polynomial.legendre.leggauss(count)
+    angles = (np.arange(2 * count) + 0.5) * np.pi / (2 * count)
+    r = np.sqrt(1 - z**2)[:, None]
+    n = np.stack(np.broadcast_arrays(r * np.cos(angles), r * np.sin(angles), z[:, None]),
+                 axis=-1)
+    return n.reshape(-1, 3), np.repeat(weights, 2 * count) / (4 * count)
 
 
 def turn_to(direction):
@@ -231,11 +255,14 @@ def off_hencky():
         kappa, K = la - mu, la + 2 * mu / 3
         for name, law, size in (
             ("lattice engineering", cauchy_born(E, nu, *lattice_directions(1)), 0.2),
+            ("lattice logarithmic", springs_in_logarithms(mu, kappa, *lattice_directions(1)),
+             0.2),
             ("lattice hencky A 1", springs_of_hencky(mu, kappa, *lattice_directions(1)), 0.2),
             ("lattice hencky A 16/9", springs_of_hencky(mu, kappa, *lattice_directions(16 / 9)),
              0.2),
             ("6 axes", isochoric_springs(mu, K, *six), 0.2),
             ("16 axes", isochoric_springs(mu, K, *sixteen_axes()), 0.1),
             ("16 axes", isochoric_springs(mu, K, *sixteen_axes()), 0.2),
-            ("25 axes", isochoric_springs(mu, K, *axes_of_a_cube()), 0.2)):
+            ("25 axes", isochoric_springs(mu, K, *axes_of_a_cube()), 0.2),
+            ("all directions", isochoric_springs(mu, K, *all_directions()), 0.2)):
             yield f"{name} nu {nu:g} stretches {size:g}", "off", error(law, nu, size)

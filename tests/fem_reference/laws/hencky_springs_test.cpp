@@ -60,6 +60,8 @@ BOOST_AUTO_TEST_CASE(stress_is_as_far_off_henckys_as_the_referee_s) {
     const char* name;
     Lattice lattice;
   } rows[]{{"lattice engineering", {.springs = Springs::cf}},
+           {"lattice logarithmic",
+            {.springs = Springs::cf, .strain = SpringStrain::logarithmic}},
            {"lattice hencky A 1", {.springs = Springs::cf, .strain = hencky}},
            {"lattice hencky A 16/9",
             {.springs = Springs::cf, .diagonal_ratio = 16. / 9, .strain = hencky}},
