@@ -68,6 +68,13 @@ def cauchy_born(E, nu, n, weights):
     return P
 
 
+def first_stress(pull, d, n, pressure, F):
+    """P of springs of that pull over their length squared, from n at rest to d, and of a
+    Kirchhoff pressure."""
+    return (np.einsum("...m,...mi,mj->...ij", pull, d, n) +
+            pressure * transposed(np.linalg.inv(F)))
+
+
 def springs_of_hencky(mu, kappa, n, weights):
     """P(F) of lattice springs, s W' = k L^2 (u - 1)/(2 u (.7 + .3 u)), u = s^2, and of
     kappa/2 ln^2 J + mu/3 ln^3 J."""
@@ -77,8 +84,7 @@ def springs_of_hencky(mu, kappa, n, weights):
         pull = mu * weights * (u - 1) / (2 * u * (0.7 + 0.3 * u)) / u
         logarithm = np.log(np.linalg.det(F))
         pressure = (kappa * logarithm + mu * logarithm**2)[..., None, None]
-        return (np.einsum("...m,...mi,mj->...ij", pull, d, n) +
-                pressure * transposed(np.linalg.inv(F)))
+        return first_stress(pull, d, n, pressure, F)
 
     return P
 
@@ -90,8 +96,7 @@ def springs_in_logarithms(mu, kappa, n, weights):
         square = (d**2).sum(axis=-1)
         pull = mu * weights * np.log(square) / 2 / square
         pressure = (kappa * np.log(np.linalg.det(F)))[..., None, None]
-        return (np.einsum("...m,...mi,mj->...ij", pull, d, n) +
-                pressure * transposed(np.linalg.inv(F)))
+        return first_stress(pull, d, n, pressure, F)
 
     return P
 
@@ -105,8 +110,7 @@ def isochoric_springs(mu, K, n, weights):
         J = np.linalg.det(F)[..., None]
         pull = weights * 10 / 3 * mu * (1 - (np.sqrt(square) / np.cbrt(J))**-4.5)
         pressure = (K * np.log(J) - pull.sum(axis=-1, keepdims=True) / 3)[..., None]
-        return (np.einsum("...m,...mi,mj->...ij", pull / square, d, n) +
-                pressure * transposed(np.linalg.inv(F)))
+        return first_stress(pull / square, d, n, pressure, F)
 
     return P
 
