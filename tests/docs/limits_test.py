@@ -5,6 +5,7 @@
 """
 
 import csv
+import math
 import os
 import pathlib
 import re
@@ -18,6 +19,7 @@ from pages import ROOT
 PROGRAM = os.environ.get("SPRINGCHECK", str(ROOT / "build/release/springcheck"))
 SWEEP = ROOT / "comparisons/shipped/sweeps/limits.toml"
 PAGE = ROOT / "docs/explanation/stability.md"
+EXPORTED = sys.argv.pop(1) if sys.argv[1:] and sys.argv[1].endswith(".csv") else None
 MESHES = ("4,4,4", "6,6,6", "8,8,8")
 COLUMNS = ("scene", "method", "cells", "nu", "deformation", "definite_up_to_deformation",
            "status", "reason")
@@ -54,7 +56,7 @@ def computed(file):
             # Names of settings have their unit behind them.
             case = {name.split(" [")[0]: value for name, value in case.items()}
             test, status, reason = case["scene"], case["status"], case["reason"]
-            unit = 57.29577951308232 if test == "torsion" else 100
+            unit = math.degrees(1) if test == "torsion" else 100
             tried = unit * float(case["deformation"])
             letter = (">" if status == "ok" else "i" if status == "inverted" else
                       "p" if status == "no_equilibrium" else
@@ -80,6 +82,12 @@ def compare(test, limits):
 
 
 class Limits(unittest.TestCase):
+    @unittest.skipUnless(EXPORTED, "no file is given")
+    def test_all_meshes(self):
+        limits = computed(EXPORTED)
+        self.assertEqual(set(limits), set(compare(self, limits)))
+
+    @unittest.skipIf(EXPORTED, "a file is given")
     def test_coarsest_meshes(self):
         text = SWEEP.read_text()
         all_meshes = "[[4, 4, 4], [6, 6, 6], [8, 8, 8]]"
@@ -101,12 +109,4 @@ class Limits(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] and sys.argv[1].endswith(".csv"):
-        FILE = sys.argv.pop(1)
-
-        class Limits(unittest.TestCase):
-            def test_all_meshes(self):
-                limits = computed(FILE)
-                self.assertEqual(set(limits), set(compare(self, limits)))
-
     unittest.main()
