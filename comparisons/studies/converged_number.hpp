@@ -23,7 +23,22 @@ ConvergedNumber converged_number(const GridSizes& sizes,
 ConvergedNumber converged_number(const ThreeCases& cases,
                                  const std::array<double, 3>& values, double noise);
 
-/// The same with solver_noise of the finest value.
+/// What the difference of two numbers converges to, of the same cases on the same grids.
+/// Its changes are differences too, which may cancel by chance: neither a small last
+/// change nor an order near the formal one shows that it has converged. So the last
+/// change counts for no less than what the one before leaves, and for three times:
+///
+///     q* = q3 + (q3 - q2)/((h2/h3)^p - 1),   bar = 4 e
+///     q* = q3,                               bar = 3 e   (changes grow or turn back)
+///     e = max(|q3 - q2|/((h2/h3)^p - 1), |q2 - q1| (h3/h2)^p/((h1/h2)^p - 1))
+///
+/// p is BelievedOrder's; changes of at most `noise` are the solvers'. Source: as
+/// believed_order; of chance our own, held against finer grids by law_parts_test.cpp.
+ConvergedNumber converged_difference(const ThreeCases& cases,
+                                     const std::array<double, 3>& differences,
+                                     double noise);
+
+/// The same as converged_number with solver_noise of the finest value.
 ConvergedNumber converged_number(const ThreeCases& cases,
                                  const std::array<double, 3>& values);
 

@@ -162,23 +162,23 @@ struct ContinuumRuns {
 };
 
 /// What the difference of two continua converges to, grid by grid, in the law's cases.
-std::optional<ConvergedNumber> converged_difference(const ConvergedValue& lattice,
-                                                    const ConvergedValue& law, Runs runs,
-                                                    const std::optional<double>& unit) {
+std::optional<ConvergedNumber> between_continua(const ConvergedValue& lattice,
+                                                const ConvergedValue& law, Runs runs,
+                                                const std::optional<double>& unit) {
   const auto springs = values_of(lattice), elements = values_of(law);
   if (!springs || !elements) return std::nullopt;
   std::array<double, 3> differences{};
   for (std::size_t i = 0; i < 3; ++i) differences[i] = (*springs)[i] - (*elements)[i];
-  return converged_number(cases_of(runs), differences,
-                          solver_noise * unit.value_or(std::abs((*elements)[2])));
+  return converged_difference(cases_of(runs), differences,
+                              solver_noise * unit.value_or(std::abs((*elements)[2])));
 }
 
 /// The law part with its bar (ErrorPart).
 ErrorPart law_part(const SplitQuantity& quantity, const ContinuumRuns& reference,
                    const std::optional<double>& unit) {
   const auto of = [&](auto which, Runs runs) {
-    return converged_difference(quantity.cauchy_born.*which, quantity.reference.*which,
-                                runs, unit);
+    return between_continua(quantity.cauchy_born.*which, quantity.reference.*which, runs,
+                            unit);
   };
   ErrorPart part{difference(quantity.cauchy_born.converged.value,
                             quantity.reference.converged.value)};

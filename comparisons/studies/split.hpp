@@ -62,8 +62,9 @@ struct ContinuumValue {
 
 /// A part of the error, and its bar. The discretisation part's is Cauchy-Born's. Both
 /// continua err nearly alike on equal grids: the bar of a law part is that of their
-/// difference, extrapolated grid by grid, and its distance from the part; at least the
-/// part's distance from the one that q2's grids give. (Of fields, the sum of both bars.)
+/// difference, extrapolated grid by grid (converged_difference), and its distance from
+/// the part; at least the part's distance from the one that q2's grids give. (Of fields,
+/// the sum of both bars.)
 struct ErrorPart {
   std::optional<double> value{}, bar{};
 };
