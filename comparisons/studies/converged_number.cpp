@@ -25,18 +25,25 @@ ConvergedNumber converged_number(const ThreeCases& cases,
 ConvergedNumber converged_difference(const ThreeCases& cases,
                                      const std::array<double, 3>& differences,
                                      double noise) {
-  ConvergedNumber limit = converged_number(cases, differences, noise);
-  const auto [h1, h2, h3] = grid_sizes(cases);
+  const GridSizes sizes = grid_sizes(cases);
+  const auto [h1, h2, h3] = sizes;
   const auto [q1, q2, q3] = differences;
-  if (std::max(std::abs(q1 - q2), std::abs(q2 - q3)) <= noise) return limit;
+  const double coarse_change = q1 - q2, fine_change = q2 - q3;
+  if (std::max(std::abs(coarse_change), std::abs(fine_change)) <= noise)
+    return {.value = q3, .order = std::nullopt, .bar = noise};
   const BelievedOrder believed =
-      believed_order({h1, h2, h3}, q1 - q2, q2 - q3, formal_order(cases[0]));
-  const double p = believed.order;
+      believed_order(sizes, coarse_change, fine_change, formal_order(cases[0]));
+  const double p = believed.order, rest = fine_change * rest_by_order(h2 / h3, p);
   const double left =
-      std::max(std::abs(q2 - q3) * rest_by_order(h2 / h3, p),
-               std::abs(q1 - q2) * rest_by_order(h1 / h2, p) * std::pow(h3 / h2, p));
-  limit.bar = std::max((cautious_safety + (believed.is_monotone ? 1 : 0)) * left, noise);
-  return limit;
+      std::max(std::abs(rest), std::abs(coarse_change) * rest_by_order(h1 / h2, p) *
+                                   std::pow(h3 / h2, p));
+  if (!believed.is_monotone)
+    return {.value = q3,
+            .order = believed.observed,
+            .bar = std::max(cautious_safety * left, noise)};
+  return {.value = q3 - rest,
+          .order = believed.observed,
+          .bar = std::max((cautious_safety + 1) * left, noise)};
 }
 
 ConvergedNumber converged_number(const ThreeCases& cases,

@@ -25,15 +25,18 @@ ConvergedNumber converged_number(const ThreeCases& cases,
 
 /// What the difference of two numbers converges to, of the same cases on the same grids.
 /// Its changes are differences too, which may cancel by chance: neither a small last
-/// change nor an order near the formal one shows that it has converged. So the last
-/// change counts for no less than what the one before leaves, and for three times:
+/// change nor an order near the formal one shows that it has converged. So the safety
+/// factor is always 3, and the last change counts for no less than what the one before
+/// it leaves:
 ///
 ///     q* = q3 + (q3 - q2)/((h2/h3)^p - 1),   bar = 4 e
 ///     q* = q3,                               bar = 3 e   (changes grow or turn back)
 ///     e = max(|q3 - q2|/((h2/h3)^p - 1), |q2 - q1| (h3/h2)^p/((h1/h2)^p - 1))
 ///
-/// p is BelievedOrder's; changes of at most `noise` are the solvers'. Source: as
-/// believed_order; of chance our own, held against finer grids by law_parts_test.cpp.
+/// p is BelievedOrder's; changes of at most `noise` are the solvers', and no bar is
+/// smaller. Source: as believed_order; of chance our own. It is one part of what bounds a
+/// law part (ErrorPart), which law_parts_test.cpp holds against finer grids; by itself it
+/// misses 1 of 74 there.
 ConvergedNumber converged_difference(const ThreeCases& cases,
                                      const std::array<double, 3>& differences,
                                      double noise);

@@ -51,7 +51,10 @@ BelievedOrder believed_order(const GridSizes& sizes, double coarse_change,
   if (observed)
     return {observed, std::min(std::max(*observed, lowest_believed), formal_order),
             cautious_safety, true};
-  const double ratio = coarse_change / fine_change;
+  // Changes that cease fall faster than any, of whatever sign.
+  const double ratio = coarse_change * fine_change < 0
+                           ? coarse_change / fine_change
+                           : std::abs(coarse_change) / std::abs(fine_change);
   const double ratio_of_order_0 =
       std::log(sizes[0] / sizes[1]) / std::log(sizes[1] / sizes[2]);
   const bool falls_faster = ratio > ratio_of_changes(sizes, highest_order);

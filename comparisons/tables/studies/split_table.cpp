@@ -163,8 +163,11 @@ Sheet sheet_of(const char* name, const char* title, const std::vector<Split>& sp
           "Law part: converged Cauchy-Born (the continuum of the springs' lattice) minus "
           "the converged reference. Discretisation part: the springs on this mesh minus "
           "converged Cauchy-Born. The bound of a law part is that of the difference of "
-          "both continua, extrapolated grid by grid, and at least the distance from the "
-          "part by q2; of mean deviations both bounds together. The bound of the "
+          "both continua, extrapolated grid by grid with a safety factor of 3, where the "
+          "last change counts for no less than what the one before it leaves, and the "
+          "distance of that limit from the part; it is at least the distance from the "
+          "part "
+          "by q2. Of mean deviations it is both bounds together. The bound of the "
           "discretisation part is Cauchy-Born's. The sign of a part within its bound is "
           "not known.",
           "Volume errors e are the absolute values of the volume changes.",
