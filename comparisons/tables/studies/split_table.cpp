@@ -166,8 +166,7 @@ Sheet sheet_of(const char* name, const char* title, const std::vector<Split>& sp
           "both continua, extrapolated grid by grid with a safety factor of 3, where the "
           "last change counts for no less than what the one before it leaves, and the "
           "distance of that limit from the part; it is at least the distance from the "
-          "part "
-          "by q2. Of mean deviations it is both bounds together. The bound of the "
+          "part by q2. Of mean deviations it is both bounds together. The bound of the "
           "discretisation part is Cauchy-Born's. The sign of a part within its bound is "
           "not known.",
           "Volume errors e are the absolute values of the volume changes.",
