@@ -108,6 +108,16 @@ const std::vector<ChartModel>& chart_models(BodyShape shape) {
   return shape == BodyShape::kidney ? kidney : block;
 }
 
+std::vector<ChartModel> chosen_models(ChartModels which, BodyShape shape) {
+  std::vector<ChartModel> chosen = chart_models(shape);
+  if (which == ChartModels::foremost)
+    std::erase_if(chosen, [](const ChartModel& one) {
+      return find_method(one.model.method)->foremost == 0 ||
+             one.model.cells != CellType::hexahedron || !one.model.linear_solver.empty();
+    });
+  return chosen;
+}
+
 const ChartModel& chart_model(const Model& model, BodyShape shape) {
   const auto& all = chart_models(shape);
   const auto found = std::ranges::find(all, model, &ChartModel::model);

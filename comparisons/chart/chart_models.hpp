@@ -24,6 +24,15 @@ struct ChartModel {
 /// Of a kidney those on its own two kinds of cells.
 const std::vector<ChartModel>& chart_models(BodyShape shape = BodyShape::block);
 
+/// Which of them.
+enum class ChartModels {
+  all,
+  foremost  // of methods that people want to see first (Method::foremost), on hexahedra,
+            // by the linear solver that is chosen by size
+};
+
+std::vector<ChartModel> chosen_models(ChartModels which, BodyShape shape);
+
 /// The one of that model. Throws std::logic_error without one.
 const ChartModel& chart_model(const Model& model, BodyShape shape);
 

@@ -70,6 +70,19 @@ StoredChart::Grids stored_grids(const ThreeCases& cases, MeshStore& meshes) {
 
 }  // namespace
 
+ChartPlan quick_plan(const std::string& scene, int jobs) {
+  return {.scene = scene,
+          .options = {},
+          .models = ChartModels::foremost,
+          .across = {4, 6, 10},
+          .threads = {jobs},
+          .budget = 2,
+          .repeat_for = 0.3,
+          .jobs = jobs,
+          .retime = false,
+          .least_models = 0};
+}
+
 CaseSettings settings_of(const ChartPlan& plan, const StoredChart::Point& point) {
   const BodyShape shape = chart_body(plan.scene, plan.options).shape;
   return model_case(plan.scene, plan.options, chart_model(point.model, shape),
@@ -78,7 +91,8 @@ CaseSettings settings_of(const ChartPlan& plan, const StoredChart::Point& point)
 
 void check_plan(const ChartPlan& plan) {
   planned_truths(plan);
-  for (const ChartModel& model : chart_models(chart_body(plan.scene, plan.options).shape))
+  for (const ChartModel& model :
+       chosen_models(plan.models, chart_body(plan.scene, plan.options).shape))
     for (const int across : plan.across)
       check_mesh_memory(plan.scene,
                         model_case(plan.scene, plan.options, model, across).body);

@@ -18,6 +18,7 @@ struct ChartPlan {
   std::vector<GivenSetting> options;  // that replace the scene's
   std::string law{};                  // the scene's, in place of its reference's; or none
   std::vector<std::string> laws{};    // of truths, beside that of the scene
+  ChartModels models{};
   std::vector<int> across{};          // cells across the shortest edge
   std::vector<int> threads;           // of the timed runs
   double budget;                      // [s] that a point's solution may take
@@ -29,6 +30,10 @@ struct ChartPlan {
   // Where truths are kept for other charts too, and taken from:
   std::optional<std::filesystem::path> truths_file{};
 };
+
+/// A chart of about a minute: of the foremost models on 4, 6 and 10 cells across, beside
+/// the converged solution of the scene's own law alone.
+ChartPlan quick_plan(const std::string& scene, int jobs);
 
 /// The case behind a point.
 CaseSettings settings_of(const ChartPlan& plan, const StoredChart::Point& point);

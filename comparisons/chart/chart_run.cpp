@@ -287,8 +287,8 @@ void ChartRun::compare(const CaseSettings& settings, const std::string& key,
 Chart make_chart(const ChartPlan& plan, const std::filesystem::path& file) {
   check_plan(plan);
   ChartRun run(plan, file);
-  const std::vector<ChartModel>& models =
-      chart_models(chart_body(plan.scene, plan.options).shape);
+  const std::vector<ChartModel> models =
+      chosen_models(plan.models, chart_body(plan.scene, plan.options).shape);
   std::size_t done = 0;
   Progress progress(plan.scene + ": points");
   for (int round = 1; round <= most_rounds; ++round) {

@@ -81,7 +81,12 @@ ExitStatus chart_command(const std::string& scene,
   if (scene == "all")
     scenes = {"compression", "tension", "shearing", "torsion", "bending"};
   std::vector<ChartPlan> plans;
-  for (const std::string& one : scenes)
+  for (const std::string& one : scenes) {
+    if (chart.quick) {
+      plans.push_back(quick_plan(one, chart.jobs));
+      plans.back().options = options;
+      continue;
+    }
     plans.push_back({.scene = one,
                      .options = options,
                      .law = truth_law_named(chart.law),
@@ -94,6 +99,7 @@ ExitStatus chart_command(const std::string& scene,
                      .retime = chart.retime,
                      .least_models = chart.least_models,
                      .truth_across = chart.truth_across});
+  }
   for (const ChartPlan& plan : plans) check_plan(plan);
   std::vector<Chart> charts;
   for (const ChartPlan& plan : plans) {

@@ -19,6 +19,7 @@ struct ChartOptions {
   std::optional<TableFormat> format{};  // none: truths, fronts and claims for a terminal
   int jobs = 1;                         // truths at once, at most
   bool retime = false;
+  bool quick = false;                 // quick_plan's models, sizes and times
   int least_models = 12;              // see ChartRun::measure_beyond_budget
   std::optional<int> truth_across{};  // see truth_grids
 };

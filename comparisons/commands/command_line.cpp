@@ -380,6 +380,14 @@ int run_arguments(int argc, char** argv) {
                    "models at equilibrium that get to the finest cells and are ok there, "
                    "the cheapest first, whatever the budget (default 12)")
       ->check(CLI::Range(0, 1000));
+  CLI::Option* quick = chart->add_flag(
+      "--quick", chart_options.quick,
+      "the models that people want to see first, on 4, 6 and 10 cells across, beside the "
+      "converged solution of the scene's own law alone, in about a minute");
+  for (const char* option : {"--sizes", "--on-threads", "--budget", "--repeat-for",
+                             "--converged-across", "--converged-law", "--retime",
+                             "--least-models"})
+    quick->excludes(chart->get_option(option));
 
   AdviseOptions advise_options;
   CLI::App* advise = app.add_subcommand(

@@ -1,14 +1,22 @@
 #include "comparisons/commands/reproduce.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <ranges>
 #include <set>
+#include <span>
 
+#include "comparisons/chart/chart_run.hpp"
 #include "comparisons/commands/report_command.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "comparisons/results/known_results.hpp"
+#include "comparisons/running/cost.hpp"
 #include "comparisons/running/progress.hpp"
+#include "comparisons/stability/atlas.hpp"
 #include "comparisons/sweeps/sweep_file.hpp"
 #include "comparisons/sweeps/sweep_run.hpp"
 #include "comparisons/tables/catalogue.hpp"
@@ -18,53 +26,137 @@
 namespace springcheck {
 namespace {
 
+/// A part of what is to be done.
+struct Stage {
+  std::string what;
+  double seconds;  // expected
+  std::function<void()> run;
+};
+
+/// One after the other. Each is announced with the time that it and those after it are
+/// expected to take, as long as those before took beside what was expected of them.
+void run_stages(const std::vector<Stage>& stages) {
+  double expected = 0, taken = 0, left = 0;
+  for (const Stage& stage : stages) left += stage.seconds;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    const double pace = expected > 0 ? taken / expected : 1;
+    announce(fmt::format("stage {} of {}, {}; about {:.0f} s left in all", i + 1,
+                         stages.size(), stages[i].what, pace * left));
+    const auto start = std::chrono::steady_clock::now();
+    stages[i].run();
+    const std::chrono::duration<double> seconds =
+        std::chrono::steady_clock::now() - start;
+    taken += seconds.count();
+    expected += stages[i].seconds;
+    left -= stages[i].seconds;
+  }
+}
+
 StoredCases stored_in(const std::filesystem::path& file) {
   return std::filesystem::exists(file) ? stored_cases({file}, Revisions::own)
                                        : StoredCases{};
 }
 
-ComputedTables compute_into(ResultFile& file, const std::filesystem::path& path,
-                            Extent extent, MeshStore& meshes, int parallel) {
+std::vector<std::string> tables_of(Extent extent) {
   std::vector<std::string> names = table_names();
+  if (extent == Extent::quick) return names;
   for (const std::string& name : sheet_names())
     if (extent == Extent::all || std::ranges::count(long_sheet_names(), name) == 0)
       names.push_back(name);
+  return names;
+}
+
+/// Those that the file lacks, fields included where they are wanted, and that are not
+/// among `planned`, to which their keys are added.
+std::vector<Request> missing_of(std::vector<Request> requests, bool with_fields,
+                                const StoredKeys& stored, std::set<std::string>& planned,
+                                MeshStore& meshes) {
+  std::erase_if(requests, [&](const Request& request) {
+    const std::string key = case_key(request, meshes.mesh(request.settings.body));
+    const bool is_there = with_fields ? stored.with_fields.contains(key)
+                                      : stored.statuses.contains(key);
+    return is_there || !planned.insert(key).second;
+  });
+  return requests;
+}
+
+/// About how long they take, on so many cores.
+double seconds_of(std::span<const Request> requests, int parallel) {
+  CostEstimate cost;
+  for (const Request& request : requests) cost.add(request);
+  return cost.seconds() / parallel;
+}
+
+ComputedTables compute_into(const std::filesystem::path& path,
+                            const std::vector<std::string>& tables, MeshStore& meshes,
+                            int parallel) {
+  ResultFile file(path);
   const StoredCases stored = stored_in(path);
-  return compute_tables(names, std::nullopt, meshes, parallel, known_from(stored, meshes),
-                        [&](const CaseResult& result) {
+  return compute_tables(tables, std::nullopt, meshes, parallel,
+                        known_from(stored, meshes), [&](const CaseResult& result) {
                           file.put({&result, 1}, true, meshes);
                         });
 }
 
-/// Adds what is neither stored nor among `done`, by key.
-void sweep_into(ResultFile& file, const std::filesystem::path& path,
-                std::set<std::string> done, MeshStore& meshes, int parallel) {
+/// Cases of a sweep.
+struct SweptCases {
+  bool with_fields;
+  std::vector<Request> requests;
+};
+
+void run_sweeps(const std::filesystem::path& path, const std::vector<SweptCases>& sweeps,
+                MeshStore& meshes, int parallel) {
+  ResultFile file(path);
   const StoredCases stored = stored_in(path);
-  for (const char* name :
-       {"nu", "refinement", "deformation", "diagonal-ratio", "beam-diagonal-ratio"}) {
-    const Sweep sweep = read_sweep(name, SIZE_MAX);
-    std::vector<Request> missing;
-    for (const Request& request : all_requests(sweep)) {
-      const std::string key = case_key(request, meshes.mesh(request.settings.body));
-      const bool has_fields =
-          !sweep.with_fields || file.stored().with_fields.contains(key);
-      if ((!stored.contains(key) || !has_fields) && done.insert(key).second)
-        missing.push_back(request);
-    }
+  std::size_t all = 0, before = 0;
+  for (const SweptCases& sweep : sweeps) all += sweep.requests.size();
+  Progress progress("cases");
+  for (const SweptCases& sweep : sweeps) {
+    const Finished finished = [&](std::size_t done, std::size_t of) {
+      progress.show(before + (of == 0 ? 0 : sweep.requests.size() * done / of), all);
+    };
     SweepOutcome outcome;
-    Progress progress("simulations");
-    run_into(
-        file, missing, sweep.with_fields, meshes, parallel,
-        only_with_fields(known_from(stored, meshes)),
-        [&](std::size_t now, std::size_t of) { progress.show(now, of); }, outcome);
+    run_into(file, sweep.requests, sweep.with_fields, meshes, parallel,
+             only_with_fields(known_from(stored, meshes)), finished, outcome);
     if (outcome.failure) std::rethrow_exception(outcome.failure);
+    before += sweep.requests.size();
   }
+}
+
+/// How the foremost springs and elements fail in compression, over deformation and nu.
+AtlasPlan map_plan() {
+  constexpr std::size_t springs = 3, elements = 2;
+  std::vector<std::string> names;
+  for (const auto& [family, count] :
+       {std::pair(Family::springs, springs), std::pair(Family::finite_elements, elements)})
+    for (const Method* method : foremost(family) | std::views::take(count))
+      names.push_back(method->name);
+  const auto option = [](const char* key, const std::string& value) {
+    return GivenSetting{key, Given::from_text("reproduce", value)};
+  };
+  return {.scene = "compression",
+          .options = {option("method", fmt::format("{}", fmt::join(names, ","))),
+                      option("cells", "4,4,4")},
+          .axes = {axis_named("reproduce", "deformation=7.5%:60%:8"),
+                   axis_named("reproduce", "nu=0:0.49:8")}};
+}
+
+/// Tables without cases, which a result file cannot give back.
+std::vector<Sheet> caseless_sheets(const TableSet& tables) {
+  std::vector<Sheet> sheets;
+  std::ranges::copy_if(
+      tables.sheets, std::back_inserter(sheets), [](const Sheet& sheet) {
+        return std::ranges::count(caseless_sheet_names(), sheet.name) > 0;
+      });
+  return sheets;
 }
 
 }  // namespace
 
 ExitStatus reproduce_command(const std::filesystem::path& directory, Extent extent,
                              int parallel) {
+  // On two cores; what is told of the time left needs no more.
+  constexpr double seconds_of_chart = 50, seconds_of_map = 60, seconds_of_page = 40;
   const auto start = std::chrono::steady_clock::now();
   prepare_report(directory);
   const std::filesystem::path result_file = directory / "results.h5",
@@ -73,26 +165,56 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
   check_writable(summary_file);
 
   MeshStore meshes;
-  std::vector<Sheet> not_stored;
-  {
-    ResultFile file(result_file);
-    const ComputedTables computed =
-        compute_into(file, result_file, extent, meshes, parallel);
-    const std::chrono::duration<double> elapsed =
-        std::chrono::steady_clock::now() - start;
-    write_whole_stream(summary_file, [&](std::ostream& out) {
-      out << summary(computed, elapsed.count());
-    });
-    std::ranges::copy_if(
-        computed.set.sheets, std::back_inserter(not_stored), [](const Sheet& sheet) {
-          return std::ranges::count(caseless_sheet_names(), sheet.name) > 0;
-        });
-    std::set<std::string> done;
-    for (const CaseResult& result : computed.results) done.insert(result.key);
-    sweep_into(file, result_file, std::move(done), meshes, parallel);
+  ComputedTables computed;
+  ExitStatus status{};
+  std::vector<Stage> stages;
+  const StoredKeys stored = ResultFile(result_file).stored();
+  std::set<std::string> planned;
+  const std::vector<std::string> tables = tables_of(extent);
+  const std::vector<Request> of_tables =
+      missing_of(requests_behind(tables), false, stored, planned, meshes);
+  stages.push_back(
+      {fmt::format("tables, {} cases", of_tables.size()), seconds_of(of_tables, parallel),
+       [&] { computed = compute_into(result_file, tables, meshes, parallel); }});
+  if (extent != Extent::quick) {
+    std::vector<SweptCases> sweeps;
+    std::vector<Request> of_sweeps;
+    for (const char* name :
+         {"nu", "refinement", "deformation", "diagonal-ratio", "beam-diagonal-ratio"}) {
+      const Sweep sweep = read_sweep(name, SIZE_MAX);
+      sweeps.push_back({sweep.with_fields, missing_of(all_requests(sweep), sweep.with_fields,
+                                                      stored, planned, meshes)});
+      of_sweeps.insert(of_sweeps.end(), sweeps.back().requests.begin(),
+                       sweeps.back().requests.end());
+    }
+    stages.push_back({fmt::format("sweeps, {} cases", of_sweeps.size()),
+                      seconds_of(of_sweeps, parallel), [&, sweeps] {
+                        run_sweeps(result_file, sweeps, meshes, parallel);
+                      }});
+    for (const char* scene : {"compression", "shearing", "torsion"})
+      stages.push_back(
+          {fmt::format("quick chart of {}", scene), seconds_of_chart,
+           [&, scene] { make_chart(quick_plan(scene, parallel), result_file); }});
+    stages.push_back({"map of failures", seconds_of_map, [&] {
+                        CaseRunner runner(result_file, parallel);
+                        make_atlas(map_plan(), runner);
+                      }});
   }
-  write_xdmf_beside(result_file);
-  return make_report(result_file, directory, not_stored, Revisions::own);
+  stages.push_back({"page", seconds_of_page, [&] {
+                      const std::chrono::duration<double> elapsed =
+                          std::chrono::steady_clock::now() - start;
+                      const std::string text =
+                          summary(computed.set, stored_keys(result_file).statuses,
+                                  elapsed.count());
+                      write_whole_stream(summary_file,
+                                         [&](std::ostream& out) { out << text; });
+                      const Progress progress("page");
+                      write_xdmf_beside(result_file);
+                      status = make_report(result_file, directory,
+                                           caseless_sheets(computed.set), Revisions::own);
+                    }});
+  run_stages(stages);
+  return status;
 }
 
 }  // namespace springcheck

@@ -20,7 +20,7 @@ class Judge {
       : gate_(gate), cases_(cases), file_(file) {}
 
   Outcome operator()(const StatusAlone&) {
-    const std::size_t row = own_row();
+    const std::size_t row = own_row({});
     outcome_.got_text = cell_text(cases_, "status", row);
     std::vector<std::string_view> names;
     for (const Status status : gate_.expect)
@@ -30,13 +30,15 @@ class Judge {
   }
 
   Outcome operator()(const Stored& stored) {
-    const auto got = value(measure(gate_.measure), own_row());
+    const MeasureColumn column = measure(gate_.measure);
+    const auto got = value(column, own_row({&column, 1}));
     compare_about(outcome_, stored.value, stored.width, got);
     return outcome_;
   }
 
   Outcome operator()(const Range& range) {
-    compare(outcome_, range, value(measure(gate_.measure), own_row()));
+    const MeasureColumn column = measure(gate_.measure);
+    compare(outcome_, range, value(column, own_row({&column, 1})));
     return outcome_;
   }
 
@@ -61,8 +63,9 @@ class Judge {
   Outcome operator()(const Monotonic& monotonic) {
     outcome_.band_text =
         fmt::format("{} along {}", name_of(monotonic.direction), monotonic.along);
-    const auto rows = sweep_rows(cases_, gate_, monotonic.along, 2);
-    if (!sweep(rows)) return outcome_;
+    const MeasureColumn column = measure(gate_.measure);
+    const auto rows = sweep_rows(cases_, gate_, monotonic.along, 2, column);
+    if (!sweep(column, rows)) return outcome_;
     const auto& q = outcome_.values;
     outcome_.got_text = fmt::format("{:.6g} .. {:.6g}", q.front(), q.back());
     const double sign = monotonic.direction == Direction::increasing ? 1 : -1;
@@ -83,8 +86,9 @@ class Judge {
 
   Outcome operator()(const Order& order) {
     outcome_.band_text = "order " + text_of(order.range);
-    const std::vector<std::size_t> rows = finest_grids(cases_, gate_);
-    if (!sweep(rows)) return outcome_;
+    const MeasureColumn column = measure(gate_.measure);
+    const std::vector<std::size_t> rows = finest_grids(cases_, gate_, column);
+    if (!sweep(column, rows)) return outcome_;
     const auto observed = order_on(cases_, rows, outcome_.values);
     if (!observed)
       fall_short(outcome_,
@@ -112,8 +116,8 @@ class Judge {
                                      reason.empty() ? "" : " (" + reason + ")"));
   }
 
-  std::size_t own_row() {
-    const std::size_t row = one_row(cases_, gate_.where);
+  std::size_t own_row(std::span<const MeasureColumn> asked) {
+    const std::size_t row = one_row(cases_, gate_.where, asked);
     outcome_.keys.push_back(cell_text(cases_, "key", row));
     expect_status(row, gate_.expect, "");
     return row;
@@ -132,7 +136,8 @@ class Judge {
   };
   Pair own_and_other(const Selection& where, const std::string& name) {
     const MeasureColumn column = measure(gate_.measure), other_column = measure(name);
-    const std::size_t row = own_row(), other = one_row(cases_, where);
+    const std::size_t row = own_row({&column, 1}),
+                      other = one_row(cases_, where, {&other_column, 1});
     if (other != row) {
       outcome_.keys.push_back(cell_text(cases_, "key", other));
       const Status ok = Status::ok;
@@ -152,8 +157,7 @@ class Judge {
   }
 
   /// The values of all rows; false, and short, where one is null.
-  bool sweep(const std::vector<std::size_t>& rows) {
-    const MeasureColumn column = measure(gate_.measure);
+  bool sweep(const MeasureColumn& column, const std::vector<std::size_t>& rows) {
     bool is_whole = true;
     for (const std::size_t row : rows) {
       outcome_.keys.push_back(cell_text(cases_, "key", row));

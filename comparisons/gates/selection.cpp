@@ -167,11 +167,30 @@ std::set<std::string> differences(const Columns& cases,
   return columns;
 }
 
+std::string differences_text(const Columns& cases, const std::vector<std::size_t>& rows) {
+  constexpr std::size_t most = 4;  // values of a column
+  std::vector<std::string> columns;
+  for (const std::string& column : differences(cases, rows)) {
+    std::vector<std::string> values;
+    for (const std::size_t row : rows) {
+      const std::string text = cell_text(cases, column, row);
+      const std::string value = text.empty() ? "none" : text;
+      if (std::ranges::count(values, value) == 0) values.push_back(value);
+    }
+    if (values.size() > most) {
+      values.resize(most);
+      values.emplace_back("...");
+    }
+    columns.push_back(fmt::format("{} ({})", column, fmt::join(values, ", ")));
+  }
+  return fmt::format("{}", fmt::join(columns, ", "));
+}
+
 std::string why_not_one(const Columns& cases, const Selection& selection,
                         const std::vector<std::size_t>& rows) {
   if (rows.size() > 1)
     return fmt::format("{} cases match {}; they differ in {}", rows.size(),
-                       text_of(selection), fmt::join(differences(cases, rows), ", "));
+                       text_of(selection), differences_text(cases, rows));
   std::string text = "no case matches " + text_of(selection);
   for (std::size_t i = 0; i < selection.size(); ++i) {
     Selection others = selection;

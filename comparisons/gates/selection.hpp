@@ -54,6 +54,9 @@ std::string cell_text(const Columns& cases, const std::string& column, std::size
 std::set<std::string> differences(const Columns& cases,
                                   const std::vector<std::size_t>& rows);
 
+/// The same with their values: "reference (fem-hencky:q1-sri, none), element (p1, q2)".
+std::string differences_text(const Columns& cases, const std::vector<std::size_t>& rows);
+
 /// Why no case matches, or how the several that do differ, for who wants one.
 std::string why_not_one(const Columns& cases, const Selection& selection,
                         const std::vector<std::size_t>& rows);

@@ -28,13 +28,13 @@ double position(const Columns& cases, const std::string& column, std::size_t row
 
 /// One case for each value that the condition lists.
 std::vector<std::size_t> listed_rows(const Columns& cases, const Selection& where,
-                                     const Condition& along) {
+                                     const Condition& along, const MeasureColumn& asked) {
   std::vector<std::size_t> rows;
   for (const auto& value : values_of(along, cases.numbers.at(along.column).width)) {
     Condition one = along;
     one.values = {value};
     one.is_flat_list = false;
-    rows.push_back(one_row(cases, narrowed(where, {one})));
+    rows.push_back(one_row(cases, narrowed(where, {one}), {&asked, 1}));
   }
   return rows;
 }
@@ -43,10 +43,9 @@ void check_sweep(const Columns& cases, const std::string& along,
                  const std::vector<std::size_t>& rows) {
   for (std::size_t i = 1; i < rows.size(); ++i)
     if (same_number(position(cases, along, rows[i - 1]), position(cases, along, rows[i])))
-      throw NoCase(
-          fmt::format("several cases with {} = {}; they differ in {}", along,
-                      cell_text(cases, along, rows[i]),
-                      fmt::join(differences(cases, {rows[i - 1], rows[i]}), ", ")));
+      throw NoCase(fmt::format("several cases with {} = {}; they differ in {}", along,
+                               cell_text(cases, along, rows[i]),
+                               differences_text(cases, {rows[i - 1], rows[i]})));
   std::set<std::string> others = differences(cases, rows);
   // The default reference follows from the deformation; a gate that minds names it.
   for (const std::string& allowed : {along, std::string("reference"), std::string("key")})
@@ -56,28 +55,49 @@ void check_sweep(const Columns& cases, const std::string& along,
                              fmt::join(others, ", ")));
 }
 
+/// Whether a gate that asks these measures gets the same of both cases.
+bool agree(const Columns& cases, std::size_t a, std::size_t b,
+           std::span<const MeasureColumn> asked) {
+  return cell_text(cases, "status", a) == cell_text(cases, "status", b) &&
+         std::ranges::all_of(asked, [&](const MeasureColumn& measure) {
+           const auto of_a = value_of(measure, cases, a),
+                      of_b = value_of(measure, cases, b);
+           return of_a && of_b ? same_number(*of_a, *of_b) : !of_a && !of_b;
+         });
+}
+
 }  // namespace
 
-std::size_t one_row(const Columns& cases, const Selection& selection) {
+std::size_t one_row(const Columns& cases, const Selection& selection,
+                    std::span<const MeasureColumn> asked) {
   const std::vector<std::size_t> rows = matching(cases, selection);
-  if (rows.size() != 1) throw NoCase(why_not_one(cases, selection, rows));
+  const bool is_one = !rows.empty() && std::ranges::all_of(rows, [&](std::size_t row) {
+    return agree(cases, rows.front(), row, asked);
+  });
+  if (!is_one) throw NoCase(why_not_one(cases, selection, rows));
   return rows.front();
 }
 
 std::vector<std::size_t> sweep_rows(const Columns& cases, const Gate& gate,
-                                    const std::string& along, std::size_t least) {
+                                    const std::string& along, std::size_t least,
+                                    const MeasureColumn& asked) {
   std::vector<std::size_t> rows = matching(cases, gate.where);
   if (rows.empty()) throw NoCase(why_not_one(cases, gate.where, rows));
   if (!cases.numbers.contains(along))
     throw InputError(gate.place, "along", "a setting that is a number",
                      "'" + along + "'");
   const auto listed = std::ranges::find(gate.where, along, &Condition::column);
-  if (listed != gate.where.end()) rows = listed_rows(cases, gate.where, *listed);
+  if (listed != gate.where.end()) rows = listed_rows(cases, gate.where, *listed, asked);
   for (const std::size_t row : rows)
     if (std::isnan(position(cases, along, row)))
       throw NoCase(fmt::format("case {} has no {}", cell_text(cases, "key", row), along));
-  std::ranges::sort(rows, {},
-                    [&](std::size_t row) { return position(cases, along, row); });
+  std::ranges::stable_sort(rows, {},
+                           [&](std::size_t row) { return position(cases, along, row); });
+  const auto again = std::ranges::unique(rows, [&](std::size_t a, std::size_t b) {
+    return same_number(position(cases, along, a), position(cases, along, b)) &&
+           agree(cases, a, b, {&asked, 1});
+  });
+  rows.erase(again.begin(), again.end());
   if (rows.size() < least)
     throw NoCase(fmt::format("{} of at least {} cases along {} match {}", rows.size(),
                              least, along, text_of(gate.where)));
@@ -85,8 +105,9 @@ std::vector<std::size_t> sweep_rows(const Columns& cases, const Gate& gate,
   return rows;
 }
 
-std::vector<std::size_t> finest_grids(const Columns& cases, const Gate& gate) {
-  std::vector<std::size_t> rows = sweep_rows(cases, gate, "cells", 3);
+std::vector<std::size_t> finest_grids(const Columns& cases, const Gate& gate,
+                                      const MeasureColumn& asked) {
+  std::vector<std::size_t> rows = sweep_rows(cases, gate, "cells", 3, asked);
   rows.erase(rows.begin(), rows.end() - 3);
   const auto finest = numbers(cases, "cells", rows.back());
   for (const std::size_t row : rows) {

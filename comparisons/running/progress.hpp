@@ -1,26 +1,38 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace springcheck {
 
-/// A bar on stderr with the number of simulations done and the remaining time; silent
-/// unless stderr is a terminal.
+/// How many of some things are done, and the remaining time, on stderr: a bar on a
+/// terminal, elsewhere a line every ten seconds, so that whoever waits sees that it goes
+/// on even while one simulation takes long.
 class Progress {
  public:
   explicit Progress(std::string what);
-  ~Progress();  // clears the line
+  ~Progress();  // clears the bar
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// Draws the bar. From one thread at a time.
   void show(std::size_t done, std::size_t all);
 
  private:
+  [[nodiscard]] std::string line() const;
+  void tell_every_ten_seconds(const std::stop_token& stop);
+
   std::string what_;
   bool on_terminal_;
   std::chrono::steady_clock::time_point start_;
+  std::size_t done_ = 0, all_ = 0;
+  std::mutex mutex_;  // of the counts
+  std::condition_variable_any stopped_;
+  std::jthread teller_;  // without a terminal
 };
 
 /// Says on stderr what is being done, on a terminal or not: "12 s: WHAT", with the time

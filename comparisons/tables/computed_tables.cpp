@@ -90,6 +90,15 @@ std::vector<std::vector<Request>> groups_of(const std::vector<TablePlan>& tables
 
 }  // namespace
 
+std::vector<Request> requests_behind(const std::vector<std::string>& names) {
+  std::vector<Request> all;
+  for (const std::string& name : names)
+    append(all, std::ranges::count(sheet_names(), name) > 0
+                    ? plan_sheet(name).requests
+                    : table_requests(plan_table(name, std::nullopt)));
+  return all;
+}
+
 ComputedTables compute_tables(const std::vector<std::string>& names,
                               const std::optional<ReferenceMethod>& reference,
                               MeshStore& meshes, int parallel, const KnownResult& known,

@@ -20,6 +20,9 @@ struct ComputedTables {
   std::vector<CaseResult> results;  // of every request behind them
 };
 
+/// What compute_tables needs for the named tables and sheets, without their references.
+std::vector<Request> requests_behind(const std::vector<std::string>& names);
+
 /// Computes the named tables and sheets with everything they need, each simulation once,
 /// `parallel` of them at a time; see run_study for `known`, of which sheets take only
 /// cases with their fields. `computed` is called with each result that was not known, one

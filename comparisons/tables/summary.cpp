@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/tables/catalogue.hpp"
@@ -58,13 +57,11 @@ std::string against_thesis(const Table& table) {
 
 }  // namespace
 
-std::string summary(const ComputedTables& computed, double seconds) {
-  const auto& [set, results] = computed;
+std::string summary(const TableSet& set, const std::map<std::string, Status>& statuses,
+                    double seconds) {
   const auto& [tables, sheets] = set;
   std::map<Status, int> count;
-  std::set<std::string> keys;
-  for (const CaseResult& result : results)
-    if (keys.insert(result.key).second) ++count[result.status];
+  for (const auto& [key, status] : statuses) ++count[status];
   std::string text = fmt::format(
       "# springcheck {}: the thesis's comparison tables, regenerated\n\n"
       "Commit {}. {} cases in {:.0f} s.\n\n"
@@ -73,7 +70,7 @@ std::string summary(const ComputedTables& computed, double seconds) {
       "scenes. Every row of a table names its case in results.h5. "
       "index.html shows these and further sweeps.\n\n"
       "| status | cases |\n| --- | --- |\n",
-      build_info::version, build_info::commit, keys.size(), seconds);
+      build_info::version, build_info::commit, statuses.size(), seconds);
   for (const auto& [status, cases] : count)
     text += fmt::format("| {} | {} |\n", name_of(status), cases);
   text += "\n## Against the printed figures\n\n";
@@ -83,12 +80,13 @@ std::string summary(const ComputedTables& computed, double seconds) {
   text += "\n## Tables of our own figures\n\n";
   for (const Sheet& sheet : sheets)
     text += fmt::format("- [{}](tables/{}.md)\n", sheet.title, sheet.name);
-  for (const std::string& name : long_sheet_names())
+  for (const std::string& name : sheet_names())
     if (std::ranges::count(sheets, name, &Sheet::name) == 0)
-      text += fmt::format(
-          "- {0} takes many minutes and is left out: `springcheck table {0}`, or "
-          "`springcheck reproduce --all`\n",
-          name);
+      text += fmt::format("- {0} is left out{1}: `springcheck table {0}`, or {2}\n", name,
+                          std::ranges::count(long_sheet_names(), name) > 0
+                              ? " and takes many minutes"
+                              : "",
+                          "`springcheck reproduce --all`");
   text +=
       "\n## Cases that are not ok\n\n| table | case | status | why |\n"
       "| --- | --- | --- | --- |\n";

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <map>
 #include <string>
 
+#include "comparisons/cases/status.hpp"
 #include "comparisons/tables/computed_tables.hpp"
 
 namespace springcheck {
 
-/// In markdown: how the cases ended, how far mss-cf and fem-hencky are from the printed
-/// figures, and which rows are not ok. seconds: that it took.
-std::string summary(const ComputedTables& computed, double seconds);
+/// In markdown: how all cases of the result file ended, how far mss-cf and fem-hencky are
+/// from the printed figures, and which rows are not ok. statuses: of the cases, by their
+/// keys; seconds: that it took.
+std::string summary(const TableSet& set, const std::map<std::string, Status>& statuses,
+                    double seconds);
 
 }  // namespace springcheck
