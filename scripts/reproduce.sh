@@ -1,16 +1,29 @@
 #!/usr/bin/env bash
 # Regenerates every comparison table and the report page: installs what is missing, builds,
-# computes.
-# Usage: bash scripts/reproduce.sh [--all] [FOLDER]     (default: results)
+# computes. Interrupted, it goes on where it was.
+# Usage: bash scripts/reproduce.sh [--quick | --all] [FOLDER]     (default: results)
+# --quick: the five tests of the thesis alone, in three minutes after the build.
 # --all: the tables split, laws and growth too, which take most of an hour on two cores.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 extent=()
-if [ "${1:-}" = --all ]; then
-  extent=(--all)
-  shift
-fi
+case "${1:-}" in
+  --quick | --all)
+    extent=("$1")
+    shift
+    ;;
+  -*)
+    echo "$1: expected --quick, --all or a folder" >&2
+    exit 2
+    ;;
+esac
 out=$(realpath -m "${1:-$root/results}")
 
+# A compiler's step or a download may take a minute, in which nothing else is said.
+(while sleep 10; do echo "still building, for ${SECONDS} s" >&2; done) &
+told=$!
+trap 'kill "$told" 2>/dev/null || true' EXIT
+echo "0 s: packages and build; on two cores about ten minutes the first time" >&2
 bash "$root/scripts/build.sh"
+kill "$told" 2>/dev/null || true
 "$root/build/release/springcheck" reproduce --out "$out" "${extent[@]}"

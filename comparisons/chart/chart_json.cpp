@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/build_info/build_info.hpp"
+#include "comparisons/chart/chart_models.hpp"
 #include "comparisons/chart/claims.hpp"
 #include "comparisons/results/result_file.hpp"
 
@@ -93,6 +94,10 @@ Json chart_json(const Chart& chart) {
             {"law", chart.stored.law},
             {"answer", chart.stored.answer},
             {"machine", chart.stored.machine},
+            {"quick", std::ranges::all_of(chart.points,
+                                          [](const ChartPoint& point) {
+                                            return is_foremost(point.place.model);
+                                          })},
             {"other_revision",
              chart.stored.revision == build_info::revision ? "" : chart.stored.revision},
             {"truths", Json::array()},

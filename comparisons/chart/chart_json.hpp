@@ -12,7 +12,8 @@ std::vector<Chart> stored_charts(const std::filesystem::path& file, Revisions re
 
 /// Charts for figures, a list of:
 ///
-///     scene, law (of the scene's own reference), answer (a measure), machine
+///     scene, law (of the scene's own reference), answer (a measure), machine, quick
+///              (whether all models are foremost ones, see ChartModels)
 ///     truths   law; of answer and volume_change (of V0) value, bar, order; bars: of
 ///              force, volume, deviation, as fractions
 ///     points   model, kind, across, cells, threads, status (why, where not

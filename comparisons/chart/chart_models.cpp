@@ -108,13 +108,16 @@ const std::vector<ChartModel>& chart_models(BodyShape shape) {
   return shape == BodyShape::kidney ? kidney : block;
 }
 
+bool is_foremost(const Model& model) {
+  const Method* method = find_method(model.method);
+  return method != nullptr && method->foremost > 0 &&
+         model.cells == CellType::hexahedron && model.linear_solver.empty();
+}
+
 std::vector<ChartModel> chosen_models(ChartModels which, BodyShape shape) {
   std::vector<ChartModel> chosen = chart_models(shape);
   if (which == ChartModels::foremost)
-    std::erase_if(chosen, [](const ChartModel& one) {
-      return find_method(one.model.method)->foremost == 0 ||
-             one.model.cells != CellType::hexahedron || !one.model.linear_solver.empty();
-    });
+    std::erase_if(chosen, [](const ChartModel& one) { return !is_foremost(one.model); });
   return chosen;
 }
 

@@ -31,6 +31,8 @@ enum class ChartModels {
             // by the linear solver that is chosen by size
 };
 
+bool is_foremost(const Model& model);
+
 std::vector<ChartModel> chosen_models(ChartModels which, BodyShape shape);
 
 /// The one of that model. Throws std::logic_error without one.

@@ -77,7 +77,7 @@ ChartPlan quick_plan(const std::string& scene, int jobs) {
           .across = {4, 6, 10},
           .threads = {jobs},
           .budget = 2,
-          .repeat_for = 0.3,
+          .repeat_for = 0.2,
           .jobs = jobs,
           .retime = false,
           .least_models = 0};

@@ -258,7 +258,12 @@ int run_arguments(int argc, char** argv) {
   everything->add_option("--out", out, "folder for page, tables, results and summary")
       ->required()
       ->check(check_not_empty);
-  everything->add_flag("--all", all, "the split table too, which takes many minutes");
+  CLI::Option* all_tables = everything->add_flag(
+      "--all", all, "the tables split, laws and growth too, which take most of an hour");
+  bool quick = false;
+  everything
+      ->add_flag("--quick", quick, "the thesis's five tests alone, in a few minutes")
+      ->excludes(all_tables);
   add_threads(everything);
 
   CLI::App* measure = app.add_subcommand(
@@ -380,14 +385,14 @@ int run_arguments(int argc, char** argv) {
                    "models at equilibrium that get to the finest cells and are ok there, "
                    "the cheapest first, whatever the budget (default 12)")
       ->check(CLI::Range(0, 1000));
-  CLI::Option* quick = chart->add_flag(
+  CLI::Option* quick_chart = chart->add_flag(
       "--quick", chart_options.quick,
       "the models that people want to see first, on 4, 6 and 10 cells across, beside the "
       "converged solution of the scene's own law alone, in about a minute");
-  for (const char* option : {"--sizes", "--on-threads", "--budget", "--repeat-for",
-                             "--converged-across", "--converged-law", "--retime",
-                             "--least-models"})
-    quick->excludes(chart->get_option(option));
+  for (const char* option :
+       {"--sizes", "--on-threads", "--budget", "--repeat-for", "--converged-across",
+        "--converged-law", "--retime", "--least-models"})
+    quick_chart->excludes(chart->get_option(option));
 
   AdviseOptions advise_options;
   CLI::App* advise = app.add_subcommand(
@@ -556,8 +561,11 @@ int run_arguments(int argc, char** argv) {
   else if (*exported)
     status = export_command(results, out, columns, revisions());
   else
-    status =
-        reproduce_command(out, all ? Extent::all : Extent::without_long_tables, threads);
+    status = reproduce_command(out,
+                               all     ? Extent::all
+                               : quick ? Extent::quick
+                                       : Extent::without_long_tables,
+                               threads);
   flush_output();
   return status;
 }

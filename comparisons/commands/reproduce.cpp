@@ -73,8 +73,8 @@ std::vector<Request> missing_of(std::vector<Request> requests, bool with_fields,
                                 MeshStore& meshes) {
   std::erase_if(requests, [&](const Request& request) {
     const std::string key = case_key(request, meshes.mesh(request.settings.body));
-    const bool is_there = with_fields ? stored.with_fields.contains(key)
-                                      : stored.statuses.contains(key);
+    const bool is_there =
+        with_fields ? stored.with_fields.contains(key) : stored.statuses.contains(key);
     return is_there || !planned.insert(key).second;
   });
   return requests;
@@ -127,8 +127,8 @@ void run_sweeps(const std::filesystem::path& path, const std::vector<SweptCases>
 AtlasPlan map_plan() {
   constexpr std::size_t springs = 3, elements = 2;
   std::vector<std::string> names;
-  for (const auto& [family, count] :
-       {std::pair(Family::springs, springs), std::pair(Family::finite_elements, elements)})
+  for (const auto& [family, count] : {std::pair(Family::springs, springs),
+                                      std::pair(Family::finite_elements, elements)})
     for (const Method* method : foremost(family) | std::views::take(count))
       names.push_back(method->name);
   const auto option = [](const char* key, const std::string& value) {
@@ -144,10 +144,9 @@ AtlasPlan map_plan() {
 /// Tables without cases, which a result file cannot give back.
 std::vector<Sheet> caseless_sheets(const TableSet& tables) {
   std::vector<Sheet> sheets;
-  std::ranges::copy_if(
-      tables.sheets, std::back_inserter(sheets), [](const Sheet& sheet) {
-        return std::ranges::count(caseless_sheet_names(), sheet.name) > 0;
-      });
+  std::ranges::copy_if(tables.sheets, std::back_inserter(sheets), [](const Sheet& sheet) {
+    return std::ranges::count(caseless_sheet_names(), sheet.name) > 0;
+  });
   return sheets;
 }
 
@@ -182,8 +181,9 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
     for (const char* name :
          {"nu", "refinement", "deformation", "diagonal-ratio", "beam-diagonal-ratio"}) {
       const Sweep sweep = read_sweep(name, SIZE_MAX);
-      sweeps.push_back({sweep.with_fields, missing_of(all_requests(sweep), sweep.with_fields,
-                                                      stored, planned, meshes)});
+      sweeps.push_back(
+          {sweep.with_fields,
+           missing_of(all_requests(sweep), sweep.with_fields, stored, planned, meshes)});
       of_sweeps.insert(of_sweeps.end(), sweeps.back().requests.begin(),
                        sweeps.back().requests.end());
     }
@@ -200,19 +200,18 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
                         make_atlas(map_plan(), runner);
                       }});
   }
-  stages.push_back({"page", seconds_of_page, [&] {
-                      const std::chrono::duration<double> elapsed =
-                          std::chrono::steady_clock::now() - start;
-                      const std::string text =
-                          summary(computed.set, stored_keys(result_file).statuses,
-                                  elapsed.count());
-                      write_whole_stream(summary_file,
-                                         [&](std::ostream& out) { out << text; });
-                      const Progress progress("page");
-                      write_xdmf_beside(result_file);
-                      status = make_report(result_file, directory,
-                                           caseless_sheets(computed.set), Revisions::own);
-                    }});
+  stages.push_back(
+      {"page", seconds_of_page, [&] {
+         const std::chrono::duration<double> elapsed =
+             std::chrono::steady_clock::now() - start;
+         const std::string text =
+             summary(computed.set, stored_keys(result_file).statuses, elapsed.count());
+         write_whole_stream(summary_file, [&](std::ostream& out) { out << text; });
+         const Progress progress("page");
+         write_xdmf_beside(result_file);
+         status = make_report(result_file, directory, caseless_sheets(computed.set),
+                              Revisions::own);
+       }});
   run_stages(stages);
   return status;
 }

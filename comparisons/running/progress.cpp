@@ -12,8 +12,8 @@ Progress::Progress(std::string what)
       on_terminal_(isatty(STDERR_FILENO) != 0),
       start_(std::chrono::steady_clock::now()) {
   if (!on_terminal_)
-    teller_ =
-        std::jthread([this](const std::stop_token& stop) { tell_every_ten_seconds(stop); });
+    teller_ = std::jthread(
+        [this](const std::stop_token& stop) { tell_every_ten_seconds(stop); });
 }
 
 Progress::~Progress() {

@@ -116,7 +116,7 @@ Stepping stepping(const SteppedBody& body) {
 
 StepTime time_of_steps(const std::function<void()>& advance) {
   constexpr int measurements = 5;
-  constexpr double seconds = 0.1;  // of each
+  constexpr double seconds = 0.04;  // of each
   using Clock = std::chrono::steady_clock;
   const auto since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();

@@ -135,7 +135,9 @@ ComputedTables compute_tables(const std::vector<std::string>& names,
     answer.set.tables.push_back(fill_table(std::move(plan), results));
     next += count;
   }
+  Progress progress("tables of our own");  // of which some are computed without cases
   for (const SheetPlan& plan : sheets) {
+    progress.show(answer.set.sheets.size(), sheets.size());
     const std::size_t count = plan.requests.size();
     const std::span<const CaseResult> results(next, count);
     answer.set.sheets.push_back(plan.make(results, meshes));

@@ -8,6 +8,12 @@
 
 namespace springcheck {
 
+/// What small deformations are held against on finer and finer cubes. Of a linear law one
+/// factor is all: at nu = .499 9 s on 16 cells across, where multigrid takes 64 and
+/// conjugate gradients more.
+inline const Changes exact_elements{
+    {"method", "fem-hooke"}, {"element", "q2"}, {"linear-solver", "direct"}};
+
 /// The simulations of a sheet while it is planned: each is known by its place.
 class PlannedRequests {
  public:

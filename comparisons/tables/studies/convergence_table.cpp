@@ -42,8 +42,6 @@ CaseSettings settings_of(double nu, int cells, const Changes& changes) {
                                        changes);
 }
 
-const Changes exact_method{{"method", "fem-hooke"}, {"element", "q2"}};
-
 struct PlannedSeries {
   double nu;
   std::size_t exact;  // place of the first of three grids of q2
@@ -114,7 +112,7 @@ SheetPlan plan_convergence_table() {
   for (const double nu : ratios) {
     const std::size_t exact = requests.size();
     for (const int cells : {4, 8, 16})
-      requests.push_back({.settings = settings_of(nu, cells, exact_method)});
+      requests.push_back({.settings = settings_of(nu, cells, exact_elements)});
     const CaseSettings finest = requests.back().settings;
     for (const Series& series : all_series()) {
       all.push_back({.nu = nu, .exact = exact, .first = requests.size()});

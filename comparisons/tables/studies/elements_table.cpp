@@ -131,8 +131,9 @@ std::vector<PlannedElementsRow> plan_rows(PlannedRequests& requests) {
     std::array<OfTests, 3> truth{};
     for (std::size_t grid = 0; grid < 3; ++grid) {
       const int n = 4 << grid;
-      truth[grid] =
-          add_tests(requests, hooke + Changes{{"cells", std::array{n, n, n}}}, true);
+      truth[grid] = add_tests(
+          requests, material + exact_elements + Changes{{"cells", std::array{n, n, n}}},
+          true);
     }
     std::map<std::string, OfTests> same_law;
     for (const auto& [law, changes] : laws)

@@ -103,7 +103,7 @@ Sheet measured_sheet() {
                   {"seconds_as_printed", "ours for as many steps [s]", "{:.4g}"}},
       .notes = {
           fmt::format("Measured on {} (commit {}); the shortest of five measurements of "
-                      ".1 s each, "
+                      ".04 s each, "
                       "and what follows from it for the figure's number of steps.",
                       text_of(environment()), build_info::commit),
           "fem-explicit-1p and -8p are St-Venant-Kirchhoff elements of one point with "

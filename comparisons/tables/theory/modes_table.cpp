@@ -1,6 +1,7 @@
 #include "comparisons/tables/theory/theory_tables.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -120,7 +121,7 @@ std::vector<std::string> body_notes(const MethodModes& method,
   return notes;
 }
 
-void add_rows(Sheet& sheet, const SwingingBody& body, double nu, MeshStore& meshes) {
+std::vector<SheetRow> rows_of(const SwingingBody& body, double nu, MeshStore& meshes) {
   const CaseSettings settings = case_of_scene(
       body.scene, body.changes + Changes{{"nu", nu}, {"method", "fem-hooke"}});
   const Mesh& mesh = meshes.mesh(settings.body);
@@ -176,8 +177,8 @@ void add_rows(Sheet& sheet, const SwingingBody& body, double nu, MeshStore& mesh
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].cells.push_back(least_mac[i]);
     rows[i].cells.push_back(status.empty() ? "ok" : status);
-    sheet.rows.push_back(std::move(rows[i]));
   }
+  return rows;
 }
 
 }  // namespace
@@ -185,8 +186,15 @@ void add_rows(Sheet& sheet, const SwingingBody& body, double nu, MeshStore& mesh
 SheetPlan plan_modes_table() {
   return {.make = [](std::span<const CaseResult>, MeshStore& meshes) {
     Sheet sheet = empty_sheet();
+    std::vector<std::pair<const SwingingBody*, double>> all;
     for (const SwingingBody& body : bodies())
-      for (const double nu : body.ratios) add_rows(sheet, body, nu, meshes);
+      for (const double nu : body.ratios) all.emplace_back(&body, nu);
+    std::vector<std::vector<SheetRow>> rows(all.size());
+    tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
+      rows[i] = rows_of(*all[i].first, all[i].second, meshes);
+    });
+    for (std::vector<SheetRow>& some : rows)
+      std::ranges::move(some, std::back_inserter(sheet.rows));
     return sheet;
   }};
 }

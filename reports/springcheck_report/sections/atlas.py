@@ -63,9 +63,25 @@ def _blocks(study, one, letters, names):
         for method in _methods(one)
     ]
     heading = Markup("<h3>{}: {} against {}</h3>").format(one["scene"], first["key"], second["key"])
-    words = [_conditions(one, case), *_revision_words(one), *_limit_words(panels, first), *_theory_words(panels), *_progress(one)]
+    words = [_conditions(one, case), *_how_to_refine(study, one), *_revision_words(one), *_limit_words(panels, first), *_theory_words(panels), *_progress(one)]
     figure = Figure(name, " ".join(words), failure_maps.draw, (vertical, horizontal, panels, letters))
     return [heading, figure, *_limits_table(study, one, name), _in_letters(one, letters)]
+
+
+def _how_to_refine(study, one):
+    """Of a map with fewer values than its settings usually have."""
+    if not any(len(axis["values"]) < _usual_count(study, axis["key"]) for axis in one["axes"]):
+        return []
+    keys = ",".join(axis["key"] for axis in one["axes"])
+    return [
+        f"A quick map: springcheck stability {one['scene']} --over {keys} --out FILE, with --method and the settings "
+        "that this caption names, makes one over more values."
+    ]
+
+
+def _usual_count(study, key):
+    usual = study.settings[key]["usual_axis"] if key in study.settings else ""
+    return int(usual.rpartition(":")[2]) if ":" in usual else len(usual.split(","))
 
 
 def _revision_words(one):

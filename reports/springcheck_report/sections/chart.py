@@ -144,6 +144,8 @@ def _scene_blocks(study, one, rows, names):
     laws = [truth["law"] for truth in one["truths"]]
     heading = _heading(study, one)
     blocks = [Markup("<h3>{}</h3>").format(heading)]
+    if one["quick"]:
+        blocks.append(_how_to_complete(one))
     if one["law"] not in laws:
         blocks.append(
             paragraph("{}, the scene's own law, has no converged solution here: one of its grids failed.", one["law"])
@@ -158,6 +160,19 @@ def _scene_blocks(study, one, rows, names):
         opened = "<details><summary>The same against what {} converge to</summary>"
         blocks += [Markup(opened).format(", ".join(others)), *figures, Markup("</details>")]
     return blocks
+
+
+def _how_to_complete(one):
+    models = len({point["model"] for point in one["points"]})
+    sizes = sorted({point["across"] for point in one["points"]})
+    return paragraph(
+        "A quick chart: {} models on {} cells across. <code>springcheck chart {} --out results.h5</code>, with the "
+        "settings of this chart if it has any, adds all other models, finer cells and what the other laws "
+        "converge to, in about ten minutes.",
+        models,
+        ", ".join(f"{size:g}" for size in sizes),
+        one["scene"],
+    )
 
 
 def _new_name(name, names):

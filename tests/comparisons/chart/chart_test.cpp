@@ -9,6 +9,7 @@
 #include "comparisons/chart/chart_sheets.hpp"
 #include "comparisons/chart/claims.hpp"
 #include "comparisons/chart/pareto.hpp"
+#include "comparisons/methods/methods.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/chart/example_chart.hpp"
 #include "tests/comparisons/own_folder.hpp"
@@ -315,6 +316,41 @@ BOOST_AUTO_TEST_CASE(cells_across_are_cubes) {
   BOOST_TEST((cells_across({0.05, 0.05, 0.05}, 10) == Cells{10, 10, 10}));
   BOOST_TEST((cells_across({0.4, 0.4, 2.4}, 4) == Cells{4, 4, 24}));
   BOOST_TEST((cells_across({0.3, 0.1, 0.25}, 2) == Cells{6, 2, 5}));
+}
+
+// The foremost models first, the others added to the same chart.
+BOOST_AUTO_TEST_CASE(a_quick_chart_becomes_a_whole_one) {
+  const OwnFolder own;
+  const auto file = own.path / "chart.h5";
+  ChartPlan plan = quick_plan("compression", 1);
+  plan.across = {2};
+  plan.truth_across = 1;
+  plan.repeat_for = 0.01;
+  const auto quick = chosen_models(plan.models, BodyShape::block);
+  for (const ChartModel& one : quick) {
+    BOOST_TEST((one.model.cells == CellType::hexahedron), name_of(one.model));
+    BOOST_TEST(one.model.linear_solver.empty(), name_of(one.model));
+  }
+  // Every family's foremost at rest: compared, whatever else is.
+  for (const Family family : {Family::springs, Family::finite_elements})
+    BOOST_TEST(std::ranges::count_if(quick, [&](const ChartModel& one) {
+                 return one.model.method == foremost(family).front()->name;
+               }) > 0);
+  const Chart first = make_chart(plan, file);
+  BOOST_TEST(first.truths.size() == 1u);
+  BOOST_TEST(first.points.size() == quick.size());
+  BOOST_TEST(charts_json({first})[0]["quick"] == true);
+
+  plan.models = ChartModels::all;
+  const Chart whole = make_chart(plan, file);
+  BOOST_TEST(whole.points.size() == chart_models().size());
+  BOOST_TEST(charts_json({whole})[0]["quick"] == false);
+  for (const ChartPoint& point : first.points) {
+    const auto same = std::ranges::find_if(whole.points, [&](const ChartPoint& other) {
+      return other.place.model == point.place.model;
+    });
+    BOOST_TEST((same->place.times == point.place.times));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_chart_is_measured_once_and_kept) {
