@@ -2,7 +2,7 @@
 # Regenerates every comparison table and the report page: installs what is missing, builds,
 # computes. Interrupted, it goes on where it was.
 # Usage: bash scripts/reproduce.sh [--quick | --all] [FOLDER]     (default: results)
-# --quick: the five tests of the thesis alone, in three minutes after the build.
+# --quick: the five tests of the thesis alone, in two minutes after the build.
 # --all: the tables split, laws and growth too, which take most of an hour on two cores.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -12,18 +12,24 @@ case "${1:-}" in
     extent=("$1")
     shift
     ;;
-  -*)
-    echo "$1: expected --quick, --all or a folder" >&2
-    exit 2
-    ;;
 esac
-out=$(realpath -m "${1:-$root/results}")
+if [ $# -gt 1 ] || [[ "${1:-}" == -* ]]; then
+  echo "reproduce.sh: expected [--quick | --all] [FOLDER], got '$*'" >&2
+  exit 2
+fi
+out=$(realpath -m -- "${1:-$root/results}")
 
 # A compiler's step or a download may take a minute, in which nothing else is said.
-(while sleep 10; do echo "still building, for ${SECONDS} s" >&2; done) &
+echo "0 s: packages and build; on two cores about ten minutes the first time" >&2
+(
+  while sleep 10 >/dev/null 2>&1 && kill -0 $$ 2>/dev/null; do
+    echo "still building, for ${SECONDS} s" >&2
+  done
+) </dev/null >/dev/null &
 told=$!
 trap 'kill "$told" 2>/dev/null || true' EXIT
-echo "0 s: packages and build; on two cores about ten minutes the first time" >&2
 bash "$root/scripts/build.sh"
+trap - EXIT
 kill "$told" 2>/dev/null || true
+wait "$told" 2>/dev/null || true
 "$root/build/release/springcheck" reproduce --out "$out" "${extent[@]}"

@@ -94,10 +94,11 @@ Json chart_json(const Chart& chart) {
             {"law", chart.stored.law},
             {"answer", chart.stored.answer},
             {"machine", chart.stored.machine},
-            {"quick", std::ranges::all_of(chart.points,
-                                          [](const ChartPoint& point) {
-                                            return is_foremost(point.place.model);
-                                          })},
+            {"quick", !chart.points.empty() &&
+                          std::ranges::all_of(chart.points,
+                                              [](const ChartPoint& point) {
+                                                return is_foremost(point.place.model);
+                                              })},
             {"other_revision",
              chart.stored.revision == build_info::revision ? "" : chart.stored.revision},
             {"truths", Json::array()},

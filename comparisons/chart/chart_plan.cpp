@@ -70,12 +70,12 @@ StoredChart::Grids stored_grids(const ThreeCases& cases, MeshStore& meshes) {
 
 }  // namespace
 
-ChartPlan quick_plan(const std::string& scene, int jobs) {
+ChartPlan quick_plan(const std::string& scene, int threads, int jobs) {
   return {.scene = scene,
           .options = {},
           .models = ChartModels::foremost,
           .across = {4, 6, 10},
-          .threads = {jobs},
+          .threads = {threads},
           .budget = 2,
           .repeat_for = 0.2,
           .jobs = jobs,

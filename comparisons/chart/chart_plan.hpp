@@ -32,8 +32,8 @@ struct ChartPlan {
 };
 
 /// A chart of about a minute: of the foremost models on 4, 6 and 10 cells across, beside
-/// the converged solution of the scene's own law alone.
-ChartPlan quick_plan(const std::string& scene, int jobs);
+/// the converged solution of the scene's own law alone, timed on so many threads.
+ChartPlan quick_plan(const std::string& scene, int threads, int jobs);
 
 /// The case behind a point.
 CaseSettings settings_of(const ChartPlan& plan, const StoredChart::Point& point);

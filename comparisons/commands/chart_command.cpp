@@ -83,7 +83,7 @@ ExitStatus chart_command(const std::string& scene,
   std::vector<ChartPlan> plans;
   for (const std::string& one : scenes) {
     if (chart.quick) {
-      plans.push_back(quick_plan(one, chart.jobs));
+      plans.push_back(quick_plan(one, threads.back(), chart.jobs));
       plans.back().options = options;
       continue;
     }

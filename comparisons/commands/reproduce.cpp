@@ -39,10 +39,11 @@ void run_stages(const std::vector<Stage>& stages) {
   double expected = 0, taken = 0, left = 0;
   for (const Stage& stage : stages) left += stage.seconds;
   for (std::size_t i = 0; i < stages.size(); ++i) {
-    const double pace = expected > 0 ? taken / expected : 1;
+    const double pace = expected > 0 ? std::clamp(taken / expected, 0.5, 2.) : 1;
     announce(fmt::format("stage {} of {}, {}; about {:.0f} s left in all", i + 1,
                          stages.size(), stages[i].what, pace * left));
     const auto start = std::chrono::steady_clock::now();
+    const Progress progress(stages[i].what);
     stages[i].run();
     const std::chrono::duration<double> seconds =
         std::chrono::steady_clock::now() - start;
@@ -66,15 +67,17 @@ std::vector<std::string> tables_of(Extent extent) {
   return names;
 }
 
-/// Those that the file lacks, fields included where they are wanted, and that are not
-/// among `planned`, to which their keys are added.
+/// Those that the file lacks, fields included where they are wanted, which what failed
+/// has not; and that are not among `planned`, to which their keys are added.
 std::vector<Request> missing_of(std::vector<Request> requests, bool with_fields,
                                 const StoredKeys& stored, std::set<std::string>& planned,
                                 MeshStore& meshes) {
   std::erase_if(requests, [&](const Request& request) {
     const std::string key = case_key(request, meshes.mesh(request.settings.body));
+    const auto found = stored.statuses.find(key);
     const bool is_there =
-        with_fields ? stored.with_fields.contains(key) : stored.statuses.contains(key);
+        found != stored.statuses.end() &&
+        (!with_fields || found->second != Status::ok || stored.with_fields.contains(key));
     return is_there || !planned.insert(key).second;
   });
   return requests;
@@ -141,6 +144,31 @@ AtlasPlan map_plan() {
                    axis_named("reproduce", "nu=0:0.49:8")}};
 }
 
+/// Of a chart that the file has some of, next to nothing.
+double seconds_of_chart(const std::filesystem::path& file, std::string_view scene) {
+  constexpr double on_two_cores = 45, begun = 5;
+  if (!std::filesystem::exists(file)) return on_two_cores;
+  const auto charts = read_charts(file, Revisions::own);
+  return std::ranges::count(charts, scene, &StoredChart::scene) > 0 ? begun
+                                                                    : on_two_cores;
+}
+
+/// Keeps a result file that has cases of other revisions under another name.
+void set_aside(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return;
+  const ResultFile opened(file);  // nobody else writes it meanwhile
+  const OtherRevisions& others = opened.stored().others;
+  if (others.empty()) return;
+  const std::string name =
+      fmt::format("{}-{}", file.stem().string(), others.begin()->first);
+  std::filesystem::path kept = file.parent_path() / (name + ".h5");
+  for (int i = 2; std::filesystem::exists(kept); ++i)
+    kept = file.parent_path() / fmt::format("{}-{}.h5", name, i);
+  std::filesystem::rename(file, kept);
+  announce(fmt::format("{} has cases of another revision of the numerics: it is now {}",
+                       file.string(), kept.string()));
+}
+
 /// Tables without cases, which a result file cannot give back.
 std::vector<Sheet> caseless_sheets(const TableSet& tables) {
   std::vector<Sheet> sheets;
@@ -154,14 +182,17 @@ std::vector<Sheet> caseless_sheets(const TableSet& tables) {
 
 ExitStatus reproduce_command(const std::filesystem::path& directory, Extent extent,
                              int parallel) {
-  // On two cores; what is told of the time left needs no more.
-  constexpr double seconds_of_chart = 50, seconds_of_map = 60, seconds_of_page = 40;
+  // On two cores: tables that need no cases, the map, the page.
+  const double seconds_of_theory = extent == Extent::quick ? 0 : 80;
+  constexpr double seconds_of_map = 20, seconds_of_page = 60;
   const auto start = std::chrono::steady_clock::now();
   prepare_report(directory);
   const std::filesystem::path result_file = directory / "results.h5",
                               summary_file = directory / "summary.md";
   check_results_writable(result_file);
   check_writable(summary_file);
+
+  set_aside(result_file);
 
   MeshStore meshes;
   ComputedTables computed;
@@ -171,10 +202,11 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
   std::set<std::string> planned;
   const std::vector<std::string> tables = tables_of(extent);
   const std::vector<Request> of_tables =
-      missing_of(requests_behind(tables), false, stored, planned, meshes);
-  stages.push_back(
-      {fmt::format("tables, {} cases", of_tables.size()), seconds_of(of_tables, parallel),
-       [&] { computed = compute_into(result_file, tables, meshes, parallel); }});
+      missing_of(requests_behind(tables), true, stored, planned, meshes);
+  stages.push_back({fmt::format("tables, {} cases", of_tables.size()),
+                    seconds_of_theory + seconds_of(of_tables, parallel), [&] {
+                      computed = compute_into(result_file, tables, meshes, parallel);
+                    }});
   if (extent != Extent::quick) {
     std::vector<SweptCases> sweeps;
     std::vector<Request> of_sweeps;
@@ -192,9 +224,10 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
                         run_sweeps(result_file, sweeps, meshes, parallel);
                       }});
     for (const char* scene : {"compression", "shearing", "torsion"})
-      stages.push_back(
-          {fmt::format("quick chart of {}", scene), seconds_of_chart,
-           [&, scene] { make_chart(quick_plan(scene, parallel), result_file); }});
+      stages.push_back({fmt::format("quick chart of {}", scene),
+                        seconds_of_chart(result_file, scene), [&, scene] {
+                          make_chart(quick_plan(scene, parallel, parallel), result_file);
+                        }});
     stages.push_back({"map of failures", seconds_of_map, [&] {
                         CaseRunner runner(result_file, parallel);
                         make_atlas(map_plan(), runner);
@@ -207,7 +240,6 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
          const std::string text =
              summary(computed.set, stored_keys(result_file).statuses, elapsed.count());
          write_whole_stream(summary_file, [&](std::ostream& out) { out << text; });
-         const Progress progress("page");
          write_xdmf_beside(result_file);
          status = make_report(result_file, directory, caseless_sheets(computed.set),
                               Revisions::own);

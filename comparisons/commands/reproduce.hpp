@@ -9,7 +9,7 @@ namespace springcheck {
 /// How much `springcheck reproduce` computes.
 enum class Extent {
   quick,                // the thesis's tables alone: the five tests
-  without_long_tables,  // and ours but for long_sheet_names, sweeps, a chart and a map
+  without_long_tables,  // and ours but for long_sheet_names, sweeps, charts and a map
   all                   // and those
 };
 
@@ -24,6 +24,9 @@ enum class Extent {
 ///                         shearing and torsion, and a map of how springs and elements
 ///                         fail in compression, over deformation and nu; with settings
 ///                         and provenance
+///
+/// A results.h5 with cases of other revisions of the numerics is kept under another name
+/// (results-REVISION.h5), since charts are of one.
 ///
 /// It says on stderr which stage it is in and about how long the rest takes. Cases go
 /// into results.h5 as they come; those that are there already are taken, if this very

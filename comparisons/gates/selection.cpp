@@ -181,7 +181,7 @@ std::string differences_text(const Columns& cases, const std::vector<std::size_t
       values.resize(most);
       values.emplace_back("...");
     }
-    columns.push_back(fmt::format("{} ({})", column, fmt::join(values, ", ")));
+    columns.push_back(fmt::format("{} ({})", column, fmt::join(values, " or ")));
   }
   return fmt::format("{}", fmt::join(columns, ", "));
 }

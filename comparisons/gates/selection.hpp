@@ -54,7 +54,7 @@ std::string cell_text(const Columns& cases, const std::string& column, std::size
 std::set<std::string> differences(const Columns& cases,
                                   const std::vector<std::size_t>& rows);
 
-/// The same with their values: "reference (fem-hencky:q1-sri, none), element (p1, q2)".
+/// The same with their values: "reference (fem-stvk:q2 or none), element (q1 or q2)".
 std::string differences_text(const Columns& cases, const std::vector<std::size_t>& rows);
 
 /// Why no case matches, or how the several that do differ, for who wants one.

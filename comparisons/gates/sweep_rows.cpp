@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <span>
 
 #include "comparisons/studies/extrapolation.hpp"
@@ -74,8 +75,17 @@ std::size_t one_row(const Columns& cases, const Selection& selection,
   const bool is_one = !rows.empty() && std::ranges::all_of(rows, [&](std::size_t row) {
     return agree(cases, rows.front(), row, asked);
   });
-  if (!is_one) throw NoCase(why_not_one(cases, selection, rows));
-  return rows.front();
+  if (is_one) return rows.front();
+  std::string text = why_not_one(cases, selection, rows);
+  std::vector<std::string> columns{"status"};
+  for (const MeasureColumn& measure : asked) columns.push_back(measure.column);
+  for (const std::string& column : columns) {
+    std::set<std::string> values;
+    for (const std::size_t row : rows) values.insert(cell_text(cases, column, row));
+    if (values.size() > 1)
+      text += fmt::format("; their {} is {}", column, fmt::join(values, " or "));
+  }
+  throw NoCase(text);
 }
 
 std::vector<std::size_t> sweep_rows(const Columns& cases, const Gate& gate,

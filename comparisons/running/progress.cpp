@@ -6,14 +6,26 @@
 #include <cstdio>
 
 namespace springcheck {
+namespace {
+
+std::mutex lines_mutex;
+std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();
+
+/// A line, which may get lost: nothing depends on it.
+void say(const std::string& text) {
+  std::fputs((text + "\n").c_str(), stderr);
+  std::fflush(stderr);
+  last_line = std::chrono::steady_clock::now();
+}
+
+}  // namespace
 
 Progress::Progress(std::string what)
     : what_(std::move(what)),
       on_terminal_(isatty(STDERR_FILENO) != 0),
       start_(std::chrono::steady_clock::now()) {
   if (!on_terminal_)
-    teller_ = std::jthread(
-        [this](const std::stop_token& stop) { tell_every_ten_seconds(stop); });
+    teller_ = std::jthread([this](const std::stop_token& stop) { break_silence(stop); });
 }
 
 Progress::~Progress() {
@@ -46,21 +58,23 @@ std::string Progress::line() const {
   return text;
 }
 
-void Progress::tell_every_ten_seconds(const std::stop_token& stop) {
+void Progress::break_silence(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
-  while (!stopped_.wait_for(lock, stop, std::chrono::seconds(10),
-                            [&] { return stop.stop_requested(); })) {
-    fmt::print(stderr, "{}\n", line());
-    std::fflush(stderr);
+  const auto is_stopped = [&] { return stop.stop_requested(); };
+  while (!stopped_.wait_for(lock, stop, std::chrono::milliseconds(200), is_stopped)) {
+    // What counts tells more than what goes on around it, and comes first.
+    const auto longest = std::chrono::milliseconds(all_ > 0 ? 9'500 : 10'000);
+    const std::scoped_lock lines(lines_mutex);
+    if (std::chrono::steady_clock::now() - last_line > longest) say(line());
   }
 }
 
 void announce(const std::string& what) {
   static const auto start = std::chrono::steady_clock::now();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  fmt::print(stderr, "{}{:.0f} s: {}\n", isatty(STDERR_FILENO) != 0 ? "\r\x1b[K" : "",
-             elapsed.count(), what);
-  std::fflush(stderr);
+  const std::scoped_lock lines(lines_mutex);
+  say(fmt::format("{}{:.0f} s: {}", isatty(STDERR_FILENO) != 0 ? "\r\x1b[K" : "",
+                  elapsed.count(), what));
 }
 
 MarchProgress::MarchProgress(double duration)

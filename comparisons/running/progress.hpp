@@ -10,8 +10,9 @@
 namespace springcheck {
 
 /// How many of some things are done, and the remaining time, on stderr: a bar on a
-/// terminal, elsewhere a line every ten seconds, so that whoever waits sees that it goes
-/// on even while one simulation takes long.
+/// terminal. Elsewhere a line where the program has said nothing for ten seconds, so that
+/// whoever waits sees that it goes on even while one simulation takes long; of several at
+/// once that which counts.
 class Progress {
  public:
   explicit Progress(std::string what);
@@ -24,7 +25,7 @@ class Progress {
 
  private:
   [[nodiscard]] std::string line() const;
-  void tell_every_ten_seconds(const std::stop_token& stop);
+  void break_silence(const std::stop_token& stop);
 
   std::string what_;
   bool on_terminal_;

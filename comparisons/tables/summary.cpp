@@ -64,7 +64,7 @@ std::string summary(const TableSet& set, const std::map<std::string, Status>& st
   for (const auto& [key, status] : statuses) ++count[status];
   std::string text = fmt::format(
       "# springcheck {}: the thesis's comparison tables, regenerated\n\n"
-      "Commit {}. {} cases in {:.0f} s.\n\n"
+      "Commit {}. {} cases; this run took {:.0f} s before the page.\n\n"
       "Printed figures: K. Golec, \"Hybrid 3D Mass Spring System for Soft Tissue "
       "Simulation\", PhD thesis, 2018, section 5.6. Ours: static equilibria of the same "
       "scenes. Every row of a table names its case in results.h5. "

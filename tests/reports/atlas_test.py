@@ -87,6 +87,21 @@ class Page(unittest.TestCase):
         self.assertIn("stepped by verlet", self.figures["atlas_compression_dt-ratio_damping"].caption)
         self.assertIn("3×3×3 hexahedra", self.figures["atlas_compression_deformation_nu"].caption)
 
+    def test_quick_maps_name_the_command_for_more(self):
+        commands = [unescape(text) for text in re.findall(r"<code>(springcheck stability .*?)</code>", self.section)]
+        self.assertEqual(
+            commands[0],
+            "springcheck stability compression --method mss-cf,mss-nfd,mss-stvk,mss-hencky,fem-stvk:q1-sri --cells 3,3,3 "
+            f"--over deformation,nu --out {self.file.name}",
+        )
+        self.assertIn("of 4 × 3 fields", self.section)
+        self.assertIn("adds one of 12 × 12.", self.section)
+
+    def test_the_summary_counts_limits_of_paths_too(self):
+        exported = springcheck("export", self.file, "--out", self.folder / "all.csv").stdout
+        count = re.search(r"(\d+) cases", exported)[1]
+        self.assertIn(f"<li>{count} cases: ", page_text.section(page_in(self.folder), "summary"))
+
     def test_letters_are_those_that_the_command_prints(self):
         """In the page's text, and of the fields in the figure."""
         letters = {kind["name"]: kind["letter"] for kind in self.study.atlas["failures"]}

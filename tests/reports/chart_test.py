@@ -89,6 +89,17 @@ class Charts(unittest.TestCase):
             self.assertTrue((self.folder / "tables" / f"{name}.csv").is_file(), name)
         self.assertEqual(self.charts[0]["scene"], "compression")
 
+    def test_a_quick_chart_names_the_command_for_the_whole(self):
+        self.assertNotIn("A quick chart", self.html)  # these have all models
+        self.study.charts[0]["quick"] = True
+        try:
+            blocks = "".join(str(block) for block in chart(self.study).blocks)
+        finally:
+            self.study.charts[0]["quick"] = False
+        models = {point["model"] for point in self.charts[0]["points"]}
+        self.assertIn(f"A quick chart: {len(models)} models on ", blocks)
+        self.assertIn("<code>springcheck chart compression --out charts.h5</code>", blocks)
+
     def test_both_kinds_have_figures_of_their_own(self):
         """Against the truth of the scene's own law, where it has one, and of the others."""
         names = [f"chart_compression_{kind}{laws}" for laws in ("", "_other-laws") for kind in KINDS]

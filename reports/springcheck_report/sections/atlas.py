@@ -6,7 +6,7 @@ from figures import failure_maps
 from markupsafe import Markup
 from numbers_shown import data, revision_text, significant
 from sections.atlas_theory import theory_on
-from study import load_text, mesh_text
+from study import counts_text, load_text, mesh_text
 
 _MOST_MAPS = 24
 _MOST_ROWS = 120
@@ -63,25 +63,39 @@ def _blocks(study, one, letters, names):
         for method in _methods(one)
     ]
     heading = Markup("<h3>{}: {} against {}</h3>").format(one["scene"], first["key"], second["key"])
-    words = [_conditions(one, case), *_how_to_refine(study, one), *_revision_words(one), *_limit_words(panels, first), *_theory_words(panels), *_progress(one)]
+    words = [_conditions(one, case), *_revision_words(one), *_limit_words(panels, first), *_theory_words(panels), *_progress(one)]
     figure = Figure(name, " ".join(words), failure_maps.draw, (vertical, horizontal, panels, letters))
-    return [heading, figure, *_limits_table(study, one, name), _in_letters(one, letters)]
+    blocks = [heading, *_how_to_refine(study, one, case), figure, *_limits_table(study, one, name)]
+    return [*blocks, _in_letters(one, letters)]
 
 
-def _how_to_refine(study, one):
-    """Of a map with fewer values than its settings usually have."""
+def _how_to_refine(study, one, case):
+    """Of a map over fewer values than its settings usually have: how one over those is made."""
     if not any(len(axis["values"]) < _usual_count(study, axis["key"]) for axis in one["axes"]):
         return []
-    keys = ",".join(axis["key"] for axis in one["axes"])
+    keys = [axis["key"] for axis in one["axes"]]
+    cells = "" if "cells" in keys or case.body != "block" else f" --cells {counts_text(case).replace('×', ',')}"
     return [
-        f"A quick map: springcheck stability {one['scene']} --over {keys} --out FILE, with --method and the settings "
-        "that this caption names, makes one over more values."
+        paragraph(
+            "A quick map, of {} fields for each method. <code>springcheck stability {} --method {}{} --over {} --out "
+            "{}</code>, with what else the caption names where that is not the scene's, adds one of {}.",
+            " × ".join(str(len(axis["values"])) for axis in one["axes"]),
+            one["scene"],
+            ",".join(_methods(one)),
+            cells,
+            ",".join(keys),
+            study.results.path.name,
+            " × ".join(str(_usual_count(study, key) or len(axis["values"])) for key, axis in zip(keys, one["axes"])),
+        )
     ]
 
 
 def _usual_count(study, key):
-    usual = study.settings[key]["usual_axis"] if key in study.settings else ""
-    return int(usual.rpartition(":")[2]) if ":" in usual else len(usual.split(","))
+    """0: nobody goes over it without saying by which values."""
+    usual = study.settings[key]["usual_axis"]
+    if ":" in usual:
+        return int(usual.rpartition(":")[2])
+    return len(usual.split(",")) if usual else 0
 
 
 def _revision_words(one):

@@ -145,7 +145,7 @@ def _scene_blocks(study, one, rows, names):
     heading = _heading(study, one)
     blocks = [Markup("<h3>{}</h3>").format(heading)]
     if one["quick"]:
-        blocks.append(_how_to_complete(one))
+        blocks.append(_how_to_complete(study, one))
     if one["law"] not in laws:
         blocks.append(
             paragraph("{}, the scene's own law, has no converged solution here: one of its grids failed.", one["law"])
@@ -162,16 +162,17 @@ def _scene_blocks(study, one, rows, names):
     return blocks
 
 
-def _how_to_complete(one):
+def _how_to_complete(study, one):
     models = len({point["model"] for point in one["points"]})
     sizes = sorted({point["across"] for point in one["points"]})
     return paragraph(
-        "A quick chart: {} models on {} cells across. <code>springcheck chart {} --out results.h5</code>, with the "
+        "A quick chart: {} models on {} cells across. <code>springcheck chart {} --out {}</code>, with the "
         "settings of this chart if it has any, adds all other models, finer cells and what the other laws "
         "converge to, in about ten minutes.",
         models,
         ", ".join(f"{size:g}" for size in sizes),
         one["scene"],
+        study.results.path.name,
     )
 
 

@@ -1,6 +1,7 @@
 """The first screen: what was compared, how well it agrees, where springs fail."""
 
 import methods
+import pandas as pd
 from content import Section, bullets, columns, measured_number, paragraph, table
 from markupsafe import Markup
 from numbers_shown import formatted, significant
@@ -199,11 +200,11 @@ def _worst_cell(study):
 
 
 def _counts(study):
-    counts = study.cases.status.value_counts()
+    counts = pd.concat([table.status for table in (study.cases, study.limits) if not table.empty]).value_counts()
     parts = [f"{count} {status.replace('_', ' ')}" for status, count in counts.items()]
     failed = int(sum(counts.get(status, 0) for status in FAILED))
     text = Markup("{} {}: {}").format(
-        len(study.cases), "case" if len(study.cases) == 1 else "cases", ", ".join(parts)
+        counts.sum(), "case" if counts.sum() == 1 else "cases", ", ".join(parts)
     )
     if failed:
         text += Markup('; <a href="#failures">where and why</a>')

@@ -322,7 +322,7 @@ BOOST_AUTO_TEST_CASE(cells_across_are_cubes) {
 BOOST_AUTO_TEST_CASE(a_quick_chart_becomes_a_whole_one) {
   const OwnFolder own;
   const auto file = own.path / "chart.h5";
-  ChartPlan plan = quick_plan("compression", 1);
+  ChartPlan plan = quick_plan("compression", 1, 1);
   plan.across = {2};
   plan.truth_across = 1;
   plan.repeat_for = 0.01;
@@ -349,6 +349,7 @@ BOOST_AUTO_TEST_CASE(a_quick_chart_becomes_a_whole_one) {
     const auto same = std::ranges::find_if(whole.points, [&](const ChartPoint& other) {
       return other.place.model == point.place.model;
     });
+    BOOST_REQUIRE(same != whole.points.end());
     BOOST_TEST((same->place.times == point.place.times));
   }
 }

@@ -155,7 +155,7 @@ const std::vector<Example> examples{
      Judgement::no_case, "the others have nu = 0.1 or 0.25 or 0.4"},
     {"where = { method = 'fem' }\nmeasure = 'plate_force'\nat_least = 0",
      Judgement::no_case,
-     "cases match method = 'fem'; they differ in cells (2,2,2, 4,4,4, 8,8,8)"},
+     "cases match method = 'fem'; they differ in cells (2,2,2 or 4,4,4 or 8,8,8)"},
     // Settings as scenes have them
     {"where = { method = 'mss-cf', nu = 0.25, deformation = '5%' }\n"
      "measure = 'plate_force'\nat_least = 0",
@@ -284,9 +284,9 @@ BOOST_AUTO_TEST_CASE(deviations_from_two_references_are_told_apart_by_name) {
   const Outcome several =
       outcome_of("where = { method = 'mss-cf', nu = 0.25 }" + deviation, cases);
   BOOST_TEST((several.verdict == Judgement::no_case));
-  BOOST_TEST(several.explanation.ends_with(
-                 "they differ in reference (fem-hooke:q2, fem-stvk:q2)"),
-             several.explanation);
+  BOOST_TEST(several.explanation ==
+             "2 cases match method = 'mss-cf', nu = 0.25; they differ in reference "
+             "(fem-hooke:q2 or fem-stvk:q2); their deviation_max is 0.001 or 0.002");
   const auto beside = [&](const std::string& reference) {
     return outcome_of("where = { method = 'mss-cf', nu = 0.25, reference = '" +
                           reference + "' }" + deviation,
