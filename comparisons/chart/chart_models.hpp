@@ -33,6 +33,7 @@ enum class ChartModels {
 
 bool is_foremost(const Model& model);
 
+/// In the order of chart_models.
 std::vector<ChartModel> chosen_models(ChartModels which, BodyShape shape);
 
 /// The one of that model. Throws std::logic_error without one.

@@ -261,8 +261,7 @@ int run_arguments(int argc, char** argv) {
   CLI::Option* all_tables = everything->add_flag(
       "--all", all, "the tables split, laws and growth too, which take most of an hour");
   bool quick = false;
-  everything
-      ->add_flag("--quick", quick, "the thesis's five tests alone, in a few minutes")
+  everything->add_flag("--quick", quick, "the thesis's five tests alone, in two minutes")
       ->excludes(all_tables);
   add_threads(everything);
 
@@ -388,7 +387,7 @@ int run_arguments(int argc, char** argv) {
   CLI::Option* quick_chart = chart->add_flag(
       "--quick", chart_options.quick,
       "the models that people want to see first, on 4, 6 and 10 cells across, beside the "
-      "converged solution of the scene's own law alone, in about a minute");
+      "converged solution of the scene's own law alone, in about a minute a scene");
   for (const char* option :
        {"--sizes", "--on-threads", "--budget", "--repeat-for", "--converged-across",
         "--converged-law", "--retime", "--least-models"})

@@ -63,7 +63,7 @@ void Progress::break_silence(const std::stop_token& stop) {
   const auto is_stopped = [&] { return stop.stop_requested(); };
   while (!stopped_.wait_for(lock, stop, std::chrono::milliseconds(200), is_stopped)) {
     // What counts tells more than what goes on around it, and comes first.
-    const auto longest = std::chrono::milliseconds(all_ > 0 ? 9'500 : 10'000);
+    const auto longest = std::chrono::milliseconds(all_ > 0 ? 9'000 : 9'500);
     const std::scoped_lock lines(lines_mutex);
     if (std::chrono::steady_clock::now() - last_line > longest) say(line());
   }

@@ -11,6 +11,7 @@ import unittest
 from pathlib import Path
 
 sys.path[:0] = [str(Path(__file__).parent)]
+import h5py  # noqa: E402
 from program import springcheck  # noqa: E402
 
 _LONGEST_SILENCE = 12  # [s]: a line every ten, and what a busy machine adds
@@ -34,6 +35,17 @@ class Reproduce(unittest.TestCase):
                     program.kill()
         self.assertEqual(program.returncode == 0, killed_after is None, lines)
         return lines
+
+    def test_a_file_of_another_revision_is_kept_beside(self):
+        file = self.folder / "results.h5"
+        springcheck("run", "compression", "--cells", "2,2,2", "--out", file)
+        with h5py.File(file, "r+") as made:
+            made["provenance/revision"][...] = b"0123456789ab"
+        theirs = file.read_bytes()
+        lines = self.reproduce(_KILLED_AFTER)
+        self.assertIn("results-0123456789ab.h5", lines[0][1])
+        self.assertEqual((self.folder / "results-0123456789ab.h5").read_bytes(), theirs)
+        self.assertGreater(self.cases_to_compute(lines), 0)
 
     def cases_to_compute(self, lines):
         text = "\n".join(line for _, line in lines)
