@@ -330,6 +330,7 @@ BOOST_AUTO_TEST_CASE(a_quick_chart_becomes_a_whole_one) {
   for (const ChartModel& one : quick) {
     BOOST_TEST((one.model.cells == CellType::hexahedron), name_of(one.model));
     BOOST_TEST(one.model.linear_solver.empty(), name_of(one.model));
+    BOOST_TEST(find_method(one.model.method)->foremost > 0, name_of(one.model));
   }
   // Every family's foremost at rest: compared, whatever else is.
   for (const Family family : {Family::springs, Family::finite_elements})

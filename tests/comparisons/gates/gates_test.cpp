@@ -150,6 +150,9 @@ const std::vector<Example> examples{
     {"where = { method = 'mss-nfd' }\nmeasure = 'plate_force'\nat_least = 0\n"
      "expect = 'wrinkled'",
      Judgement::pass, ""},
+    {"where = { method = 'fem' }\nexpect = 'ok'", Judgement::pass, ""},
+    {"where = { method = ['mss-cf', 'mss-nfd'], nu = 0.25 }\nexpect = 'ok'",
+     Judgement::no_case, "their status is ok or wrinkled"},
     // What is not there, or there several times
     {"where = { method = 'mss-cf', nu = 0.3 }\nmeasure = 'plate_force'\nat_least = 0",
      Judgement::no_case, "the others have nu = 0.1 or 0.25 or 0.4"},
