@@ -67,8 +67,8 @@ std::vector<std::string> tables_of(Extent extent) {
   return names;
 }
 
-/// Those that the file lacks, fields included where they are wanted, which what failed
-/// has not; and that are not among `planned`, to which their keys are added.
+/// The requests that the file lacks, or whose fields it lacks where they are wanted and
+/// the case did not fail. None that `planned` has, to which their keys are added.
 std::vector<Request> missing_of(std::vector<Request> requests, bool with_fields,
                                 const StoredKeys& stored, std::set<std::string>& planned,
                                 MeshStore& meshes) {
@@ -107,12 +107,33 @@ struct SweptCases {
   std::vector<Request> requests;
 };
 
+/// Of the shipped sweeps that the page shows, what is missing, see missing_of.
+std::vector<SweptCases> missing_of_sweeps(const StoredKeys& stored,
+                                          std::set<std::string>& planned,
+                                          MeshStore& meshes) {
+  std::vector<SweptCases> missing;
+  for (const char* name :
+       {"nu", "refinement", "deformation", "diagonal-ratio", "beam-diagonal-ratio"}) {
+    const Sweep sweep = read_sweep(name, SIZE_MAX);
+    missing.push_back(
+        {sweep.with_fields,
+         missing_of(all_requests(sweep), sweep.with_fields, stored, planned, meshes)});
+  }
+  return missing;
+}
+
+std::size_t count_of(const std::vector<SweptCases>& sweeps) {
+  std::size_t count = 0;
+  for (const SweptCases& sweep : sweeps) count += sweep.requests.size();
+  return count;
+}
+
 void run_sweeps(const std::filesystem::path& path, const std::vector<SweptCases>& sweeps,
                 MeshStore& meshes, int parallel) {
   ResultFile file(path);
   const StoredCases stored = stored_in(path);
-  std::size_t all = 0, before = 0;
-  for (const SweptCases& sweep : sweeps) all += sweep.requests.size();
+  const std::size_t all = count_of(sweeps);
+  std::size_t before = 0;
   Progress progress("cases");
   for (const SweptCases& sweep : sweeps) {
     const Finished finished = [&](std::size_t done, std::size_t of) {
@@ -208,21 +229,13 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
                       computed = compute_into(result_file, tables, meshes, parallel);
                     }});
   if (extent != Extent::quick) {
-    std::vector<SweptCases> sweeps;
-    std::vector<Request> of_sweeps;
-    for (const char* name :
-         {"nu", "refinement", "deformation", "diagonal-ratio", "beam-diagonal-ratio"}) {
-      const Sweep sweep = read_sweep(name, SIZE_MAX);
-      sweeps.push_back(
-          {sweep.with_fields,
-           missing_of(all_requests(sweep), sweep.with_fields, stored, planned, meshes)});
-      of_sweeps.insert(of_sweeps.end(), sweeps.back().requests.begin(),
-                       sweeps.back().requests.end());
-    }
-    stages.push_back({fmt::format("sweeps, {} cases", of_sweeps.size()),
-                      seconds_of(of_sweeps, parallel), [&, sweeps] {
-                        run_sweeps(result_file, sweeps, meshes, parallel);
-                      }});
+    const std::vector<SweptCases> sweeps = missing_of_sweeps(stored, planned, meshes);
+    double seconds = 0;
+    for (const SweptCases& sweep : sweeps)
+      seconds += seconds_of(sweep.requests, parallel);
+    stages.push_back(
+        {fmt::format("sweeps, {} cases", count_of(sweeps)), seconds,
+         [&, sweeps] { run_sweeps(result_file, sweeps, meshes, parallel); }});
     for (const char* scene : {"compression", "shearing", "torsion"})
       stages.push_back({fmt::format("quick chart of {}", scene),
                         seconds_of_chart(result_file, scene), [&, scene] {
