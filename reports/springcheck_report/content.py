@@ -1,4 +1,4 @@
-"""What sections are made of: text, tables, figures, 3D views."""
+"""What sections are made of: text, tables, figures, answers in pictures, 3D views."""
 
 import re
 from collections.abc import Callable
@@ -27,12 +27,39 @@ class Viewer:
 
 
 @dataclass
+class Answer:
+    """A question, a picture half as wide as the page, and the sentence that is read off it.
+    section: the name of the one that says more."""
+
+    question: str
+    figure: Figure
+    sentence: Markup
+    section: str
+
+
+@dataclass
+class Answers:
+    """Answers beside each other."""
+
+    answers: list
+
+
+@dataclass
 class Section:
-    """blocks: Markup, Figure and Viewer, from top to bottom."""
+    """blocks: Markup, Figure, Answers and Viewer, from top to bottom."""
 
     name: str
     title: str
     blocks: list = field(default_factory=list)
+
+
+def figures_of(section):
+    """Its figures, those of answers too."""
+    found = []
+    for block in section.blocks:
+        found += [block] if isinstance(block, Figure) else []
+        found += [answer.figure for answer in block.answers] if isinstance(block, Answers) else []
+    return found
 
 
 def paragraph(text, *values):

@@ -14,10 +14,10 @@ import bodies
 import jinja2
 import method_style
 import paraview
-from content import Figure, Viewer
+from content import Viewer, figures_of
 from markupsafe import Markup
 from plotly.offline import get_plotlyjs
-from sections import LIMITS, SECTIONS, empty_file
+from sections import groups_for
 from study import read
 
 _HERE = Path(__file__).resolve().parent
@@ -30,24 +30,22 @@ def make(file, folder):
     ValueError or OSError where the file is no result file or the folder cannot be written."""
     method_style.set_defaults()
     study = read(file, folder)
-    makers = SECTIONS
-    if study.cases.empty:
-        makers = [empty_file] if study.limits.empty else LIMITS
-    sections = [section for section in (maker(study) for maker in makers) if section]
-    figures = [block for section in sections for block in section.blocks if isinstance(block, Figure)]
+    groups = groups_for(study)
+    sections = [section for group in groups.values() for section in group]
+    figures = [figure for section in sections for figure in figures_of(section)]
     (folder / "data").mkdir(parents=True, exist_ok=True)
     # Beside their place until all of them are made: an earlier report stays whole till then.
     unfinished = folder / "data" / "unfinished"
     shutil.rmtree(unfinished, ignore_errors=True)  # of one that was killed
     try:
-        _make_files(study, sections, figures, unfinished)
+        _make_files(study, groups, figures, unfinished)
         _replace_earlier(folder, unfinished)
     finally:
         shutil.rmtree(unfinished, ignore_errors=True)
     return f"{folder / 'index.html'}: {len(sections)} sections, {len(figures)} figures"
 
 
-def _make_files(study, sections, figures, folder):
+def _make_files(study, groups, figures, folder):
     figure_folder, three_d = folder / "figures", folder / "3d"
     for part in (figure_folder, three_d):
         part.mkdir(parents=True)
@@ -59,7 +57,7 @@ def _make_files(study, sections, figures, folder):
     if keys:
         shutil.copyfile(_HERE / "show.py", three_d / "show.py")
     page = folder / "index.html"
-    page.write_text(_page(study, sections, figure_folder), encoding="utf-8")
+    page.write_text(_page(study, groups, figure_folder), encoding="utf-8")
 
 
 def _replace_earlier(folder, unfinished):
@@ -127,7 +125,8 @@ def _write_vtus(study, keys, folder):
         paraview.write_vtu(study, key, folder)
 
 
-def _page(study, sections, figure_folder):
+def _page(study, groups, figure_folder):
+    sections = [section for group in groups.values() for section in group]
     tests = [b.test for section in sections for b in section.blocks if isinstance(b, Viewer)]
     views, left_out = bodies.view_data(study, tests) if tests else (None, 0)
     environment = jinja2.Environment(
@@ -153,6 +152,7 @@ def _page(study, sections, figure_folder):
     return environment.get_template("page.html").render(
         title=f"springcheck: {study.results.path.name}",
         note=study.note,
+        groups=groups,
         sections=sections,
         kind=kind,
         image=image,

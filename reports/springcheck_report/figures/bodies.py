@@ -20,9 +20,10 @@ class Panel:
     values: np.ndarray
 
 
-def draw(rows, colour_label, unit_scale=1.0):
+def draw(rows, colour_label, unit_scale=1.0, full_width=TWO_COLUMNS):
     """rows: lists of Panel or None (an empty place), one column per method. All panels
-    share scale, view and colours; values are shown times `unit_scale`."""
+    share scale, view and colours; values are shown times `unit_scale`. full_width: inches of
+    all columns, which are not as wide where they are few."""
     columns = max(len(row) for row in rows)
     panels = [panel for row in rows for panel in row if panel is not None]
     everything = np.concatenate([panel.corners.reshape(-1, 3) for panel in panels])
@@ -30,7 +31,7 @@ def draw(rows, colour_label, unit_scale=1.0):
     largest = max(panel.values.max() for panel in panels) * unit_scale
     scale = matplotlib.colors.Normalize(0, largest or 1.0)
     colours = matplotlib.colormaps["viridis"]
-    width = min(TWO_COLUMNS / columns, 2.4)
+    width = min(full_width / columns, 2.4)
     # mplot3d knows no constrained layout.
     figure = Figure((max(width * columns, 2.4) + 0.7, width * len(rows) + 0.3), layout="none")
     right = 1 - 0.75 / figure.get_figwidth()

@@ -33,10 +33,10 @@ class Panel:
     from_zero: bool = False  # the axis of y
 
 
-def draw(panels):
-    """One row of panels with one legend. A cross below the panel's floor tells of a case
+def draw(panels, size=(TWO_COLUMNS, 2.75), columns=5):
+    """One row of panels with one legend, of so many columns. size: inches. A cross below the panel's floor tells of a case
     without any equilibrium, a ring around a marker of one that is not ok."""
-    figure = Figure((TWO_COLUMNS, 2.75))
+    figure = Figure(size)
     all_axes = figure.subplots(1, len(panels), squeeze=False)[0]
     statuses = set()
     for axes, panel in zip(all_axes, panels):
@@ -58,7 +58,7 @@ def draw(panels):
             axes.set_ylim(0, 1.08 * max(np.nanmax(curve.y) for curve in panel.curves))
         for curve in panel.curves:
             statuses |= _mark_statuses(axes, curve)
-    legend_below(figure, further=[_status_entry(*status) for status in sorted(statuses)])
+    legend_below(figure, columns, further=[_status_entry(*status) for status in sorted(statuses)])
     return figure
 
 

@@ -9,7 +9,7 @@ from matplotlib.patches import Patch, Polygon
 from matplotlib.ticker import FixedLocator
 from method_style import TWO_COLUMNS, line
 
-_FRONT = {"color": "#CC3311", "linewidth": 3, "alpha": 0.25, "solid_joinstyle": "miter"}
+FRONT = {"color": "#CC3311", "linewidth": 3, "alpha": 0.25, "solid_joinstyle": "miter"}
 _BAND = {"facecolor": "#E9E2CF", "edgecolor": "none", "zorder": -2}
 _CONTEXT = "#D0D0D0"
 _INK = "#444444"
@@ -210,7 +210,7 @@ def _frame(axes, times, scale, points, measure):
     if measure.front:
         x = [*(p.time for p in measure.front), times[1]]
         y = [scale.height(error) for error in measure.errors_told]
-        axes.step(x, [*y, y[-1]], where="post", zorder=1.5, **_FRONT)
+        axes.step(x, [*y, y[-1]], where="post", zorder=1.5, **FRONT)
 
 
 def _put_behind(axes, artist, transform):
@@ -333,7 +333,7 @@ def _common_legend(figure, sizes, has_failed):
         Line2D([], [], ls="none", marker="o", color="#777777", markersize=size, label=_across(count))
         for count, size in sizes.items()
     ]
-    handles.append(Line2D([], [], **_FRONT, label="Pareto front, all thread counts"))
+    handles.append(Line2D([], [], **FRONT, label="Pareto front, all thread counts"))
     handles.append(Patch(facecolor=_BAND["facecolor"], label="below the bound of the converged solution"))
     handles.append(Line2D([], [], color="#777777", linewidth=0.8, label="quartiles of the times"))
     if has_failed:

@@ -1,8 +1,8 @@
-"""The report's sections, in the page's order.
+"""The report's sections, in groups and in the page's order.
 
 A section is a function of a Study with at least one case; it returns content.Section, or
-None where the study has no data for it. A new one is a function here and a line in
-SECTIONS. A file without cases gets `empty_file` alone, one of limits alone LIMITS.
+None where the study has no data for it. A new one is a function here and its name in
+GROUPS. A file without cases gets `empty_file` alone, one of limits alone those that read limits.
 """
 
 from sections.atlas import atlas
@@ -21,37 +21,27 @@ from sections.thesis_tables import thesis_tables
 from sections.through_time import through_time
 from sections.tissue import tissue
 
-__all__ = ["LIMITS", "SECTIONS", "empty_file"]
+__all__ = ["groups_for"]
 
-LIMITS = [atlas, stability_limits]
+GROUPS = {
+    "Answer": [summary, thesis_tables],
+    "Tests": [compression, tension, shearing, torsion, bending, other_tests],
+    "Where methods fail": [failures, atlas, stability_limits, stability_theory],
+    "Speed and accuracy": [chart, speed, cost],
+    "Meshes": [any_cells, convergence, subdivision],
+    "Tissue": [tissue, through_time],
+    "Theory": [spring_constants, error_parts, locking, orientation, modes],
+    "Data": [files_for_paraview, all_cases, provenance],
+}
+_OF_LIMITS = {"Where methods fail": [atlas, stability_limits]}
+_OF_NOTHING = {"Data": [empty_file]}
 
-SECTIONS = [
-    summary,
-    thesis_tables,
-    compression,
-    tension,
-    shearing,
-    torsion,
-    bending,
-    other_tests,
-    failures,
-    atlas,
-    stability_limits,
-    stability_theory,
-    spring_constants,
-    error_parts,
-    any_cells,
-    convergence,
-    subdivision,
-    locking,
-    orientation,
-    modes,
-    tissue,
-    through_time,
-    speed,
-    chart,
-    cost,
-    files_for_paraview,
-    all_cases,
-    provenance,
-]
+
+def groups_for(study):
+    """{group: [section, ...]} of what a study has data for, without groups that have none."""
+    groups = GROUPS
+    if study.cases.empty:
+        groups = _OF_NOTHING if study.limits.empty else _OF_LIMITS
+    made = {name: [maker(study) for maker in makers] for name, makers in groups.items()}
+    kept = {name: [section for section in sections if section] for name, sections in made.items()}
+    return {name: sections for name, sections in kept.items() if sections}

@@ -51,7 +51,7 @@ def _blocks(study, one, letters, names):
     """Heading, figure, the map in letters and the table of limits."""
     first, second = one["axes"]
     name = _new_name("_".join(["atlas", file_name(one["scene"]), first["key"], second["key"]]), names)
-    case = next(c for c in (study.case(p["case"]) for p in one["points"] if p["failure"]) if c is not None)
+    case = case_of_map(study, one)
     vertical, horizontal = (_axis(axis, case, study.settings) for axis in one["axes"])
     panels = [
         failure_maps.Panel(
@@ -63,10 +63,15 @@ def _blocks(study, one, letters, names):
         for method in _methods(one)
     ]
     heading = Markup("<h3>{}: {} against {}</h3>").format(one["scene"], first["key"], second["key"])
-    words = [_conditions(one, case), *_revision_words(one), *_limit_words(panels, first), *_theory_words(panels), *_progress(one)]
+    words = [conditions(one, case), *_revision_words(one), *_limit_words(panels, first), *_theory_words(panels), *_progress(one)]
     figure = Figure(name, " ".join(words), failure_maps.draw, (vertical, horizontal, panels, letters))
     blocks = [heading, *_how_to_refine(study, one, case), figure, *_limits_table(study, one, name)]
     return [*blocks, _in_letters(one, letters)]
+
+
+def case_of_map(study, one):
+    """Some case of a map that has been begun."""
+    return next(c for c in (study.case(p["case"]) for p in one["points"] if p["failure"]) if c is not None)
 
 
 def _how_to_refine(study, one, case):
@@ -116,7 +121,7 @@ def _methods(one):
 
 def _axis(axis, case, settings):
     """Numbers that ascend stand where they are, other values one beside the other."""
-    label = _label(axis, case, settings)
+    label = axis_label(axis, case, settings)
     if axis["numbers"] is None:
         return failure_maps.Axis(label, np.arange(len(axis["values"]), dtype=float), texts=axis["values"])
     return failure_maps.Axis(label, np.array(axis["numbers"], dtype=float), _is_logarithmic(axis["numbers"]))
@@ -133,7 +138,7 @@ def _is_logarithmic(numbers):
     return bool(unevenness(np.log(at)) < unevenness(at))
 
 
-def _label(axis, case, settings):
+def axis_label(axis, case, settings):
     key, unit = axis["key"], axis["unit"]
     if key != "deformation":
         label = settings[key]["label"]
@@ -169,7 +174,7 @@ def _limit_line(one, method, horizontal):
     return failure_maps.Line("limit", horizontal.positions, y)
 
 
-def _conditions(one, case):
+def conditions(one, case):
     """What all fields of a map have in common, as far as it is no axis of it."""
     keys = {axis["key"] for axis in one["axes"]}
     parts = []

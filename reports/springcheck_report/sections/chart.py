@@ -73,7 +73,7 @@ def _truths(study, parts):
     document, rows = study.tables["chart-converged"], []
     for one, truths in zip(study.charts, parts):
         for row, truth in zip(truths, one["truths"]):
-            name, unit = _answer(one)
+            name, unit = answer_of(one)
             rows.append(
                 [
                     _heading(study, one),
@@ -93,7 +93,7 @@ def _truths(study, parts):
     return [Markup("<h3>{}</h3>").format(document["title"]), table(heads, rows, name="chart-converged"), *notes]
 
 
-def _answer(one):
+def answer_of(one):
     return _ANSWERS.get(one["answer"], (one["answer"].replace("_", " "), "SI"))
 
 
@@ -118,8 +118,8 @@ def _number(document, row, key, form):
 
 def _heading(study, one):
     """The scene with its load, and what tells it from other charts of the same."""
-    load = _load(study, one)
-    alike = [other for other in study.charts if _load(study, other) == load]
+    load = load_of(study, one)
+    alike = [other for other in study.charts if load_of(study, other) == load]
     for difference in (_finest_cells, lambda chart: f"on {chart['machine']}"):
         if any(difference(other) != difference(one) for other in alike):
             load = f"{load}, {difference(one)}"
@@ -131,7 +131,7 @@ def _finest_cells(one):
     return f"converged on cells down to {min(sizes, key=float, default='no')} mm"
 
 
-def _load(study, one):
+def load_of(study, one):
     found = (study.case(point["case"]) for point in one["points"] if point["kind"] == "equilibrium")
     case = next((case for case in found if case is not None), None)
     if case is None:
@@ -203,15 +203,15 @@ def _figure(one, truths, kind, name, heading):
 
 
 def _block(one, truth, kind):
-    law, threads = truth["law"], _fewest_threads(one)
-    points = [_point(p, law) for p in one["points"] if p["kind"] == kind and _is_timed(p)]
+    law, threads = truth["law"], fewest_threads(one)
+    points = [point_of(p, law) for p in one["points"] if p["kind"] == kind and _is_timed(p)]
     points = [point for point in points if point.threads == threads]
     if not points:
         return None
     measures = []
     for front in one["fronts"]:
         if (front["kind"], front["law"]) == (kind, law):
-            on_it = [_point(one["points"][place], law) for place in front["points"]]
+            on_it = [point_of(one["points"][place], law) for place in front["points"]]
             told = [100 * error for error in front["errors_told"]]
             bar = truth["bars"][front["measure"]]
             title = _measure_title(one, front["measure"])
@@ -222,7 +222,7 @@ def _block(one, truth, kind):
 
 
 def _caption(one, is_own, words):
-    threads = _fewest_threads(one)
+    threads = fewest_threads(one)
     on = "one thread" if threads == 1 else f"{threads} threads"
     law = f"{one['law']}, the scene's own law" if is_own else "other laws, one after the other"
     return (
@@ -243,11 +243,11 @@ def _is_timed(point):
     return point["median"] is not None
 
 
-def _fewest_threads(one):
+def fewest_threads(one):
     return min(point["threads"] for point in one["points"])
 
 
-def _point(point, law):
+def point_of(point, law):
     errors = point["errors"].get(law, {})
     return work_precision.Point(
         model=work_precision.Model(point["model"], **{part: point[part] for part in _PARTS}),
@@ -262,7 +262,7 @@ def _point(point, law):
 
 
 def _measure_title(one, measure):
-    names = {"force": _answer(one)[0], "volume": "volume", "deviation": "deviation of the nodes"}
+    names = {"force": answer_of(one)[0], "volume": "volume", "deviation": "deviation of the nodes"}
     return names[measure].capitalize()
 
 

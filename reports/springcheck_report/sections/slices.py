@@ -9,7 +9,7 @@ from study import ANSWERS, is_variant, problem_columns
 _MOST_FIGURES = 2  # of one kind in a test; the rest is in the table of all cases
 
 
-def _slices(study, test, along, least):
+def longest_slices(study, test, along, least):
     """Groups of cases that differ in method and `along` alone, of at least so many values,
     longest first: [(number of values, cases), ...]."""
     cases = study.cases[(study.cases.test == test) & ~study.cases["name"].map(is_variant)]
@@ -40,7 +40,7 @@ def nu_panels(study, test):
     """Volume error and answer against Poisson's ratio, springs with finite elements but
     those that lock."""
     figures = []
-    for i, group in enumerate(_slices(study, test, "nu", 5)):
+    for i, group in enumerate(longest_slices(study, test, "nu", 5)):
         caption = (
             f"{test.capitalize()}, {group.iloc[0].load}, against Poisson's ratio. Rings and crosses "
             "mark cases that are not ok; a cross at the floor has no equilibrium at all."
@@ -57,7 +57,7 @@ def deformation_panels(study, test):
     figures = []
     angle = test == "torsion"
     scale = np.degrees(1) if angle else 100
-    for i, group in enumerate(_slices(study, test, "deformation", 4)):
+    for i, group in enumerate(longest_slices(study, test, "deformation", 4)):
         caption = f"{test.capitalize()} from small to large deformation at nu = {group.iloc[0].nu:g}."
         springs, continuum = methods.of_thesis(), methods.continuum_of_lattices()
         if {springs, continuum} <= set(group.method):

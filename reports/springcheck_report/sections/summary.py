@@ -1,46 +1,71 @@
-"""The first screen: what was compared, how well it agrees, where springs fail."""
+"""The first screen: what this is, answers in pictures, how well springs agree, where they fail."""
 
 import methods
 import pandas as pd
 from content import Section, bullets, columns, measured_number, paragraph, table
 from markupsafe import Markup
 from numbers_shown import formatted, significant
+from sections.answers import answers
 from sections.failures import failing_sentences
 from sections.thesis_tables import relative_size
 from study import ANSWERS, FAILED, case_text, is_variant
 
 # From half a percent on, below which volumes do not change; 5 % and 0.05 rad are small.
 _LEAST, _SMALL = 0.005, 0.051
+_MOST_NAMES = 4  # of methods in the first sentence
 
 
 def summary(study):
     section = Section("summary", "Summary")
-    section.blocks += [_what(study), _agreement(study), _findings(study)]
+    section.blocks += [_what(study), _made_by(study), *answers(study), _agreement(study), _findings(study)]
     return section
+
+
+_SOLVERS = {"springs": "mass-spring systems", "finite elements": "finite elements", "measured": "other programs"}
 
 
 def _what(study):
     cases = study.cases
-    tests = list(dict.fromkeys(cases.test))
     solvers = []
-    for kind, words in (
-        ("springs", "mass-spring systems"),
-        ("finite elements", "finite elements"),
-        ("measured", "other programs"),
-    ):
+    for kind, words in _SOLVERS.items():
         names = sorted(set(cases[cases.kind == kind].method))
         if names:
-            solvers.append(f"{words} ({', '.join(names)})")
+            listed = ", ".join(names) if len(names) <= _MOST_NAMES else f"{len(names)} of them"
+            solvers.append(f"{words} ({listed})")
     return paragraph(
-        "Do springs deform like the elastic body that they stand for? Bodies were deformed by {} "
-        "on the same meshes, in {} {}: {}. A mass-spring system replaces the body by springs; "
-        "finite elements solve the equations of elasticity. This page shows how far the two "
-        "are apart: in the force that holds the deformed body, in its volume, and in the place of "
-        "its points.",
+        "Do springs deform like the elastic body that they stand for? A mass-spring system replaces "
+        "the body by springs; finite elements solve the equations of elasticity. Bodies were deformed by {} "
+        "on the same meshes ({}): this page shows how far they are apart in the force that holds the deformed "
+        "body, in its volume and in the place of its points.",
         " and ".join(solvers),
-        len(study.distinct),
-        "simulation" if len(study.distinct) == 1 else "simulations",
-        ", ".join(tests),
+        ", ".join(sorted(set(cases.test), key=_place_of_test)),
+    )
+
+
+def _place_of_test(test):
+    return list(ANSWERS).index(test) if test in ANSWERS else len(ANSWERS), test
+
+
+def _made_by(study):
+    """The newest session that computed cases, and how many there are."""
+    count = len(study.cases) + len(study.limits)
+    simulations = len(study.distinct) + len(study.limits)
+    text = f"{count} {'case' if count == 1 else 'cases'}"
+    if simulations < count:
+        text += f" of {simulations} simulations"
+    sessions = study.results.provenance
+    if sessions.empty:
+        return paragraph('<span class="note">{}: {}.</span>', study.results.path.name, text)
+    last = sessions.sort_values("date").iloc[-1]
+    return paragraph(
+        '<span class="note">Made by springcheck {} (commit {}) from {}: {}, the newest of {} on {}. '
+        '<a href="#provenance">Where they come from</a>.</span>',
+        last.get("springcheck", "of an unknown version"),
+        last.get("commit", "unknown"),
+        study.results.path.name,
+        text,
+        str(last["date"])[:10],
+        last.get("cpu", "an unknown machine"),
     )
 
 
@@ -61,15 +86,19 @@ def _agreement(study):
             parts += [Markup("<h3>{}</h3>").format(title), _matrix(study, cases[chosen], name)]
     if not parts:
         return paragraph("All deformations here are below ½ %: see the tests.")
+    how_to_read = paragraph(
+        "For each test: how far the force (torque, drop of the tip) is from that of finite elements on the same "
+        "mesh and problem, the median of usable cases; below it how many of the cases are usable, which are "
+        "equilibria, stable and without wrinkles. It is red where most are not. <b>Not judged</b>: no "
+        "finite elements solved the same problem on hexahedra without locking. <b>Volume</b>: the largest "
+        "difference, in points, which are hundredths of the body's volume. <b>Points</b>: the median deviation of "
+        "the body's points from each case's own reference, over the largest displacement."
+    )
     note = Markup(
-        '<p class="note">By test: median distance of the force (torque, drop of the tip) from finite '
-        "elements on the same mesh and problem, and how many cases ended in a usable equilibrium, "
-        "stable and without wrinkles. Only usable cases enter a median. Volume: the largest "
-        "difference, in points of the body's volume. Points: median deviation, over the largest "
-        "displacement, from each case's own reference. Methods with their usual settings; judges "
-        "are finite elements on hexahedra that do not lock{}, of the law that springs follow where they "
-        "follow one, else of Hencky's if it was computed. At large deformation the law of other springs is none of finite "
-        "elements, which is part of the difference.</p>"
+        '<p class="note">Methods with their usual settings. Judges are finite elements on hexahedra that do not '
+        "lock{}: {}, of the law that springs follow where they follow one, else the first of these that was "
+        "computed. At large deformation the law of other springs is none of finite elements, which is part of the "
+        "difference.</p>"
     )
     unjudged = cases.counterpart.notna() & ~cases.is_judged
     more = (
@@ -78,7 +107,9 @@ def _agreement(study):
         if unjudged.any()
         else ""
     )
-    return Markup("").join([*parts, note.format(more)])
+    judges = study.cases.loc[sorted(set(cases[cases.is_judged].counterpart)), "name"]
+    named = ", ".join(sorted(set(judges), key=_by_usefulness)) or "none"
+    return Markup("").join([Markup("<h3>How near springs are, test by test</h3>"), how_to_read, *parts, note.format(more, named)])
 
 
 def _matrix(study, cases, name):
@@ -92,26 +123,29 @@ def _matrix(study, cases, name):
         usable = of_method[(of_method.status == "ok")]
         volumes = 100 * usable[usable.is_judged].volume_difference.abs().dropna()
         deviations = 100 * usable.deviation_l2_relative.dropna()
-        row.append(f"{_short(volumes.max())} points" if len(volumes) else ("–", "none"))
-        row.append(f"{_short(deviations.median())} %" if len(deviations) else ("–", "none"))
+        row.append(f"{_short(volumes.max())} points" if len(volumes) else _NOT_JUDGED)
+        row.append(f"{_short(deviations.median())} %" if len(deviations) else _NOT_JUDGED)
         rows.append(row)
     return table(["springs", *tests, "volume", "points"], rows, name=f"summary-{name}", classes="summary")
 
 
+_NOT_JUDGED = ("not judged", "none")
+
+
 def _by_usefulness(name):
-    return methods.place(name), name
+    return methods.place(name.split(":")[0]), name
 
 
 def _force(study, cases):
-    """"1.6 % (12/14)", failed where most cases are not usable."""
+    """"1.6 %", below it "12 of 14"; failed where most cases are not usable."""
     if cases.empty:
-        return ("", "none")
+        return ("not run", "none")
     usable = cases[cases.status == "ok"]
-    count = f"{len(usable)}/{len(cases)}"
+    count = f"{len(usable)} of {len(cases)}"
     sizes = 100 * usable[usable.is_judged].answer_difference.abs().dropna()
     style = "failed" if 2 * len(usable) < len(cases) else ""
     if sizes.empty:
-        return Markup('{} <span class="note">{}</span>').format("–" if len(usable) else "fails", count), style
+        return Markup('{} <span class="note">{}</span>').format("not judged" if len(usable) else "fails", count), style
     worst = sizes.idxmax()
     return (
         Markup('<span title="largest: {} %, {}">{} %</span> <span class="note">{}</span>').format(

@@ -1,0 +1,38 @@
+"""Words and numbers that the answers share."""
+
+import methods
+from markupsafe import Markup
+from numbers_shown import data, significant
+
+SIZE = 3.6, 2.05  # inches of a picture: half a page
+
+# Tests in the order in which they answer, and what a body goes through in them.
+TESTS = {
+    "compression": "Pressed by {}",
+    "shearing": "Sheared by {}",
+    "torsion": "Turned by {}",
+    "tension": "Pulled by {}",
+    "bending": "Bent by its weight, {}",
+}
+
+
+def case_number(value, key, digits=2):
+    """A number that a case gave, with its full value."""
+    text = Markup(data(float(value), significant(float(value), digits)))
+    return text.replace("<data ", Markup('<data data-case="{}" ').format(key))
+
+
+def bold(name):
+    return Markup("<b>{}</b>").format(name)
+
+
+def foremost_springs(names):
+    """Those of the names that people want to see first, in that order."""
+    return [name for name in methods.foremost("springs") if name in set(names)]
+
+
+def first_and_nearest(distances):
+    """Of springs by their distance from elements: the thesis's, or the first, and the nearest."""
+    thesis = methods.of_thesis()
+    first = thesis if thesis in distances else next(iter(distances))
+    return list(dict.fromkeys([first, min(distances, key=distances.get)]))
