@@ -51,8 +51,8 @@
     const hits = found(field.value);
     panel.hidden = !field.value.trim();
     status.textContent = hits.length
-      ? heads.map(([kind, name]) => [hits.filter((hit) => hit.kind === kind).length, name.toLowerCase()])
-          .filter(([count]) => count).map(([count, name]) => `${count} ${name}`).join(", ")
+      ? heads.map(([kind]) => [hits.filter((hit) => hit.kind === kind).length, kind]).filter(([count]) => count)
+          .map(([count, kind]) => `${count} ${kind}${count === 1 ? "" : "s"}`).join(", ")
       : "Nothing on this page has all of these words.";
     list.replaceChildren();
     for (const [kind, name] of heads) {

@@ -306,8 +306,8 @@ class Page(unittest.TestCase):
                 "return [...document.querySelectorAll('#table-summary-small tbody tr')]"
                 ".find((row) => row.querySelector('b').textContent === 'mss-cf')"
                 ".cells[heads.indexOf(arguments[0])].textContent", test)
-            shown, percent, count = row.split()
-            self.assertEqual((percent, count), ("%", f"{usable}/{covered}"))
+            shown, percent, count = row.split(maxsplit=2)
+            self.assertEqual((percent, count), ("%", f"{usable} of {covered}"))
             self.assertAlmostEqual(float(shown), median, delta=0.051 * median)  # two digits
 
     def test_names_are_text(self):
