@@ -141,9 +141,10 @@ class Navigation(unittest.TestCase):
     def test_what_is_folded_opens(self):
         self.script("const fold = document.createElement('details'), table = document.getElementById('table-answers-torsion');"
                     "table.parentElement.before(fold); fold.append(table.parentElement)")
-        self.assertFalse(self.one("#table-answers-torsion").is_displayed())
+        self.assertIsNone(self.one("main details:has(#table-answers-torsion)").get_attribute("open"))
         self.one("#search").send_keys("answers-torsion", Keys.ENTER)
         self.wait_for(lambda: self.is_in_sight(self.one("#table-answers-torsion.sought")), "the table is in sight")
+        self.assertTrue(self.one("main details:has(#table-answers-torsion)").get_attribute("open"))
 
     def test_keyboard_alone(self):
         self.type(Keys.TAB)
