@@ -12,6 +12,8 @@
 #include "comparisons/measures/measure_list.hpp"
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/results/layout.hpp"
+#include "comparisons/settings/case_json.hpp"
+#include "comparisons/settings/scene_file.hpp"
 #include "comparisons/settings/setting_schema.hpp"
 #include "comparisons/settings/suggestion.hpp"
 #include "comparisons/shipped/shipped.hpp"
@@ -79,6 +81,24 @@ Json shipped(const std::vector<ShippedFile>& files) {
   for (const ShippedFile& file : files)
     entries[std::filesystem::path(file.name).stem().string()] =
         file.text.substr(2, file.text.find('\n') - 2);
+  return entries;
+}
+
+/// What the cases of a scene read, as result files hold it: in SI units.
+Json values_of_scene(const std::string& name) {
+  Json values = Json::object();
+  for (const Request& request : requests(read_run(name, {})))
+    values.update(Json(settings_json(request.settings)));
+  for (const char* of_one_case : {"scene", "method"}) values.erase(of_one_case);
+  return values;
+}
+
+Json list_of_scenes() {
+  const Json descriptions = shipped(shipped_scenes());
+  Json entries;
+  for (auto scene = descriptions.begin(); scene != descriptions.end(); ++scene)
+    entries[scene.key()] = {{"description", scene.value()},
+                            {"values", values_of_scene(scene.key())}};
   return entries;
 }
 
@@ -160,7 +180,7 @@ struct List {
 
 constexpr std::array lists{
     List{"methods", list_of_methods},
-    List{"scenes", [] { return shipped(shipped_scenes()); }},
+    List{"scenes", list_of_scenes},
     List{"sweeps", [] { return shipped(shipped_sweeps()); }},
     List{"cell-types", [] { return described(cell_patterns()); }},
     List{"elements", list_of_elements},

@@ -1,4 +1,4 @@
-"""What sections are made of: text, tables, figures, answers in pictures, 3D views."""
+"""What sections are made of: text, tables, figures, answers in pictures, the explorer, 3D views."""
 
 import re
 from collections.abc import Callable
@@ -29,12 +29,12 @@ class Viewer:
 @dataclass
 class Answer:
     """A question, a picture half as wide as the page, and the sentence that is read off it.
-    section: the name of the one that says more."""
+    address: of what says more, within the page."""
 
     question: str
     figure: Figure
     sentence: Markup
-    section: str
+    address: str
 
 
 @dataclass
@@ -45,8 +45,15 @@ class Answers:
 
 
 @dataclass
+class Explorer:
+    """The plot of any cases along any setting. data: see explorer.py."""
+
+    data: dict
+
+
+@dataclass
 class Section:
-    """blocks: Markup, Figure, Answers and Viewer, from top to bottom."""
+    """blocks: Markup, Figure, Answers, Explorer and Viewer, from top to bottom."""
 
     name: str
     title: str

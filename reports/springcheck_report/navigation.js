@@ -29,7 +29,9 @@
     const line = window.innerHeight / 3;
     const isAtEnd = window.innerHeight + window.scrollY >= root.scrollHeight - 2;
     const begun = sections.filter((section) => section.getBoundingClientRect().top <= line);
-    const section = isAtEnd ? sections.at(-1) : begun.at(-1) ?? sections[0];
+    // At the end several sections are in sight: the one that was asked for, else the last.
+    const asked = sections.find((one) => `#${one.id}` === location.hash && one.getBoundingClientRect().top >= 0);
+    const section = isAtEnd ? asked ?? sections.at(-1) : begun.at(-1) ?? sections[0];
     const link = links.get(section?.id);
     if (link === current) return;
     current?.removeAttribute("aria-current");
@@ -40,6 +42,11 @@
     if (box.top < frame.top || box.bottom > frame.bottom)
       navigation.scrollTop += box.top - frame.top - frame.height / 3;
   }
+  /* What is folded is printed as well. */
+  window.addEventListener("beforeprint", () => {
+    for (const fold of document.querySelectorAll(".answers details")) fold.open = true;
+  });
+
   let isWaiting = false;
   function markSoon() {
     if (isWaiting) return;

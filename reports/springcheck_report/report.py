@@ -3,6 +3,7 @@
 import base64
 import ctypes
 import gc
+import gzip
 import multiprocessing
 import os
 import re
@@ -14,7 +15,7 @@ import bodies
 import jinja2
 import method_style
 import paraview
-from content import Viewer, figures_of
+from content import Explorer, Viewer, figures_of
 from markupsafe import Markup
 from plotly.offline import get_plotlyjs
 from sections import groups_for
@@ -125,8 +126,14 @@ def _write_vtus(study, keys, folder):
         paraview.write_vtu(study, key, folder)
 
 
+def _packed(text):
+    """As library.js unpacks it; the same of the same text."""
+    return base64.b64encode(gzip.compress(text.encode(), mtime=0)).decode("ascii")
+
+
 def _page(study, groups, figure_folder):
     sections = [section for group in groups.values() for section in group]
+    explorers = [b.data for section in sections for b in section.blocks if isinstance(b, Explorer)]
     tests = [b.test for section in sections for b in section.blocks if isinstance(b, Viewer)]
     views, left_out = bodies.view_data(study, tests) if tests else (None, 0)
     environment = jinja2.Environment(
@@ -158,7 +165,8 @@ def _page(study, groups, figure_folder):
         image=image,
         width=width,
         text=text,
-        plotly=Markup(get_plotlyjs()) if tests else None,
+        plotly=_packed(get_plotlyjs()) if tests or explorers else None,
+        explorer=explorers[0] if explorers else None,
         views=views,
         left_out=left_out,
     )

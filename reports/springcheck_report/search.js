@@ -34,9 +34,13 @@
       for (const figure of section.querySelectorAll("figure"))
         add("figure", figure.querySelector("img").alt, name, figure, figure.id);
     }
-    for (const row of document.querySelectorAll("#table-cases tbody tr")) {
-      const cells = [...row.cells].map((cell) => cell.textContent);
-      add("case", cells.slice(0, 7).filter(Boolean).join(", "), cells.at(-1), row, cells.join(" "));
+    if (typeof allCases === "undefined") return entries;
+    for (let place = 0; place < allCases.count; ++place) {
+      const texts = ["name", "scene", "cells", "load", "status"].map((name) => allCases.value(name, place));
+      const nu = allCases.value("nu", place);
+      const key = allCases.value("key", place);
+      add("case", [...texts, nu === null ? null : `nu ${nu}`].filter(Boolean).join(", ").replaceAll("_", " "), key.slice(0, 8), key,
+        `${allCases.value("test", place)} ${key}`);
     }
     return entries;
   }
@@ -67,12 +71,15 @@
 
   function item(entry) {
     const [line, link, detail] = ["li", "a", "span"].map((name) => document.createElement(name));
-    link.href = `#${entry.target.id}`;
+    const isCase = entry.kind === "case";
+    link.href = isCase ? `#case=${entry.target}` : `#${entry.target.id}`;
     link.textContent = entry.title;
     detail.className = "note";
     detail.textContent = entry.detail;
     link.append(" ", detail);
     link.addEventListener("click", (event) => {
+      panel.hidden = true;
+      if (isCase) return;
       event.preventDefault();
       go(entry.target);
     });
@@ -80,16 +87,14 @@
     return line;
   }
 
-  /* Opens what the target is folded into, and shows a row that a filter has hidden. */
+  /* Opens what the target is folded into. */
   function go(target) {
     for (let fold = target.closest("details"); fold; fold = fold.parentElement.closest("details")) fold.open = true;
-    target.hidden = false;
-    panel.hidden = true;
-    if (target.id) history.pushState(null, "", `#${target.id}`);
+    history.pushState(null, "", `#${target.id}`);
     target.tabIndex = -1;
     target.focus({ preventScroll: true });
     // Twice: sections get their height when they come into sight.
-    for (const wait of [0, 120]) setTimeout(() => target.scrollIntoView({ block: target.matches("tr") ? "center" : "start" }), wait);
+    for (const wait of [0, 120]) setTimeout(() => target.scrollIntoView(), wait);
     for (const before of document.querySelectorAll(".sought")) before.classList.remove("sought");
     target.classList.add("sought");
   }
@@ -109,6 +114,9 @@
     else if (event.key === "Escape") { field.focus(); panel.hidden = true; }
     else return;
     event.preventDefault();
+  });
+  panel.parentElement.addEventListener("focusout", (event) => {
+    if (event.relatedTarget && !panel.parentElement.contains(event.relatedTarget)) panel.hidden = true;
   });
   document.addEventListener("click", (event) => {
     if (!panel.parentElement.contains(event.target)) panel.hidden = true;

@@ -53,7 +53,7 @@ class Study:
     tables: JSON documents of tables/ by name. theory: data/theory.json. atlas:
         data/atlas.json, the maps of `springcheck stability`, with how their cases fail.
     charts: data/charts.json, see comparisons/chart/chart_json.hpp.
-    settings: of data/vocabulary.json, what `springcheck list settings` tells of each.
+    vocabulary: data/vocabulary.json, what `springcheck list` tells.
     note: what there is of other revisions of the numerics and what becomes of it; or "".
     """
 
@@ -64,7 +64,7 @@ class Study:
     theory: dict
     atlas: dict
     charts: list
-    settings: dict
+    vocabulary: dict
     note: str
 
     def __post_init__(self):
@@ -74,6 +74,10 @@ class Study:
         self._meshes = lru_cache(maxsize=64)(
             lambda name: self.results.mesh((self.cases["mesh"] == name).idxmax())
         )
+
+    @property
+    def settings(self):
+        return self.vocabulary["settings"]
 
     @property
     def distinct(self):
@@ -145,7 +149,7 @@ def read(file, folder):
     is_limit = _mask(cases["solver"] == "limit") if "solver" in cases else np.zeros(len(cases), bool)
     limits = prepared(cases[is_limit], settings) if is_limit.any() else pd.DataFrame()
     judged = prepared(cases[~is_limit], settings)
-    return Study(results, judged, limits, tables, theory, atlas, charts, settings, note)
+    return Study(results, judged, limits, tables, theory, atlas, charts, vocabulary, note)
 
 
 def _document(path):
@@ -157,7 +161,7 @@ def _mask(truths):
     return np.fromiter(truths, dtype=bool)
 
 
-def _columns(key, setting):
+def setting_columns(key, setting):
     """Names of a setting's columns in a result file, and what they hold in cases without it:
     numbers of a list that is no vector or matrix are a text there."""
     components = springcheck_results.COMPONENTS.get(setting["most"], [])
@@ -172,14 +176,14 @@ def problem_columns(settings):
     columns = ["test", "mesh"]
     for key, setting in settings.items():
         if setting["group"] in ("material", "load") or (setting["beside"] == "mesh" and setting["column"]):
-            columns += _columns(key, setting)[0]
+            columns += setting_columns(key, setting)[0]
     return columns
 
 
-def _load_columns(settings):
+def load_columns(settings):
     """Columns of what grows with the load."""
     loads = {key: setting for key, setting in settings.items() if setting["group"] == "load"}
-    numbers = [_columns(key, setting) for key, setting in loads.items() if setting["kind"] == "number"]
+    numbers = [setting_columns(key, setting) for key, setting in loads.items() if setting["kind"] == "number"]
     return [column for columns, _ in numbers for column in columns]
 
 
@@ -187,7 +191,7 @@ def _problems(cases, settings):
     """The mechanical problem of each case. Loads to 12 digits: a part of one is computed."""
     columns = problem_columns(settings)
     shown = cases[columns].astype(object).where(cases[columns].notna(), None)
-    for column in _load_columns(settings):
+    for column in load_columns(settings):
         shown[column] = [None if load is None else float(f"{load:.12g}") for load in shown[column]]
     return [json.dumps(list(record)) for record in shown.itertuples(index=False)]
 
@@ -196,12 +200,12 @@ def prepared(cases, settings):
     """Cases with all columns that a report reads and those that it adds, see Study."""
     lacking = dict.fromkeys(_TEXTS) | dict.fromkeys(_NUMBERS, np.nan)
     for key, setting in settings.items():
-        names, nothing = _columns(key, setting)
+        names, nothing = setting_columns(key, setting)
         lacking |= dict.fromkeys(names, nothing)
     further = {name: nothing for name, nothing in lacking.items() if name not in cases}
     cases = cases.assign(**further)
     cases["whole_problem"], cases["whole_deformation"] = _problems(cases, settings), cases.deformation
-    loads = _load_columns(settings)
+    loads = load_columns(settings)
     has_end = ~cases.status.isin(FAILED) & (cases.solver != "limit") & cases.load_fraction.notna()
     cases["ends_early"] = has_end & (cases.load_fraction != 1)
     reached = cases.load_fraction.where(cases.ends_early, 1)
@@ -238,7 +242,7 @@ def _further(cases, settings):
     if alike.empty:
         return further
     for key, setting in settings.items():
-        columns, _ = _columns(key, setting)
+        columns, _ = setting_columns(key, setting)
         if not setting["column"] or (alike[columns].nunique(dropna=False) == 1).all():
             continue
         values = alike[columns].agg(lambda row: "/".join(filter(None, map(_setting_text, row))), axis=1)

@@ -18,13 +18,18 @@ for (const table of document.querySelectorAll("table")) {
   table.parentElement.before(field);
 }
 
-/* Columns sort by a click on their head; numbers by their full value. */
-for (const head of document.querySelectorAll("thead th")) {
-  head.addEventListener("click", () => {
+/* Columns sort by the button in their head; numbers by their full value. */
+for (const head of document.querySelectorAll("main thead th")) {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.append(...head.childNodes);
+  head.append(button);
+  button.addEventListener("click", () => {
     const place = head.cellIndex;
     const body = head.closest("table").tBodies[0];
-    const direction = head.dataset.sorted === "up" ? -1 : 1;
-    head.dataset.sorted = direction > 0 ? "up" : "down";
+    const direction = head.getAttribute("aria-sort") === "ascending" ? -1 : 1;
+    for (const other of head.parentElement.cells) other.removeAttribute("aria-sort");
+    head.setAttribute("aria-sort", direction > 0 ? "ascending" : "descending");
     const value = (row) => {
       const cell = row.cells[place];
       const data = cell.querySelector("data");

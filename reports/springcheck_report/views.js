@@ -7,13 +7,6 @@
   if (!hasWebGL) return;  // the pictures below stand for the views
   const { meshes, tests } = JSON.parse(document.getElementById("bodies").textContent);
 
-  /* The library is long: it runs when the first view comes into sight. */
-  function loadPlotly() {
-    if (window.Plotly) return;
-    const script = document.createElement("script");
-    script.textContent = document.getElementById("plotly").textContent;
-    document.head.append(script);
-  }
   const scenes = ["scene", "scene2", "scene3"];
   const mostAlive = 3;  // three WebGL contexts each; browsers allow about 16
   const alive = [];
@@ -237,15 +230,28 @@
           change[`${name}.camera`] = structuredClone(to);
       if (Object.keys(change).length) Plotly.relayout(plot, change);
     }
+    /* For links to the body of a case. */
+    const groupOf = (key) => groups.findIndex((one) => one.bodies.some((body) => body.case === key));
+    element.hasCase = (key) => groupOf(key) >= 0;
+    element.showCase = (key) => {
+      group.value = groupOf(key);
+      fill();
+      const { bodies } = groups[group.value];
+      const place = bodies.findIndex((body) => body.case === key);
+      (bodies[place].kind === "finite elements" ? elements : springs).value = place;
+      if (drawn) draw();
+    };
+
     group.addEventListener("change", () => { fill(); draw(); });
     for (const select of [springs, elements, quantity]) select.addEventListener("change", draw);
     fill();
 
     const state = {
-      show() {
+      async show() {
         if (alive.includes(state)) return;
-        loadPlotly();
         alive.push(state);
+        await loadPlotly();
+        if (!alive.includes(state)) return;
         draw();
         while (alive.length > mostAlive) alive.shift().rest();
       },
@@ -253,7 +259,7 @@
         // Browsers allow few contexts; Plotly leaves its own to the garbage collector.
         for (const canvas of plot.querySelectorAll("canvas"))
           canvas.getContext("webgl")?.getExtension("WEBGL_lose_context")?.loseContext();
-        Plotly.purge(plot);
+        window.Plotly?.purge(plot);
         drawn = false;
         delete plot.dataset.drawn;
       },

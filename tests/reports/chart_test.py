@@ -2,6 +2,7 @@
 
 import copy
 import json
+import re
 import shutil
 import sys
 import tempfile
@@ -21,6 +22,7 @@ from content import Figure  # noqa: E402
 from figures import work_precision  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 from program import springcheck  # noqa: E402
+from sections.answers.cost import cost_of_accuracy  # noqa: E402
 from sections.chart import _heading, _number, chart  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 
@@ -99,6 +101,47 @@ class Charts(unittest.TestCase):
         models = {point["model"] for point in self.charts[0]["points"]}
         self.assertIn(f"A quick chart: {len(models)} models on ", blocks)
         self.assertIn("<code>springcheck chart compression --out charts.h5</code>", blocks)
+
+    def test_what_an_accuracy_costs(self):
+        """The sentence by hand from charts.json; no error counts less than the bound of what is converged."""
+        parts = []
+        for one in self.charts:
+            (truth,) = [truth for truth in one["truths"] if truth["law"] == one["law"]] or [None]
+            fronts = [f for f in one["fronts"] if (f["kind"], f["law"], f["measure"]) == ("equilibrium", one["law"], "force")]
+            if truth is None or not fronts or not fronts[0]["points"]:
+                continue
+            for family in ("springs", "finite elements"):
+                times = [
+                    (p["median"], p["model"], p["across"], p["threads"])
+                    for p in one["points"]
+                    if p["kind"] == "equilibrium" and p["status"] == "ok" and p["median"] and p["family"] == family
+                    and p["errors"].get(one["law"], {}).get("force") and max(p["errors"][one["law"]]["force"], truth["bars"]["force"] or 0) <= 0.01
+                ]
+                parts.append((family, min(times, default=None), len({p["threads"] for p in one["points"]}) > 1))
+        answer = cost_of_accuracy(self.study)
+        text = re.sub("<[^>]*>", "", answer.sentence)
+        self.assertTrue(text.startswith("Within 1 % of the converged force, compression, "))
+        self.assertGreater(len(parts), 0)
+        for family, best, is_threaded in parts:
+            if best is None:
+                self.assertIn(f"no {family} here", text)
+                continue
+            median, model, across, threads = best
+            said = f", {threads} threads" if is_threaded else ""
+            self.assertRegex(text, rf"{family} [\d.e+-]+ ms \({re.escape(model)}, {across} cells across{said}\)")
+            shown = float(re.search(rf"{family} ([\d.e+-]+) ms \({re.escape(model)}", text)[1])
+            self.assertAlmostEqual(shown, 1000 * median, delta=0.051 * 1000 * median)
+
+    def test_a_nearer_bound_lets_more_count(self):
+        """Where the converged solution is known better than its own error, the sentence follows."""
+        before = copy.deepcopy(self.study.charts)
+        try:
+            for one in self.study.charts:
+                for truth in one["truths"]:
+                    truth["bars"]["force"] = 0.02
+            self.assertIn("no springs here, no finite elements here", cost_of_accuracy(self.study).sentence)
+        finally:
+            self.study.charts[:] = before
 
     def test_both_kinds_have_figures_of_their_own(self):
         """Against the truth of the scene's own law, where it has one, and of the others."""

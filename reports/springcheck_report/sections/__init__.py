@@ -11,6 +11,7 @@ from sections.cases import all_cases, empty_file, files_for_paraview, provenance
 from sections.cells import any_cells, convergence, subdivision
 from sections.chart import chart
 from sections.cost import cost
+from sections.explore import explore
 from sections.failures import failures
 from sections.laws import error_parts, locking, modes, orientation, spring_constants
 from sections.speed import speed
@@ -24,7 +25,7 @@ from sections.tissue import tissue
 __all__ = ["groups_for"]
 
 GROUPS = {
-    "Answer": [summary, thesis_tables],
+    "Answer": [summary, explore, thesis_tables],
     "Tests": [compression, tension, shearing, torsion, bending, other_tests],
     "Where methods fail": [failures, atlas, stability_limits, stability_theory],
     "Speed and accuracy": [chart, speed, cost],
@@ -33,7 +34,7 @@ GROUPS = {
     "Theory": [spring_constants, error_parts, locking, orientation, modes],
     "Data": [files_for_paraview, all_cases, provenance],
 }
-_OF_LIMITS = {"Where methods fail": [atlas, stability_limits]}
+_OF_LIMITS = {"Answer": [summary], "Where methods fail": [atlas, stability_limits]}
 _OF_NOTHING = {"Data": [empty_file]}
 
 

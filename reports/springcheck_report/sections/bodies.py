@@ -1,4 +1,4 @@
-"""The five tests, and others: 3D views, pictures, sections, beams, sweeps."""
+"""The five tests, and others: 3D views, pictures, sections, beams."""
 
 import bodies
 import methods
@@ -9,7 +9,7 @@ from markupsafe import Markup
 from numbers_shown import significant
 from sections.beams import beams_against_theory, diagonal_ratio_beams
 from sections.cross_sections import cross_section
-from sections.slices import deformation_panels, nu_panels
+from sections.slices import explorer_links
 from study import ANSWERS, is_variant
 from surface import outside
 
@@ -60,8 +60,7 @@ def other_tests(study):
 
 
 def _test(study, test, further=()):
-    panels = nu_panels(study, test) + deformation_panels(study, test)
-    blocks = [*_views(study, test), *further, *panels]
+    blocks = [*explorer_links(study, test), *_views(study, test), *further]
     if not blocks:
         return None
     title = test.capitalize()

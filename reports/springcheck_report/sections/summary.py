@@ -16,27 +16,29 @@ _MOST_NAMES = 4  # of methods in the first sentence
 
 
 def summary(study):
+    """Of a file without cases but of limits of paths what it is, and no more."""
     section = Section("summary", "Summary")
-    section.blocks += [_what(study), _made_by(study), *answers(study), _agreement(study), _findings(study)]
+    if study.cases.empty:
+        section.blocks += [_what(study.limits), _made_by(study)]
+        return section
+    section.blocks += [_what(study.cases), _made_by(study), *answers(study), _agreement(study), _findings(study)]
     return section
 
 
 _SOLVERS = {"springs": "mass-spring systems", "finite elements": "finite elements", "measured": "other programs"}
 
 
-def _what(study):
-    cases = study.cases
+def _what(cases):
     solvers = []
     for kind, words in _SOLVERS.items():
         names = sorted(set(cases[cases.kind == kind].method))
         if names:
-            listed = ", ".join(names) if len(names) <= _MOST_NAMES else f"{len(names)} of them"
-            solvers.append(f"{words} ({listed})")
+            solvers.append(f"{words} ({', '.join(names)})" if len(names) <= _MOST_NAMES else f"{len(names)} {words}")
     return paragraph(
         "Do springs deform like the elastic body that they stand for? A mass-spring system replaces "
-        "the body by springs; finite elements solve the equations of elasticity. Bodies were deformed by {} "
-        "on the same meshes ({}): this page shows how far they are apart in the force that holds the deformed "
-        "body, in its volume and in the place of its points.",
+        "the body by springs (methods whose names begin with mss); finite elements solve the equations of "
+        "elasticity (fem, with the law, and the element behind the colon). Here are {} in {}: how far they are apart "
+        "in the force on the plate that holds the deformed body, in its volume and in the place of its points.",
         " and ".join(solvers),
         ", ".join(sorted(set(cases.test), key=_place_of_test)),
     )
@@ -108,8 +110,9 @@ def _agreement(study):
         else ""
     )
     judges = study.cases.loc[sorted(set(cases[cases.is_judged].counterpart)), "name"]
-    named = ", ".join(sorted(set(judges), key=_by_usefulness)) or "none"
-    return Markup("").join([Markup("<h3>How near springs are, test by test</h3>"), how_to_read, *parts, note.format(more, named)])
+    named = ", ".join(sorted(set(judges), key=_by_usefulness))
+    heading = Markup("<h3>How near springs are, test by test</h3>")
+    return Markup("").join([heading, how_to_read, *parts, *([note.format(more, named)] if named else [])])
 
 
 def _matrix(study, cases, name):

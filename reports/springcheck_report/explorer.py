@@ -1,0 +1,140 @@
+"""What the page's explorer and its view of a case read: every case with its settings and measures."""
+
+import math
+
+import method_style
+import methods
+import numpy as np
+import pandas as pd
+import springcheck_results
+from case_command import case_command
+from study import ANSWERS, is_variant, load_columns, mesh_text, setting_columns
+
+# Plotly's names of matplotlib's markers.
+_MARKS = {"o": "circle", "s": "square", "D": "diamond", "d": "diamond-tall", "P": "cross", "X": "x", "*": "star"}
+_MARKS |= {"^": "triangle-up", "v": "triangle-down", "<": "triangle-left", ">": "triangle-right", "p": "pentagon"}
+_MARKS |= {"h": "hexagon", "H": "hexagon2", "8": "octagon", "1": "y-down-open", "2": "y-up-open", "3": "y-left-open"}
+_DASHES = {"-": "solid", "--": "dash", ":": "dot", "-.": "dashdot"}
+
+_COMPONENTS = [*springcheck_results.COMPONENTS[3], *springcheck_results.COMPONENTS[9]]
+
+# Measures that no column of the file is: differences from finite elements on the same problem.
+_COMPARED = {
+    "answer_difference": "force, torque or tip off elements",
+    "volume_difference": "volume off elements, over V0",
+}
+_TIMES = {"solve_wall_s": "time of the solution"}
+
+
+def explorer_data(study):
+    """{file, columns: {key: {label, unit, role, values or codes with texts}}, looks: of methods, answers:
+    the measure that each test answers with, usual: methods that are shown at first, statuses: their colours}. Every list has a place for each case.
+    role: "name" of what tells cases apart in words, "setting" of what differs between cases, "measure"."""
+    tables = [table for table in (study.cases, study.limits) if not table.empty]
+    cases = pd.concat(tables) if len(tables) > 1 else tables[0]
+    columns = _names(study, cases) | _settings(study, cases) | _measures(study, cases)
+    return {
+        "file": study.results.path.name,
+        "columns": columns,
+        "looks": {name: _look(name) for name in dict.fromkeys(cases["name"])},
+        "usual": [name for name in dict.fromkeys(cases["name"]) if _is_usual(name)],
+        "answers": {test: ANSWERS[test][0] for test in dict.fromkeys(cases.test) if test in ANSWERS},
+        "statuses": method_style.STATUS_COLOURS,
+    }
+
+
+def _names(study, cases):
+    scenes = study.vocabulary["scenes"]
+    wholes = cases.copy()  # paths that end early were asked for more
+    loads = [column for column in load_columns(study.settings) if column in study.results.cases]
+    wholes[loads] = study.results.cases.loc[cases.index, loads]
+    texts = {
+        "key": (cases.index, "key"),
+        "name": (cases["name"], "method with its variants"),
+        "model": ([f"{m}:{e}" if e else m for m, e in zip(cases.method, cases.element)], "method"),
+        "kind": (cases["kind"], "family"),
+        "status": (cases["status"], "status"),
+        "reason": (cases["reason"], "why"),
+        "test": (cases["test"], "test"),
+        "scene": (cases["scene"], "scene"),
+        "load": (cases["load"], "load"),
+        "law": ([methods.law(method) or None for method in cases.method], "law"),
+        "cells": (_meshes(cases), "mesh"),
+        "reference": (cases["reference"], "reference of the deviations"),
+        "counterpart": (cases["counterpart"], "finite elements on the same problem"),
+        "command": ([case_command(case, study.settings, scenes) for _, case in wholes.iterrows()], "command"),
+    }
+    return {key: {"label": label, "role": "name", **_coded(values)} for key, (values, label) in texts.items()}
+
+
+def _meshes(cases):
+    """In words, with the size of the body where that alone tells two apart."""
+    texts = pd.Series([mesh_text(case) for _, case in cases.iterrows()], index=cases.index)
+    lengths = cases[[f"size.{axis}" for axis in "xyz"]].to_numpy(dtype=float)
+    sizes = pd.Series([" × ".join(f"{length:.3g}" for length in row) for row in lengths], index=cases.index)
+    differs = sizes.groupby(texts).transform("nunique") > 1
+    return texts.where(~differs, texts + ", " + sizes + " m")
+
+
+def _settings(study, cases):
+    """Those that differ between cases."""
+    found = {}
+    for key, setting in study.settings.items():
+        if key in ("method", "element", "test", "reference", "expect"):
+            continue
+        names, _ = setting_columns(key, setting)
+        for name in names:
+            if name not in cases or cases[name].nunique(dropna=False) < 2:
+                continue
+            label = setting["label"] if name == key else f"{setting['label']}, {name.rpartition('.')[2]}"
+            unit = setting["si_unit"] if setting["si_unit"] != "-" else ""
+            column = {"label": label, "unit": unit, "role": "setting", "group": setting["group"]}
+            column["variant"] = bool(setting["variant"])
+            found[name] = column | (_numbers if _is_number(cases[name]) else _coded)(cases[name])
+    return found
+
+
+def _measures(study, cases):
+    found = {name: (label, "") for name, label in _COMPARED.items()}
+    for name, measure in study.vocabulary["measures"].items():
+        for column in [name, *(f"{name}.{component}" for component in _COMPONENTS)]:
+            if column in cases and _is_number(cases[column]):
+                found[column] = column.replace("_", " "), measure["unit"]
+    found |= {name: (label, "s") for name, label in _TIMES.items()}
+    answers = {ANSWERS[test][0] for test in cases.test if test in ANSWERS}  # even where every case failed
+    return {
+        name: {"label": label, "unit": unit, "role": "measure", **_numbers(cases[name])}
+        for name, (label, unit) in found.items()
+        if cases[name].notna().any() or name in answers
+    }
+
+
+def _is_number(values):
+    return pd.api.types.is_numeric_dtype(values)
+
+
+def _numbers(values):
+    return {"values": [float(v) if math.isfinite(v) else None for v in np.asarray(values, dtype=float)]}
+
+
+def _coded(values):
+    """Texts that repeat, each once; a code of -1 for none."""
+    values = [value if isinstance(value, str) and value else None for value in values]
+    texts = list(dict.fromkeys(value for value in values if value is not None))
+    places = {text: place for place, text in enumerate(texts)}
+    return {"texts": texts, "codes": [places.get(value, -1) for value in values]}
+
+
+def _is_usual(name):
+    """At rest, by its usual settings, of an element that does not lock."""
+    method, _, element = name.partition(":")
+    return not is_variant(name) and methods.own_solver(method) == "static" and not methods.locks(method, element)
+
+
+def _look(name):
+    """As plotly has it."""
+    style = method_style.line(name)
+    mark = _MARKS.get(style["marker"], "circle")
+    is_hollow = style["markerfacecolor"] == "white"
+    dash = _DASHES.get(style["linestyle"], "longdashdot") if isinstance(style["linestyle"], str) else "longdashdot"
+    return {"colour": style["color"], "mark": f"{mark}-open" if is_hollow else mark, "dash": dash}

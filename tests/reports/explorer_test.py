@@ -1,0 +1,315 @@
+"""The page's explorer and its view of a case in a real browser, against the result file.
+SPRINGCHECK names the program."""
+
+import csv
+import io
+import re
+import shlex
+import shutil
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[2] / "reports")]
+import browser  # noqa: E402
+import springcheck_results  # noqa: E402
+from program import springcheck  # noqa: E402
+from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
+from selenium.webdriver.common.by import By  # noqa: E402
+from selenium.webdriver.common.keys import Keys  # noqa: E402
+
+SWEEP = """
+fields = true
+[[cases]]
+scene = "compression"
+method = ["mss-cf", "mss-nfd", "mss-affine", "fem-hencky"]
+cells = [2, 2, 2]
+nu = [0, 0.1, 0.2, 0.3, 0.4, 0.49]
+[[cases]]
+scene = "compression"
+method = ["mss-cf", "mss-nfd"]
+cells = [4, 4, 4]
+nu = 0
+deformation = ["5%", "20%"]
+"""
+# Runs whose commands differ from their scenes in many ways.
+RUNS = [
+    "torsion --method mss-cf --cells 2,2,2 --deformation 20deg --diagonal-ratio 0.5 --reference fem-hencky:q1-sri",
+    "bending --method fem-stvk:q1 --cells 2,2,8 --young 3e6",
+    "compression --method mss-cf --cells 2,2,2 --solver verlet --duration 0.5 --damping 0.2 --precision float",
+    "compression --method fem-cauchy-born:q2 --lattice mss-affine --cells 2,2,2",
+    "affine --method mss-affine --cells 2,2,2 --cell-type mixed --distortion 0.1 --seed 3 --directions 25",
+    "tissue-shearing --method mss-tissue --cells 2,2,2 --rate 0.5 --history 5 --time-steps 10",
+    "traction --method mss-cf --cells 2,2,2 --traction 0,0,500 --plates sliding",
+    "kidney --method mss-affine --cells 4,4,4",
+]
+PLOTTED = (
+    "return document.querySelector('.explorer .plot').data.map((trace) =>"
+    " ({name: trace.name, x: [...trace.x], y: [...trace.y], places: [...trace.customdata], axis: trace.yaxis,"
+    "   symbol: trace.marker.symbol}))"
+)
+
+
+class Explorer(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.file = cls.folder / "few.h5"
+        (cls.folder / "few.toml").write_text(SWEEP)
+        springcheck("sweep", cls.folder / "few.toml", "--out", cls.file)
+        for run in RUNS:
+            springcheck("run", *run.split(), "--out", cls.file)
+        springcheck("report", cls.file, "--out", cls.folder)
+        cls.results = springcheck_results.read(cls.file)
+        cls.cases = cls.results.cases
+        cls.browser = browser.chromium(webgl=False)
+        cls.addClassCleanup(cls.browser.quit)
+
+    def setUp(self):
+        self.set_size(1300, 1000)
+        self.addCleanup(self.check_console)
+
+    def check_console(self):
+        self.assertEqual(self.browser.get_log("browser"), [])
+
+    def set_size(self, width, height):
+        metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+
+    def open(self, address):
+        self.browser.get("about:blank")
+        self.browser.get((self.folder / "index.html").as_uri() + address)
+        if address.startswith("#explore"):
+            self.wait_for(lambda: self.drawn() > 0, "the plot is drawn")
+            time.sleep(0.4)
+
+    def script(self, text, *arguments):
+        return self.browser.execute_script(text, *arguments)
+
+    def one(self, selector):
+        return self.browser.find_element(By.CSS_SELECTOR, selector)
+
+    def wait_for(self, check, what):
+        for _ in range(80):
+            if check():
+                return
+            time.sleep(0.1)
+        self.fail(what)
+
+    def drawn(self):
+        return int(self.script("return document.querySelector('.explorer .plot').dataset.drawn ?? 0"))
+
+    def choose(self, name, text):
+        """Of a field of the form, as a user does."""
+        before = self.drawn()
+        self.script(
+            "const field = document.querySelector('.explorer form').elements[arguments[0]];"
+            "field.value = arguments[1]; field.dispatchEvent(new Event('change'))", name, text)
+        self.wait_for(lambda: self.drawn() > before, f"{name} {text} is drawn")
+
+    def tick(self, name, text):
+        before = self.drawn()
+        self.script(
+            "[...document.querySelectorAll('.explorer input')].find((one) => one.name === arguments[0] &&"
+            " (arguments[1] === null || one.value === arguments[1])).click()", name, text)
+        self.wait_for(lambda: self.drawn() > before, f"{name} {text} is drawn")
+
+    def key(self, place):
+        return self.script("return allCases.value('key', arguments[0])", place)
+
+    def point_at(self, trace, place):
+        """Moves the mouse over a mark."""
+        x, y = self.script(
+            "const plot = document.querySelector('.explorer .plot'), trace = plot.data[arguments[0]];"
+            "const axes = ['x', 'y'].map((one) => plot._fullLayout[trace[`${one}axis`].replace(one, `${one}axis`)]);"
+            "const frame = plot.getBoundingClientRect();"
+            "return [frame.left + axes[0]._offset + axes[0].d2p(trace.x[arguments[1]]),"
+            " frame.top + axes[1]._offset + axes[1].d2p(trace.y[arguments[1]])]", trace, place)
+        actions = ActionChains(self.browser)
+        actions.w3c_actions.pointer_action.move_to_location(round(x) + 3, round(y) + 3)
+        actions.w3c_actions.pointer_action.move_to_location(round(x), round(y))
+        actions.perform()
+        time.sleep(0.4)
+        return round(x), round(y)
+
+    def test_the_marks_are_the_files_cases(self):
+        self.open("#explore?test=compression&x=nu&y=plate_force,volume_change")
+        seen = {"plate_force": set(), "volume_change": set()}
+        for trace in self.script(PLOTTED):
+            measure = "plate_force" if trace["axis"] == "y" else "volume_change"
+            for x, y, place in zip(trace["x"], trace["y"], trace["places"]):
+                case = self.cases.loc[self.key(place)]
+                self.assertEqual((case.nu, case.test, case["cells.x"]), (x, "compression", 2))
+                self.assertEqual(case[measure], y)
+                seen[measure].add(self.key(place))
+        self.assertEqual(seen, dict.fromkeys(seen, self.keys_over_nu()))
+
+    def keys_over_nu(self):
+        """Of what the explorer shows at first: cases at rest of one mesh and load."""
+        cases = self.cases[(self.cases.test == "compression") & (self.cases["cells.x"] == 2)]
+        return set(cases.index[(cases.solver == "static") & (cases.body == "block")])
+
+    def test_hovering_shows_value_status_and_key_and_rings_in_all_panels(self):
+        self.open("#explore?test=compression&x=nu&y=plate_force,volume_change,cell_volume_ratio_min")
+        traces = self.script(PLOTTED)
+        number = next(i for i, trace in enumerate(traces) if trace["name"] == "mss-cf" and trace["axis"] == "y2")
+        self.point_at(number, 4)
+        key = self.key(traces[number]["places"][4])
+        case = self.cases.loc[key]
+        label = self.one(".explorer .hoverlayer").text
+        for text in (self.one(".readout").text, label):
+            self.assertIn(f"case {key[:8]}", text)
+            self.assertIn("ok", text)
+            shown = float(re.search(r"volume change = (-?[\d.]+(e-?\d+)?)", text)[1])
+            self.assertAlmostEqual(shown, case.volume_change, delta=1e-12 * abs(case.volume_change))
+        rings = self.browser.find_elements(By.CSS_SELECTOR, ".explorer .rings i")
+        self.assertEqual(len(rings), 3)
+        for name in ("plate force = ", "cell volume ratio min = "):
+            self.assertIn(name, self.one(".readout").text)
+
+    def test_a_click_shows_the_case(self):
+        self.open("#explore?test=compression&x=nu&y=plate_force&m=mss-cf")
+        traces = self.script(PLOTTED)
+        number = 0
+        self.point_at(number, 2)
+        ActionChains(self.browser).click().perform()
+        self.wait_for(lambda: self.one("#case").is_displayed(), "the case is shown")
+        key = self.key(traces[number]["places"][2])
+        text = self.one("#case").text
+        self.assertIn(key, text)
+        self.assertIn("springcheck run compression --method mss-cf", text)
+        self.assertIn(str(self.cases.loc[key].plate_force), text)
+        self.browser.switch_to.active_element.send_keys(Keys.ESCAPE)
+        self.assertFalse(self.one("#case").is_displayed())
+        self.assertIn("#explore?", self.script("return location.hash"))
+
+    def test_commands_compute_their_cases_again(self):
+        """All that the page prints: the same key comes out, or where no reference was, the same figures."""
+        self.open("")
+        self.assertEqual(self.script("return allCases.count"), len(self.cases))
+        again = self.folder / "again.h5"
+        commands = {self.key(place): self.script("return allCases.value('command', arguments[0])", place)
+                    for place in range(len(self.cases))}
+        for key in self.cases.index[-2 * len(RUNS):].union(self.cases.index[:8]):
+            words = shlex.split(commands[key])
+            self.assertEqual(words[:2], ["springcheck", "run"])
+            springcheck("run", *words[2:], "--out", again, check=False)
+            made = springcheck_results.read(again).cases
+            if self.cases.loc[key].reference:
+                self.assertIn(key, made.index, commands[key])
+            else:
+                self.assertTrue((made.volume_change == self.cases.loc[key].volume_change).any(), commands[key])
+
+    def test_commands_name_only_what_the_scene_has_otherwise(self):
+        self.open("")
+        commands = self.script("return allCases.columns.command.texts")
+        self.assertIn("springcheck run compression --method mss-cf --reference fem-stvk:q1-sri --cells 4,4,4 --nu 0 "
+                      "--deformation 0.2", commands)
+
+    def test_the_address_restores_the_choice(self):
+        self.open("#explore?test=compression&x=nu")
+        self.choose("x", "deformation")
+        self.choose("fixed.nu", "0")
+        self.tick("m", "mss-affine")
+        self.tick("y", "cell_volume_ratio_min")
+        self.tick("log-y", None)
+        before, address = self.script(PLOTTED), self.script("return location.hash")
+        self.assertGreater(len(before), 2)
+        self.open(address)
+        self.assertEqual(self.script(PLOTTED), before)
+        self.assertEqual(self.script("return location.hash"), address)
+        self.assertTrue(self.one(".explorer input[name=log-y]").is_selected())
+
+    def test_what_an_address_asks_for_and_is_not_there_is_said(self):
+        self.open("#explore?test=compression&x=nope&y=plate_force,bogus&m=mss-none&fixed.nu=7")
+        said = self.one(".explorer .said").text
+        for word in ("axis nope", "measure bogus", "method mss-none", "nu 7", "few.h5"):
+            self.assertIn(word, said)
+        self.assertGreater(len(self.script(PLOTTED)), 0)
+        self.open("#case=0123abcd")
+        self.assertIn("No case 0123abcd", self.one("#case").text)
+        self.assertIn(f"few.h5 holds {len(self.cases)} cases, and none of that key", self.one("#case").text)
+
+    def test_failed_cases_are_seen(self):
+        self.open("#explore?test=compression&x=deformation&y=plate_force&fixed.nu=0&m=mss-nfd&m=mss-cf")
+        bad = self.cases[(self.cases.test == "compression") & (self.cases.nu == 0) & (self.cases.status != "ok")]
+        bad = bad[bad.method.isin(["mss-nfd", "mss-cf"])]
+        self.assertGreater(len(bad), 0)
+        self.assertIn(f"{(bad.status == bad.status.iloc[0]).sum()} {bad.status.iloc[0].replace('_', ' ')}",
+                      self.one(".explorer .said").text)
+        marked = {}
+        for trace in self.script(PLOTTED):
+            for i, place in enumerate(trace["places"]):
+                symbol = trace["symbol"] if isinstance(trace["symbol"], str) else trace["symbol"][i]
+                if trace["y"][i] is not None:
+                    marked[self.key(place)] = symbol
+        for key, case in bad.iterrows():
+            self.assertTrue(marked[key].endswith("-open-dot" if case.plate_force == case.plate_force else "thin-open"))
+        for key in set(marked) - set(bad.index):
+            self.assertFalse(marked[key].endswith(("dot", "thin-open")))
+
+    def test_the_csv_is_the_table_of_the_file(self):
+        self.open("#explore?test=compression&x=nu&y=plate_force,volume_change")
+        self.script("URL.createObjectURL = (blob) => { window.saved = blob; return 'data:,'; };"
+                    "[...document.querySelectorAll('.explorer button')].find((one) => one.textContent === 'CSV').click()")
+        text = self.browser.execute_async_script("window.saved.text().then(arguments[0])")
+        rows = list(csv.DictReader(io.StringIO(text)))
+        self.assertEqual({row["key"] for row in rows}, self.keys_over_nu())
+        self.assertEqual(len(rows), len(self.keys_over_nu()))
+        for row in rows:
+            case = self.cases.loc[row["key"]]
+            self.assertEqual(row["status"], case.status)
+            for column in ("nu", "plate_force", "volume_change"):
+                self.assertEqual(float(row[column]), case[column])
+
+    def test_pictures_are_saved(self):
+        self.open("#explore?test=compression&x=nu&y=plate_force")
+        for form, start in (("SVG", "data:image/svg+xml"), ("PNG", "data:image/png")):
+            made = self.browser.execute_async_script(
+                "Plotly.toImage(document.querySelector('.explorer .plot'), {format: arguments[0].toLowerCase()})"
+                ".then(arguments[1])", form)
+            self.assertTrue(made.startswith(start))
+            self.assertGreater(len(made), 3000)
+
+    def test_keyboard_alone(self):
+        self.open("#explore?test=compression&x=nu")
+        field = self.one(".explorer select[name=test]")
+        self.script("arguments[0].focus()", field)
+        before = self.drawn()
+        field.send_keys("torsion")
+        self.wait_for(lambda: self.drawn() > before, "torsion is drawn")
+        self.assertEqual(self.script("return document.activeElement.name"), "test")  # the focus stays
+        self.script("document.querySelector('.explorer .rows summary').focus()")
+        self.browser.switch_to.active_element.send_keys(Keys.ENTER, Keys.TAB)
+        self.wait_for(lambda: self.script("return document.querySelector('.explorer .rows table') !== null"), "rows")
+        self.script("document.querySelector('.explorer .rows a').focus()")
+        self.browser.switch_to.active_element.send_keys(Keys.ENTER)
+        self.wait_for(lambda: self.one("#case").is_displayed(), "the case is shown")
+        self.assertEqual(self.script("return document.activeElement.textContent"), "Close")
+
+    def test_on_a_phone_it_fits(self):
+        self.set_size(390, 844)
+        self.open("#explore?test=compression&x=nu&y=plate_force,volume_change")
+        self.script("for (const fold of document.querySelectorAll('.explorer details')) fold.open = true")
+        self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
+        self.assertLessEqual(self.script("return document.querySelector('.explorer .plot').scrollWidth"), 390)
+
+    def test_a_sweep_that_failed_throughout_has_a_page_that_shows_where(self):
+        failed = self.folder / "failed"
+        failed.mkdir()
+        (self.folder / "failed.toml").write_text(
+            'scene = "compression"\nmethod = "mss-lloyd"\ncells = [2, 2, 2]\nnu = [0, 0.1, 0.2]\n')
+        springcheck("sweep", self.folder / "failed.toml", "--out", failed / "failed.h5", check=False)
+        springcheck("report", failed / "failed.h5", "--out", failed)
+        self.browser.get((failed / "index.html").as_uri() + "#explore")
+        self.wait_for(lambda: self.drawn() > 0, "the plot is drawn")
+        (trace,) = [trace for trace in self.script(PLOTTED) if any(y is not None for y in trace["y"])]
+        self.assertEqual((trace["x"], trace["symbol"]), ([0, 0.1, 0.2], "x-thin-open"))
+        self.assertIn("3 cases, of which 3 refused", self.one(".explorer .said").text)
+
+
+if __name__ == "__main__":
+    unittest.main()
