@@ -112,7 +112,7 @@ class Navigation(unittest.TestCase):
             ("torsion", "Sections", "Torsion"),
             ("small deformation", "Tables", "Small deformation, ½ to 5 %"),
             ("bodies torsion", "Figures", "Deformed bodies"),
-            ("compression mss-nfd 0.49", "Cases", "compression, mss-nfd"),
+            ("compression mss-nfd 0.49", "Cases", "mss-nfd, compression"),
         ):
             field.clear()
             field.send_keys(words)
@@ -122,7 +122,7 @@ class Navigation(unittest.TestCase):
 
     def test_cases_that_are_found_are_those_with_all_words(self):
         self.one("#search").send_keys("torsion mss-nfd 0.3")
-        self.assertEqual(len([line for line in self.found() if line.startswith("torsion, mss-nfd")]), 1)
+        self.assertEqual(len([line for line in self.found() if line.startswith("mss-nfd, torsion")]), 1)
         self.assertIn("1 case", self.one("#found p").text)
 
     def test_nothing_found_is_said(self):
@@ -130,13 +130,14 @@ class Navigation(unittest.TestCase):
         self.assertEqual(self.one("#found p").text, "Nothing on this page has all of these words.")
         self.assertEqual(self.found(), [])
 
-    def test_a_case_that_a_filter_hides_is_shown(self):
-        self.script("const f = document.querySelector('#cases input[type=search]'); if (f) { f.value = 'mss-cf';"
-                    " f.dispatchEvent(new Event('input')); }")
+    def test_a_case_that_is_found_is_shown(self):
         self.one("#search").send_keys("torsion mss-nfd 0.3", Keys.ENTER)
-        row = self.one("tr.sought")
-        self.assertIn("mss-nfd", row.text)
-        self.wait_for(lambda: self.is_in_sight(row), "the row is in sight")
+        self.wait_for(lambda: self.one("#case").is_displayed(), "the case is shown")
+        self.assertIn("springcheck run torsion --method mss-nfd", self.one("#case").text)
+        self.assertIn("--nu 0.3", self.one("#case").text)
+        self.type(Keys.ESCAPE)
+        self.assertFalse(self.one("#case").is_displayed())
+        self.assertEqual(self.script("return document.activeElement.id"), "search")  # among what was found
 
     def test_what_is_folded_opens(self):
         self.script("const fold = document.createElement('details'), table = document.getElementById('table-answers-torsion');"
@@ -190,7 +191,7 @@ class Navigation(unittest.TestCase):
         self.assertGreater(self.top_of("#torsion h2"), self.one("header").size["height"] - 1)
         menu.click()
         self.one("#search").send_keys("mss-nfd 0.3 torsion", Keys.ENTER)
-        self.wait_for(lambda: self.is_in_sight(self.one("tr.sought")), "the row is in sight")
+        self.wait_for(lambda: self.one("#case").is_displayed(), "the case is shown")
         self.assertFalse(navigation.is_displayed())
 
     def test_without_scripts_the_navigation_is_there(self):

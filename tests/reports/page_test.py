@@ -1,8 +1,11 @@
 """The page of a report in a real browser. SPRINGCHECK names the program."""
 
+import base64
 import contextlib
+import gzip
 import io
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -20,6 +23,7 @@ import springcheck_results  # noqa: E402
 from matplotlib.image import imread  # noqa: E402
 from program import springcheck  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
+from selenium.webdriver.common.keys import Keys  # noqa: E402
 
 DOLLARS = r"$\undefined{$"  # matplotlib would take it for a formula
 LABEL = "mine <img src=x onerror=alert(1)> & Ω"
@@ -140,7 +144,7 @@ class Page(unittest.TestCase):
     def test_sections_are_those_with_data(self):
         names = [section.get_attribute("id") for section in self.every("main > section")]
         tests = ["compression", "tension", "shearing", "torsion", "bending"]
-        self.assertEqual(names[:2] + names[2:7], ["summary", "thesis-tables", *tests])
+        self.assertEqual(names[:8], ["summary", "explore", "thesis-tables", *tests])
         self.assertIn("provenance", names)
         self.assertNotIn("empty", names)
         self.assertNotIn("error-parts", names)  # there is no table split
@@ -150,6 +154,7 @@ class Page(unittest.TestCase):
         self.assertGreater(len(links), 20)
         for link in links:
             if link.startswith("#"):
+                link = link.partition("?")[0]  # of the explorer, see explorer_test.py
                 found = self.browser.execute_script("return document.getElementById(arguments[0])", link[1:])
                 self.assertIsNotNone(found, link)
             else:
@@ -233,6 +238,20 @@ class Page(unittest.TestCase):
         self.assertGreater(np.abs(shown[0] - shown[1]).max(axis=2).mean(), 0.02)
         self.assertGreater(np.abs(shown[1] - shown[2]).max(axis=2).mean(), 0.02)
         self.assertIn("springs in blue", element.text)
+
+    def test_a_case_leads_to_its_body(self):
+        """To the view of its test, with the case chosen."""
+        cases = self.results.cases
+        key = cases.index[(cases.test == "torsion") & (cases.method == "mss-nfd") & (cases.nu == 0.4)][0]
+        self.browser.execute_script("location.hash = `#case=${arguments[0]}`", key)
+        time.sleep(0.5)
+        self.browser.find_element(By.CSS_SELECTOR, "#case .body").click()
+        element, plot = self.view("torsion")
+        group, springs, _, _ = element.find_elements(By.TAG_NAME, "select")
+        chosen = [self.browser.execute_script("return arguments[0].selectedOptions[0].text", one) for one in (group, springs)]
+        self.assertIn("nu 0.4", chosen[0])
+        self.assertTrue(chosen[1].startswith("mss-nfd"))
+        self.assertFalse(self.browser.find_element(By.ID, "case").is_displayed())
 
     def test_numbers_are_those_of_the_file(self):
         cases = self.results.cases
@@ -319,12 +338,17 @@ class Page(unittest.TestCase):
         table = self.browser.find_element(By.ID, "table-cases")
         heads = [head.get_attribute("textContent") for head in table.find_elements(By.TAG_NAME, "th")]
         head = table.find_elements(By.TAG_NAME, "th")[heads.index("nu")]
-        self.browser.execute_script("arguments[0].click()", head)
+        button = head.find_element(By.TAG_NAME, "button")
+        self.browser.execute_script("arguments[0].focus()", button)
+        button.send_keys(Keys.ENTER)
+        self.assertEqual(head.get_attribute("aria-sort"), "ascending")
         nus = self.browser.execute_script(
             "return [...arguments[0].tBodies[0].rows].map((row) => Number(row.cells[arguments[1]].textContent))",
             table, heads.index("nu"),
         )
         self.assertEqual(nus, sorted(nus))
+        button.send_keys(Keys.ENTER)
+        self.assertEqual(head.get_attribute("aria-sort"), "descending")
 
     def test_long_tables_have_a_filter(self):
         shown = (
@@ -364,7 +388,8 @@ class Page(unittest.TestCase):
 
     def test_scripts_of_others_come_with_their_licences(self):
         page = (self.report / "index.html").read_text(encoding="utf-8")
-        self.assertIn("* plotly.js v", page)
+        packed = re.search(r'id="plotly">([^<]*)<', page)[1]
+        self.assertIn("* plotly.js v", gzip.decompress(base64.b64decode(packed)).decode()[:300])
         for licence in ("MIT License: Permission", "ISC License: Permission", "BSD-3-Clause License: R"):
             self.assertEqual(page.count(licence), 1)
 

@@ -34,7 +34,11 @@ GROUPS = {
     "Theory": [spring_constants, error_parts, locking, orientation, modes],
     "Data": [files_for_paraview, all_cases, provenance],
 }
-_OF_LIMITS = {"Answer": [summary], "Where methods fail": [atlas, stability_limits]}
+_OF_LIMITS = {
+    "Answer": [summary, explore],
+    "Where methods fail": [atlas, stability_limits],
+    "Data": [all_cases, provenance],
+}
 _OF_NOTHING = {"Data": [empty_file]}
 
 

@@ -1,5 +1,6 @@
 """Every case, where it comes from, and the files for ParaView."""
 
+import pandas as pd
 from content import Section, paragraph, table
 from markupsafe import Markup
 from paraview import vtu_name
@@ -64,7 +65,8 @@ def provenance(study):
     columns += ["deal.II", "gmsh", "Eigen", "HDF5", "BLAS", "cpu", "machine", "clock"]
     columns += ["instructions", "cores", "threads"]
     columns = [name for name in columns if name in sessions]
-    counts = study.cases.provenance.value_counts()
+    tables = [table.provenance for table in (study.cases, study.limits) if not table.empty]
+    counts = pd.concat(tables).value_counts() if tables else {}
     rows = []
     for place, session in sessions.iterrows():
         values = [f"{v:g}" if isinstance(v, float) else str(v) for v in session[columns]]
