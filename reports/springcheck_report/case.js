@@ -53,8 +53,7 @@
     button.addEventListener("click", () => {
       close();
       viewer.showCase(key);
-      viewer.scrollIntoView();
-      setTimeout(() => viewer.scrollIntoView(), 120);  // sections get their height when they are seen
+      bringToTop(viewer);
     });
     return [button];
   }

@@ -436,8 +436,7 @@
     choice.models = named.length ? named : usualModels(ofTest(test));
     complaint = wrong.length ? `The address asks for ${wrong.join(", ")}, which ${allCases.file} does not have here.` : "";
     draw();
-    const section = root.closest("section");
-    for (const wait of [0, 150]) setTimeout(() => section.scrollIntoView(), wait);  // sections get their height when they are seen
+    bringToTop(root.closest("section"));
   }
 
   root.hidden = false;

@@ -58,7 +58,7 @@ def _names(study, cases):
         "test": (cases["test"], "test"),
         "scene": (cases["scene"], "scene"),
         "load": (cases["load"], "load"),
-        "law": ([methods.law(method) or None for method in cases.method], "law"),
+        "law": ([methods.law(method) or None for method in cases.method], "law of the material"),
         "cells": (_meshes(cases), "mesh"),
         "reference": (cases["reference"], "reference of the deviations"),
         "counterpart": (cases["counterpart"], "finite elements on the same problem"),

@@ -36,11 +36,10 @@
     }
     if (typeof allCases === "undefined") return entries;
     for (let place = 0; place < allCases.count; ++place) {
-      const texts = ["name", "scene", "cells", "load", "status"].map((name) => allCases.value(name, place));
-      const nu = allCases.value("nu", place);
-      const key = allCases.value("key", place);
-      add("case", [...texts, nu === null ? null : `nu ${nu}`].filter(Boolean).join(", ").replaceAll("_", " "), key.slice(0, 8), key,
-        `${allCases.value("test", place)} ${key}`);
+      const of = (name) => allCases.value(name, place);
+      const nu = of("nu") === null ? null : `nu ${of("nu")}`;
+      const title = [of("name"), of("scene"), nu, of("load"), of("status"), of("cells")].filter(Boolean).join(", ");
+      add("case", title.replaceAll("_", " "), of("key").slice(0, 8), of("key"), `${of("test")} ${of("key")}`);
     }
     return entries;
   }
@@ -93,8 +92,7 @@
     history.pushState(null, "", `#${target.id}`);
     target.tabIndex = -1;
     target.focus({ preventScroll: true });
-    // Twice: sections get their height when they come into sight.
-    for (const wait of [0, 120]) setTimeout(() => target.scrollIntoView(), wait);
+    bringToTop(target);
     for (const before of document.querySelectorAll(".sought")) before.classList.remove("sought");
     target.classList.add("sought");
   }

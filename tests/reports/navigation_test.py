@@ -100,6 +100,15 @@ class Navigation(unittest.TestCase):
             self.assertTrue(self.is_in_sight(section), name)
             self.assertTrue(self.script("return location.hash") == f"#{name}")
 
+    def test_an_address_leads_to_its_section(self):
+        self.browser.get("about:blank")
+        self.browser.get((self.folder / "index.html").as_uri() + "#provenance")
+        time.sleep(1.2)
+        self.assertTrue(self.is_in_sight(self.one("#provenance h2")))
+        self.one("nav a[href='#torsion']").click()
+        time.sleep(1.2)
+        self.assertLess(abs(self.top_of("#torsion")), 40)
+
     def test_the_navigation_stays_in_sight(self):
         self.script("scrollTo(0, document.documentElement.scrollHeight)")
         self.wait_for(lambda: self.current() == [self.every("nav a")[-1].text], "the last section is current")

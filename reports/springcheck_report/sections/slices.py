@@ -1,6 +1,6 @@
 """Cases along one setting, all others the same, and the explorer's view of them."""
 
-from content import bullets
+from content import paragraph
 from markupsafe import Markup
 from study import is_variant, problem_columns
 
@@ -21,16 +21,22 @@ def longest_slices(study, test, along, least):
     return [group for _, _, group in found[:_MOST]]
 
 
-_ALONG = {"nu": 3, "deformation": 3, "cells.x": 3, "diagonal-ratio": 3, "dt-ratio": 3}  # values that it takes
+_ALONG = {
+    "nu": "Poisson's ratio",
+    "deformation": "the deformation",
+    "cells.x": "the cells across",
+    "diagonal-ratio": "A = k_f/k_c",
+    "dt-ratio": "the time step over its limit",
+}
+_LEAST_VALUES = 3
 
 
 def explorer_links(study, test):
     """To the explorer, for what the cases of a test run along; no block where they do not."""
     cases = study.cases[study.cases.test == test]
-    items = []
-    for along, least in _ALONG.items():
-        if cases[along].nunique() >= least:
-            label = study.settings[along.partition(".")[0]]["label"]
+    links = []
+    for along, words in _ALONG.items():
+        if cases[along].nunique() >= _LEAST_VALUES:
             address = f"#explore?test={test}&x={along}"
-            items.append(Markup('<a href="{}">{}</a> over {}').format(address, test.capitalize(), label))
-    return [bullets(items)] if items else []
+            links.append(Markup('<a href="{}">{}</a>').format(address, words))
+    return [paragraph("In the explorer: over {}.", Markup(", over ").join(links))] if links else []

@@ -11,6 +11,7 @@ from study import ANSWERS, USABLE, mesh_text
 
 _LEAST_VALUES = 3  # of Poisson's ratio
 _LEAST_SHOWN = 0.001  # percent
+_FEW = 4  # springs, up to which others than the foremost join
 
 
 def distance_over_nu(study):
@@ -24,10 +25,17 @@ def distance_over_nu(study):
 
 
 def _comparable(group):
-    """{springs: their cases, failed ones too}, of those that can be judged at enough of the values."""
+    """{springs: their cases, failed ones too}, of those that can be judged at enough of the values: the
+    foremost, and others where these are few."""
     group = group[~group.is_repeated].sort_values("nu")
-    by_name = {name: group[group["name"] == name] for name in foremost_springs(group["name"])}
-    return {name: cases for name, cases in by_name.items() if _distances(cases).count() >= _LEAST_VALUES}
+    springs = group[group.kind == "springs"]["name"]
+    foremost = foremost_springs(springs)
+    by_name = {}
+    for name in [*foremost, *sorted(set(springs) - set(foremost))]:
+        cases = group[group["name"] == name]
+        if _distances(cases).count() >= _LEAST_VALUES and (name in foremost or len(by_name) < _FEW):
+            by_name[name] = cases
+    return by_name
 
 
 def _distances(cases):
@@ -56,7 +64,9 @@ def _answer(study, test, by_name):
         f"they follow none ({', '.join(judges)}), {mesh_text(first)}, {first.load}, against Poisson's ratio: the size of "
         f"the difference, whose sign may change. Less than {_LEAST_SHOWN:g} % is drawn there."
     )
-    named = first_and_nearest({name: sizes.max() for name, sizes in distances.items()})
+    # Springs that fail are none of the nearest, where others do not.
+    ranks = {name: ((by_name[name].status != USABLE).any(), sizes.max()) for name, sizes in distances.items()}
+    named = first_and_nearest(ranks)
     sentence = Markup("{} ({}): the {} of {} off finite elements, over Poisson's ratios from {:g} to {:g}.").format(
         TESTS[test].format(first.load),
         mesh_text(first),
