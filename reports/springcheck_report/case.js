@@ -1,7 +1,7 @@
 "use strict";
 
 /* One case: what it is, what came out, its body and the command that computes it again. Shown where
-   the page's address ends in #case=KEY. */
+   the page's address ends in #case=KEY, or in #case=KEY?CHOICE with the explorer's choice to go back to. */
 (function () {
   const start = "#case=";
   const dialog = document.createElement("dialog");
@@ -43,7 +43,11 @@
       }
     });
     const line = element("pre", text);
-    return [element("h3", "Compute it again"), line, copy];
+    const notes = [];
+    if (!allCases.value("reference", place)) notes.push("It was computed without a reference; run holds the same state against the usual one.");
+    if (text.includes(".toml")) notes.push("The scene's file is meant, whose folder is not known here.");
+    if (allCases.value("body", place) === "file") notes.push("Its mesh is a file, whose name is not known here: add --mesh FILE.msh.");
+    return [element("h3", "Compute it again"), line, copy, ...(notes.length ? [element("p", notes.join(" "), { className: "note" })] : [])];
   }
 
   function bodyLink(key) {
@@ -71,9 +75,9 @@
     const name = (column) => allCases.value(column, place);
     const title = [name("name"), name("scene"), name("cells"), name("load")].filter(Boolean).join(", ");
     const status = element("p", `${words(name("status"))}${name("reason") ? `: ${name("reason")}` : ""}`);
-    const whole = [["key", name("key")], ...["law", "reference", "counterpart"].filter(name).map((column) => [allCases.columns[column].label, name(column)])];
+    const whole = [["key", name("key")], ...["material", "reference", "judge"].filter(name).map((column) => [allCases.heading(column), name(column)])];
     dialog.replaceChildren(out, element("h2", title), status, ...bodyLink(name("key")), ...command(place),
-      tableOf("What came out", rows("measure", place)), tableOf("Settings that differ between cases", rows("setting", place)),
+      tableOf("What came out", rows("measure", place)), tableOf("Settings", rows("setting", place)),
       tableOf("Case", whole));
   }
 
@@ -81,13 +85,19 @@
     dialog.close();
   }
   dialog.addEventListener("close", () => {
-    if (location.hash.startsWith(start)) history.replaceState(null, "", before || "#");
+    if (!location.hash.startsWith(start)) return;
+    const choice = location.hash.split("?")[1];
+    history.replaceState(null, "", choice ? `#explore?${choice}` : before || "#");
   });
   let before = "";
   function follow(event) {
-    if (!location.hash.startsWith(start)) return;
-    before = event?.oldURL ? new URL(event.oldURL).hash : "";
-    fill(decodeURIComponent(location.hash.slice(start.length)));
+    if (!location.hash.startsWith(start)) {
+      if (dialog.open) close();
+      return;
+    }
+    const old = event?.oldURL ? new URL(event.oldURL).hash : "";
+    if (!old.startsWith(start)) before = old;
+    fill(location.hash.slice(start.length).split("?")[0]);
     if (!dialog.open) dialog.showModal();
     dialog.scrollTop = 0;
   }

@@ -3,7 +3,7 @@
 /* Any cases of the file along any setting, several measures side by side. */
 (function () {
   const root = document.querySelector(".explorer");
-  const start = "#explore?";
+  const start = /^#(explore|case=[^?]*)\?/;
   const mostPanels = 4, mostRows = 300;
   const element = (name, further = {}) => Object.assign(document.createElement(name), further);
   const value = allCases.value;
@@ -15,11 +15,12 @@
 
   /* -- What can be chosen ------------------------------------------------------------------------- */
 
-  const tests = distinct(every.map((place) => value("test", place)));
+  const present = distinct(every.map((place) => value("test", place)));
+  const tests = [...Object.keys(allCases.answers), ...present.filter((test) => !Object.hasOwn(allCases.answers, test))];
   const ofTest = (test) => every.filter((place) => value("test", place) === test);
   const settings = allCases.namesOf("setting");
   const measures = allCases.namesOf("measure");
-  const isNumber = (name) => Boolean(allCases.columns[name]?.values);
+  const isNumber = (name) => allCases.column(name)?.kind === "number";
 
   /* Numbers that differ between cases; of cases that differ in none, those that they have. */
   function along(places) {
@@ -35,19 +36,19 @@
   /* Columns that can be held fixed: the mesh and the load in words stand for their settings, unless one of
      these runs along the axis. */
   function fixable(places) {
-    const group = allCases.columns[choice.x]?.group;
-    const names = [...(group === "body" ? [] : ["cells"]), ...(group === "load" ? [] : ["load"]), "law", "scene", "reference"];
+    const group = allCases.column(choice.x)?.group;
+    const names = [...(group === "body" ? [] : ["cells"]), ...(group === "load" ? [] : ["load"]), "material", "scene", "reference"];
     for (const name of settings) {
-      const column = allCases.columns[name];
+      const column = allCases.column(name);
       const told = column.variant || name === choice.x
         || (column.group === "body" && (group !== "body" || /^(cells|size)\./.test(name)))
         || (column.group === "load" && group !== "load");
       if (!told) names.push(name);
     }
-    return names.filter((name) => distinct(places.map((place) => value(name, place))).length > 1);
+    return names.filter((name) => new Set(places.map((place) => value(name, place))).size > 1);
   }
   /* What makes the mechanical problem; of all else any value is shown at first. */
-  const isProblem = (name) => ["cells", "load", "scene"].includes(name) || ["body", "material", "load"].includes(allCases.columns[name].group);
+  const isProblem = (name) => ["cells", "load", "scene"].includes(name) || ["body", "material", "load"].includes(allCases.column(name).group);
 
   /* Of what can be fixed, the values with which most of the axis is covered, by most methods. */
   function telling(places) {
@@ -65,34 +66,44 @@
     return Object.fromEntries(names.map((name, i) => [name, String(values[i])]));
   }
 
-  const model = (place) => value(allCases.columns[choice.x]?.variant ? "model" : "name", place);
+  const model = (place) => value(allCases.column(choice.x)?.variant ? "model" : "name", place);
 
   /* -- What is shown ------------------------------------------------------------------------------ */
 
+  let merged = 0;  // cases that are drawn once with another, the same simulation beside another reference
   function shown() {
     const fixed = Object.entries(choice.fixed);
     const kept = ofTest(choice.test).filter((place) => value(choice.x, place) !== null
       && choice.models.includes(model(place))
       && fixed.every(([name, text]) => String(value(name, place)) === text));
-    const free = fixable(kept).filter((name) => !["law", "reference"].includes(name));
-    const series = new Map();
-    const told = new Map();  // of each method, what its cases differ in
-    for (const name of distinct(kept.map(model))) {
-      const own = kept.filter((place) => model(place) === name);
-      told.set(name, free.filter((column) => distinct(own.map((place) => value(column, place))).length > 1));
+    const free = fixable(kept).filter((name) => name !== "material");
+    merged = 0;
+    return models(kept).flatMap((name) => curvesOf(name, kept.filter((place) => model(place) === name), free));
+  }
+  /* Of one method: a curve for each of what else its cases differ in. The reference tells them apart only where
+     what is shown depends on it. */
+  function curvesOf(method, places, free) {
+    const differing = free.filter((name) => new Set(places.map((place) => value(name, place))).size > 1);
+    const simulation = (place) => JSON.stringify([choice.x, ...differing].filter((name) => name !== "reference").map((name) => value(name, place)));
+    const figures = (place) => JSON.stringify(choice.y.map((name) => value(name, place)));
+    const once = new Map();
+    for (const place of places) {
+      const own = simulation(place) + figures(place);
+      if (!once.has(own)) once.set(own, place);
     }
+    merged += places.length - once.size;
+    const kept = [...once.values()];
+    const isReferenceTold = new Set(kept.map(simulation)).size < kept.length;
+    const told = differing.filter((name) => name !== "reference" || isReferenceTold);
+    const curves = new Map();
     for (const place of kept) {
-      const labels = [model(place), ...told.get(model(place)).map((name) => `${short(name)}${value(name, place) ?? "none"}`)];
-      const label = labels.join(", ");
-      if (!series.has(label)) series.set(label, { label, name: value("name", place), at: new Map() });
-      // The same simulation beside another reference stands there once.
-      const own = series.get(label).at;
-      if (!own.has(value(choice.x, place)) || isMeasureAlong()) own.set(isMeasureAlong() ? place : value(choice.x, place), place);
+      const label = [method, ...told.map((name) => `${short(name)}${value(name, place) ?? "none"}`)].join(", ");
+      if (!curves.has(label)) curves.set(label, { label, method, name: value("name", place), places: [] });
+      curves.get(label).places.push(place);
     }
-    return [...series.values()].map(({ label, name, at }) => {
-      const places = [...at.values()].sort((a, b) => value(choice.x, a) - value(choice.x, b));
-      return { label, name, places };
-    }).sort((a, b) => a.label.localeCompare(b.label));
+    const found = [...curves.values()].sort((a, b) => a.label.localeCompare(b.label, undefined, { numeric: true }));
+    for (const curve of found) curve.places.sort((a, b) => value(choice.x, a) - value(choice.x, b));
+    return found;
   }
   const short = (name) => (["cells", "load"].includes(name) ? "" : `${name} `);
   const isMeasureAlong = () => measures.includes(choice.x);
@@ -113,26 +124,31 @@
     const list = [];
     choice.y.forEach((name, panel) => {
       const bottom = foot(name, all);
-      for (const { label, name: method, places } of all) {
-        const { colour, mark, dash } = allCases.looks[method];
-        const common = (own) => ({
-          type: "scatter", name: label, legendgroup: label, x: own.map((place) => value(choice.x, place)), customdata: own,
+      for (const method of distinct(all.map((curve) => curve.method))) {
+        // One trace of all its curves, with gaps between them: thousands of traces would be slow.
+        const own = all.filter((curve) => curve.method === method);
+        const { colour, mark, dash } = allCases.looks[own[0].name];
+        const places = own.flatMap((curve, i) => (i ? [null, ...curve.places] : curve.places));
+        const labels = own.flatMap((curve, i) => [...(i ? [""] : []), ...curve.places.map(() => curve.label)]);
+        const common = (of, called) => ({
+          type: "scatter", name: escaped(own.length > 1 ? `${method} (${own.length} curves)` : own[0].label), legendgroup: method,
+          x: of.map((place) => place === null ? null : value(choice.x, place)), customdata: of, hoverinfo: "text",
           xaxis: panel ? `x${panel + 1}` : "x", yaxis: panel ? `y${panel + 1}` : "y",
-          hovertemplate: own.map((place) => `<b>${escaped(label)}</b><br>${escaped(told(place, [choice.x, name])).replaceAll("\n", "<br>")}<extra></extra>`),
+          text: of.map((place, i) => place === null ? "" : `<b>${escaped(called[i])}</b><br>${escaped(told(place, [choice.x, name])).replaceAll("\n", "<br>")}`),
         });
-        const isOk = places.map(ok);
+        const isOk = places.map((place) => place === null || ok(place));
         const rings = places.map((place, i) => (isOk[i] ? colour : allCases.statuses[value("status", place)] ?? "#555555"));
         list.push({
-          ...common(places), y: places.map((place) => number(name, place)), showlegend: panel === 0,
+          ...common(places, labels), y: places.map((place) => place === null ? null : number(name, place)), showlegend: panel === 0,
           mode: isMeasureAlong() ? "markers" : "lines+markers", line: { color: colour, width: 1.5, dash },
           marker: {
             color: colour, symbol: isOk.map((one) => (one ? mark : `${mark.replace("-open", "")}-open-dot`)),
             size: isOk.map((one) => (one ? 7 : 11)), line: { width: isOk.map((one) => (one ? 1 : 2)), color: rings },
           },
         });
-        const lost = places.filter((place) => !ok(place) && number(name, place) === null);
+        const lost = places.filter((place) => place !== null && !ok(place) && value(name, place) === null);
         if (lost.length)
-          list.push({ ...common(lost), y: lost.map(() => bottom), showlegend: false, mode: "markers", marker: { color: colour, symbol: "x-thin-open", size: 10, line: { width: 2 } } });
+          list.push({ ...common(lost, lost.map((place) => labels[places.indexOf(place)])), y: lost.map(() => bottom), showlegend: false, mode: "markers", marker: { color: colour, symbol: "x-thin-open", size: 10, line: { width: 2 } } });
       }
     });
     return list;
@@ -142,7 +158,11 @@
 
   /* A line for each of the columns with its full value, then status and key. */
   function told(place, names) {
-    const lines = names.map((name) => `${allCases.columns[name].label} = ${value(name, place) ?? "none"}${allCases.columns[name].unit ? ` ${allCases.columns[name].unit}` : ""}`);
+    const lines = names.map((name) => {
+      const { label, unit } = allCases.column(name);
+      const judge = ["answer_difference", "volume_difference"].includes(name) && value("judge", place);
+      return `${label} = ${value(name, place) ?? "none"}${unit ? ` ${unit}` : ""}${judge ? ` (of ${judge})` : ""}`;
+    });
     return [...lines, `${value("status", place).replaceAll("_", " ")}, case ${value("key", place).slice(0, 8)}`].join("\n");
   }
 
@@ -159,7 +179,7 @@
   function layout(all, width) {
     const count = choice.y.length, panel = 270, gap = 75;
     const columns = Math.min(count, width < 640 ? 1 : 2), rows = Math.ceil(count / columns);
-    const lengths = all.map(({ label }) => 46 + 6.3 * label.length);
+    const lengths = distinct(all.map(({ method }) => method)).map((method) => 46 + 6.3 * (method.length + 12));
     const legend = 20 * Math.ceil(1.15 * lengths.reduce((sum, one) => sum + one, 0) / Math.max(width - 100, 200)) + 10;
     const inside = rows * panel + (rows - 1) * gap;
     const style = getComputedStyle(document.documentElement);
@@ -173,7 +193,7 @@
     };
     choice.y.forEach((name, panel) => {
       const common = { automargin: true, gridcolor: line, zerolinecolor: line, linecolor: ink, ticks: "outside" };
-      const { label, unit } = allCases.columns[name];
+      const { label, unit } = allCases.column(name);
       const heading = `${choice.log.includes("y") ? `|${label}|` : label}${unit ? ` [${unit}]` : ""}`;
       found[`xaxis${panel ? panel + 1 : ""}`] = { ...common, title: { text: escaped(allCases.heading(choice.x)), standoff: 6 }, type: choice.log.includes("x") ? "log" : "linear" };
       found[`yaxis${panel ? panel + 1 : ""}`] = { ...common, exponentformat: "power",
@@ -253,8 +273,9 @@
         (x) => change({ x }, "fixed")),
       ...fixable(places).map((name) => {
         const values = distinct(places.map((place) => value(name, place)));
+        const none = places.some((place) => value(name, place) === null) ? [["null", "none"]] : [];
         values.sort((a, b) => (isNumber(name) ? a - b : String(a).localeCompare(String(b), undefined, { numeric: true })));
-        return select(`fixed.${name}`, allCases.columns[name].label, [["", "any"], ...values.map((one) => [String(one), String(one)])], choice.fixed[name] ?? "", (text) => {
+        return select(`fixed.${name}`, allCases.column(name).label, [["", "any"], ...values.map((one) => [String(one), String(one)]), ...none], choice.fixed[name] ?? "", (text) => {
           const fixed = { ...choice.fixed, [name]: text };
           if (!text) delete fixed[name];
           change({ fixed });
@@ -288,7 +309,12 @@
     const bad = current.flatMap(({ places }) => places).filter((place) => !ok(place));
     const by = distinct(bad.map((place) => value("status", place)));
     const failures = by.map((status) => `${bad.filter((place) => value("status", place) === status).length} ${status.replaceAll("_", " ")}`);
-    said.textContent = [complaint, count ? `${count} cases${failures.length ? `, of which ${failures.join(", ")}` : ""}.` : "No case fits this choice."].filter(Boolean).join(" ");
+    const places = current.flatMap((curve) => curve.places);
+    const lost = places.filter((place) => (choice.log.includes("x") && value(choice.x, place) <= 0)
+      || (choice.log.includes("y") && choice.y.some((name) => value(name, place) === 0)));
+    said.textContent = [complaint, count ? `${count} ${count === 1 ? "case" : "cases"}${failures.length ? `, of which ${failures.join(", ")}` : ""}.` : "No case fits this choice.",
+      lost.length ? `${lost.length} have no place on a logarithmic axis.` : "",
+      merged ? `${merged} more are the same simulations beside another reference.` : ""].filter(Boolean).join(" ");
     rings.replaceChildren();
     fillTable();
     if (isSeen) drawPlot();
@@ -302,7 +328,7 @@
       if (plot.dataset.heard) return;
       plot.dataset.heard = "yes";
       plot.on("plotly_hover", ({ points: [point] }) => mark(point.customdata));
-      plot.on("plotly_click", ({ points: [point] }) => { location.hash = `#case=${value("key", point.customdata)}`; });
+      plot.on("plotly_click", ({ points: [point] }) => { location.hash = caseAddress(value("key", point.customdata)); });
       plot.on("plotly_relayout", () => rings.replaceChildren());
     });
   }
@@ -352,7 +378,7 @@
       const line = body.insertRow();
       row.forEach((cell, i) => {
         if (i) line.insertCell().textContent = typeof cell === "number" ? String(Number(cell.toPrecision(6))) : cell;
-        else line.insertCell().append(element("a", { href: `#case=${cell}`, textContent: cell.slice(0, 8) }));
+        else line.insertCell().append(element("a", { href: caseAddress(cell), textContent: cell.slice(0, 8) }));
       });
     }
     box.append(found);
@@ -394,9 +420,7 @@
     choice.y = choice.y.filter((name) => fits.includes(name));
     const first = [allCases.answers[choice.test], "answer_difference"].filter((name) => fits.includes(name));
     if (!choice.y.length) choice.y = first.length ? first : fits.slice(0, 1);
-    if (from) choice.models = [];
-    choice.models = choice.models.filter((name) => places.some((place) => model(place) === name));
-    if (!choice.models.length) choice.models = usualModels(places);
+    choice.models = from ? usualModels(places) : choice.models.filter((name) => places.some((place) => model(place) === name));
   }
   function change(changes, from) {
     complaint = "";
@@ -407,14 +431,20 @@
   }
   function address() {
     const words = new URLSearchParams({ test: choice.test, x: choice.x, y: choice.y.join(",") });
-    if (String(choice.models) !== String(usualModels(ofTest(choice.test)))) for (const name of choice.models) words.append("m", name);
-    for (const [name, text] of Object.entries(choice.fixed)) words.append(`fixed.${name}`, text);
+    if (String(choice.models) !== String(usualModels(ofTest(choice.test))))
+      for (const name of choice.models.length ? choice.models : [""]) words.append("m", name);
+    const fixed = Object.entries(choice.fixed);
+    for (const [name, text] of fixed) words.append(`fixed.${name}`, text);
+    if (!fixed.length) words.append("fixed", "none");
     if (choice.log) words.append("log", choice.log);
-    return start + words;
+    return `#explore?${words}`;
   }
+  const caseAddress = (key) => address().replace("#explore", `#case=${key}`);
   function followAddress() {
-    if (!location.hash.startsWith(start)) return;
-    const words = new URLSearchParams(location.hash.slice(start.length));
+    if (!start.test(location.hash)) return;
+    const isCase = location.hash.startsWith("#case=");
+    if (isCase && isSeen) return;  // its choice is shown already
+    const words = new URLSearchParams(location.hash.slice(location.hash.indexOf("?") + 1));
     const wrong = [];
     const known = (name, text, all) => {
       if (text !== null && !all.includes(text)) wrong.push(`${name} ${text}`);
@@ -426,17 +456,17 @@
     choice.x = known("axis", words.get("x"), [...can.settings, ...can.measures]) ?? usual(test);
     choice.y = (words.get("y") ?? "").split(",").filter((name) => name && known("measure", name, measured(ofTest(test)))).slice(0, mostPanels);
     const fixed = [...words].filter(([name]) => name.startsWith("fixed."));
-    complete(fixed.length ? null : "fixed");
+    complete(fixed.length || words.has("fixed") ? null : "fixed");
     for (const [name, text] of fixed) {
       const column = name.slice("fixed.".length);
-      const values = allCases.columns[column] ? distinct(ofTest(test).map((place) => value(column, place))).map(String) : [];
+      const values = allCases.column(column) ? ofTest(test).map((place) => String(value(column, place))) : [];
       if (known(column, text, values) !== null) choice.fixed[column] = text;
     }
-    const named = words.getAll("m").filter((name) => known("method", name, models(ofTest(test))));
-    choice.models = named.length ? named : usualModels(ofTest(test));
+    const named = words.getAll("m").filter((name) => name === "" || known("method", name, models(ofTest(test))));
+    choice.models = named.length ? named.filter(Boolean) : usualModels(ofTest(test));
     complaint = wrong.length ? `The address asks for ${wrong.join(", ")}, which ${allCases.file} does not have here.` : "";
     draw();
-    bringToTop(root.closest("section"));
+    if (!isCase) bringToTop(root.closest("section"));
   }
 
   root.hidden = false;

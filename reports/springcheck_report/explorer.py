@@ -27,18 +27,21 @@ _TIMES = {"solve_wall_s": "time of the solution"}
 
 
 def explorer_data(study):
-    """{file, columns: {key: {label, unit, role, values or codes with texts}}, looks: of methods, answers:
-    the measure that each test answers with, usual: methods that are shown at first, statuses: their colours}. Every list has a place for each case.
-    role: "name" of what tells cases apart in words, "setting" of what differs between cases, "measure"."""
+    """{file, columns: {key: {label, unit, role, kind, values, codes}}, looks: of methods, answers: the measure
+    that each test answers with, usual: methods that are shown at first, statuses: their colours}. values: of
+    every case; where they repeat each once, and codes: the place of each case's own, -1 for none. role: "name"
+    of what tells cases apart in words, "setting", "measure"; kind: "number" or "text"."""
     tables = [table for table in (study.cases, study.limits) if not table.empty]
     cases = pd.concat(tables) if len(tables) > 1 else tables[0]
-    columns = _names(study, cases) | _settings(study, cases) | _measures(study, cases)
+    parts = [_names(study, cases), _settings(study, cases), _measures(study, cases)]
+    columns = {key: column for part in parts for key, column in part.items()}
+    assert len(columns) == sum(map(len, parts)), "two columns of one name"
     return {
         "file": study.results.path.name,
         "columns": columns,
         "looks": {name: _look(name) for name in dict.fromkeys(cases["name"])},
         "usual": [name for name in dict.fromkeys(cases["name"]) if _is_usual(name)],
-        "answers": {test: ANSWERS[test][0] for test in dict.fromkeys(cases.test) if test in ANSWERS},
+        "answers": {test: answer for test, (answer, _, _) in ANSWERS.items() if (cases.test == test).any()},
         "statuses": method_style.STATUS_COLOURS,
     }
 
@@ -58,13 +61,13 @@ def _names(study, cases):
         "test": (cases["test"], "test"),
         "scene": (cases["scene"], "scene"),
         "load": (cases["load"], "load"),
-        "law": ([methods.law(method) or None for method in cases.method], "law of the material"),
+        "material": ([methods.law(method) or None for method in cases.method], "law of the material"),
         "cells": (_meshes(cases), "mesh"),
         "reference": (cases["reference"], "reference of the deviations"),
-        "counterpart": (cases["counterpart"], "finite elements on the same problem"),
+        "judge": (cases["name"].reindex(cases["counterpart"]), "finite elements on the same problem"),
         "command": ([case_command(case, study.settings, scenes) for _, case in wholes.iterrows()], "command"),
     }
-    return {key: {"label": label, "role": "name", **_coded(values)} for key, (values, label) in texts.items()}
+    return {key: {"label": label, "role": "name", **_column(values)} for key, (values, label) in texts.items()}
 
 
 def _meshes(cases):
@@ -77,20 +80,19 @@ def _meshes(cases):
 
 
 def _settings(study, cases):
-    """Those that differ between cases."""
     found = {}
     for key, setting in study.settings.items():
         if key in ("method", "element", "test", "reference", "expect"):
             continue
         names, _ = setting_columns(key, setting)
         for name in names:
-            if name not in cases or cases[name].nunique(dropna=False) < 2:
+            if name not in cases or cases[name].isna().all():
                 continue
             label = setting["label"] if name == key else f"{setting['label']}, {name.rpartition('.')[2]}"
             unit = setting["si_unit"] if setting["si_unit"] != "-" else ""
             column = {"label": label, "unit": unit, "role": "setting", "group": setting["group"]}
             column["variant"] = bool(setting["variant"])
-            found[name] = column | (_numbers if _is_number(cases[name]) else _coded)(cases[name])
+            found[name] = column | _column(cases[name])
     return found
 
 
@@ -103,7 +105,7 @@ def _measures(study, cases):
     found |= {name: (label, "s") for name, label in _TIMES.items()}
     answers = {ANSWERS[test][0] for test in cases.test if test in ANSWERS}  # even where every case failed
     return {
-        name: {"label": label, "unit": unit, "role": "measure", **_numbers(cases[name])}
+        name: {"label": label, "unit": unit, "role": "measure", **_column(cases[name])}
         for name, (label, unit) in found.items()
         if cases[name].notna().any() or name in answers
     }
@@ -113,22 +115,25 @@ def _is_number(values):
     return pd.api.types.is_numeric_dtype(values)
 
 
-def _numbers(values):
-    return {"values": [float(v) if math.isfinite(v) else None for v in np.asarray(values, dtype=float)]}
-
-
-def _coded(values):
-    """Texts that repeat, each once; a code of -1 for none."""
-    values = [value if isinstance(value, str) and value else None for value in values]
-    texts = list(dict.fromkeys(value for value in values if value is not None))
-    places = {text: place for place, text in enumerate(texts)}
-    return {"texts": texts, "codes": [places.get(value, -1) for value in values]}
+def _column(values):
+    """kind and values, with codes where that is shorter."""
+    if _is_number(values):
+        kind, values = "number", [float(v) if math.isfinite(v) else None for v in np.asarray(values, dtype=float)]
+    else:
+        kind, values = "text", [value if isinstance(value, str) and value else None for value in values]
+    distinct = list(dict.fromkeys(value for value in values if value is not None))
+    if 2 * len(distinct) > len(values):
+        return {"kind": kind, "values": values}
+    places = {value: place for place, value in enumerate(distinct)}
+    return {"kind": kind, "values": distinct, "codes": [places.get(value, -1) for value in values]}
 
 
 def _is_usual(name):
-    """At rest, by its usual settings, of an element that does not lock."""
+    """At rest, by its usual settings and element, of the methods that people want to see first; or others'."""
     method, _, element = name.partition(":")
-    return not is_variant(name) and methods.own_solver(method) == "static" and not methods.locks(method, element)
+    family = methods.family(method)
+    known = family is None or method in methods.foremost(family) and methods.own_solver(method) == "static"
+    return known and not is_variant(name) and element in ("", methods.default("element"))
 
 
 def _look(name):

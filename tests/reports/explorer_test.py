@@ -44,11 +44,17 @@ RUNS = [
     "tissue-shearing --method mss-tissue --cells 2,2,2 --rate 0.5 --history 5 --time-steps 10",
     "traction --method mss-cf --cells 2,2,2 --traction 0,0,500 --plates sliding",
     "kidney --method mss-affine --cells 4,4,4",
+    "compression --method mss-cf --cells 2,2,2 --nu 0.2 --reference fem-hencky:q1-sri",  # a second one
+    "uniaxial --method mss-cf --cells 2,2,2 --deformation -5%",
+    "uniaxial --method mss-cf --cells 2,2,2 --deformation -10%",
 ]
+# Gaps between the curves of a trace are left out.
 PLOTTED = (
-    "return document.querySelector('.explorer .plot').data.map((trace) =>"
-    " ({name: trace.name, x: [...trace.x], y: [...trace.y], places: [...trace.customdata], axis: trace.yaxis,"
-    "   symbol: trace.marker.symbol}))"
+    "return document.querySelector('.explorer .plot').data.map((trace) => {"
+    "  const kept = (values) => [...values].filter((_, i) => trace.customdata[i] !== null);"
+    "  const { symbol } = trace.marker;"
+    "  return {name: trace.name, x: kept(trace.x), y: kept(trace.y), places: kept(trace.customdata), axis: trace.yaxis,"
+    "   symbol: Array.isArray(symbol) ? kept(symbol) : symbol}; })"
 )
 
 
@@ -144,13 +150,24 @@ class Explorer(unittest.TestCase):
                 case = self.cases.loc[self.key(place)]
                 self.assertEqual((case.nu, case.test, case["cells.x"]), (x, "compression", 2))
                 self.assertEqual(case[measure], y)
-                seen[measure].add(self.key(place))
-        self.assertEqual(seen, dict.fromkeys(seen, self.keys_over_nu()))
+                self.assertNotIn((case.method, case.nu), seen[measure])  # one beside another reference is left out
+                seen[measure].add((case.method, case.nu))
+        self.assertEqual(seen, dict.fromkeys(seen, self.usual_over_nu()))
+        self.assertIn("1 more are the same simulations beside another reference", self.one(".explorer .said").text)
 
-    def keys_over_nu(self):
-        """Of what the explorer shows at first: cases at rest of one mesh and load."""
-        cases = self.cases[(self.cases.test == "compression") & (self.cases["cells.x"] == 2)]
-        return set(cases.index[(cases.solver == "static") & (cases.body == "block")])
+    def usual_over_nu(self):
+        """What the explorer shows at first: the foremost methods at rest, on one mesh, under one load."""
+        return {(method, nu) for method in ("mss-cf", "mss-affine", "fem-hencky") for nu in (0, 0.1, 0.2, 0.3, 0.4, 0.49)}
+
+    def test_references_are_told_apart_where_they_matter(self):
+        self.open("#explore?test=compression&x=nu&y=deviation_l2_relative&m=mss-cf")
+        (trace,) = self.script(PLOTTED)
+        self.assertEqual(trace["name"], "mss-cf (2 curves)")
+        shown = {self.key(place): y for place, y in zip(trace["places"], trace["y"])}
+        cases = self.cases[(self.cases.test == "compression") & (self.cases.method == "mss-cf") & (self.cases["cells.x"] == 2)]
+        cases = cases[(cases.solver == "static")]
+        self.assertEqual(shown, dict(cases.deviation_l2_relative))
+        self.assertNotIn("more are the same", self.one(".explorer .said").text)
 
     def test_hovering_shows_value_status_and_key_and_rings_in_all_panels(self):
         self.open("#explore?test=compression&x=nu&y=plate_force,volume_change,cell_volume_ratio_min")
@@ -193,7 +210,8 @@ class Explorer(unittest.TestCase):
         again = self.folder / "again.h5"
         commands = {self.key(place): self.script("return allCases.value('command', arguments[0])", place)
                     for place in range(len(self.cases))}
-        for key in self.cases.index[-2 * len(RUNS):].union(self.cases.index[:8]):
+        sweep = self.cases[self.cases.scene == "compression"].index[:8]
+        for key in self.cases.index[self.cases.scene != "compression"].union(sweep):
             words = shlex.split(commands[key])
             self.assertEqual(words[:2], ["springcheck", "run"])
             springcheck("run", *words[2:], "--out", again, check=False)
@@ -203,9 +221,15 @@ class Explorer(unittest.TestCase):
             else:
                 self.assertTrue((made.volume_change == self.cases.loc[key].volume_change).any(), commands[key])
 
+    def test_a_case_without_a_reference_says_so(self):
+        for is_alone in (True, False):
+            key = self.cases.index[self.cases.reference.isna() == is_alone][0]
+            self.open(f"#case={key[:12]}")
+            self.assertEqual("computed without a reference" in self.one("#case").text, is_alone)
+
     def test_commands_name_only_what_the_scene_has_otherwise(self):
         self.open("")
-        commands = self.script("return allCases.columns.command.texts")
+        commands = self.script("return allCases.column('command').values")
         self.assertIn("springcheck run compression --method mss-cf --reference fem-stvk:q1-sri --cells 4,4,4 --nu 0 "
                       "--deformation 0.2", commands)
 
@@ -222,6 +246,58 @@ class Explorer(unittest.TestCase):
         self.assertEqual(self.script(PLOTTED), before)
         self.assertEqual(self.script("return location.hash"), address)
         self.assertTrue(self.one(".explorer input[name=log-y]").is_selected())
+
+    def test_a_choice_of_everything_is_restored(self):
+        self.open("#explore?test=compression&x=nu")
+        for name in ("fixed.cells", "fixed.load", "fixed.scene"):
+            if self.script("return Boolean(document.querySelector('.explorer form').elements[arguments[0]])", name):
+                self.choose(name, "")
+        self.script("[...document.querySelectorAll('.explorer button')].find((one) => one.textContent === 'All methods').click()")
+        time.sleep(1)
+        before, address = self.script(PLOTTED), self.script("return location.hash")
+        places = {place for trace in before for place in trace["places"]}
+        self.assertEqual(len(places), ((self.cases.test == "compression").sum() - 1))  # one beside another reference
+        self.open(address)
+        self.assertEqual(self.script(PLOTTED), before)
+
+    def test_no_method_is_none(self):
+        self.open("#explore?test=compression&x=nu&m=mss-cf")
+        self.tick("m", "mss-cf")
+        self.assertEqual(self.one(".explorer .said").text, "No case fits this choice.")
+        self.open(self.script("return location.hash"))
+        self.assertEqual(self.one(".explorer .said").text, "No case fits this choice.")
+
+    def test_what_a_logarithmic_axis_cannot_show_is_said(self):
+        self.open("#explore?test=uniaxial&x=deformation&log=x")
+        self.assertIn("2 have no place on a logarithmic axis", self.one(".explorer .said").text)
+
+    def test_from_a_case_back_to_the_choice(self):
+        self.open("#explore?test=compression&x=nu&y=volume_change&m=mss-cf")
+        before = self.script(PLOTTED)
+        self.script("document.querySelector('.explorer .rows').open = true")
+        self.wait_for(lambda: self.script("return document.querySelector('.explorer .rows a') !== null"), "rows")
+        self.script("document.querySelector('.explorer .rows a').click()")
+        self.wait_for(lambda: self.one("#case").is_displayed(), "the case is shown")
+        self.open(self.script("return location.hash"))  # as a colleague who gets this address
+        self.assertTrue(self.one("#case").is_displayed())
+        self.browser.switch_to.active_element.send_keys(Keys.ESCAPE)
+        self.script("document.querySelector('#explore').scrollIntoView()")
+        self.wait_for(lambda: self.drawn() > 0, "the plot is drawn")
+        self.assertEqual(self.script(PLOTTED), before)
+
+    def test_going_back_closes_a_case(self):
+        self.open("")
+        self.script("location.hash = '#case=' + allCases.value('key', 0)")
+        self.wait_for(lambda: self.one("#case").is_displayed(), "the case is shown")
+        self.browser.back()
+        self.wait_for(lambda: not self.one("#case").is_displayed(), "the case is closed")
+
+    def test_odd_addresses_are_no_errors(self):
+        for address in ("#case=%E0%A4%A", "#case=", "#explore?test=__proto__&x=constructor&y=toString&fixed.constructor=2"):
+            self.open("")
+            self.script("location.hash = arguments[0]", address)
+            time.sleep(0.5)
+        self.assertIn("test __proto__", self.one(".explorer .said").text)
 
     def test_what_an_address_asks_for_and_is_not_there_is_said(self):
         self.open("#explore?test=compression&x=nope&y=plate_force,bogus&m=mss-none&fixed.nu=7")
@@ -257,8 +333,8 @@ class Explorer(unittest.TestCase):
                     "[...document.querySelectorAll('.explorer button')].find((one) => one.textContent === 'CSV').click()")
         text = self.browser.execute_async_script("window.saved.text().then(arguments[0])")
         rows = list(csv.DictReader(io.StringIO(text)))
-        self.assertEqual({row["key"] for row in rows}, self.keys_over_nu())
-        self.assertEqual(len(rows), len(self.keys_over_nu()))
+        self.assertEqual({(self.cases.loc[row["key"]].method, float(row["nu"])) for row in rows}, self.usual_over_nu())
+        self.assertEqual(len(rows), len(self.usual_over_nu()))
         for row in rows:
             case = self.cases.loc[row["key"]]
             self.assertEqual(row["status"], case.status)

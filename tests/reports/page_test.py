@@ -329,6 +329,19 @@ class Page(unittest.TestCase):
             self.assertEqual((percent, count), ("%", f"{usable} of {covered}"))
             self.assertAlmostEqual(float(shown), median, delta=0.051 * median)  # two digits
 
+    def test_names_are_text_in_the_explorer(self):
+        """In its legend and where a mark is read."""
+        driver = self.without_webgl
+        driver.execute_script("location.hash = '#explore?test=compression&x=nu&y=plate_force,volume_change&fixed=none'")
+        for _ in range(100):
+            names = [one.get_attribute("textContent") for one in driver.find_elements(By.CSS_SELECTOR, ".explorer .legendtext")]
+            if LABEL in names:
+                break
+            time.sleep(0.1)
+        self.assertIn(LABEL, names)
+        self.assertIn(DOLLARS, names)
+        self.assertEqual(driver.find_elements(By.CSS_SELECTOR, ".explorer img"), [])
+
     def test_names_are_text(self):
         self.assertIn(LABEL, self.browser.find_element(By.ID, "summary").text)
         self.assertEqual(self.every("img[src=x]"), [])
