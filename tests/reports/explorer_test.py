@@ -42,6 +42,8 @@ RUNS = [
     "compression --method fem-cauchy-born:q2 --lattice mss-affine --cells 2,2,2",
     "affine --method mss-affine --cells 2,2,2 --cell-type mixed --distortion 0.1 --seed 3 --directions 25",
     "tissue-shearing --method mss-tissue --cells 2,2,2 --rate 0.5 --history 5 --time-steps 10",
+    # Ends with half of its load.
+    "tissue-relaxation --method mss-tissue --cells 2,2,2 --load-times 1,2 --load-fractions 1,0.5 --time-steps 5",
     "traction --method mss-cf --cells 2,2,2 --traction 0,0,500 --plates sliding",
     "kidney --method mss-affine --cells 4,4,4",
     "compression --method mss-cf --cells 2,2,2 --nu 0.2 --reference fem-hencky:q1-sri",  # a second one
