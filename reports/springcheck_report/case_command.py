@@ -7,6 +7,9 @@ import numpy as np
 import springcheck_results
 
 
+_WITH_A_DURATION = ("load-times", "angular-frequency")  # of their own
+
+
 def case_command(case, settings, scenes):
     """"springcheck run compression --method mss-cf --nu 0.49": the case's own settings where its scene
     has others. A case that was measured has no command: "". settings, scenes: of the vocabulary. What a
@@ -21,6 +24,8 @@ def case_command(case, settings, scenes):
         words += ["--reference", case.reference]
     for key, setting in settings.items():
         if not setting["option"] or not setting["column"] or key in ("method", "element"):
+            continue
+        if key == "duration" and any(_text(case[other]) for other in _WITH_A_DURATION):
             continue
         value = _given(case, key, setting)
         if value and value != (_text(own[key]) if key in own else setting["default"]):
