@@ -7,200 +7,12 @@
   const mostPanels = 4, mostRows = 300;
   const element = (name, further = {}) => Object.assign(document.createElement(name), further);
   const value = allCases.value;
-  const distinct = (values) => [...new Set(values)].filter((one) => one !== null);
-  const every = [...Array(allCases.count).keys()];
+  const { along, distinct, isNumber, ofTest, ok, settings, measures, tests } = selection;
 
   /* What is shown: y: measures; models: names of methods; fixed: {column: value as text}. */
   let choice = { test: null, x: null, y: [], models: [], fixed: {}, log: "" };
-
-  /* -- What can be chosen ------------------------------------------------------------------------- */
-
-  const present = distinct(every.map((place) => value("test", place)));
-  const tests = [...Object.keys(allCases.answers), ...present.filter((test) => !Object.hasOwn(allCases.answers, test))];
-  const ofTest = (test) => every.filter((place) => value("test", place) === test);
-  const settings = allCases.namesOf("setting");
-  const measures = allCases.namesOf("measure");
-  const isNumber = (name) => allCases.column(name)?.kind === "number";
-
-  /* Numbers that differ between cases; of cases that differ in none, those that they have. */
-  function along(places) {
-    const those = (least) => (name) => isNumber(name) && distinct(places.map((place) => value(name, place))).length >= least;
-    const found = settings.filter(those(2));
-    return { settings: found.length ? found : settings.filter(those(1)), measures: measures.filter(those(1)) };
-  }
-  const measured = (places) => {
-    const own = allCases.answers[choice.test];
-    return measures.filter((name) => name === own || places.some((place) => value(name, place) !== null));
-  };
-
-  /* Columns that can be held fixed: the mesh and the load in words stand for their settings, unless one of
-     these runs along the axis. */
-  function fixable(places) {
-    const group = allCases.column(choice.x)?.group;
-    const names = [...(group === "body" ? [] : ["cells"]), ...(group === "load" ? [] : ["load"]), "material", "scene", "reference"];
-    for (const name of settings) {
-      const column = allCases.column(name);
-      const told = column.variant || name === choice.x
-        || (column.group === "body" && (group !== "body" || /^(cells|size)\./.test(name)))
-        || (column.group === "load" && group !== "load");
-      if (!told) names.push(name);
-    }
-    return names.filter((name) => new Set(places.map((place) => value(name, place))).size > 1);
-  }
-  /* What makes the mechanical problem; of all else any value is shown at first. */
-  const isProblem = (name) => ["cells", "load", "scene"].includes(name) || ["body", "material", "load"].includes(allCases.column(name).group);
-
-  /* Of what can be fixed, the values with which most of the axis is covered, by most methods. */
-  function telling(places) {
-    const names = fixable(places).filter(isProblem);
-    const groups = new Map();
-    for (const place of places) {
-      if (value(choice.x, place) === null) continue;
-      const own = JSON.stringify(names.map((name) => value(name, place)));
-      if (!groups.has(own)) groups.set(own, { at: new Set(), models: new Set() });
-      groups.get(own).at.add(value(choice.x, place));
-      groups.get(own).models.add(value("name", place));
-    }
-    const best = [...groups].sort(([, a], [, b]) => b.at.size - a.at.size || b.models.size - a.models.size)[0];
-    const values = best ? JSON.parse(best[0]) : [];
-    return Object.fromEntries(names.map((name, i) => [name, String(values[i])]));
-  }
-
-  const model = (place) => value(allCases.column(choice.x)?.variant ? "model" : "name", place);
-
-  /* -- What is shown ------------------------------------------------------------------------------ */
-
-  let merged = 0;  // cases that are drawn once with another, the same simulation beside another reference
-  function shown() {
-    const fixed = Object.entries(choice.fixed);
-    const kept = ofTest(choice.test).filter((place) => value(choice.x, place) !== null
-      && choice.models.includes(model(place))
-      && fixed.every(([name, text]) => String(value(name, place)) === text));
-    const free = fixable(kept).filter((name) => name !== "material");
-    merged = 0;
-    return models(kept).flatMap((name) => curvesOf(name, kept.filter((place) => model(place) === name), free));
-  }
-  /* Of one method: a curve for each of what else its cases differ in. The reference tells them apart only where
-     what is shown depends on it. */
-  function curvesOf(method, places, free) {
-    const differing = free.filter((name) => new Set(places.map((place) => value(name, place))).size > 1);
-    const simulation = (place) => JSON.stringify([choice.x, ...differing].filter((name) => name !== "reference").map((name) => value(name, place)));
-    const figures = (place) => JSON.stringify(choice.y.map((name) => value(name, place)));
-    const once = new Map();
-    for (const place of places) {
-      const own = simulation(place) + figures(place);
-      if (!once.has(own)) once.set(own, place);
-    }
-    merged += places.length - once.size;
-    const kept = [...once.values()];
-    const isReferenceTold = new Set(kept.map(simulation)).size < kept.length;
-    const told = differing.filter((name) => name !== "reference" || isReferenceTold);
-    const curves = new Map();
-    for (const place of kept) {
-      const label = [method, ...told.map((name) => `${short(name)}${value(name, place) ?? "none"}`)].join(", ");
-      if (!curves.has(label)) curves.set(label, { label, method, name: value("name", place), places: [] });
-      curves.get(label).places.push(place);
-    }
-    const found = [...curves.values()].sort((a, b) => a.label.localeCompare(b.label, undefined, { numeric: true }));
-    for (const curve of found) curve.places.sort((a, b) => value(choice.x, a) - value(choice.x, b));
-    return found;
-  }
-  const short = (name) => (["cells", "load"].includes(name) ? "" : `${name} `);
-  const isMeasureAlong = () => measures.includes(choice.x);
-
-  const number = (name, place) => {
-    const found = value(name, place);
-    return found !== null && choice.log.includes("y") ? Math.abs(found) || null : found;
-  };
-  /* Where crosses of failed cases without a value stand: below all values. */
-  function foot(name, all) {
-    const values = all.flatMap(({ places }) => places.map((place) => number(name, place))).filter((one) => one !== null);
-    if (!values.length) return choice.log.includes("y") ? 1 : 0;
-    const [least, most] = [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
-    return choice.log.includes("y") ? least / Math.max(2, (most / least) ** 0.1) : least - 0.08 * (most - least || Math.abs(most) || 1);
-  }
-
-  function traces(all) {
-    const list = [];
-    choice.y.forEach((name, panel) => {
-      const bottom = foot(name, all);
-      for (const method of distinct(all.map((curve) => curve.method))) {
-        // One trace of all its curves, with gaps between them: thousands of traces would be slow.
-        const own = all.filter((curve) => curve.method === method);
-        const { colour, mark, dash } = allCases.looks[own[0].name];
-        const places = own.flatMap((curve, i) => (i ? [null, ...curve.places] : curve.places));
-        const labels = own.flatMap((curve, i) => [...(i ? [""] : []), ...curve.places.map(() => curve.label)]);
-        const common = (of, called) => ({
-          type: "scatter", name: escaped(own.length > 1 ? `${method} (${own.length} curves)` : own[0].label), legendgroup: method,
-          x: of.map((place) => place === null ? null : value(choice.x, place)), customdata: of, hoverinfo: "text",
-          xaxis: panel ? `x${panel + 1}` : "x", yaxis: panel ? `y${panel + 1}` : "y",
-          text: of.map((place, i) => place === null ? "" : `<b>${escaped(called[i])}</b><br>${escaped(told(place, [choice.x, name])).replaceAll("\n", "<br>")}`),
-        });
-        const isOk = places.map((place) => place === null || ok(place));
-        const rings = places.map((place, i) => (isOk[i] ? colour : allCases.statuses[value("status", place)] ?? "#555555"));
-        list.push({
-          ...common(places, labels), y: places.map((place) => place === null ? null : number(name, place)), showlegend: panel === 0,
-          mode: isMeasureAlong() ? "markers" : "lines+markers", line: { color: colour, width: 1.5, dash },
-          marker: {
-            color: colour, symbol: isOk.map((one) => (one ? mark : `${mark.replace("-open", "")}-open-dot`)),
-            size: isOk.map((one) => (one ? 7 : 11)), line: { width: isOk.map((one) => (one ? 1 : 2)), color: rings },
-          },
-        });
-        const lost = places.filter((place) => place !== null && !ok(place) && value(name, place) === null);
-        if (lost.length)
-          list.push({ ...common(lost, lost.map((place) => labels[places.indexOf(place)])), y: lost.map(() => bottom), showlegend: false, mode: "markers", marker: { color: colour, symbol: "x-thin-open", size: 10, line: { width: 2 } } });
-      }
-    });
-    return list;
-  }
-  const ok = (place) => value("status", place) === "ok";
-  const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
-
-  /* A line for each of the columns with its full value, then status and key. */
-  function told(place, names) {
-    const lines = names.map((name) => {
-      const { label, unit } = allCases.column(name);
-      const judge = ["answer_difference", "volume_difference"].includes(name) && value("judge", place);
-      return `${label} = ${value(name, place) ?? "none"}${unit ? ` ${unit}` : ""}${judge ? ` (of ${judge})` : ""}`;
-    });
-    return [...lines, `${value("status", place).replaceAll("_", " ")}, case ${value("key", place).slice(0, 8)}`].join("\n");
-  }
-
-  /* A title of an axis in lines that fit beside a panel. */
-  function inLines(text) {
-    const lines = [""];
-    for (const word of text.split(" ")) {
-      if (lines.at(-1).length + word.length > 34) lines.push("");
-      lines[lines.length - 1] += `${word} `;
-    }
-    return lines.map((line) => escaped(line.trim())).join("<br>");
-  }
-
-  function layout(all, width) {
-    const count = choice.y.length, panel = 270, gap = 75;
-    const columns = Math.min(count, width < 640 ? 1 : 2), rows = Math.ceil(count / columns);
-    const lengths = distinct(all.map(({ method }) => method)).map((method) => 46 + 6.3 * (method.length + 12));
-    const legend = 20 * Math.ceil(1.15 * lengths.reduce((sum, one) => sum + one, 0) / Math.max(width - 100, 200)) + 10;
-    const inside = rows * panel + (rows - 1) * gap;
-    const style = getComputedStyle(document.documentElement);
-    const ink = style.getPropertyValue("--ink"), line = style.getPropertyValue("--line");
-    const found = {
-      grid: { rows, columns, pattern: "independent", xgap: 0.2, ygap: gap / panel }, height: inside + 16 + 60 + legend,
-      margin: { l: 62, r: 16, t: 16, b: 60 + legend },
-      hovermode: "closest", font: { size: 11.5, color: ink }, paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
-      hoverlabel: { align: "left", bgcolor: style.getPropertyValue("--paper"), font: { color: ink } },
-      legend: { orientation: "h", y: -56 / inside, yanchor: "top", x: 0, font: { size: 11 } },
-    };
-    choice.y.forEach((name, panel) => {
-      const common = { automargin: true, gridcolor: line, zerolinecolor: line, linecolor: ink, ticks: "outside" };
-      const { label, unit } = allCases.column(name);
-      const heading = `${choice.log.includes("y") ? `|${label}|` : label}${unit ? ` [${unit}]` : ""}`;
-      found[`xaxis${panel ? panel + 1 : ""}`] = { ...common, title: { text: escaped(allCases.heading(choice.x)), standoff: 6 }, type: choice.log.includes("x") ? "log" : "linear" };
-      found[`yaxis${panel ? panel + 1 : ""}`] = { ...common, exponentformat: "power",
-        title: { text: inLines(heading), standoff: 6 }, type: choice.log.includes("y") ? "log" : "linear" };
-    });
-    return found;
-  }
+  const measured = (places) => selection.measured(choice.test, places);
+  const models = (places) => selection.models(choice, places);
 
   /* -- Controls ----------------------------------------------------------------------------------- */
 
@@ -253,7 +65,6 @@
   }
   const opened = new Set();
 
-  const models = (places) => distinct(places.map(model)).sort();
   function usualModels(places) {
     const kept = places.filter((place) => Object.entries(choice.fixed).every(([name, text]) => String(value(name, place)) === text));
     const all = models(kept.length ? kept : places);
@@ -271,7 +82,7 @@
       select("test", "Test", tests.map((test) => [test, test]), choice.test, (test) => change({ test }, "x")),
       select("x", "Along x", [...can.settings.map((name) => [name, title(name), "settings"]), ...can.measures.map((name) => [name, title(name), "measures"])], choice.x,
         (x) => change({ x }, "fixed")),
-      ...fixable(places).map((name) => {
+      ...selection.fixable(choice, places).map((name) => {
         const values = distinct(places.map((place) => value(name, place)));
         const none = places.some((place) => value(name, place) === null) ? [["null", "none"]] : [];
         values.sort((a, b) => (isNumber(name) ? a - b : String(a).localeCompare(String(b), undefined, { numeric: true })));
@@ -304,7 +115,8 @@
   let isSeen = false;
   function draw() {
     fill();
-    current = shown();
+    const found = selection.shown(choice);
+    current = found.curves;
     const count = current.reduce((sum, { places }) => sum + places.length, 0);
     const bad = current.flatMap(({ places }) => places).filter((place) => !ok(place));
     const by = distinct(bad.map((place) => value("status", place)));
@@ -314,7 +126,7 @@
       || (choice.log.includes("y") && choice.y.some((name) => value(name, place) === 0)));
     said.textContent = [complaint, count ? `${count} ${count === 1 ? "case" : "cases"}${failures.length ? `, of which ${failures.join(", ")}` : ""}.` : "No case fits this choice.",
       lost.length ? `${lost.length} have no place on a logarithmic axis.` : "",
-      merged ? `${merged} more are the same simulations beside another reference.` : ""].filter(Boolean).join(" ");
+      found.merged ? `${found.merged} more are the same simulations beside another reference.` : ""].filter(Boolean).join(" ");
     rings.replaceChildren();
     fillTable();
     if (isSeen) drawPlot();
@@ -322,8 +134,8 @@
 
   async function drawPlot() {
     await loadPlotly();
-    const settings = { responsive: true, displaylogo: false, displayModeBar: false };
-    Plotly.react(plot, traces(current), layout(current, root.clientWidth), settings).then(() => {
+    const options = { responsive: true, displaylogo: false, displayModeBar: false };
+    Plotly.react(plot, explorerPlot.traces(choice, current), explorerPlot.layout(choice, current, root.clientWidth), options).then(() => {
       plot.dataset.drawn = String(Number(plot.dataset.drawn ?? 0) + 1);
       if (plot.dataset.heard) return;
       plot.dataset.heard = "yes";
@@ -338,15 +150,15 @@
     rings.replaceChildren();
     choice.y.forEach((name, panel) => {
       const [x, y] = ["x", "y"].map((axis) => plot._fullLayout[`${axis}axis${panel ? panel + 1 : ""}`]);
-      const shown = number(name, place) ?? (ok(place) ? null : foot(name, current));
+      const shown = explorerPlot.number(choice, name, place) ?? (ok(place) ? null : explorerPlot.foot(choice, name, current));
       if (shown === null) return;
       const ring = element("i");
       ring.style.left = `${x._offset + x.d2p(value(choice.x, place))}px`;
       ring.style.top = `${y._offset + y.d2p(shown)}px`;
       rings.append(ring);
     });
-    const model = [value("name", place), value("cells", place), value("load", place)].filter(Boolean).join(", ");
-    readout.textContent = `${model}\n${told(place, [choice.x, ...choice.y])}`;
+    const words = [value("name", place), value("cells", place), value("load", place)].filter(Boolean).join(", ");
+    readout.textContent = `${words}\n${explorerPlot.told(place, [choice.x, ...choice.y])}`;
   }
 
   /* -- The same as a table, and files ------------------------------------------------------------- */
@@ -415,12 +227,12 @@
   function complete(from) {
     const places = ofTest(choice.test);
     if (from === "x") choice.x = usual(choice.test);
-    if (from) choice.fixed = telling(places);
+    if (from) choice.fixed = selection.telling(choice, places);
     const fits = measured(places);
     choice.y = choice.y.filter((name) => fits.includes(name));
     const first = [allCases.answers[choice.test], "answer_difference"].filter((name) => fits.includes(name));
     if (!choice.y.length) choice.y = first.length ? first : fits.slice(0, 1);
-    choice.models = from ? usualModels(places) : choice.models.filter((name) => places.some((place) => model(place) === name));
+    choice.models = from ? usualModels(places) : choice.models.filter((name) => places.some((place) => selection.model(choice, place) === name));
   }
   function change(changes, from) {
     complaint = "";

@@ -38,11 +38,6 @@ def _of_thesis(family):
     )
 
 
-def continuum_of_lattices():
-    """The finite elements of springs' own continuum."""
-    return next(name for name, entry in _methods.items() if "lattice" in entry["settings"])
-
-
 def place(method):
     """Its place among those of its family, for sorting; others come behind."""
     return _methods.get(method, {}).get("foremost") or len(_methods)

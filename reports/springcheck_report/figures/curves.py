@@ -34,8 +34,8 @@ class Panel:
 
 
 def draw(panels, size=(TWO_COLUMNS, 2.75), columns=5):
-    """One row of panels with one legend, of so many columns. size: inches. A cross below the panel's floor tells of a case
-    without any equilibrium, a ring around a marker of one that is not ok."""
+    """One row of panels with one legend, of so many columns. size: inches. A cross below the panel's
+    floor tells of a case without any equilibrium, a ring around a marker of one that is not ok."""
     figure = Figure(size)
     all_axes = figure.subplots(1, len(panels), squeeze=False)[0]
     statuses = set()

@@ -61,8 +61,8 @@ def _answer(study, test, by_name):
     panel = curves.Panel("", "Poisson's ratio", f"{answer} off elements [%]", lines, log_y=True)
     caption = (
         f"How far the {answer} of springs is from that of finite elements of their own law, or of Hencky's where "
-        f"they follow none ({', '.join(judges)}), {mesh_text(first)}, {first.load}, against Poisson's ratio: the size of "
-        f"the difference, whose sign may change. Less than {_LEAST_SHOWN:g} % is drawn there."
+        f"they follow none ({', '.join(judges)}), {mesh_text(first)}, {first.load}, against Poisson's ratio: the "
+        f"size of the difference, whose sign may change. Less than {_LEAST_SHOWN:g} % is drawn there."
     )
     # Springs that fail are none of the nearest, where others do not.
     ranks = {name: ((by_name[name].status != USABLE).any(), sizes.max()) for name, sizes in distances.items()}
