@@ -76,7 +76,8 @@ const explorerPlot = (function () {
   function layout(choice, all, width) {
     const count = choice.y.length, panel = 270, gap = 75;
     const columns = Math.min(count, width < 640 ? 1 : 2), rows = Math.ceil(count / columns);
-    const lengths = distinct(all.map(({ method }) => method)).map((method) => 46 + 6.3 * (method.length + 12));
+    const lengths = distinct(all.map(({ method }) => method)).map((method) => 46 + 6.3 * method.length);
+    if (all.length > lengths.length) lengths.push(6.3 * 12 * lengths.length);  // "(2 curves)"
     const legend = 20 * Math.ceil(1.15 * lengths.reduce((sum, one) => sum + one, 0) / Math.max(width - 100, 200)) + 10;
     const inside = rows * panel + (rows - 1) * gap;
     const style = getComputedStyle(document.documentElement);

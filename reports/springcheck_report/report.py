@@ -140,6 +140,8 @@ def _page(study, groups, figure_folder):
         loader=jinja2.FileSystemLoader(_HERE), autoescape=True, trim_blocks=True, lstrip_blocks=True
     )
 
+    environment.policies["json.dumps_kwargs"] = {"sort_keys": False}  # what comes first is shown first
+
     def kind(block):
         return type(block).__name__
 

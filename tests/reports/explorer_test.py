@@ -144,6 +144,13 @@ class Explorer(unittest.TestCase):
         time.sleep(0.4)
         return round(x), round(y)
 
+    def test_it_begins_with_compression_over_nu_and_the_distance_from_elements(self):
+        self.open("#explore")
+        fields = self.script("return ['test', 'x'].map((name) => document.querySelector('.explorer form').elements[name].value)")
+        self.assertEqual(fields, ["compression", "nu"])
+        boxes = self.browser.find_elements(By.CSS_SELECTOR, ".explorer input[name=y]:checked")
+        self.assertEqual({box.get_attribute("value") for box in boxes}, {"plate_force", "answer_difference"})
+
     def test_the_marks_are_the_files_cases(self):
         self.open("#explore?test=compression&x=nu&y=plate_force,volume_change")
         seen = {"plate_force": set(), "volume_change": set()}
