@@ -126,6 +126,15 @@ def _write_vtus(study, keys, folder):
         paraview.write_vtu(study, key, folder)
 
 
+def _scripts(has_explorer, has_views):
+    """Their names, each before those that call it."""
+    names = ["scrolling.js"]
+    names += ["library.js"] if has_explorer or has_views else []
+    names += ["views.js"] if has_views else []
+    names += ["cases.js", "selection.js", "explorer_plot.js", "explorer.js", "case.js"] if has_explorer else []
+    return [*names, "tables.js", "navigation.js", "search.js"]
+
+
 def _packed(text):
     """As library.js unpacks it; the same of the same text."""
     return base64.b64encode(gzip.compress(text.encode(), mtime=0)).decode("ascii")
@@ -169,6 +178,7 @@ def _page(study, groups, figure_folder):
         text=text,
         plotly=_packed(get_plotlyjs()) if tests or explorers else None,
         explorer=explorers[0] if explorers else None,
+        scripts=_scripts(has_explorer=bool(explorers), has_views=bool(tests)),
         views=views,
         left_out=left_out,
     )

@@ -1,14 +1,16 @@
-"""Chromium without a window, for tests of the page."""
+"""Chromium without a window, for tests of the page, and what they do with it."""
 
 import base64
 import io
 import time
+import unittest
 
 import numpy as np
 from matplotlib.image import imread
 from selenium import webdriver
 from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
 
 
 def chromium(webgl=True):
@@ -25,6 +27,33 @@ def chromium(webgl=True):
     driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
     driver.set_page_load_timeout(60)
     return driver
+
+
+class PageTest(unittest.TestCase):
+    """Tests that drive cls.browser, each of which must leave the console empty."""
+
+    def check_console(self):
+        self.assertEqual(self.browser.get_log("browser"), [])
+
+    def set_size(self, width, height):
+        metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+
+    def every(self, selector):
+        return self.browser.find_elements(By.CSS_SELECTOR, selector)
+
+    def one(self, selector):
+        return self.browser.find_element(By.CSS_SELECTOR, selector)
+
+    def script(self, text, *arguments):
+        return self.browser.execute_script(text, *arguments)
+
+    def wait_for(self, check, what):
+        for _ in range(80):
+            if check():
+                return
+            time.sleep(0.1)
+        self.fail(what)
 
 
 def show(driver, element):

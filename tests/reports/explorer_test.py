@@ -61,7 +61,7 @@ PLOTTED = (
 )
 
 
-class Explorer(unittest.TestCase):
+class Explorer(browser.PageTest):
     @classmethod
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp())
@@ -81,32 +81,12 @@ class Explorer(unittest.TestCase):
         self.set_size(1300, 1000)
         self.addCleanup(self.check_console)
 
-    def check_console(self):
-        self.assertEqual(self.browser.get_log("browser"), [])
-
-    def set_size(self, width, height):
-        metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
-        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
-
     def open(self, address):
         self.browser.get("about:blank")
         self.browser.get((self.folder / "index.html").as_uri() + address)
         if address.startswith("#explore"):
             self.wait_for(lambda: self.drawn() > 0, "the plot is drawn")
             time.sleep(0.4)
-
-    def script(self, text, *arguments):
-        return self.browser.execute_script(text, *arguments)
-
-    def one(self, selector):
-        return self.browser.find_element(By.CSS_SELECTOR, selector)
-
-    def wait_for(self, check, what):
-        for _ in range(80):
-            if check():
-                return
-            time.sleep(0.1)
-        self.fail(what)
 
     def drawn(self):
         return int(self.script("return document.querySelector('.explorer .plot').dataset.drawn ?? 0"))

@@ -11,7 +11,6 @@ from pathlib import Path
 sys.path[:0] = [str(Path(__file__).parent)]
 import browser  # noqa: E402
 from program import springcheck  # noqa: E402
-from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
 
 SWEEP = """
@@ -26,7 +25,7 @@ GROUPS = ["Answer", "Tests", "Where methods fail", "Theory", "Data"]
 PHONE = (390, 844)
 
 
-class Navigation(unittest.TestCase):
+class Navigation(browser.PageTest):
     @classmethod
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp())
@@ -46,31 +45,8 @@ class Navigation(unittest.TestCase):
         self.browser.get((self.folder / "index.html").as_uri())
         self.addCleanup(self.check_console)
 
-    def check_console(self):
-        self.assertEqual(self.browser.get_log("browser"), [])
-
-    def set_size(self, width, height):
-        metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
-        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
-
-    def every(self, selector):
-        return self.browser.find_elements(By.CSS_SELECTOR, selector)
-
-    def one(self, selector):
-        return self.browser.find_element(By.CSS_SELECTOR, selector)
-
-    def script(self, text, *arguments):
-        return self.browser.execute_script(text, *arguments)
-
     def type(self, *keys):
         self.browser.switch_to.active_element.send_keys(*keys)
-
-    def wait_for(self, check, what):
-        for _ in range(50):
-            if check():
-                return
-            time.sleep(0.1)
-        self.fail(what)
 
     def top_of(self, selector):
         return self.script("return document.querySelector(arguments[0]).getBoundingClientRect().top", selector)
