@@ -1,7 +1,7 @@
 "use strict";
 
 /* Long tables have a field that keeps the rows with its words. */
-for (const table of document.querySelectorAll("table")) {
+for (const table of document.querySelectorAll("main table")) {
   const rows = [...table.tBodies[0].rows];
   if (rows.length < 30) continue;
   const field = document.createElement("input");

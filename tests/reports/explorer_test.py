@@ -41,6 +41,7 @@ RUNS = [
     "compression --method mss-cf --cells 2,2,2 --solver verlet --duration 0.5 --damping 0.2 --precision float",
     "compression --method fem-cauchy-born:q2 --lattice mss-affine --cells 2,2,2",
     "affine --method mss-affine --cells 2,2,2 --cell-type mixed --distortion 0.1 --seed 3 --directions 25",
+    "affine --method mss-affine --cells 2,2,2 --solver verlet --duration 0.2 --distortion 0.1",
     "tissue-shearing --method mss-tissue --cells 2,2,2 --rate 0.5 --history 5 --time-steps 10",
     # Ends with half of its load.
     "tissue-relaxation --method mss-tissue --cells 2,2,2 --load-times 1,2 --load-fractions 1,0.5 --time-steps 5",
@@ -200,8 +201,12 @@ class Explorer(browser.PageTest):
         again = self.folder / "again.h5"
         commands = {self.key(place): self.script("return allCases.value('command', arguments[0])", place)
                     for place in range(len(self.cases))}
-        sweep = self.cases[self.cases.scene == "compression"].index[:8]
-        for key in self.cases.index[self.cases.scene != "compression"].union(sweep):
+        is_sweep = (self.cases.scene == "compression") & (self.cases.solver == "static")
+        is_sweep &= self.cases.method != "fem-cauchy-born"
+        is_sweep &= (self.cases.reference == "fem-stvk:q1-sri") | (self.cases.method == "fem-hencky")
+        few = self.cases.index[is_sweep][:8]
+        self.assertGreaterEqual((~is_sweep).sum(), len(RUNS))
+        for key in self.cases.index[~is_sweep].union(few):
             words = shlex.split(commands[key])
             self.assertEqual(words[:2], ["springcheck", "run"])
             springcheck("run", *words[2:], "--out", again, check=False)
@@ -254,6 +259,14 @@ class Explorer(browser.PageTest):
         self.open(address)
         self.assertEqual(self.script(PLOTTED), before)
 
+    def test_up_to_four_measures_stand_side_by_side(self):
+        five = "plate_force,volume_change,volume_error,strain_energy,cell_volume_ratio_min"
+        self.open(f"#explore?test=compression&x=nu&y={five}&m=mss-cf")
+        self.assertEqual([trace["axis"] for trace in self.script(PLOTTED)], ["y", "y2", "y3", "y4"])
+        self.tick("y", "cell_volume_ratio_min")  # the newest stays, the first goes
+        boxes = self.browser.find_elements(By.CSS_SELECTOR, ".explorer input[name=y]:checked")
+        self.assertEqual({box.get_attribute("value") for box in boxes}, set(five.split(",")[1:]))
+
     def test_no_method_is_none(self):
         self.open("#explore?test=compression&x=nu&m=mss-cf")
         self.tick("m", "mss-cf")
@@ -278,6 +291,17 @@ class Explorer(browser.PageTest):
         self.script("document.querySelector('#explore').scrollIntoView()")
         self.wait_for(lambda: self.drawn() > 0, "the plot is drawn")
         self.assertEqual(self.script(PLOTTED), before)
+
+    def test_a_case_that_the_page_opens_with_has_no_filters(self):
+        """Those are of the page's own long tables, not of a case's."""
+        self.open("")
+        count = ("return Math.max(...['measure', 'setting'].map((role) => allCases.namesOf(role)"
+                 ".filter((name) => allCases.value(name, arguments[0]) !== null).length))")
+        rows = [self.script(count, place) for place in range(len(self.cases))]
+        self.assertGreaterEqual(max(rows), 30)
+        self.open(f"#case={self.key(rows.index(max(rows)))}")
+        self.assertTrue(self.one("#case").is_displayed())
+        self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, "body > input"), [])
 
     def test_going_back_closes_a_case(self):
         self.open("")
