@@ -33,6 +33,15 @@ HISTORY += [f"stress_{component}" for component in COMPONENTS[9]]
 
 
 @dataclass
+class Frame:
+    """The body on the way of a case in dynamics. sample: its row of the history."""
+
+    sample: int
+    displacement: np.ndarray  # nodes x 3 [m]
+    cell_volume_ratio: np.ndarray  # of each cell
+
+
+@dataclass
 class Results:
     """A result file as it was when it was read.
 
@@ -52,8 +61,8 @@ class Results:
     def fields(self, key):
         """Arrays of a case by name: displacement, deviation (from the reference) and
         reaction (nodes x 3) [m, m, N], cell_volume_ratio, spring_strain (one per cell);
-        "partial_" before each when the case ended without an equilibrium; history (see
-        there). Empty where the file holds none. KeyError for an unknown case."""
+        "partial_" before each when the case ended without an equilibrium; what history and
+        frames tell. Empty where the file holds none. KeyError for an unknown case."""
         if key not in self.cases.index:
             raise KeyError(f"no case {key!r}")
 
@@ -73,6 +82,19 @@ class Results:
         if samples is None:
             return None
         return pd.DataFrame(samples, columns=HISTORY[: samples.shape[1]])
+
+    def frames(self, key):
+        """The body of a case in dynamics at some samples of its history, in their order: a
+        list of Frame, empty where the file holds none. KeyError for an unknown case."""
+        fields = self.fields(key)
+        if "frame_sample" not in fields:
+            return []
+        samples = fields["frame_sample"].ravel().astype(int)
+        parts = [
+            np.split(fields[f"frame_{name}"], len(samples))
+            for name in ("displacement", "cell_volume_ratio")
+        ]
+        return [Frame(int(sample), *own) for sample, *own in zip(samples, *parts)]
 
     def field_names(self):
         """Names of the arrays that each case has, by key; without those that have none."""

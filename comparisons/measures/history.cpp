@@ -1,6 +1,8 @@
 #include "comparisons/measures/history.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "comparisons/measures/measures.hpp"
 
@@ -43,6 +45,20 @@ HistorySample history_sample(const CaseSettings& settings, const Mesh& mesh,
           P(2, 0),
           P(2, 1),
           P(2, 2)};
+}
+
+void keep_frame(HistoryFrames& frames, std::size_t sample,
+                const std::vector<Vector3>& displacements) {
+  constexpr std::size_t most_frames = 24, most_nodes = 500'000;
+  const std::size_t apart = frames.size() < 2 ? 1 : frames[1].sample - frames[0].sample;
+  if (!frames.empty() && sample < frames.back().sample + apart) return;
+  frames.push_back({.sample = sample, .displacements = displacements});
+  const std::size_t most = std::clamp<std::size_t>(
+      most_nodes / std::max<std::size_t>(1, displacements.size()), 2, most_frames);
+  if (frames.size() <= most) return;
+  HistoryFrames kept;
+  for (std::size_t i = 0; i < frames.size(); i += 2) kept.push_back(std::move(frames[i]));
+  frames = std::move(kept);
 }
 
 }  // namespace springcheck

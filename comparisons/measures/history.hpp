@@ -22,6 +22,19 @@ inline constexpr std::array<std::string_view, 21> history_columns{
 using HistorySample = std::array<double, history_columns.size()>;
 using History = std::vector<HistorySample>;
 
+/// The body at a sample of the history: displacements [m] of all nodes.
+struct HistoryFrame {
+  std::size_t sample;
+  std::vector<Vector3> displacements;
+};
+using HistoryFrames = std::vector<HistoryFrame>;
+
+/// Keeps the sample as a frame where it is one of those that are kept: the first, and
+/// others evenly apart. Once there are more than 24 of them, or more than 500,000 nodes
+/// in all of them, every other one goes, and of those to come every other one is kept.
+void keep_frame(HistoryFrames& frames, std::size_t sample,
+                const std::vector<Vector3>& displacements);
+
 /// Force, torque and stress are those of the load at that moment.
 HistorySample history_sample(const CaseSettings& settings, const Mesh& mesh,
                              const dynamics::Moment& moment);

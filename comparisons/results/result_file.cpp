@@ -27,6 +27,30 @@ std::vector<double> flat(const std::vector<Vector3>& vectors) {
   return values;
 }
 
+/// V/V0 of every cell.
+std::vector<double> volume_ratios(const Mesh& mesh, const Solution& solution) {
+  std::vector<double> ratios = deformed_volumes(mesh, solution);
+  for (std::size_t c = 0; c < ratios.size(); ++c) ratios[c] /= mesh.cell_volumes()[c];
+  return ratios;
+}
+
+/// One frame after the other.
+void write_frames(hid_t group, const HistoryFrames& frames, const Mesh& mesh) {
+  std::vector<double> samples, displacements, ratios;
+  for (const HistoryFrame& frame : frames) {
+    samples.push_back(static_cast<double>(frame.sample));
+    const std::vector<double> own = flat(frame.displacements);
+    displacements.insert(displacements.end(), own.begin(), own.end());
+    Solution there{};
+    there.displacements = frame.displacements;
+    const std::vector<double> own_ratios = volume_ratios(mesh, there);
+    ratios.insert(ratios.end(), own_ratios.begin(), own_ratios.end());
+  }
+  hdf5::write_table(group, "frame_sample", samples, 1);
+  hdf5::write_table(group, "frame_displacement", displacements, 3);
+  hdf5::write_table(group, "frame_cell_volume_ratio", ratios, 1);
+}
+
 void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
   const Solution& solution = result.solution;
   if (solution.displacements.empty()) return;
@@ -35,14 +59,14 @@ void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
   hdf5::write_table(group, partial + "displacement", flat(solution.displacements), 3);
   if (!solution.reactions.empty())
     hdf5::write_table(group, partial + "reaction", flat(solution.reactions), 3);
-  std::vector<double> ratios = deformed_volumes(mesh, solution);
-  for (std::size_t c = 0; c < ratios.size(); ++c) ratios[c] /= mesh.cell_volumes()[c];
-  hdf5::write_table(group, partial + "cell_volume_ratio", ratios, 1);
+  hdf5::write_table(group, partial + "cell_volume_ratio", volume_ratios(mesh, solution),
+                    1);
   if (!result.history.empty()) {
     std::vector<double> rows;
     for (const HistorySample& sample : result.history)
       rows.insert(rows.end(), sample.begin(), sample.end());
     hdf5::write_table(group, "history", rows, history_columns.size());
+    write_frames(group, result.frames, mesh);
   }
   if (!solution.spring_strains.empty())
     hdf5::write_table(group, partial + "spring_strain", solution.spring_strains, 1);

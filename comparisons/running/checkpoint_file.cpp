@@ -19,7 +19,7 @@
 namespace springcheck {
 namespace {
 
-constexpr long long layout = 4;
+constexpr long long layout = 5;
 
 std::vector<double> numbers(const std::vector<Vector3>& vectors) {
   std::vector<double> all;
@@ -152,6 +152,18 @@ CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& ow
       std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(i), columns, sample.begin());
     }
   }
+  if (hdf5::has_link(root, "frame_sample")) {
+    const std::vector<double> samples = table("frame_sample", std::nullopt);
+    const std::vector<double> all =
+        table("frame_displacement", 3 * nodes * samples.size());
+    for (std::size_t f = 0; f < samples.size(); ++f) {
+      const auto begin = all.begin() + static_cast<std::ptrdiff_t>(3 * nodes * f);
+      checkpoint.frames.push_back(
+          {.sample = static_cast<std::size_t>(samples[f]),
+           .displacements =
+               vectors({begin, begin + static_cast<std::ptrdiff_t>(3 * nodes)})});
+    }
+  }
   return checkpoint;
 }
 
@@ -187,6 +199,16 @@ void write_content(OverlayFile& overlay, const std::filesystem::path& file,
     for (const HistorySample& sample : checkpoint.history)
       rows.insert(rows.end(), sample.begin(), sample.end());
     hdf5::write_table(root, "history", rows, history_columns.size());
+  }
+  if (!checkpoint.frames.empty()) {
+    std::vector<double> samples, displacements;
+    for (const HistoryFrame& frame : checkpoint.frames) {
+      samples.push_back(static_cast<double>(frame.sample));
+      const std::vector<double> own = numbers(frame.displacements);
+      displacements.insert(displacements.end(), own.begin(), own.end());
+    }
+    hdf5::write_table(root, "frame_sample", samples, 1);
+    hdf5::write_table(root, "frame_displacement", displacements, 3);
   }
 }
 

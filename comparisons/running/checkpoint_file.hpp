@@ -14,6 +14,7 @@ namespace springcheck {
 struct CaseCheckpoint {
   dynamics::Checkpoint march;
   History history{};
+  HistoryFrames frames{};
   std::string revision{};  // see CaseResult
 };
 

@@ -88,14 +88,21 @@ void try_checkpoint(const std::filesystem::path& file, const CheckpointOwner& ow
   }
 }
 
+/// What is recorded of a case on its way.
+struct Record {
+  History history{};
+  HistoryFrames frames{};
+  std::string revision{};  // of what it goes on from
+};
+
 dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
-                                 const Watch& watch, History& history,
-                                 std::string& revision) {
+                                 const Watch& watch, Record& record) {
   dynamics::Observers observers;
   observers.samples = settings.dynamics.history;
   if (observers.samples > 0)
     observers.sample = [&](const dynamics::Moment& moment) {
-      history.push_back(history_sample(settings, mesh, moment));
+      keep_frame(record.frames, record.history.size(), moment.displacements);
+      record.history.push_back(history_sample(settings, mesh, moment));
     };
   if (watch.shows_progress) {
     const auto progress = std::make_shared<MarchProgress>(settings.dynamics.duration);
@@ -110,14 +117,18 @@ dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
                                   watch.revisions)) {
     fmt::print(stderr, "going on from {} at t = {:.4g} s, step {}\n",
                watch.checkpoint->string(), from->march.time, from->march.step);
-    history = std::move(from->history);
-    revision = from->revision;
+    record = {.history = std::move(from->history),
+              .frames = std::move(from->frames),
+              .revision = from->revision};
     observers.from = std::move(from->march);
   }
   observers.seconds_between_checkpoints = watch.seconds_between_checkpoints;
   observers.checkpoint = [&, owner](const dynamics::Checkpoint& now) {
     try_checkpoint(*watch.checkpoint, owner,
-                   {.march = now, .history = history, .revision = revision});
+                   {.march = now,
+                    .history = record.history,
+                    .frames = record.frames,
+                    .revision = record.revision});
   };
   return observers;
 }
@@ -186,15 +197,14 @@ CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, int threads,
   if (watch.checkpoint && goes_through_time(settings))
     lock.emplace(link_target(*watch.checkpoint));
   const Stopwatch stopwatch;
-  History history;
-  std::string revision;  // of what it goes on from
-  const dynamics::Observers observers =
-      observers_of(settings, mesh, watch, history, revision);
+  Record record;
+  const dynamics::Observers observers = observers_of(settings, mesh, watch, record);
   Solution solution = solve_or_break_down(settings, mesh, threads, observers);
   const double solve_wall_s = stopwatch.seconds();
   CaseResult result = judged(settings, mesh, std::move(solution));
-  result.history = std::move(history);
-  result.revision = std::move(revision);
+  result.history = std::move(record.history);
+  result.frames = std::move(record.frames);
+  result.revision = std::move(record.revision);
   result.solve_wall_s = solve_wall_s;
   result.wall_s = stopwatch.seconds();
   return result;

@@ -1,17 +1,18 @@
 """Bodies for the 3D views: which cases, and their surfaces as the page's script reads them."""
 
-import base64
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import groupby
-
 
 import methods
 import numpy as np
 from study import case_text
+from strains import equivalent_strains
 from surface import outside
 
-# Bytes of all views together, before base64 makes a third more of them; pages stay below 25 MB with script and figures.
-_BUDGET = 6e6
+# Bytes of all views together, packed to less than half of them: pages stay below 15 MB. Some
+# are kept for what was recorded on the way.
+_BUDGET = 9e6
+_BUDGET_OF_FRAMES = 2e6
 _GROUPS = 24  # of one test
 
 
@@ -28,6 +29,7 @@ def groups(study, test):
     methods, mss-cf among them, large loads; of those alike Poisson's ratios far apart. Only
     cases with an equilibrium's fields."""
     cases = study.with_fields(study.cases[study.cases.test == test])
+    cases = cases[~cases.is_repeated]
     found = []
     for _, members in cases.groupby("problem", sort=False):
         members = members.sort_values(["kind", "name"], key=_order, kind="stable")
@@ -72,12 +74,29 @@ def _order(column):
     return column.map(ranks) if column.name == "kind" else column
 
 
+@dataclass
+class _Numbers:
+    """Numbers of four bytes each, little-endian, one array after the other."""
+
+    parts: list = field(default_factory=list)
+    count: int = 0
+
+    def add(self, values, kind):
+        """[place, count] of the array."""
+        own = np.ascontiguousarray(values, dtype=kind)
+        self.parts.append(own.tobytes())
+        self.count += own.size
+        return [self.count - own.size, own.size]
+
+
 def view_data(study, tests):
-    """{meshes: {name: ...}, tests: {test: [group, ...]}} for the script: surfaces in
-    little-endian float32 and uint32, base64. Groups beyond the budget are left out, of all
-    tests in turn; returns also how many."""
-    meshes, views, spent, left_out = {}, {test: [] for test in tests}, 0, 0
+    """header: {meshes: {name: ...}, tests: {test: [group, ...]}} for the script, with places in
+    data: surfaces in float32 and uint32. Groups beyond the budget are left out, of all tests
+    in turn; left_out: how many."""
+    meshes, views, left_out = {}, {test: [] for test in tests}, 0
+    numbers, bytes_of_frames = _Numbers(), 0
     surfaces = {}
+    same = _same_simulations(study.cases)
     queues = {test: groups(study, test) for test in tests}
     while any(queues.values()):
         for test, queue in queues.items():
@@ -88,45 +107,76 @@ def view_data(study, tests):
             if mesh_name not in surfaces:
                 surfaces[mesh_name] = outside(study.mesh(group.cases[0]))
             surface = surfaces[mesh_name]
-            size = len(surface.nodes) * 16 * len(group.cases) + len(surface.faces) * 6
-            if spent + size > _BUDGET:
+            size_of_state = len(surface.nodes) * 12 + len(surface.faces) * 8
+            size = size_of_state * len(group.cases)
+            if 4 * numbers.count - bytes_of_frames + size > _BUDGET - _BUDGET_OF_FRAMES:
                 left_out += 1
                 continue
-            spent += size
             if mesh_name not in meshes:
-                meshes[mesh_name] = _mesh(study.mesh(group.cases[0]), surface)
-            views[test].append(_group(study, group, mesh_name, surface))
-    return {"meshes": meshes, "tests": views}, left_out
+                meshes[mesh_name] = _mesh(study.mesh(group.cases[0]), surface, numbers)
+            frames = {key: study.frames(key) for key in group.cases}
+            size = size_of_state * sum(len(own) for own in frames.values())
+            if bytes_of_frames + size > _BUDGET_OF_FRAMES:
+                frames = {key: [] for key in group.cases}
+            else:
+                bytes_of_frames += size
+            views[test].append(_group(study, group, same, frames, surface, numbers))
+    header = {"meshes": meshes, "tests": views}
+    return {"header": header, "data": b"".join(numbers.parts), "left_out": left_out}
 
 
-def _group(study, group, mesh_name, surface):
+def _same_simulations(cases):
+    """Keys of all cases of the same simulation, whatever their references, by each of them."""
+    alike = cases.groupby(["problem", "name", "load", "further"], sort=False, dropna=False)
+    return {key: list(keys) for keys in alike.groups.values() for key in keys}
+
+
+def _group(study, group, same, frames, surface, numbers):
     bodies = []
     usual = methods.of_thesis(), f"{methods.reference_law()}:q1-sri"
+    mesh = study.mesh(group.cases[0])
+
+    def state(displacement, volume_ratio):
+        strain = equivalent_strains(mesh, displacement)
+        return {
+            "displacement": numbers.add(displacement[surface.nodes], "<f4"),
+            "strain": numbers.add(strain[surface.cells], "<f4"),
+            "volume": numbers.add(volume_ratio[surface.cells] - 1, "<f4"),
+        }
+
     for key in group.cases:
         case = study.cases.loc[key]
+        end = state(study.field(key, "displacement"), study.field(key, "cell_volume_ratio"))
+        history = study.history(key) if frames[key] else None
+        on_the_way = [
+            {**state(frame.displacement, frame.cell_volume_ratio), **_moment(history.iloc[frame.sample])}
+            for frame in frames[key]
+            if frame.sample < len(history) - 1  # the last is the end
+        ]
         bodies.append(
             {
-                "case": key,
+                "cases": same[key],
                 "name": case["name"],
                 "kind": case["kind"],
                 "status": case["status"],
                 "is_usual": case["name"] in usual,
-                "displacement": _packed(study.field(key, "displacement")[surface.nodes], "<f4"),
-                "volume": _packed(study.field(key, "cell_volume_ratio")[surface.cells] - 1, "<f4"),
+                **end,
+                "end": _moment(history.iloc[-1]) if on_the_way else {},
+                "frames": on_the_way,
             }
         )
-    return {"label": group.label, "mesh": mesh_name, "bodies": bodies}
+    return {"label": group.label, "mesh": study.cases.loc[group.cases[0], "mesh"], "bodies": bodies}
 
 
-def _mesh(mesh, surface):
+def _moment(sample):
+    return {"time": float(sample.time), "load": float(sample.load_fraction)}
+
+
+def _mesh(mesh, surface, numbers):
     triangles, faces = surface.triangles()
     return {
-        "nodes": _packed(mesh["nodes"][surface.nodes], "<f4"),
-        "triangles": _packed(triangles, "<u4"),
-        "faces": _packed(faces, "<u4"),
-        "edges": _packed(surface.edges(), "<u4"),
+        "nodes": numbers.add(mesh["nodes"][surface.nodes], "<f4"),
+        "triangles": numbers.add(triangles, "<u4"),
+        "faces": numbers.add(faces, "<u4"),
+        "edges": numbers.add(surface.edges(), "<u4"),
     }
-
-
-def _packed(values, kind):
-    return base64.b64encode(np.ascontiguousarray(values, dtype=kind)).decode("ascii")

@@ -1,13 +1,10 @@
 "use strict";
 
-/* All cases of the file: columns by name, each with a value for every case. */
+/* All cases of the file: columns by name, each with a value for every case; from when `ready` is fulfilled. */
 const allCases = (function () {
   let data = null;
-  function read() {
-    data ??= JSON.parse(document.getElementById("cases-data").textContent);
-    return data;
-  }
-  const column = (name) => (Object.hasOwn(read().columns, name) ? read().columns[name] : null);
+  const ready = unpacked("cases-data").then((text) => text.json()).then((found) => { data = found; });
+  const column = (name) => (Object.hasOwn(data.columns, name) ? data.columns[name] : null);
   const count = () => (column("key").codes ?? column("key").values).length;
 
   /* A number or a text, null for none. */
@@ -17,11 +14,12 @@ const allCases = (function () {
   }
 
   return {
-    get file() { return read().file; },
-    get looks() { return read().looks; },
-    get answers() { return read().answers; },
-    get usual() { return read().usual; },
-    get statuses() { return read().statuses; },
+    ready,
+    get file() { return data.file; },
+    get looks() { return data.looks; },
+    get answers() { return data.answers; },
+    get usual() { return data.usual; },
+    get statuses() { return data.statuses; },
     get count() { return count(); },
     column,
     value,
@@ -34,7 +32,7 @@ const allCases = (function () {
       return [...Array(count()).keys()].filter((place) => value("key", place).startsWith(start));
     },
     namesOf(role) {
-      return Object.keys(read().columns).filter((name) => column(name).role === role);
+      return Object.keys(data.columns).filter((name) => column(name).role === role);
     },
   };
 })();

@@ -4,10 +4,8 @@
 const loadPlotly = (function () {
   let loading = null;
   async function load() {
-    const packed = Uint8Array.from(atob(document.getElementById("plotly").textContent), (c) => c.charCodeAt(0));
     const script = document.createElement("script");
-    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-    script.textContent = await new Response(stream).text();
+    script.textContent = await (await unpacked("plotly")).text();
     document.head.append(script);
   }
   return () => (loading ??= load());

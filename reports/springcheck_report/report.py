@@ -4,6 +4,7 @@ import base64
 import ctypes
 import gc
 import gzip
+import json
 import multiprocessing
 import os
 import re
@@ -15,7 +16,7 @@ import bodies
 import jinja2
 import method_style
 import paraview
-from content import Explorer, Viewer, figures_of
+from content import Explorer, Figure, Viewer, figures_of
 from markupsafe import Markup
 from plotly.offline import get_plotlyjs
 from sections import groups_for
@@ -126,25 +127,33 @@ def _write_vtus(study, keys, folder):
         paraview.write_vtu(study, key, folder)
 
 
+_SCRIPTS_OF_CASES = ["selection.js", "explorer_plot.js", "explorer.js", "case.js"]
+
+
 def _scripts(has_explorer, has_views):
     """Their names, each before those that call it."""
-    names = ["scrolling.js"]
+    names = ["scrolling.js", "unpack.js", "figures.js"]
     names += ["library.js"] if has_explorer or has_views else []
-    names += ["views.js"] if has_views else []
-    names += ["cases.js", "selection.js", "explorer_plot.js", "explorer.js", "case.js"] if has_explorer else []
+    names += ["body_traces.js", "views.js"] if has_views else []
+    names += ["cases.js"] if has_explorer else []
     return [*names, "tables.js", "navigation.js", "search.js"]
 
 
-def _packed(text):
-    """As library.js unpacks it; the same of the same text."""
-    return base64.b64encode(gzip.compress(text.encode(), mtime=0)).decode("ascii")
+def _packed(content):
+    """Bytes as unpack.js unpacks them; the same of the same bytes."""
+    return base64.b64encode(gzip.compress(content, mtime=0)).decode("ascii")
+
+
+def _packed_json(value):
+    return _packed(json.dumps(value, separators=(",", ":")).encode())
 
 
 def _page(study, groups, figure_folder):
     sections = [section for group in groups.values() for section in group]
     explorers = [b.data for section in sections for b in section.blocks if isinstance(b, Explorer)]
     tests = [b.test for section in sections for b in section.blocks if isinstance(b, Viewer)]
-    views, left_out = bodies.view_data(study, tests) if tests else (None, 0)
+    views = bodies.view_data(study, tests) if tests else None
+    figures = [block for section in sections for block in section.blocks if isinstance(block, Figure)]
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(_HERE), autoescape=True, trim_blocks=True, lstrip_blocks=True
     )
@@ -154,15 +163,22 @@ def _page(study, groups, figure_folder):
     def kind(block):
         return type(block).__name__
 
-    def image(figure):
-        content = (figure_folder / f"{figure.name}.svg").read_bytes()
-        return f"data:image/svg+xml;base64,{base64.b64encode(content).decode('ascii')}"
+    def drawing(figure):
+        return (figure_folder / f"{figure.name}.svg").read_text(encoding="utf-8")
 
-    def width(figure):
-        """Pixels: of a figure as wide as a page of print, 960."""
-        head = (figure_folder / f"{figure.name}.svg").read_bytes()[:2000].decode()
-        points = float(re.search(r'<svg[^>]* width="([0-9.]+)pt"', head).group(1))
-        return round(960 * points / (72 * method_style.TWO_COLUMNS))
+    def image(figure):
+        content = base64.b64encode(drawing(figure).encode()).decode("ascii")
+        return f"data:image/svg+xml;base64,{content}"
+
+    def size(figure):
+        """Attributes, in pixels: a figure as wide as a page of print has 960."""
+        width, height = re.search(
+            r'<svg[^>]* width="([0-9.]+)pt" height="([0-9.]+)pt"', drawing(figure)[:2000]
+        ).groups()
+        scale = 960 / (72 * method_style.TWO_COLUMNS)
+        return Markup('width="{}" height="{}"').format(
+            round(scale * float(width)), round(scale * float(height))
+        )
 
     def text(name):
         return Markup((_HERE / name).read_text(encoding="utf-8"))
@@ -174,11 +190,12 @@ def _page(study, groups, figure_folder):
         sections=sections,
         kind=kind,
         image=image,
-        width=width,
+        size=size,
         text=text,
-        plotly=_packed(get_plotlyjs()) if tests or explorers else None,
-        explorer=explorers[0] if explorers else None,
+        figures=_packed_json({figure.name: drawing(figure) for figure in figures}) if figures else None,
+        plotly=_packed(get_plotlyjs().encode()) if tests or explorers else None,
+        explorer=_packed_json(explorers[0]) if explorers else None,
         scripts=_scripts(has_explorer=bool(explorers), has_views=bool(tests)),
-        views=views,
-        left_out=left_out,
+        scripts_of_cases=_SCRIPTS_OF_CASES,
+        views=views and {**views, "data": _packed(views["data"])},
     )

@@ -50,7 +50,8 @@
     return index().filter((entry) => words.every((word) => entry.words.includes(word)));
   }
 
-  function show() {
+  async function show() {
+    if (typeof allCases !== "undefined") await allCases.ready;
     const hits = found(field.value);
     panel.hidden = !field.value.trim();
     status.textContent = hits.length

@@ -112,6 +112,10 @@ class Study:
         """What a case sampled on its way through time, as springcheck_results gives it."""
         return self.results.history(key) if self.has(key, "history") else None
 
+    def frames(self, key):
+        """The body on the way, as springcheck_results gives it."""
+        return self.results.frames(key) if self.has(key, "frame_sample") else []
+
     def mesh(self, key):
         """The mesh of a case, as springcheck_results gives it."""
         return self._meshes(self.cases.loc[key, "mesh"])

@@ -61,6 +61,7 @@ def outside(mesh):
             cells.append(numbers)
             centres.append(centre)
     faces, cells, centres = (np.concatenate(parts) for parts in (faces, cells, centres))
+    faces = faces.astype(np.int64)  # of files unsigned, which have no -1
     # A triangle repeats a node wherever it starts: sorted, that node is told by a -1.
     keys = np.sort(faces, axis=1)
     keys[:, 1:][keys[:, 1:] == keys[:, :-1]] = -1

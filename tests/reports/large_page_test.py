@@ -44,7 +44,7 @@ class Large(unittest.TestCase):
         springcheck("report", file, "--out", folder / "report")
         page = (folder / "report" / "index.html").read_text(encoding="utf-8")
         self.assertRegex(page, r"many.h5: 5000 cases, the newest of")
-        self.assertLess(len(page), 25e6)
+        self.assertLess(len(page), 15e6)
 
 
 if __name__ == "__main__":

@@ -93,6 +93,11 @@ class Reading(unittest.TestCase):
         # What compression does not have is null there.
         known = history.astype(object).where(history.notna(), None)
         self.assertEqual(known.to_dict("list"), result["history"])
+        frames = read.frames(result["key"])
+        self.assertEqual([frame.sample for frame in frames], list(range(len(history))))
+        volumes = [frame.cell_volume_ratio.mean() - 1 for frame in frames]
+        np.testing.assert_allclose(volumes, history.volume_change, rtol=0, atol=1e-12)
+        np.testing.assert_array_equal(frames[-1].displacement, read.fields(result["key"])["displacement"])
         self.assertIsNone(results.read(self.file).history(results.read(self.file).cases.index[0]))
 
     def test_provenance_is_of_the_writing(self):

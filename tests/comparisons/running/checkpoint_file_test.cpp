@@ -57,6 +57,9 @@ CaseCheckpoint checkpoint_at(int step) {
     sample.fill(std::numeric_limits<double>::quiet_NaN());
     sample[0] = i / 3.;
     checkpoint.history.push_back(sample);
+    checkpoint.frames.push_back(
+        {.sample = 2 * checkpoint.frames.size(),
+         .displacements = std::vector<Vector3>(nodes, Vector3(i / 7., -0., step))});
   }
   return checkpoint;
 }
@@ -85,6 +88,11 @@ void check_same(const CaseCheckpoint& a, const CaseCheckpoint& b) {
     BOOST_TEST(a.march.excess->limit == b.march.excess->limit);
   }
   BOOST_TEST(same_bits(a.history, b.history));
+  BOOST_TEST_REQUIRE(a.frames.size() == b.frames.size());
+  for (std::size_t f = 0; f < a.frames.size(); ++f) {
+    BOOST_TEST(a.frames[f].sample == b.frames[f].sample);
+    BOOST_TEST(same_bits(a.frames[f].displacements, b.frames[f].displacements));
+  }
 }
 
 /// That reading is refused with a message that has all these parts.
@@ -135,6 +143,7 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_is_read_as_it_was_written_to_the_bit) {
   }
   CaseCheckpoint without = checkpoint_at(1);
   without.history.clear();
+  without.frames.clear();
   without.march.stiffest.clear();
   without.march.excess.reset();
   write_checkpoint(file, owner("key"), without);
