@@ -73,9 +73,9 @@ std::string last_load_text(const std::vector<CaseResult>& results) {
 
 std::string results_text(const std::vector<CaseResult>& results) {
   std::vector<std::vector<std::string>> rows{
-      {"method", "status", "volume error %", "plate force N", "resultant N", "torque N m",
-       "tip m", "face z m", "stress xx Pa", "yy Pa", "zz Pa", "yz Pa", "xz Pa", "xy Pa",
-       "affine deviation %", "deviation L2 %", "solve s"}};
+      {"method", "status", "volume change %", "plate force N", "resultant N",
+       "torque N m", "tip m", "face z m", "stress xx Pa", "yy Pa", "zz Pa", "yz Pa",
+       "xz Pa", "xy Pa", "affine deviation %", "deviation L2 %", "solve s"}};
   for (const CaseResult& result : results) {
     const Measures& m = result.measures;
     const auto stress = [&](Eigen::Index i, Eigen::Index j) {
@@ -84,7 +84,7 @@ std::string results_text(const std::vector<CaseResult>& results) {
     };
     rows.push_back(
         {variant_label(result.request.settings), status_words(result),
-         shown(m.volume_error, "{:.4f}", 100), shown(m.plate_force, "{:.6g}"),
+         shown(m.volume_change, "{:.4f}", 100), shown(m.plate_force, "{:.6g}"),
          shown(m.plate_force_norm, "{:.6g}"), shown(m.plate_torque, "{:.6g}"),
          shown(m.tip_deflection, "{:.6g}"),
          m.face_displacement ? fmt::format("{:.6g}", m.face_displacement->z()) : "-",

@@ -129,7 +129,7 @@ const Tree& displacement_array(const VtuFile& file, const Tree& piece) {
     for (const auto& [tag, array] : *data) {
       if (tag != "DataArray" || !has_three_components(array)) continue;
       const std::string name = attribute(array, "Name");
-      if (name == "displacement") return array;
+      if (name == "displacement" || name == "displacement [m]") return array;
       vectors.push_back(&array);
       names += (names.empty() ? "'" : ", '") + name + "'";
     }

@@ -147,7 +147,7 @@ std::vector<Method> explicit_element_methods() {
           Law::st_venant_kirchhoff,
           {.name = "fem-explicit-stvk",
            .description = "St-Venant-Kirchhoff; any cells",
-           .look = {"#B8860B", {}},
+           .look = {"#5C3D00", {}},
            .at_rest = "fem-stvk",
            .seconds = by_loops_in(2.6),
            .charted = on_tetrahedra,

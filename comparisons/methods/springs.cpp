@@ -306,7 +306,7 @@ std::vector<Method> spring_methods() {
                                  "to third order, on any cells",
                   .source = virtual_source,
                   .same_law_as = "fem-hencky",
-                  .look = {"#0B6623", "D"},
+                  .look = {"#332288", "D"},
                   .cells = any_cells,
                   .corrects_volume = true,
                   .foremost = 6,
@@ -343,7 +343,7 @@ std::vector<Method> spring_methods() {
                   .description = "springs and volume correction of your own (options "
                                  "--stiffness, --kappa)",
                   .source = "the user's constants",
-                  .look = {"#5E81AC", "d"},
+                  .look = {"#1F3A5F", "d"},
                   .reads = {"stiffness", "kappa", "spring-strain"},
                   .cells = hexahedra,
                   .belongs_to_cells = true,

@@ -68,14 +68,16 @@ void write_grids(std::ostream& out, const std::string& data, hid_t root,
     fmt::print(out, "<Grid Name=\"{}{}\">\n", escaped(grid_name(cases, row)),
                revision.empty() ? "" : " of revision " + escaped(revision));
     write_xdmf_mesh(out, mesh, in_mesh);
-    for (const std::string& field :
-         {partial + "displacement", partial + "reaction", std::string("deviation")})
+    for (const auto& [field, unit] : {std::pair{partial + "displacement", "m"},
+                                      {partial + "reaction", "N"},
+                                      {std::string("deviation"), "m"}})
       if (hdf5::has_link(arrays, field))
-        fmt::print(out,
-                   "<Attribute Name=\"{0}\" AttributeType=\"Vector\" Center=\"Node\">"
-                   "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" "
-                   "Dimensions=\"{1} 3\">{2}/{0}</DataItem></Attribute>\n",
-                   field, nodes, in_case);
+        fmt::print(
+            out,
+            "<Attribute Name=\"{0} [{3}]\" AttributeType=\"Vector\" Center=\"Node\">"
+            "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" "
+            "Dimensions=\"{1} 3\">{2}/{0}</DataItem></Attribute>\n",
+            field, nodes, in_case, unit);
     for (const std::string& field :
          {partial + "cell_volume_ratio", partial + "spring_strain"})
       if (hdf5::has_link(arrays, field))

@@ -12,8 +12,10 @@
 namespace springcheck {
 namespace {
 
-constexpr std::size_t rows_of_a_float = 40;
-constexpr std::size_t head_width = 12;  // [characters], broken at blanks
+constexpr std::size_t rows_of_a_float = 40, rows_of_a_sideways_float = 26;
+constexpr std::size_t widest_upright = 100;  // [characters], more are hardly legible
+constexpr std::size_t widest_text = 30;      // [characters], longer ones are broken
+constexpr std::size_t head_width = 12;       // [characters], broken at blanks
 
 /// "-0.31", "5 %", "1e-5"; and what has no digit is none.
 bool is_number(const std::string& cell) {
@@ -96,6 +98,26 @@ Condensed condensed(TextLines lines) {
   return shorter;
 }
 
+/// The longest word-broken head or cell of a column.
+std::size_t column_width(const TextLines& lines, std::size_t column) {
+  std::size_t longest = std::min(lines[0][column].size(), head_width);
+  for (const auto& line : std::span(lines).subspan(1))
+    longest = std::max(longest, line[column].size());
+  return std::min(longest, widest_text);
+}
+
+bool is_wide(const TextLines& lines) {
+  std::size_t width = 0;
+  for (std::size_t i = 0; i < lines[0].size(); ++i) width += column_width(lines, i) + 1;
+  return width > widest_upright;
+}
+
+std::string alignment_of(const TextLines& lines, std::size_t column, bool is_numbers) {
+  if (is_numbers) return "r";
+  const bool is_broken = column_width(lines, column) == widest_text;
+  return is_broken ? "p{14em}" : "l";
+}
+
 /// The tabular of the rows from `first` to `last`, excluded.
 std::string tabular(const TextLines& lines, const std::vector<std::string>& cases,
                     std::size_t first, std::size_t last) {
@@ -103,12 +125,12 @@ std::string tabular(const TextLines& lines, const std::vector<std::string>& case
   std::vector<std::string> heads;
   for (std::size_t i = 0; i < lines[0].size(); ++i) {
     const bool numbers = is_column_of_numbers(lines, i) && lines[0][i] != "notes";
-    alignment += numbers ? 'r' : 'l';
+    alignment += alignment_of(lines, i, numbers);
     heads.push_back(head_cell(lines[0][i], numbers));
   }
   std::string text = fmt::format(
       "\\begin{{adjustbox}}{{max "
-      "width=\\textwidth}}\n\\begin{{tabular}}{{@{{}}{}@{{}}}}\n"
+      "width=\\linewidth}}\n\\begin{{tabular}}{{@{{}}{}@{{}}}}\n"
       "  \\toprule\n{}  \\midrule\n",
       alignment, row_text(heads));
   for (std::size_t row = first; row < last; ++row) {
@@ -140,22 +162,28 @@ std::string latex_text(const TextLines& table, const TableText& table_text) {
   TableText text = table_text;
   if (!constants.empty())
     text.notes.insert(text.notes.begin(), "In all rows: " + constants + ".");
-  std::string all = "% needs \\usepackage{booktabs,adjustbox}\n";
+  // Rotated by a quarter turn, where the page's width is too little.
+  const bool is_sideways = is_wide(lines);
+  const std::string packages = is_sideways ? "booktabs,adjustbox,rotating"
+                                           : "booktabs,adjustbox",
+                    environment = is_sideways ? "sidewaystable" : "table",
+                    height = is_sideways ? ".85\\textwidth" : ".85\\textheight";
+  std::string all = "% needs \\usepackage{" + packages + "}\n";
   const std::size_t rows = lines.size() - 1;
-  const std::size_t floats =
-      std::max<std::size_t>(1, (rows + rows_of_a_float - 1) / rows_of_a_float);
+  const std::size_t most = is_sideways ? rows_of_a_sideways_float : rows_of_a_float;
+  const std::size_t floats = std::max<std::size_t>(1, (rows + most - 1) / most);
   for (std::size_t part = 0; part < floats; ++part) {
     const std::string caption =
         part == 0 ? fmt::format("\\caption{{{}}}", latex_escaped(text.title))
                   : "\\tablename~\\thetable, continued\\par\\smallskip";
     all += fmt::format(
-        "\\begin{{table}}[htbp]\n\\centering\n{}\n"
+        "\\begin{{{0}}}[htbp]\n\\centering\n{1}\n"
         // What is higher than the page, by its notes, is scaled too.
-        "\\begin{{adjustbox}}{{max totalheight=.85\\textheight}}\n"
-        "\\begin{{minipage}}{{\\textwidth}}\n\\footnotesize\n\\centering\n\\setlength{{"
-        "\\tabcolsep}}{{3pt}}\n{}{}"
-        "\\end{{minipage}}\n\\end{{adjustbox}}\n\\end{{table}}\n{}",
-        caption,
+        "\\begin{{adjustbox}}{{max totalheight={2}}}\n"
+        "\\begin{{minipage}}{{\\linewidth}}\n\\footnotesize\n\\centering\n\\setlength{{"
+        "\\tabcolsep}}{{3pt}}\n{3}{4}"
+        "\\end{{minipage}}\n\\end{{adjustbox}}\n\\end{{{0}}}\n{5}",
+        environment, caption, height,
         tabular(lines, cases, 1 + rows * part / floats, 1 + rows * (part + 1) / floats),
         part + 1 == floats ? notes_below(text) : "",
         // LaTeX keeps few floats that found no place yet.

@@ -26,7 +26,7 @@ struct Measure {
 
 const std::vector<Measure>& shown_measures() {
   static const std::vector<Measure> measures{
-      {"volume_error", {"volume_error", "volume error [%]", "{:.4f}"}, 100},
+      {"volume_error", {"volume_error", "volume change, absolute [%]", "{:.4f}"}, 100},
       {"plate_force_norm", {"plate_force_norm", "force [N]", "{:.5g}"}},
       {"plate_torque", {"plate_torque", "torque [N m]", "{:.5g}"}, 1, "torsion"},
       {"tip_deflection", {"tip_deflection", "tip drop [m]", "{:.5g}"}},

@@ -104,9 +104,13 @@ def tabled_number(document, value, text, case=None):
     )
 
 
+_MANY_COLUMNS = 12
+
+
 def table(headings, rows, *, name, classes=None, limit=None):
-    """rows: lists of cells, Markup or text, or (cell, class). Wide tables scroll. Beyond
-    `limit` rows the rest is left to the table's files."""
+    """rows: lists of cells, Markup or text, or (cell, class). Wide tables scroll, and are
+    printed across the page. Beyond `limit` rows the rest is left to the table's files."""
+    classes = " ".join([*([classes] if classes else []), *(["wide"] if len(headings) > _MANY_COLUMNS else [])])
     shown = rows[:limit]
     head = Markup("").join(Markup("<th scope=col>{}</th>").format(text) for text in headings)
     body = Markup("").join(
@@ -121,11 +125,22 @@ def table(headings, rows, *, name, classes=None, limit=None):
     return Markup(
         '<div class="scroll"><table id="table-{}" class="{}"><thead><tr>{}</tr></thead>'
         "<tbody>\n{}</tbody></table></div>{}"
-    ).format(name, classes or "", head, body, rest)
+    ).format(name, classes, head, body, rest)
+
+
+def folded(blocks, title):
+    """Blocks of Markup below a line that opens them."""
+    inside = Markup("").join(blocks)
+    return Markup("<details><summary>{}</summary>{}</details>").format(title, inside)
+
+
+_WORDS, _LONG = 10, 24  # characters of texts that may be broken into lines, and of those with a width of their own
 
 
 def _cell(cell):
     text, style = cell if isinstance(cell, tuple) else (cell, "")
+    if not isinstance(text, Markup) and " " in text and len(text) > _WORDS:
+        style = f"{style} {'long' if len(text) > _LONG else 'words'}".strip()
     return Markup('<td class="{}">{}</td>').format(style, text) if style else Markup(
         "<td>{}</td>"
     ).format(text)

@@ -24,6 +24,7 @@ _COMPARED = {
     "volume_difference": "volume off elements, over V0",
 }
 _TIMES = {"solve_wall_s": "time of the solution"}
+_LABELS = {"volume_error": "volume change, absolute"}  # of elements at nu = 0 too, which are not in error
 
 
 def explorer_data(study):
@@ -101,7 +102,7 @@ def _measures(study, cases):
     for name, measure in study.vocabulary["measures"].items():
         for column in [name, *(f"{name}.{component}" for component in _COMPONENTS)]:
             if column in cases and _is_number(cases[column]):
-                found[column] = column.replace("_", " "), measure["unit"]
+                found[column] = _LABELS.get(column, column.replace("_", " ")), measure["unit"]
     found |= {name: (label, "s") for name, label in _TIMES.items()}
     answers = {ANSWERS[test][0] for test in cases.test if test in ANSWERS}  # even where every case failed
     return {

@@ -81,12 +81,12 @@ const explorerPlot = (function () {
     const legend = 20 * Math.ceil(1.15 * lengths.reduce((sum, one) => sum + one, 0) / Math.max(width - 100, 200)) + 10;
     const inside = rows * panel + (rows - 1) * gap;
     const style = getComputedStyle(document.documentElement);
-    const ink = style.getPropertyValue("--ink"), line = style.getPropertyValue("--line");
+    const ink = style.getPropertyValue("--plate-ink"), line = style.getPropertyValue("--plate-line");
     const found = {
       grid: { rows, columns, pattern: "independent", xgap: 0.2, ygap: gap / panel }, height: inside + 16 + 60 + legend,
       margin: { l: 62, r: 16, t: 16, b: 60 + legend },
       hovermode: "closest", font: { size: 11.5, color: ink }, paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
-      hoverlabel: { align: "left", bgcolor: style.getPropertyValue("--paper"), font: { color: ink } },
+      hoverlabel: { align: "left", bgcolor: style.getPropertyValue("--plate"), font: { color: ink } },
       legend: { orientation: "h", y: -56 / inside, yanchor: "top", x: 0, font: { size: 11 } },
     };
     choice.y.forEach((name, panel) => {

@@ -20,11 +20,15 @@ STATUS_COLOURS = {
     "refused": "#DDDDDD",
 }
 
+# Rings around values that are not ok, told by their shape: methods have all the colours.
+RINGS = {"wrinkled": "o", "indefinite": "s", "inverted": "D"}
+OTHER_RING = "h"
+
 # Kinds of failure in maps, by the names of comparisons/stability/failure.hpp: colour,
 # hatch, and the ink of a letter on it. Okabe and Ito's palette; light to dark as well, for
 # print in grey.
 FAILURE_STYLES = {
-    "none": ("#F3F6F3", "", "#7C877C"),
+    "none": ("#F3F6F3", "", "#687268"),
     "locking": ("#F0E442", "--", "black"),
     "wrinkling": ("#E69F00", "//", "black"),
     "hourglassing": ("#D55E00", "**", "black"),

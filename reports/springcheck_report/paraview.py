@@ -6,14 +6,14 @@ from content import file_name
 
 # meshio's names; its order of a prism's ("wedge") nodes is gmsh's.
 _TYPES = {"tetrahedra": "tetra", "pyramids": "pyramid", "prisms": "wedge", "hexahedra": "hexahedron"}
-_NODE_FIELDS = ["displacement", "deviation", "reaction"]
+_NODE_FIELDS = {"displacement": "m", "deviation": "m", "reaction": "N"}  # and units
 _CELL_FIELDS = ["cell_volume_ratio", "spring_strain"]
 
 
 def vtu_name(study, key):
     """"compression-mss-cf-nu-0.25-5-0123abcd.vtu"."""
     case = study.cases.loc[key]
-    text = file_name(f"{case.scene} {case['name']} nu {case.nu:g} {case.load}")
+    text = file_name(f"{case.scene} {case['name']} nu {case.nu:g} {case.load}")[:60].strip("-.")
     return f"{text}-{key[:8]}.vtu"
 
 
@@ -24,10 +24,10 @@ def write_vtu(study, key, folder):
     blocks = [(_TYPES[name], mesh[name]) for name in _TYPES if name in mesh]
     point_data, cell_data = {}, {}
     for prefix in ("", "partial_"):
-        for name in _NODE_FIELDS:
+        for name, unit in _NODE_FIELDS.items():
             values = study.field(key, prefix + name)
             if values is not None:
-                point_data[prefix + name] = values
+                point_data[f"{prefix}{name} [{unit}]"] = values
         for name in _CELL_FIELDS:
             values = study.field(key, prefix + name)
             if values is not None:

@@ -6,7 +6,7 @@ from paraview.simple import *
 source = OpenDataFile(sys.argv[-1])
 # Of a case that ended without an equilibrium, the last state.
 names = source.PointData.keys()
-name = "displacement" if "displacement" in names else "partial_displacement"
+name = next(name for name in ("displacement [m]", "partial_displacement [m]") if name in names)
 warped = WarpByVector(Input=source)
 warped.Vectors = ["POINTS", name]
 display = Show(warped)

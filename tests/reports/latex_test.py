@@ -10,6 +10,7 @@ from pathlib import Path
 DOCUMENT = r"""\documentclass{article}
 \usepackage{booktabs}
 \usepackage{adjustbox}
+\usepackage{rotating}
 \begin{document}
 %s
 \end{document}

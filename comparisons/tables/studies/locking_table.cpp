@@ -34,7 +34,8 @@ Sheet locking_sheet(std::span<const CaseResult> results) {
       .notes = {
           "All on the same mesh of 10 x 10 x 10 cells. q1 integrates the volumetric part "
           "of the law at 2 x 2 x 2 points and locks: its force grows like 1/(1 - 2 nu). "
-          "The volume error hardly shows it. Neither q1-sri nor q2 is the exact "
+          "The volume change e = |V - V0|/V0 hardly shows it. Neither q1-sri nor q2 is "
+          "the exact "
           "solution; that they agree is what speaks for both."}};
   for (std::size_t first = 0; first < results.size(); first += element_names.size()) {
     const auto same_problem = results.subspan(first, element_names.size());

@@ -105,7 +105,7 @@ Sheet lattice_stability_sheet(MeshStore& meshes) {
       .name = "lattice-stability",
       .title = "First loss of stability of the infinite lattice under uniaxial stress",
       .columns = {{"method", "method"},
-                  {"diagonal_ratio", "A", "{}"},
+                  {"diagonal_ratio", "A", "{:.4g}"},
                   {"nu", "nu", "{}"}},
       .notes = {
           "Bloch waves: the lattice stretched by l, l, z along its axes, l such that the "

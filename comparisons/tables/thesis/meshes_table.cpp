@@ -56,21 +56,22 @@ SpringCounts count_springs(const Mesh& mesh) {
 }
 
 Sheet meshes_sheet() {
-  Sheet sheet{.name = "5.5",
-              .title = "Table 5.5: meshes of the performance study, printed and counted",
-              .columns = {{"mesh", "mesh"},
-                          {"volumes_printed", "cells, printed", "{:.0f}"},
-                          {"volumes", "cells", "{:.0f}"},
-                          {"vertices_printed", "nodes, printed", "{:.0f}"},
-                          {"vertices", "nodes", "{:.0f}"},
-                          {"springs_nfd_printed", "mss-nfd springs, printed", "{:.0f}"},
-                          {"springs_nfd", "mss-nfd springs", "{:.0f}"},
-                          {"springs_fd_printed", "mss-fd springs, printed", "{:.0f}"},
-                          {"springs_fd", "mss-fd springs", "{:.0f}"},
-                          {"springs_distinct", "each spring once", "{:.0f}"}},
-              .notes = {"The thesis stores face diagonals with each cell, so that those "
-                        "between two cells count twice; the last column counts every "
-                        "spring of mss-fd and mss-cf once."}};
+  Sheet sheet{
+      .name = "5.5",
+      .title = "Meshes of the performance study, printed and counted (thesis, table 5.5)",
+      .columns = {{"mesh", "mesh"},
+                  {"volumes_printed", "cells, printed", "{:.0f}"},
+                  {"volumes", "cells", "{:.0f}"},
+                  {"vertices_printed", "nodes, printed", "{:.0f}"},
+                  {"vertices", "nodes", "{:.0f}"},
+                  {"springs_nfd_printed", "mss-nfd springs, printed", "{:.0f}"},
+                  {"springs_nfd", "mss-nfd springs", "{:.0f}"},
+                  {"springs_fd_printed", "mss-fd springs, printed", "{:.0f}"},
+                  {"springs_fd", "mss-fd springs", "{:.0f}"},
+                  {"springs_distinct", "each spring once", "{:.0f}"}},
+      .notes = {"The thesis stores face diagonals with each cell, so that those "
+                "between two cells count twice; the last column counts every "
+                "spring of mss-fd and mss-cf once."}};
   for (const PrintedMesh& printed : printed_meshes) {
     const auto [nx, ny, nz] = printed.cells;
     const Mesh mesh =

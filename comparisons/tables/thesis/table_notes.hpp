@@ -70,10 +70,10 @@ inline constexpr const char* torsion_angle =
     "The thesis calls 1 and 45 degrees 5 % and 20 %; the angles are inferred from its "
     "torques.";
 inline constexpr const char* exact_volume =
-    "The volume error e uses the exact trilinear volume. The mean-edge volume of Eq. "
-    "5.19, which drives "
-    "the "
-    "correction, differs by up to 0.02 points.";
+    "e = |V - V0|/V0 is the change of the body's volume, which the thesis calls volume "
+    "error; how far it is off is told by the reference's. V is the exact trilinear "
+    "volume. The mean-edge volume of Eq. 5.19, which drives the correction, differs by "
+    "up to 0.02 points.";
 inline constexpr const char* units =
     "The thesis computed its centimetres as metres: its printed unit stands for 1e-4 N "
     "of "

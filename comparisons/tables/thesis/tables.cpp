@@ -200,7 +200,7 @@ TablePlan volume_table(const std::string& name, const std::string& title,
 
 TablePlan shear_table(const Reference& reference) {
   return {.name = "5.3",
-          .title = "Table 5.3: force on the plate in shearing",
+          .title = "Force on the plate in shearing (thesis, table 5.3)",
           .label_headings = {"nu", "deformation", "method"},
           .quantity =
               scaled("resultant", "1e-4 N", "{:.0f}", &Measures::plate_force_norm, 1e4),
@@ -213,7 +213,7 @@ TablePlan shear_table(const Reference& reference) {
 TablePlan torsion_table(const Reference& reference) {
   return {
       .name = "5.4",
-      .title = "Table 5.4: torque on the plate in torsion",
+      .title = "Torque on the plate in torsion (thesis, table 5.4)",
       .label_headings = {"nu", "deformation", "method"},
       .quantity = scaled("torque", "1e-6 N m", "{:.0f}", &Measures::plate_torque, 1e6),
       .rows = rows_of("5.4", reference),
@@ -329,18 +329,19 @@ struct ThesisTable {
 };
 
 constexpr std::array thesis_tables{
-    ThesisTable{"5.1", "volume error in compression, printed in the thesis and ours",
+    ThesisTable{"5.1", "volume change in compression, printed in the thesis and ours",
                 [](const Reference& reference) {
-                  return volume_table("5.1", "Table 5.1: volume error in compression",
+                  return volume_table("5.1",
+                                      "Volume change in compression (thesis, table 5.1)",
                                       reference);
                 }},
-    ThesisTable{"5.2", "volume error in tension, printed and ours",
+    ThesisTable{"5.2", "volume change in tension, printed and ours",
                 [](const Reference& reference) {
-                  return volume_table("5.2", "Table 5.2: volume error in tension",
-                                      reference);
+                  return volume_table(
+                      "5.2", "Volume change in tension (thesis, table 5.2)", reference);
                 }},
-    ThesisTable{"5.3", "volume error in shearing, printed and ours", shear_table},
-    ThesisTable{"5.4", "volume error in torsion, printed and ours", torsion_table},
+    ThesisTable{"5.3", "force on the plate in shearing, printed and ours", shear_table},
+    ThesisTable{"5.4", "torque on the plate in torsion, printed and ours", torsion_table},
     ThesisTable{"deviation", "deviation from the reference's points, printed and ours",
                 deviation_table},
     ThesisTable{"bending", "a beam's tip, printed and ours, beside beam theory",

@@ -13,19 +13,19 @@ _LIGHT = np.array([0.3, -0.5, 0.81])  # from the viewer's upper left, of length 
 
 @dataclass
 class Panel:
-    """corners: faces x 4 x 3 deformed corners [m], values: one per face."""
+    """corners: faces x 4 x 3 deformed corners [m], values: one per face; of a place without
+    a body None, and the title says why."""
 
     title: str
-    corners: np.ndarray
-    values: np.ndarray
+    corners: np.ndarray | None
+    values: np.ndarray | None
 
 
 def draw(rows, colour_label, unit_scale=1.0, full_width=TWO_COLUMNS):
-    """rows: lists of Panel or None (an empty place), one column per method. All panels
-    share scale, view and colours; values are shown times `unit_scale`. full_width: inches of
+    """rows: lists of Panel, one column per method. All panels share scale, view and colours; values are shown times `unit_scale`. full_width: inches of
     all columns, which are not as wide where they are few."""
     columns = max(len(row) for row in rows)
-    panels = [panel for row in rows for panel in row if panel is not None]
+    panels = [panel for row in rows for panel in row if panel.corners is not None]
     everything = np.concatenate([panel.corners.reshape(-1, 3) for panel in panels])
     low, high = everything.min(axis=0), everything.max(axis=0)
     largest = max(panel.values.max() for panel in panels) * unit_scale
@@ -36,11 +36,14 @@ def draw(rows, colour_label, unit_scale=1.0, full_width=TWO_COLUMNS):
     figure = Figure((max(width * columns, 2.4) + 0.7, width * len(rows) + 0.3), layout="none")
     right = 1 - 0.75 / figure.get_figwidth()
     grid = figure.add_gridspec(
-        len(rows), columns, left=0.01, right=right, bottom=0.01, top=0.93, wspace=0, hspace=0.2
+        len(rows), columns, left=0.01, right=right, bottom=0.01, top=0.9, wspace=0, hspace=0.3
     )
     for i, row in enumerate(rows):
         for j, panel in enumerate(row):
-            if panel is None:
+            if panel.corners is None:
+                axes = figure.add_subplot(grid[i, j])
+                axes.set_axis_off()
+                axes.text(0.5, 0.5, panel.title, ha="center", va="center", color="#777777", fontsize=7)
                 continue
             axes = figure.add_subplot(grid[i, j], projection="3d")
             collection = Poly3DCollection(
@@ -59,7 +62,7 @@ def draw(rows, colour_label, unit_scale=1.0, full_width=TWO_COLUMNS):
             axes.set_box_aspect(size, zoom=zoom)
             axes.view_init(elev=18, azim=-62)
             axes.set_axis_off()
-            axes.set_title(panel.title, fontsize=7, y=1.0)
+            axes.set_title(panel.title, fontsize=7, y=1.05)
     bar = figure.add_axes([right + 0.012, 0.2, 0.018, 0.6])
     mappable = matplotlib.cm.ScalarMappable(scale, colours)
     figure.colorbar(mappable, cax=bar, label=colour_label)

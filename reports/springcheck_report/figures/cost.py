@@ -16,7 +16,7 @@ def pareto_front(times, errors):
 
 
 def draw(error_panel, time_panel):
-    """error_panel: (label of the error, {method: (seconds, errors, texts)}), time_panel:
+    """error_panel: (label of the error, {method: (seconds, errors)}), time_panel:
     {method: (cells, seconds)}; either may be None."""
     figure = Figure((TWO_COLUMNS, 2.9))
     present = [panel for panel in (error_panel, time_panel) if panel]
@@ -24,10 +24,8 @@ def draw(error_panel, time_panel):
     if error_panel:
         axes = all_axes.pop(0)
         label, methods = error_panel
-        for name, (seconds, errors, texts) in methods.items():
+        for name, (seconds, errors) in methods.items():
             axes.loglog(seconds, errors, label=name, **line(name))
-            for x, y, text in zip(seconds, errors, texts):
-                axes.annotate(text, (x, y), (3, 3), textcoords="offset points", fontsize=5)
         seconds = np.concatenate([methods[name][0] for name in methods])
         errors = np.concatenate([methods[name][1] for name in methods])
         front = pareto_front(seconds, errors)

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator
-from method_style import STATUS_COLOURS, TWO_COLUMNS, legend_below, line, plain_numbers
+from method_style import OTHER_RING, RINGS, TWO_COLUMNS, legend_below, line, plain_numbers
 
 
 @dataclass
@@ -82,17 +82,21 @@ def _mark_statuses(axes, curve):
             continue
         found.add((status, bool(np.isfinite(y))))
         if np.isfinite(y):
-            ring = {"mfc": "none", "mec": STATUS_COLOURS[status], "zorder": 5}
-            axes.plot([x], [y], "o", markersize=6.5, **ring)
+            axes.plot([x], [y], **_ring(status), zorder=5)
         else:
             floor = {"transform": axes.get_xaxis_transform(), "clip_on": False, "zorder": 5}
             axes.plot([x], [0], "x", markersize=5, color=own, **floor)
     return found
 
 
+def _ring(status):
+    ring = {"marker": RINGS.get(status, OTHER_RING), "mfc": "none", "mec": "#222222", "mew": 0.8}
+    return {**ring, "markersize": 7, "linestyle": "none"}
+
+
 def _status_entry(status, has_values):
     """(handle, label) for the legend."""
     name = status.replace("_", " ")
     if has_values:
-        return Line2D([], [], ls="none", marker="o", mfc="none", mec=STATUS_COLOURS[status]), name
+        return Line2D([], [], **_ring(status)), name
     return Line2D([], [], ls="none", marker="x", color="#555555"), f"{name} (method's colour)"

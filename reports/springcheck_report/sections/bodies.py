@@ -139,15 +139,19 @@ def _picture(study, test, found):
     rows = []
     for group in chosen:
         by_name = {study.cases.loc[key, "name"]: key for key in group.cases}
-        row = [_panel(study, by_name[name], surface) if name in by_name else None for name in names]
-        if sum(panel is not None for panel in row) > 1 or len(names) == 1:
-            rows.append(row)
+        if len(by_name.keys() & set(names)) < min(2, len(names)):
+            continue
+        rows.append(
+            [
+                _panel(study, by_name[name], surface) if name in by_name else _no_body(study, group, name)
+                for name in names
+            ]
+        )
     case = study.cases.loc[chosen[0].cases[0]]
-    text = (
-        f"Deformed bodies, {_mesh_and_load(case)}, coloured by displacement; springs to the left, "
-        "finite elements to the right, all to the same scale. Empty places have no equilibrium, or "
-        "were not computed."
-    )
+    text = f"Deformed bodies, {_mesh_and_load(case)}, coloured by displacement, all to the same scale."
+    kinds = [study.cases[study.cases["name"] == name].kind.iloc[0] for name in names]
+    if 0 < kinds.count("finite elements") < len(kinds):
+        text += " Springs are on the left, finite elements on the right."
     return Figure(f"bodies_{test}", text, body_figures.draw, (rows, "displacement [mm]", 1e3))
 
 
@@ -193,6 +197,14 @@ def _panel(study, key, surface):
     if case.status != "ok":
         title += f", {case.status.replace('_', ' ')}"
     return body_figures.Panel(title, corners, values)
+
+
+def _no_body(study, group, name):
+    """Says how the method's case on the same problem ended."""
+    problem = study.cases.loc[group.cases[0]]
+    same = study.cases[(study.cases.problem == problem.problem) & (study.cases["name"] == name)]
+    words = "not computed" if same.empty else same.status.iloc[0].replace("_", " ")
+    return body_figures.Panel(f"{name}\nν = {problem.nu:g}\n{words}", None, None)
 
 
 def _mesh_and_load(case):

@@ -6,7 +6,7 @@ import numpy as np
 from content import Figure
 from figures import curves
 from method_style import colour, shades
-from study import ANSWERS, case_text, counts_text, method_name
+from study import ANSWERS, case_text, counts_text, is_variant, method_name
 
 _MOST_CURVES = 8
 _DASHES = ["-", "--", ":", "-."]
@@ -66,7 +66,7 @@ def _figure(study, name, cases, of_test):
     first = group.iloc[0].copy()
     first["load"] = first.whole_load
     text = case_text(first).removeprefix(f"{first.scene}, ")
-    caption = f"On the way through time: {test}, {text}. Hollow rings are equilibria at a path's last load."
+    caption = f"On the way through time: {test}, {text}. Hollow rings are bodies at rest under the last load."
     if is_scaled:
         caption += " Bodies of different size, over Young's modulus and section (A) or volume (V)."
     if of_test > len(group):
@@ -109,7 +109,10 @@ def _styles(group):
 
 def _label(case, group):
     """Method and solver, and what else the cases differ in."""
-    label = f"{method_name(case.drop('solver'))}, {case.solver}"
+    label = method_name(case.drop("solver"))
+    if case.solver != "static" or group.solver.nunique() > 1:
+        label += f", {case.solver}"
+    label += "".join(f", {part}" for part in _own_parts(case, group))
     if group.scene.nunique() > 1:
         label = f"{case.scene}: {label}"
     if group.load.nunique() > 1:
@@ -119,10 +122,17 @@ def _label(case, group):
     return f"{label}, single precision" if case.precision == "float" else label
 
 
+def _own_parts(case, group):
+    """Of the settings that tell cases apart (Study.cases.further), those that not all here share."""
+    parts = group.further.str.split(", ")
+    return [part for part in case.further.split(", ") if part and not all(part in other for other in parts)]
+
+
 def _statics(study, group, is_scaled):
     """Equilibria of the same methods on the same problems, at the end of time."""
     same = study.cases[study.cases.problem.isin(group.problem) & study.cases.method.isin(group.method)]
     same = same[(same.solver == "static") & (same.status == "ok") & ~same.is_repeated]
+    same = same[~same["name"].map(is_variant) & ~same.index.isin(group.index)]
     found = []
     for _, case in same.iterrows():
         moved = group[group.problem == case.problem]
@@ -132,5 +142,5 @@ def _statics(study, group, is_scaled):
         answer = np.array([case.answer / (_units(case)[0] if is_scaled else 1)])
         if ANSWERS[case.test][0] == "plate_force":  # it is positive whichever way a path has gone
             answer *= np.sign(case.deformation * moved.whole_deformation.iloc[0])
-        found.append(curves.Curve(f"{case['name']}, static", end, answer, style=ring))
+        found.append(curves.Curve(f"{case['name']} at rest", end, answer, style=ring))
     return found

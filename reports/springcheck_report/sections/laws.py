@@ -201,7 +201,7 @@ def locking(study):
             )
     panel = curves.Panel("", "1/2 − nu", "plate force [N]", lines, log_x=True, log_y=True)
     section = Section("locking", "Volumetric locking")
-    caption = document["title"] + ". The volume error hardly shows it."
+    caption = document["title"] + ". The volume change hardly shows it."
     section.blocks.append(Figure("locking", caption, curves.draw, ([panel],)))
     section.blocks += sheet_blocks(document)
     return section

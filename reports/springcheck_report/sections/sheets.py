@@ -1,8 +1,10 @@
 """Tables of our own figures, as `springcheck table` makes them."""
 
-from content import document_blocks
+from content import document_blocks, folded
 from markupsafe import Markup
 from numbers_shown import data, formatted, with_bar
+
+_MOST_OPEN = 30  # rows
 
 
 def sheet_blocks(document, limit=100):
@@ -17,10 +19,13 @@ def sheet_blocks(document, limit=100):
 
 
 def titled_sheet(document, limit=100):
-    """The same below its title, where there is a table."""
+    """The same below its title, where there is a table; of many rows folded."""
     if document is None:
         return []
-    return [Markup("<h3>{}</h3>").format(document["title"]), *sheet_blocks(document, limit)]
+    blocks, count = sheet_blocks(document, limit), len(document["rows"])
+    if count > _MOST_OPEN:
+        blocks = [folded(blocks, f"The table, of {count} rows")]
+    return [Markup("<h3>{}</h3>").format(document["title"]), *blocks]
 
 
 def _cell(column, row, bars):

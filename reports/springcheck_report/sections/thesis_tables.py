@@ -24,7 +24,7 @@ def thesis_tables(study):
             "Simulation</cite>, PhD thesis, Lyon 2018. Ours: static equilibria of the same "
             "scenes, converged on their mesh to nine digits unless they wrinkle, and shown with at "
             "least the printed digits. The deeper the colour, the larger the difference, deepest "
-            "from 2 points of volume error or 10 % on; a status other than ok says why a figure is "
+            "from 2 points of volume change or 10 % on; a status other than ok says why a figure is "
             "not one to compare, or that there is none. The column of finite elements is the "
             "reference of these tables; the tests below compare with Hencky's law where they can."
         )
@@ -36,7 +36,7 @@ def thesis_tables(study):
             Figure(
                 "printed_and_ours",
                 "Ours against printed, figure by figure: differences in points of volume "
-                "error (tables 5.1, 5.2) and in percent of force and torque (5.3, 5.4). Hollow "
+                "change (tables 5.1, 5.2) and in percent of force and torque (5.3, 5.4). Hollow "
                 "markers are states that wrinkle.",
                 agreement.draw,
                 (glance,),
@@ -85,7 +85,7 @@ def _ours(document, row):
 
 
 def relative_size(document, row):
-    """How large a difference is, for colours: points of volume error over 2, all else over
+    """How large a difference is, for colours: points of volume change over 2, all else over
     a tenth of what is printed; None without a difference."""
     if row["difference"] is None:
         return None

@@ -63,11 +63,11 @@ def _series():
 
 
 def _panels(document):
-    """Volume errors in points, forces and torques in percent."""
+    """Volume changes in points, forces and torques in percent."""
     panels = []
     volumes = [row for row in document["rows"] if _is_percent(row)]
     others = [row for row in document["rows"] if not _is_percent(row)]
-    for title, rows, unit in (("Volume error", volumes, "points"), ("Force and torque", others, "%")):
+    for title, rows, unit in (("Volume change", volumes, "points"), ("Force and torque", others, "%")):
         if not rows:
             continue
         labels = [
@@ -86,7 +86,7 @@ def _is_percent(row):
 
 
 def _off_statics(row, key):
-    """Points of a volume error, percent of anything else; None where either is lacking."""
+    """Points of a volume change, percent of anything else; None where either is lacking."""
     if row[key] is None or row["static"] is None:
         return None
     difference = row[key] - row["static"]

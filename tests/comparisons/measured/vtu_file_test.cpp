@@ -110,6 +110,9 @@ constexpr VtkEncoding zlib{.format = VtkEncoding::Format::base64,
 BOOST_AUTO_TEST_CASE(our_own_mesh_with_a_displacement_is_read) {
   write(file, with_point_data(displacement_array("displacement")));
   expect_the_field(file);
+  write(file, with_point_data(displacement_array("a") +
+                              displacement_array("displacement [m]")));
+  expect_the_field(file);
   // Of several arrays the one that is named so, of one any.
   write(file, with_point_data(displacement_array("a") + displacement_array("b") +
                               displacement_array("displacement")));

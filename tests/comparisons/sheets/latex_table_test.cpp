@@ -90,6 +90,25 @@ BOOST_AUTO_TEST_CASE(long_tables_are_several_floats_with_notes_below_the_last) {
   BOOST_TEST(text.find("Below.") > text.find("  81 \\\\"));
 }
 
+// Sideways from a hundred characters on; texts that are long are broken.
+BOOST_AUTO_TEST_CASE(wide_tables_are_turned) {
+  const auto table_of = [](std::size_t columns) {
+    TextLines lines{{}, {}};
+    for (std::size_t i = 0; i < columns; ++i) {
+      lines[0].push_back("reason");
+      lines[1].push_back(std::string(100, 'w'));
+    }
+    return latex_text(lines, {.title = "Wide", .notes = {}, .footnotes = {}});
+  };
+  const std::string upright = table_of(3), sideways = table_of(4);
+  BOOST_TEST(upright.starts_with("% needs \\usepackage{booktabs,adjustbox}\n"));
+  expect_part(upright, "\\begin{table}");
+  expect_part(upright, "{@{}p{14em}p{14em}p{14em}@{}}");
+  BOOST_TEST(sideways.starts_with("% needs \\usepackage{booktabs,adjustbox,rotating}\n"));
+  expect_part(sideways, "\\begin{sidewaystable}");
+  BOOST_TEST(sideways.ends_with("\\end{sidewaystable}\n"));
+}
+
 BOOST_AUTO_TEST_CASE(what_every_row_says_is_said_once) {
   const std::string text = latex_text({{"mesh", "nu", "e [%]", "case"},
                                        {"4x4x4", "0.1", "1", "ab"},
