@@ -61,14 +61,17 @@ class Results:
     def fields(self, key):
         """Arrays of a case by name: displacement, deviation (from the reference) and
         reaction (nodes x 3) [m, m, N], cell_volume_ratio, spring_strain (one per cell);
-        "partial_" before each when the case ended without an equilibrium; what history and
-        frames tell. Empty where the file holds none. KeyError for an unknown case."""
+        "partial_" before each when the case ended without an equilibrium; history (see
+        there). Empty where the file holds none. KeyError for an unknown case."""
+        return self._arrays(key, lambda name: not name.startswith("frame_"))
+
+    def _arrays(self, key, is_wanted):
         if key not in self.cases.index:
             raise KeyError(f"no case {key!r}")
 
         def arrays(file):
             group = file["fields"].get(key, {})
-            return {name: group[name][()] for name in group}
+            return {name: group[name][()] for name in group if is_wanted(name)}
 
         return _at_rest(self.path, arrays)
 
@@ -86,8 +89,8 @@ class Results:
     def frames(self, key):
         """The body of a case in dynamics at some samples of its history, in their order: a
         list of Frame, empty where the file holds none. KeyError for an unknown case."""
-        fields = self.fields(key)
-        if "frame_sample" not in fields:
+        fields = self._arrays(key, lambda name: name.startswith("frame_"))
+        if not fields:
             return []
         samples = fields["frame_sample"].ravel().astype(int)
         parts = [

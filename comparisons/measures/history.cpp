@@ -61,4 +61,14 @@ void keep_frame(HistoryFrames& frames, std::size_t sample,
   frames = std::move(kept);
 }
 
+JoinedFrames joined_frames(const HistoryFrames& frames) {
+  JoinedFrames joined;
+  for (const HistoryFrame& frame : frames) {
+    joined.samples.push_back(static_cast<double>(frame.sample));
+    joined.displacements.insert(joined.displacements.end(), frame.displacements.begin(),
+                                frame.displacements.end());
+  }
+  return joined;
+}
+
 }  // namespace springcheck

@@ -31,12 +31,20 @@ using HistoryFrames = std::vector<HistoryFrame>;
 
 /// Keeps the sample as a frame where it is one of those that are kept: the first, and
 /// others evenly apart. Once there are more than 24 of them, or more than 500,000 nodes
-/// in all of them, every other one goes, and of those to come every other one is kept.
+/// in all of them (but two are always kept), every other one goes, and of those to come
+/// every other one is kept.
 void keep_frame(HistoryFrames& frames, std::size_t sample,
                 const std::vector<Vector3>& displacements);
 
 /// Force, torque and stress are those of the load at that moment.
 HistorySample history_sample(const CaseSettings& settings, const Mesh& mesh,
                              const dynamics::Moment& moment);
+
+/// Frames as files have them, one after the other.
+struct JoinedFrames {
+  std::vector<double> samples;
+  std::vector<Vector3> displacements;
+};
+JoinedFrames joined_frames(const HistoryFrames& frames);
 
 }  // namespace springcheck

@@ -41,7 +41,8 @@ const std::vector<Described>& file_layout() {
        "history, a row for each sample: time, load_fraction, deformation, "
        "volume_change, force and torque (x, y, z), kinetic_energy, strain_energy, "
        "stress (xx to zz: mean_stress, in affine), and the body at up to 24 of these "
-       "samples, one after the other: frame_sample (its row of history, from 0), "
+       "samples (fewer of large bodies), one after the other: frame_sample (its row of "
+       "history, from 0), "
        "frame_displacement [m], frame_cell_volume_ratio"}};
   return parts;
 }

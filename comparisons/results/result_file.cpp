@@ -21,12 +21,6 @@
 namespace springcheck {
 namespace {
 
-std::vector<double> flat(const std::vector<Vector3>& vectors) {
-  std::vector<double> values;
-  for (const Vector3& v : vectors) values.insert(values.end(), v.begin(), v.end());
-  return values;
-}
-
 /// V/V0 of every cell.
 std::vector<double> volume_ratios(const Mesh& mesh, const Solution& solution) {
   std::vector<double> ratios = deformed_volumes(mesh, solution);
@@ -34,20 +28,18 @@ std::vector<double> volume_ratios(const Mesh& mesh, const Solution& solution) {
   return ratios;
 }
 
-/// One frame after the other.
 void write_frames(hid_t group, const HistoryFrames& frames, const Mesh& mesh) {
-  std::vector<double> samples, displacements, ratios;
+  if (frames.empty()) return;
+  const JoinedFrames joined = joined_frames(frames);
+  std::vector<double> ratios;
   for (const HistoryFrame& frame : frames) {
-    samples.push_back(static_cast<double>(frame.sample));
-    const std::vector<double> own = flat(frame.displacements);
-    displacements.insert(displacements.end(), own.begin(), own.end());
     Solution there{};
     there.displacements = frame.displacements;
-    const std::vector<double> own_ratios = volume_ratios(mesh, there);
-    ratios.insert(ratios.end(), own_ratios.begin(), own_ratios.end());
+    const std::vector<double> own = volume_ratios(mesh, there);
+    ratios.insert(ratios.end(), own.begin(), own.end());
   }
-  hdf5::write_table(group, "frame_sample", samples, 1);
-  hdf5::write_table(group, "frame_displacement", displacements, 3);
+  hdf5::write_table(group, "frame_sample", joined.samples, 1);
+  hdf5::write_table(group, "frame_displacement", joined.displacements);
   hdf5::write_table(group, "frame_cell_volume_ratio", ratios, 1);
 }
 
@@ -56,9 +48,9 @@ void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
   if (solution.displacements.empty()) return;
   const auto group = hdf5::create_group(fields, result.key);
   const std::string partial = result.measures.volume_error ? "" : "partial_";
-  hdf5::write_table(group, partial + "displacement", flat(solution.displacements), 3);
+  hdf5::write_table(group, partial + "displacement", solution.displacements);
   if (!solution.reactions.empty())
-    hdf5::write_table(group, partial + "reaction", flat(solution.reactions), 3);
+    hdf5::write_table(group, partial + "reaction", solution.reactions);
   hdf5::write_table(group, partial + "cell_volume_ratio", volume_ratios(mesh, solution),
                     1);
   if (!result.history.empty()) {
@@ -70,8 +62,7 @@ void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
   }
   if (!solution.spring_strains.empty())
     hdf5::write_table(group, partial + "spring_strain", solution.spring_strains, 1);
-  if (!result.deviation.empty())
-    hdf5::write_table(group, "deviation", flat(result.deviation), 3);
+  if (!result.deviation.empty()) hdf5::write_table(group, "deviation", result.deviation);
 }
 
 std::filesystem::path xdmf_beside(std::filesystem::path file) {

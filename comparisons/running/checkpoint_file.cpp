@@ -19,14 +19,7 @@
 namespace springcheck {
 namespace {
 
-constexpr long long layout = 5;
-
-std::vector<double> numbers(const std::vector<Vector3>& vectors) {
-  std::vector<double> all;
-  all.reserve(3 * vectors.size());
-  for (const Vector3& v : vectors) all.insert(all.end(), {v.x(), v.y(), v.z()});
-  return all;
-}
+constexpr long long layout = 4;
 
 std::vector<Vector3> vectors(const std::vector<double>& numbers) {
   std::vector<Vector3> all;
@@ -191,8 +184,8 @@ void write_content(OverlayFile& overlay, const std::filesystem::path& file,
     hdf5::write_attribute(root, "excess_dt", excess->dt);
     hdf5::write_attribute(root, "excess_limit", excess->limit);
   }
-  hdf5::write_table(root, "displacement", numbers(state.displacements), 3);
-  hdf5::write_table(root, "velocity", numbers(state.velocities), 3);
+  hdf5::write_table(root, "displacement", state.displacements);
+  hdf5::write_table(root, "velocity", state.velocities);
   if (!stiffest.empty()) hdf5::write_table(root, "stiffest", stiffest, 3);
   if (!checkpoint.history.empty()) {
     std::vector<double> rows;
@@ -200,16 +193,10 @@ void write_content(OverlayFile& overlay, const std::filesystem::path& file,
       rows.insert(rows.end(), sample.begin(), sample.end());
     hdf5::write_table(root, "history", rows, history_columns.size());
   }
-  if (!checkpoint.frames.empty()) {
-    std::vector<double> samples, displacements;
-    for (const HistoryFrame& frame : checkpoint.frames) {
-      samples.push_back(static_cast<double>(frame.sample));
-      const std::vector<double> own = numbers(frame.displacements);
-      displacements.insert(displacements.end(), own.begin(), own.end());
-    }
-    hdf5::write_table(root, "frame_sample", samples, 1);
-    hdf5::write_table(root, "frame_displacement", displacements, 3);
-  }
+  if (checkpoint.frames.empty()) return;
+  const JoinedFrames frames = joined_frames(checkpoint.frames);
+  hdf5::write_table(root, "frame_sample", frames.samples, 1);
+  hdf5::write_table(root, "frame_displacement", frames.displacements);
 }
 
 }  // namespace

@@ -167,8 +167,10 @@ std::string latex_text(const TextLines& table, const TableText& table_text) {
   const std::string packages = is_sideways ? "booktabs,adjustbox,rotating"
                                            : "booktabs,adjustbox",
                     environment = is_sideways ? "sidewaystable" : "table",
-                    height = is_sideways ? ".85\\textwidth" : ".85\\textheight";
+                    height = is_sideways ? "\\pagewidth" : ".85\\textheight";
   std::string all = "% needs \\usepackage{" + packages + "}\n";
+  // Within the float \textwidth is the height of the page.
+  if (is_sideways) all += "\\begingroup\\edef\\pagewidth{\\the\\dimexpr.85\\textwidth}\n";
   const std::size_t rows = lines.size() - 1;
   const std::size_t most = is_sideways ? rows_of_a_sideways_float : rows_of_a_float;
   const std::size_t floats = std::max<std::size_t>(1, (rows + most - 1) / most);
@@ -189,7 +191,7 @@ std::string latex_text(const TextLines& table, const TableText& table_text) {
         // LaTeX keeps few floats that found no place yet.
         part + 1 == floats ? "" : "\\clearpage\n");
   }
-  return all;
+  return is_sideways ? all + "\\endgroup\n" : all;
 }
 
 }  // namespace springcheck

@@ -173,6 +173,14 @@ void write_table(hid_t parent, const std::string& name,
   write_any_table(parent, name, H5T_NATIVE_UINT32, values.data(), values.size(), columns);
 }
 
+void write_table(hid_t parent, const std::string& name,
+                 std::span<const Vector3> vectors) {
+  std::vector<double> values;
+  values.reserve(3 * vectors.size());
+  for (const Vector3& v : vectors) values.insert(values.end(), v.begin(), v.end());
+  write_table(parent, name, values, 3);
+}
+
 std::size_t row_count_of_table(hid_t parent, const std::string& name) {
   const Handle table(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose,
                      "table " + name);

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "meshing/vector3.hpp"
+
 namespace springcheck::hdf5 {
 
 /// An HDF5 identifier, closed by the function it came with.
@@ -58,6 +60,8 @@ void write_table(hid_t parent, const std::string& name, std::span<const double> 
                  hsize_t columns);
 void write_table(hid_t parent, const std::string& name,
                  std::span<const std::uint32_t> values, hsize_t columns);
+/// A row of 3 for each vector.
+void write_table(hid_t parent, const std::string& name, std::span<const Vector3> vectors);
 
 std::size_t row_count_of_table(hid_t parent, const std::string& name);
 

@@ -1,19 +1,25 @@
 """Bodies for the 3D views: which cases, and their surfaces as the page's script reads them."""
 
+import zlib
 from dataclasses import dataclass, field
 from itertools import groupby
 
 import methods
 import numpy as np
+import pandas as pd
 from study import case_text
 from strains import equivalent_strains
 from surface import outside
 
-# Bytes of all views together, packed to less than half of them: pages stay below 15 MB. Some
-# are kept for what was recorded on the way.
-_BUDGET = 9e6
-_BUDGET_OF_FRAMES = 2e6
+# Bytes of all views together as the page has them, packed but for base64, which makes a third
+# more of them: pages stay below 15 MB. What was recorded on the way has a share of its own.
+_BUDGET = 3.2e6
+_BUDGET_OF_FRAMES = 0.8e6
+_FRAMES = 12  # of one body, at most
 _GROUPS = 24  # of one test
+
+
+_SIMULATION = ["problem", "name", "load", "further"]
 
 
 @dataclass
@@ -29,7 +35,10 @@ def groups(study, test):
     methods, mss-cf among them, large loads; of those alike Poisson's ratios far apart. Only
     cases with an equilibrium's fields."""
     cases = study.with_fields(study.cases[study.cases.test == test])
-    cases = cases[~cases.is_repeated]
+    # The same simulation beside another reference looks alike: one that has frames, if there is one.
+    has_none = pd.Series([not study.has(key, "frame_sample") for key in cases.index], cases.index)
+    first = cases.assign(has_none=has_none).sort_values("has_none", kind="stable")
+    cases = cases[~first.duplicated(_SIMULATION).reindex(cases.index)]
     found = []
     for _, members in cases.groupby("problem", sort=False):
         members = members.sort_values(["kind", "name"], key=_order, kind="stable")
@@ -76,8 +85,10 @@ def _order(column):
 
 @dataclass
 class _Numbers:
-    """Numbers of four bytes each, little-endian, one array after the other."""
+    """Numbers of four bytes each, little-endian, one array after the other. first: numbers
+    before them."""
 
+    first: int = 0
     parts: list = field(default_factory=list)
     count: int = 0
 
@@ -86,15 +97,26 @@ class _Numbers:
         own = np.ascontiguousarray(values, dtype=kind)
         self.parts.append(own.tobytes())
         self.count += own.size
-        return [self.count - own.size, own.size]
+        return [self.first + self.count - own.size, own.size]
+
+    def further(self):
+        """Numbers that may come behind these."""
+        return _Numbers(self.first + self.count)
+
+    def append(self, further):
+        self.parts += further.parts
+        self.count += further.count
+
+    def packed_size(self):
+        return len(zlib.compress(b"".join(self.parts)))
 
 
 def view_data(study, tests):
     """header: {meshes: {name: ...}, tests: {test: [group, ...]}} for the script, with places in
     data: surfaces in float32 and uint32. Groups beyond the budget are left out, of all tests
-    in turn; left_out: how many."""
-    meshes, views, left_out = {}, {test: [] for test in tests}, 0
-    numbers, bytes_of_frames = _Numbers(), 0
+    in turn; left_out: how many. without_way: bodies whose frames are left out likewise."""
+    meshes, views, left_out, without_way = {}, {test: [] for test in tests}, 0, 0
+    numbers, room, room_of_frames = _Numbers(), _BUDGET, _BUDGET_OF_FRAMES
     surfaces = {}
     same = _same_simulations(study.cases)
     queues = {test: groups(study, test) for test in tests}
@@ -106,53 +128,47 @@ def view_data(study, tests):
             mesh_name = study.cases.loc[group.cases[0], "mesh"]
             if mesh_name not in surfaces:
                 surfaces[mesh_name] = outside(study.mesh(group.cases[0]))
-            surface = surfaces[mesh_name]
-            size_of_state = len(surface.nodes) * 12 + len(surface.faces) * 8
-            size = size_of_state * len(group.cases)
-            if 4 * numbers.count - bytes_of_frames + size > _BUDGET - _BUDGET_OF_FRAMES:
+            surface, own = surfaces[mesh_name], numbers.further()
+            new_mesh = {} if mesh_name in meshes else _mesh(study.mesh(group.cases[0]), surface, own)
+            view = _group(study, group, same, surface, own)
+            size = own.packed_size()
+            if size > room:
                 left_out += 1
                 continue
-            if mesh_name not in meshes:
-                meshes[mesh_name] = _mesh(study.mesh(group.cases[0]), surface, numbers)
-            frames = {key: study.frames(key) for key in group.cases}
-            size = size_of_state * sum(len(own) for own in frames.values())
-            if bytes_of_frames + size > _BUDGET_OF_FRAMES:
-                frames = {key: [] for key in group.cases}
-            else:
-                bytes_of_frames += size
-            views[test].append(_group(study, group, same, frames, surface, numbers))
-    header = {"meshes": meshes, "tests": views}
-    return {"header": header, "data": b"".join(numbers.parts), "left_out": left_out}
+            room -= size
+            numbers.append(own)
+            meshes.update({mesh_name: new_mesh} if new_mesh else {})
+            for key, body in zip(group.cases, view["bodies"]):
+                frames = numbers.further()
+                way = _way(study, key, surface, frames)
+                size = frames.packed_size()
+                if way and size > room_of_frames:
+                    without_way += 1
+                elif way:
+                    room_of_frames -= size
+                    numbers.append(frames)
+                    body.update(way)
+            views[test].append(view)
+    return {
+        "header": {"meshes": meshes, "tests": views},
+        "data": b"".join(numbers.parts),
+        "left_out": left_out,
+        "without_way": without_way,
+    }
 
 
 def _same_simulations(cases):
     """Keys of all cases of the same simulation, whatever their references, by each of them."""
-    alike = cases.groupby(["problem", "name", "load", "further"], sort=False, dropna=False)
+    alike = cases.groupby(_SIMULATION, sort=False, dropna=False)
     return {key: list(keys) for keys in alike.groups.values() for key in keys}
 
 
-def _group(study, group, same, frames, surface, numbers):
+def _group(study, group, same, surface, numbers):
     bodies = []
     usual = methods.of_thesis(), f"{methods.reference_law()}:q1-sri"
-    mesh = study.mesh(group.cases[0])
-
-    def state(displacement, volume_ratio):
-        strain = equivalent_strains(mesh, displacement)
-        return {
-            "displacement": numbers.add(displacement[surface.nodes], "<f4"),
-            "strain": numbers.add(strain[surface.cells], "<f4"),
-            "volume": numbers.add(volume_ratio[surface.cells] - 1, "<f4"),
-        }
-
     for key in group.cases:
         case = study.cases.loc[key]
-        end = state(study.field(key, "displacement"), study.field(key, "cell_volume_ratio"))
-        history = study.history(key) if frames[key] else None
-        on_the_way = [
-            {**state(frame.displacement, frame.cell_volume_ratio), **_moment(history.iloc[frame.sample])}
-            for frame in frames[key]
-            if frame.sample < len(history) - 1  # the last is the end
-        ]
+        displacement, ratio = study.field(key, "displacement"), study.field(key, "cell_volume_ratio")
         bodies.append(
             {
                 "cases": same[key],
@@ -160,12 +176,37 @@ def _group(study, group, same, frames, surface, numbers):
                 "kind": case["kind"],
                 "status": case["status"],
                 "is_usual": case["name"] in usual,
-                **end,
-                "end": _moment(history.iloc[-1]) if on_the_way else {},
-                "frames": on_the_way,
+                **_state(study.mesh(key), displacement, ratio, surface, numbers),
+                "end": {},
+                "frames": [],
             }
         )
     return {"label": group.label, "mesh": study.cases.loc[group.cases[0], "mesh"], "bodies": bodies}
+
+
+def _state(mesh, displacement, volume_ratio, surface, numbers):
+    strain = equivalent_strains(mesh, displacement)
+    return {
+        "displacement": numbers.add(displacement[surface.nodes], "<f4"),
+        "strain": numbers.add(strain[surface.cells], "<f4"),
+        "volume": numbers.add(volume_ratio[surface.cells] - 1, "<f4"),
+    }
+
+
+def _way(study, key, surface, numbers):
+    """The body's frames and when it ends, evenly of what the file has; {} where it has none.
+    What is not finite, or has flown beyond a thousand times its size, nobody could look at."""
+    history, mesh = study.history(key), study.mesh(key)
+    if history is None:
+        return {}
+    farthest = 1e3 * np.ptp(mesh["nodes"], axis=0).max()
+    frames = [frame for frame in study.frames(key) if frame.sample < len(history) - 1]  # the last is the end
+    frames = [frame for frame in frames[:: -(-len(frames) // _FRAMES) or 1] if np.abs(frame.displacement).max() < farthest]
+    shown = [
+        {**_state(mesh, frame.displacement, frame.cell_volume_ratio, surface, numbers), **_moment(history.iloc[frame.sample])}
+        for frame in frames
+    ]
+    return {"end": _moment(history.iloc[-1]), "frames": shown} if shown else {}
 
 
 def _moment(sample):

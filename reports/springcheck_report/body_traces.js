@@ -74,7 +74,8 @@ const bodyTraces = (function () {
       const normal = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
       for (const node of [a, b, c]) normal.forEach((n, axis) => { normals[axis][node] += n; });
     }
-    const size = Math.max(...place.map((values) => Math.max(...values) - Math.min(...values)));
+    const extreme = (values, pick) => values.reduce((found, one) => pick(found, one), values[0]);
+    const size = Math.max(...place.map((values) => extreme(values, Math.max) - extreme(values, Math.min)));
     return place.map((values, axis) => values.map((value, i) => {
       const length = Math.hypot(normals[0][i], normals[1][i], normals[2][i]) || 1;
       return value + fraction * size * normals[axis][i] / length;
@@ -132,8 +133,8 @@ const bodyTraces = (function () {
       for (const state of pair.filter(Boolean)) {
         values = Math.max(values, largest(quantities[name].values(state, pair[1])));
         positions(mesh.nodes, state.u).forEach((along, axis) => {
-          low[axis] = Math.min(low[axis], ...along);
-          high[axis] = Math.max(high[axis], ...along);
+          low[axis] = along.reduce((least, one) => Math.min(least, one), low[axis]);
+          high[axis] = along.reduce((most, one) => Math.max(most, one), high[axis]);
         });
       }
       if (pair[0] && pair[1]) difference = Math.max(difference, largest(differences(pair, name)));

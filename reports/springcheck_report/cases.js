@@ -15,6 +15,7 @@ const allCases = (function () {
 
   return {
     ready,
+    get isThere() { return data !== null; },
     get file() { return data.file; },
     get looks() { return data.looks; },
     get answers() { return data.answers; },

@@ -131,7 +131,7 @@ def table(headings, rows, *, name, classes=None, limit=None):
 def folded(blocks, title):
     """Blocks of Markup below a line that opens them."""
     inside = Markup("").join(blocks)
-    return Markup("<details><summary>{}</summary>{}</details>").format(title, inside)
+    return Markup('<details class="folded"><summary>{}</summary>{}</details>').format(title, inside)
 
 
 _WORDS, _LONG = 10, 24  # characters of texts that may be broken into lines, and of those with a width of their own

@@ -44,7 +44,7 @@
   }
   /* What is folded is printed as well. */
   window.addEventListener("beforeprint", () => {
-    for (const fold of document.querySelectorAll(".answers details")) fold.open = true;
+    for (const fold of document.querySelectorAll(".answers details, details.folded")) fold.open = true;
   });
 
   let isWaiting = false;

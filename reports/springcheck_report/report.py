@@ -163,17 +163,17 @@ def _page(study, groups, figure_folder):
     def kind(block):
         return type(block).__name__
 
-    def drawing(figure):
-        return (figure_folder / f"{figure.name}.svg").read_text(encoding="utf-8")
+    every = [figure for section in sections for figure in figures_of(section)]
+    drawings = {one.name: (figure_folder / f"{one.name}.svg").read_text(encoding="utf-8") for one in every}
 
     def image(figure):
-        content = base64.b64encode(drawing(figure).encode()).decode("ascii")
+        content = base64.b64encode(drawings[figure.name].encode()).decode("ascii")
         return f"data:image/svg+xml;base64,{content}"
 
     def size(figure):
         """Attributes, in pixels: a figure as wide as a page of print has 960."""
         width, height = re.search(
-            r'<svg[^>]* width="([0-9.]+)pt" height="([0-9.]+)pt"', drawing(figure)[:2000]
+            r'<svg[^>]* width="([0-9.]+)pt" height="([0-9.]+)pt"', drawings[figure.name][:2000]
         ).groups()
         scale = 960 / (72 * method_style.TWO_COLUMNS)
         return Markup('width="{}" height="{}"').format(
@@ -192,7 +192,7 @@ def _page(study, groups, figure_folder):
         image=image,
         size=size,
         text=text,
-        figures=_packed_json({figure.name: drawing(figure) for figure in figures}) if figures else None,
+        figures=_packed_json({figure.name: drawings[figure.name] for figure in figures}) if figures else None,
         plotly=_packed(get_plotlyjs().encode()) if tests or explorers else None,
         explorer=_packed_json(explorers[0]) if explorers else None,
         scripts=_scripts(has_explorer=bool(explorers), has_views=bool(tests)),

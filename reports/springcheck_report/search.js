@@ -34,7 +34,7 @@
       for (const figure of section.querySelectorAll("figure"))
         add("figure", figure.querySelector("img").alt, name, figure, figure.id);
     }
-    if (typeof allCases === "undefined") return entries;
+    if (typeof allCases === "undefined" || !allCases.isThere) return entries;
     for (let place = 0; place < allCases.count; ++place) {
       const of = (name) => allCases.value(name, place);
       const nu = of("nu") === null ? null : `nu ${of("nu")}`;
@@ -51,7 +51,7 @@
   }
 
   async function show() {
-    if (typeof allCases !== "undefined") await allCases.ready;
+    if (typeof allCases !== "undefined") await allCases.ready.catch(() => {});
     const hits = found(field.value);
     panel.hidden = !field.value.trim();
     status.textContent = hits.length

@@ -1,8 +1,7 @@
 """Strains of cells, for the 3D views."""
 
 import numpy as np
-
-_CELLS = ("tetrahedra", "pyramids", "prisms", "hexahedra")  # in the order of fields of cells
+from springcheck_results import CELLS
 
 
 def equivalent_strains(mesh, displacement):
@@ -11,7 +10,7 @@ def equivalent_strains(mesh, displacement):
     volume. U: of the cell's mean deformation gradient, the one that fits its nodes' places
     best, exact where the deformation is affine. mesh, displacement (n x 3) [m] as
     springcheck_results gives them."""
-    parts = [_of_cells(mesh["nodes"], mesh[name], displacement) for name in _CELLS if name in mesh]
+    parts = [_of_cells(mesh["nodes"], mesh[name], displacement) for name in CELLS if name in mesh]
     return np.concatenate(parts)
 
 

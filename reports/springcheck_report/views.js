@@ -81,8 +81,12 @@ const viewsReady = (async function () {
       toTheEnd();
     }
     const chosen = () => [method, reference].map((s) => (s.value === "" ? null : groups[group.value].bodies[s.value]));
+    let mesh = null, chosenPairs = [], range = null;
     function toTheEnd() {
-      slider.max = pairs(chosen()).length - 1;
+      mesh = unpackedMesh(meshes[groups[group.value].mesh]);
+      chosenPairs = pairs(chosen());
+      range = null;
+      slider.max = chosenPairs.length - 1;
       slider.value = slider.max;
       way.hidden = slider.max === "0";
     }
@@ -93,14 +97,13 @@ const viewsReady = (async function () {
       for (const option of quantity.options)  // a body alone deviates from nothing
         option.disabled = Boolean(quantities[option.value].needsBoth && !(own && theirs));
       if (quantity.selectedOptions[0].disabled) quantity.value = "displacement";
-      const all = pairs(bodies);
-      const pair = all[slider.value];
-      const mesh = unpackedMesh(meshes[groups[group.value].mesh]);
+      const pair = chosenPairs[slider.value];
       const over = own && theirs ? `${own.name} over ${theirs.name} (dark)` : "";
       names.replaceChildren(...[own?.name ?? "", theirs?.name ?? "", over].map((text) => made("div", { textContent: text })));
       moment.value = toldMoment(pair, bodies);
       const list = traces(mesh, pair, quantity.value);
-      const shown = layout(ranges(mesh, all, quantity.value), quantity.value, Boolean(own && theirs), camera);
+      if (range?.quantity !== quantity.value) range = { ...ranges(mesh, chosenPairs, quantity.value), quantity: quantity.value };
+      const shown = layout(range, quantity.value, Boolean(own && theirs), camera);
       const settings = { responsive: true, displaylogo: false, displayModeBar: false, scrollZoom: false };
       Plotly.react(plot, list, shown, settings).then(() => {
         plot.dataset.drawn = "yes";
@@ -114,13 +117,16 @@ const viewsReady = (async function () {
         plot.on("plotly_relayout", follow);
       });
     }
-    /* "t = 0.25 s, 50 % of the load; fem-stvk at its end". */
+    /* "t = 0.25 s, 50 % of the load; fem-stvk as it ends", or "...; fem-explicit-stvk at t = 0.251 s": of the body
+       that is gone through, then of the other one where it is at another moment. */
     function toldMoment(pair, bodies) {
-      const moves = pair.map((state, at) => state && bodies[at].frames.length > 0);
-      const state = pair[moves[0] ? 0 : 1] ?? pair[0];
+      const [first, other] = (bodies[1]?.frames.length ?? 0) > (bodies[0]?.frames.length ?? 0) ? [1, 0] : [0, 1];
+      const state = pair[first];
       if (!state || state.time === undefined) return "";
-      const rests = bodies.filter((body, at) => body && !moves[at]).map((body) => `; ${body.name} as it ends`);
-      return `t = ${state.time.toPrecision(3)} s, ${(100 * state.load).toPrecision(3)} % of the load${rests.join("")}`;
+      const text = `t = ${state.time.toPrecision(3)} s, ${(100 * state.load).toPrecision(3)} % of the load`;
+      if (!pair[other] || pair[other].time?.toPrecision(3) === state.time.toPrecision(3)) return text;
+      const when = pair[other].time === undefined ? "as it ends" : `at t = ${pair[other].time.toPrecision(3)} s`;
+      return `${text}; ${bodies[other].name} ${when}`;
     }
     /* The other scenes look from where this one does. */
     function turn(to, from) {

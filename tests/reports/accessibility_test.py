@@ -3,7 +3,6 @@ axe-core, which npm brings, finds. SPRINGCHECK names the program."""
 
 import itertools
 import json
-import os
 import re
 import shutil
 import subprocess
@@ -18,6 +17,7 @@ import browser  # noqa: E402
 import method_style  # noqa: E402
 import numpy as np  # noqa: E402
 from browser import PageTest  # noqa: E402
+from figures import curves  # noqa: E402
 from matplotlib.colors import to_rgb  # noqa: E402
 from program import springcheck  # noqa: E402
 
@@ -75,15 +75,14 @@ class Colours(unittest.TestCase):
         light, dark, paper = schemes
         levels = ["good", *(f"level-{i}" for i in range(1, 5))]
         pairs = [("ink", ground) for ground in ("paper", "shade", "bad", "failed", *levels)]
-        pairs += [(text, ground) for text in ("pale", "accent") for ground in ("paper", "shade")]
+        pairs += [(text, ground) for text in ("pale", "accent") for ground in ("paper", "shade", "good", "bad")]
         pairs += [("failure", "failed"), ("plate-ink", "plate")]
         for scheme in (light, light | dark, light | paper):
             for text, ground in pairs:
                 self.assertGreater(contrast(scheme[text], scheme[ground]), 4.5, (text, ground, scheme))
 
     def test_methods_of_one_mark_are_told_apart_by_all(self):
-        listed = subprocess.run([program(), "list", "methods", "--json"], check=True, capture_output=True, text=True)
-        methods = json.loads(listed.stdout)["methods"]
+        methods = json.loads(springcheck("list", "methods", "--json").stdout)["methods"]
         self.assertGreater(len(methods), 20)
         for one, other in itertools.combinations(methods.items(), 2):
             if one[1]["mark"] == other[1]["mark"]:
@@ -91,18 +90,20 @@ class Colours(unittest.TestCase):
                 self.assertGreater(apart, LEAST_DIFFERENCE, (one[0], other[0]))
 
     def test_rings_are_told_by_their_shapes(self):
-        shapes = [*method_style.RINGS.values(), method_style.OTHER_RING]
-        self.assertEqual(len(shapes), len(set(shapes)))
+        statuses = ["wrinkled", "indefinite", "inverted", "refused"]
+        curve = curves.Curve("mss-cf", np.arange(5.0), np.ones(5), ["ok", *statuses])
+        drawn = curves.draw([curves.Panel("", "", "", [curve])])
+        rings = [line for line in drawn.axes[0].lines if len(line.get_xdata()) == 1]
+        self.assertEqual([line.get_xdata()[0] for line in rings], [1, 2, 3, 4])
+        self.assertEqual(len({line.get_marker() for line in rings}), 4)
+        self.assertEqual({line.get_markeredgecolor() for line in rings}, {"#222222"})
+        self.assertLessEqual(set(statuses), {text.get_text() for text in drawn.legends[0].texts})
 
     def test_kinds_of_failure_have_hatches_of_their_own(self):
         hatches = [hatch for _, hatch, _ in method_style.FAILURE_STYLES.values()]
         self.assertEqual(len(hatches), len(set(hatches)))
         for name, (ground, _, ink) in method_style.FAILURE_STYLES.items():
             self.assertGreater(contrast(ink, ground), 3.5, name)  # letters in bold, large on the page
-
-
-def program():
-    return os.environ["SPRINGCHECK"]
 
 
 def axe_source(folder):
@@ -130,7 +131,7 @@ class Everyone(PageTest):
             "torsion --cells 3,3,3 --method mss-cf,fem-stvk --nu 0.3",
             "shearing --cells 3,3,3 --method mss-cf --solver verlet --damping 0.1 --duration 0.2 --history 20",
         ):
-            subprocess.run([program(), "run", *run.split(), "--out", file], check=False, stdout=subprocess.DEVNULL)
+            springcheck("run", *run.split(), "--out", file, check=False)  # some do not end well
         springcheck("report", file, "--out", cls.folder / "report")
         cls.browser = browser.chromium(webgl=False)
         cls.addClassCleanup(cls.browser.quit)

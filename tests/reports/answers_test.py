@@ -197,9 +197,9 @@ class Answers(unittest.TestCase):
         """By the words above the table, which names the judges."""
         table = page_text.rows(self.summary, "summary-small")
         self.assertEqual([cell for row in table for cell in row if cell in ("", "–")], [])
-        self.assertRegex(table[0][1], r"^[\d.]+ % 3 of 3$")  # mss-cf in compression
+        self.assertRegex(table[0][1], r"^[\d.]+ % up to [\d.]+ % 3 of 3$")  # mss-cf in compression
         text = text_of(self.summary)
-        self.assertIn("below it how many of the cases are usable", text)
+        self.assertIn("below it the largest, which leads to its case, and how many of the cases are usable", text)
         self.assertIn("lock: fem-hencky:q1-sri, fem-stvk:q1-sri, of the law", text)
 
 

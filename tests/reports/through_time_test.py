@@ -111,7 +111,7 @@ class Cases(unittest.TestCase):
         (figure,) = (f for f in histories(self.study) if f.name == "history_uniaxial")
         force, *_ = figure.arguments[0]
         (curve,) = (c for c in force.curves if len(c.x) > 1 and c.x[-1] == 1.5)
-        (ring,) = (c for c in force.curves if "static" in c.name and c.x[0] == 1.5)
+        (ring,) = (c for c in force.curves if "at rest" in c.name and c.x[0] == 1.5)
         self.assertLess(ring.y[0], 0)
         self.assertAlmostEqual(ring.y[0] / curve.y[-1], 1, delta=0.02)
 
@@ -136,7 +136,7 @@ class Cases(unittest.TestCase):
         self.assertIn("E A", force.y_label)
         ends = {curve.name: curve.y[-1] for curve in force.curves}
         (raw,) = (value for name, value in ends.items() if "thesis-raw" in name)
-        self.assertAlmostEqual(raw / ends["mss-cf, static"], 1, delta=0.1)
+        self.assertAlmostEqual(raw / ends["mss-cf at rest"], 1, delta=0.1)
 
     def test_what_the_file_lacks_has_no_section(self):
         page = page_in(self.folder)

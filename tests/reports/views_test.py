@@ -1,16 +1,22 @@
 """The 3D views of bodies, in a real browser. SPRINGCHECK names the program."""
 
+import contextlib
+import re
 import shutil
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 REPORTS = Path(__file__).parents[2] / "reports"
 sys.path[:0] = [str(Path(__file__).parent), str(REPORTS), str(REPORTS / "springcheck_report")]
+import bodies  # noqa: E402
 import browser  # noqa: E402
+import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 import springcheck_results  # noqa: E402
+import study as study_module  # noqa: E402
 from browser import PageTest  # noqa: E402
 from program import springcheck  # noqa: E402
 from strains import equivalent_strains  # noqa: E402
@@ -77,7 +83,7 @@ class Views(PageTest):
         cls.addClassCleanup(shutil.rmtree, cls.folder)
         cls.file = cls.folder / "bodies.h5"
         common = "run torsion --deformation 30deg --cells 3,3,3 --nu 0.3"
-        for rest in ("--method mss-cf,mss-nfd,fem-hencky", f"--method mss-cf {cls.MOTION}"):
+        for rest in ("--method mss-cf,mss-nfd,fem-hencky", f"--method mss-cf,fem-explicit-stvk {cls.MOTION}"):
             springcheck(*common.split(), *rest.split(), "--out", cls.file)
         springcheck("run", "compression", "--method", "mss-cf", "--cells", "2,2,2", "--out", cls.file)
         springcheck("report", cls.file, "--out", cls.folder / "report")
@@ -87,12 +93,12 @@ class Views(PageTest):
         cls.browser.get((cls.folder / "report" / "index.html").as_uri())
 
     def tearDown(self):
-        errors = [entry for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
-        self.assertEqual(errors, [])
+        self.check_console()
 
     def setUp(self):
         self.viewer = self.drawn("torsion")
         self.choose(1, "mss-cf")
+        self.choose(2, "fem-hencky:q1-sri")
         self.choose(3, "displacement")
 
     def drawn(self, test):
@@ -114,6 +120,10 @@ class Views(PageTest):
             "return arguments[0].querySelector('.plot').data.filter((one) => one.type === arguments[1]).map((one) =>"
             "({scene: one.scene, place: [one.x, one.y, one.z].map((all) => Array.from(all)), axis: one.coloraxis,"
             " values: one.intensity && Array.from(one.intensity)}))", self.viewer, kind)
+
+    def slide(self, place):
+        self.script("const slider = arguments[0].querySelector('input'); slider.value = arguments[1];"
+                    "slider.dispatchEvent(new Event('input'))", self.viewer, place)
 
     def axis(self, name):
         return self.script("return arguments[0].querySelector('.plot').layout[arguments[1]]", self.viewer, name)
@@ -185,13 +195,14 @@ class Views(PageTest):
         nodes = self.results.mesh(key)["nodes"][surface.nodes]
         scales = []
         for place in (0, 4, len(frames) - 1):
-            self.script("arguments[0].value = arguments[1]; arguments[0].dispatchEvent(new Event('input'))", slider, place)
+            self.slide(place)
             moved = frames[place].displacement[surface.nodes]
             np.testing.assert_allclose(np.transpose(self.traces()[0]["place"]), 100 * (nodes + moved), atol=1e-5)
             said = way.find_element("css selector", "output").text
             sample = history.iloc[place]
-            self.assertIn(f"t = {sample.time:.3g} s"[:7], said)
-            self.assertIn("fem-hencky:q1-sri as it ends", said)
+            told = float(re.match(r"t = (\S+) s, ", said)[1])
+            self.assertAlmostEqual(told, sample.time, delta=5e-3 * sample.time)
+            self.assertTrue(said.endswith("fem-hencky:q1-sri as it ends"), said)
             scales.append((self.axis("coloraxis")["cmax"], self.axis("scene")["zaxis"]["range"]))
         self.assertEqual(scales[0], scales[1])
         self.assertEqual(scales[0], scales[2])
@@ -199,12 +210,98 @@ class Views(PageTest):
         ratio = frames[-1].cell_volume_ratio[surface.cells] - 1
         np.testing.assert_allclose(self.traces()[0]["values"], 100 * self.of_triangles(surface, ratio), atol=1e-5)
 
+    def test_a_method_and_a_reference_that_both_move(self):
+        """At each moment of the one the other as it was then, and the end beside the end."""
+        self.choose(2, "fem-explicit-stvk:q1-sri")
+        self.choose(1, "mss-cf, semi-implicit")
+        ours, theirs = (self.key(name, solver="semi-implicit") for name in ("mss-cf", "fem-explicit-stvk"))
+        slider, output = (self.viewer.find_element("css selector", one) for one in (".way input", ".way output"))
+        nodes = self.results.mesh(ours)["nodes"]
+        surface = outside(self.results.mesh(ours))
+        last = len(self.results.frames(ours)) - 1
+        self.assertEqual(slider.get_attribute("max"), str(last))
+        for place in (3, last):
+            self.slide(place)
+            first, second, *_ = self.traces()
+            for key, trace in ((ours, first), (theirs, second)):
+                moved = (nodes + self.results.frames(key)[place].displacement)[surface.nodes]
+                np.testing.assert_allclose(np.transpose(trace["place"]), 100 * moved, atol=1e-5)
+            self.assertNotIn("as it ends", output.text)
+        self.choose(1, "mss-cf")  # the reference alone moves
+        self.slide(3)
+        self.assertTrue(output.text.endswith("mss-cf as it ends"), output.text)
+        sample = self.results.history(theirs).iloc[3]
+        self.assertIn(f"{100 * sample.load_fraction:.3g} % of the load", output.text)
+
     def test_a_body_alone_deviates_from_nothing(self):
         self.viewer = self.drawn("compression")
         self.choose(3, "volume")
         self.assertEqual(len(self.traces()), 1)
         options = self.viewer.find_elements("css selector", "select:nth-of-type(1)")[3].find_elements("tag name", "option")
         self.assertEqual([one.is_enabled() for one in options], [True, False, True, True])
+
+
+class Room(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.file = cls.folder / "bodies.h5"
+        both = "--method mss-cf,fem-hencky"
+        for rest in (both, f"{both} --deformation 2%", f"{both} --reference fem-hooke", f"--method mss-cf {Views.MOTION}"):
+            springcheck("run", "shearing", "--cells", "3,3,3", "--nu", "0.3", *rest.split(), "--out", cls.file)
+        springcheck("report", cls.file, "--out", cls.folder / "report")
+
+    def data(self, file=None, **budgets):
+        """What the page would get, with other budgets."""
+        study = study_module.read(file or self.file, self.folder / "report")
+        with contextlib.ExitStack() as stack:
+            for name, value in budgets.items():
+                stack.enter_context(mock.patch.object(bodies, name, value))
+            return bodies.view_data(study, ["shearing"])
+
+    def test_what_finds_no_room_is_counted(self):
+        whole = self.data()
+        shown = whole["header"]["tests"]["shearing"]
+        self.assertEqual((whole["left_out"], whole["without_way"]), (0, 0))
+        self.assertEqual(sum(len(body["frames"]) > 0 for group in shown for body in group["bodies"]), 1)
+        none = self.data(_BUDGET=100)
+        self.assertEqual((none["left_out"], none["data"]), (len(shown), b""))
+        at_rest = self.data(_BUDGET_OF_FRAMES=100)
+        self.assertEqual((at_rest["left_out"], at_rest["without_way"]), (0, 1))
+        self.assertLess(len(at_rest["data"]), len(whole["data"]))
+
+    def test_the_same_simulation_is_there_once_and_found_by_all_its_keys(self):
+        cases = springcheck_results.read(self.file).cases
+        shown = self.data()["header"]["tests"]["shearing"]
+        keys = [key for group in shown for body in group["bodies"] for key in body["cases"]]
+        self.assertEqual(sorted(keys), sorted(cases.index))
+        names = [[body["name"] for body in group["bodies"]] for group in shown]
+        self.assertTrue(all(len(own) == len(set(own)) for own in names), names)
+
+    def test_bodies_without_fields_do_not_hide_those_with(self):
+        """Of the same simulation, whichever the file has first."""
+        cases = springcheck_results.read(self.file).cases
+        for reference in set(cases.reference):
+            other = self.folder / "other.h5"
+            shutil.copy(self.file, other)
+            with h5py.File(other, "r+") as file:
+                for key in cases.index[(cases.reference == reference) & (cases.deformation == 0.05)]:
+                    file["fields"].pop(key, None)
+            shown = self.data(other)["header"]["tests"]["shearing"]
+            self.assertIn("mss-cf", [body["name"] for group in shown for body in group["bodies"]], reference)
+
+    def test_moments_that_nobody_could_look_at_are_left_out(self):
+        other = self.folder / "flown.h5"
+        shutil.copy(self.file, other)
+        with h5py.File(other, "r+") as file:
+            (moved,) = (group for group in file["fields"].values() if "frame_sample" in group)
+            nodes = len(moved["displacement"])
+            moved["frame_displacement"][nodes] = np.nan
+            moved["frame_displacement"][2 * nodes] = 1e200
+        counts = [sum(len(body["frames"]) for group in self.data(one)["header"]["tests"]["shearing"] for body in group["bodies"])
+                  for one in (self.file, other)]
+        self.assertEqual(counts[0] - counts[1], 2)
 
 
 if __name__ == "__main__":

@@ -169,7 +169,7 @@ Sheet sheet_of(const char* name, const char* title, const std::vector<Split>& sp
           "part by q2. Of mean deviations it is both bounds together. The bound of the "
           "discretisation part is Cauchy-Born's. The sign of a part within its bound is "
           "not known.",
-          "Volume errors e are the absolute values of the volume changes.",
+          "e is the volume change without its sign.",
           "Mean deviations are mean distances over the nodes from the converged "
           "reference, the discretisation part from converged Cauchy-Born.",
           "Converged: extrapolated from q1-sri on the springs' mesh and on 2 and 4 times "

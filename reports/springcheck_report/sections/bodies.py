@@ -202,8 +202,10 @@ def _panel(study, key, surface):
 def _no_body(study, group, name):
     """Says how the method's case on the same problem ended."""
     problem = study.cases.loc[group.cases[0]]
-    same = study.cases[(study.cases.problem == problem.problem) & (study.cases["name"] == name)]
+    same = study.cases[(study.cases.whole_problem == problem.whole_problem) & (study.cases["name"] == name)]
     words = "not computed" if same.empty else same.status.iloc[0].replace("_", " ")
+    if not same.empty and np.isfinite(same.volume_change.iloc[0]):
+        words = "body not stored" if same.load.iloc[0] == problem.load else f"only to {same.load.iloc[0]}"
     return body_figures.Panel(f"{name}\nν = {problem.nu:g}\n{words}", None, None)
 
 

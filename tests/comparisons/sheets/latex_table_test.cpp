@@ -106,7 +106,11 @@ BOOST_AUTO_TEST_CASE(wide_tables_are_turned) {
   expect_part(upright, "{@{}p{14em}p{14em}p{14em}@{}}");
   BOOST_TEST(sideways.starts_with("% needs \\usepackage{booktabs,adjustbox,rotating}\n"));
   expect_part(sideways, "\\begin{sidewaystable}");
-  BOOST_TEST(sideways.ends_with("\\end{sidewaystable}\n"));
+  BOOST_TEST(sideways.ends_with("\\end{sidewaystable}\n\\endgroup\n"));
+  // The page's width, taken before the float, which is turned.
+  BOOST_TEST(sideways.find("\\the\\dimexpr.85\\textwidth") <
+             sideways.find("\\begin{sidewaystable}"));
+  expect_part(sideways, "{max totalheight=\\pagewidth}");
 }
 
 BOOST_AUTO_TEST_CASE(what_every_row_says_is_said_once) {
