@@ -13,9 +13,10 @@ namespace springcheck {
 namespace {
 
 constexpr std::size_t rows_of_a_float = 40, rows_of_a_sideways_float = 26;
-constexpr std::size_t widest_upright = 100;  // [characters], more are hardly legible
-constexpr std::size_t widest_text = 30;      // [characters], longer ones are broken
-constexpr std::size_t head_width = 12;       // [characters], broken at blanks
+constexpr std::size_t widest_upright =
+    120;                                 // [characters], of 5.5 points on a page of 345
+constexpr std::size_t widest_text = 30;  // [characters], longer ones are broken
+constexpr std::size_t head_width = 12;   // [characters], broken at blanks
 
 /// "-0.31", "5 %", "1e-5"; and what has no digit is none.
 bool is_number(const std::string& cell) {

@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(a_report_has_the_rows_whose_cases_are_in_the_file) {
   BOOST_TEST(table["notes"].back() == note);
   BOOST_TEST(text_of(folder / "some/tables/5.3.md").find(note) != std::string::npos);
   BOOST_TEST(lines(text_of(folder / "some/tables/5.3.csv")) == 3U);
-  BOOST_TEST(text_of(folder / "some/tables/5.3.tex").find("\\begin{table}") !=
+  BOOST_TEST(text_of(folder / "some/tables/5.3.tex").find("\\begin{tabular}") !=
              std::string::npos);
 }
 

@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(long_tables_are_several_floats_with_notes_below_the_last) {
   BOOST_TEST(text.find("Below.") > text.find("  81 \\\\"));
 }
 
-// Sideways from a hundred characters on; texts that are long are broken.
+// Sideways from 120 characters on; texts that are long are broken.
 BOOST_AUTO_TEST_CASE(wide_tables_are_turned) {
   const auto table_of = [](std::size_t columns) {
     TextLines lines{{}, {}};
