@@ -179,6 +179,13 @@ class Everyone(PageTest):
             self.assertEqual(luminance(values) < 0.05, is_dark)
             self.assertEqual(plate, "rgb(255, 255, 255)")
 
+    def test_print_has_pictures_that_were_not_looked_at(self):
+        self.open()
+        unseen = "return [...document.querySelectorAll('main img')].filter((one) => !one.naturalWidth).length"
+        self.assertGreater(self.script(unseen), 0)
+        self.browser.execute_cdp_cmd("Page.printToPDF", {})
+        self.assertEqual(self.script(unseen), 0)
+
     def test_pictures_say_what_they_show(self):
         self.open()
         texts = self.script("return [...document.querySelectorAll('main img')].map((one) => one.alt)")

@@ -169,9 +169,9 @@ class Page(unittest.TestCase):
         self.assertGreater(len(figures), 10)
         for figure in figures:
             image = figure.find_element(By.TAG_NAME, "img")
+            browser.show(driver, image)  # it is drawn when it comes into sight
             name = figure.get_attribute("id").removeprefix("figure-")
             self.assertGreater(driver.execute_script("return arguments[0].naturalWidth", image), 100)
-            browser.show(driver, image)
             self.assertGreater(browser.drawn_share(browser.pixels(image)), 0.01, name)
             self.assertTrue(image.get_attribute("alt"))
             self.assertLess(self.pdf_differs(name, browser.pixels(image)), 0.03, name)
