@@ -13,8 +13,8 @@ namespace springcheck {
 namespace {
 
 constexpr std::size_t rows_of_a_float = 40, rows_of_a_sideways_float = 26;
-constexpr std::size_t widest_upright =
-    120;                                 // [characters], of 5.5 points on a page of 345
+// Characters, which are 5.5 points high then on a page 345 points wide.
+constexpr std::size_t widest_upright = 120;
 constexpr std::size_t widest_text = 30;  // [characters], longer ones are broken
 constexpr std::size_t head_width = 12;   // [characters], broken at blanks
 

@@ -22,8 +22,9 @@ class Panel:
 
 
 def draw(rows, colour_label, unit_scale=1.0, full_width=TWO_COLUMNS):
-    """rows: lists of Panel, one column per method. All panels share scale, view and colours; values are shown times `unit_scale`. full_width: inches of
-    all columns, which are not as wide where they are few."""
+    """rows: lists of Panel, one column per method. All panels share scale, view and colours;
+    values are shown times `unit_scale`. full_width: inches of all columns, which are not as
+    wide where they are few."""
     columns = max(len(row) for row in rows)
     panels = [panel for row in rows for panel in row if panel.corners is not None]
     everything = np.concatenate([panel.corners.reshape(-1, 3) for panel in panels])
