@@ -110,11 +110,12 @@ _MANY_COLUMNS = 12
 def table(headings, rows, *, name, classes=None, limit=None):
     """rows: lists of cells, Markup or text, or (cell, class). Wide tables scroll, and are
     printed across the page. Beyond `limit` rows the rest is left to the table's files."""
-    classes = " ".join([*([classes] if classes else []), *(["wide"] if len(headings) > _MANY_COLUMNS else [])])
+    is_wide = len(headings) > _MANY_COLUMNS
+    classes = " ".join([*([classes] if classes else []), *(["wide"] if is_wide else [])])
     shown = rows[:limit]
     head = Markup("").join(Markup("<th scope=col>{}</th>").format(text) for text in headings)
     body = Markup("").join(
-        Markup("<tr>{}</tr>\n").format(Markup("").join(_cell(cell) for cell in row))
+        Markup("<tr>{}</tr>\n").format(Markup("").join(_cell(cell, is_wide) for cell in row))
         for row in shown
     )
     rest = ""
@@ -134,11 +135,15 @@ def folded(blocks, title):
     return Markup('<details class="folded"><summary>{}</summary>{}</details>').format(title, inside)
 
 
+_LONG_METHOD = re.compile(r"([a-z]+-[\w-]+[:-])([\w-]+)")  # is broken into these where it must be
 _WORDS, _LONG = 10, 24  # characters of texts that may be broken into lines, and of those with a width of their own
 
 
-def _cell(cell):
+def _cell(cell, is_in_wide_table):
     text, style = cell if isinstance(cell, tuple) else (cell, "")
+    if is_in_wide_table and not isinstance(text, Markup) and (parts := _LONG_METHOD.fullmatch(text)):
+        text = Markup("<span>{}</span><wbr><span>{}</span>").format(*parts.groups())
+        style = f"{style} method".strip()
     if not isinstance(text, Markup) and " " in text and len(text) > _WORDS:
         style = f"{style} {'long' if len(text) > _LONG else 'words'}".strip()
     return Markup('<td class="{}">{}</td>').format(style, text) if style else Markup(

@@ -18,10 +18,10 @@ _DASHES = {"-": "solid", "--": "dash", ":": "dot", "-.": "dashdot"}
 
 _COMPONENTS = [*springcheck_results.COMPONENTS[3], *springcheck_results.COMPONENTS[9]]
 
-# Measures that no column of the file is: differences from finite elements on the same problem.
+# Measures that no column of the file is: differences from finite elements on the same problem, in percent.
 _COMPARED = {
-    "answer_difference": "force, torque or tip off elements",
-    "volume_difference": "volume off elements, over V0",
+    "answer_difference": ("force, torque or tip off elements", "%"),
+    "volume_difference": ("volume off elements", "% of V0"),
 }
 _TIMES = {"solve_wall_s": "time of the solution"}
 _LABELS = {"volume_error": "volume change, absolute"}  # of elements at nu = 0 too, which are not in error
@@ -98,7 +98,7 @@ def _settings(study, cases):
 
 
 def _measures(study, cases):
-    found = {name: (label, "") for name, label in _COMPARED.items()}
+    found = dict(_COMPARED)
     for name, measure in study.vocabulary["measures"].items():
         for column in [name, *(f"{name}.{component}" for component in _COMPONENTS)]:
             if column in cases and _is_number(cases[column]):
@@ -106,7 +106,12 @@ def _measures(study, cases):
     found |= {name: (label, "s") for name, label in _TIMES.items()}
     answers = {ANSWERS[test][0] for test in cases.test if test in ANSWERS}  # even where every case failed
     return {
-        name: {"label": label, "unit": unit, "role": "measure", **_column(cases[name])}
+        name: {
+            "label": label,
+            "unit": unit,
+            "role": "measure",
+            **_column(100 * cases[name] if name in _COMPARED else cases[name]),
+        }
         for name, (label, unit) in found.items()
         if cases[name].notna().any() or name in answers
     }

@@ -82,7 +82,7 @@ void run(const std::string& program, const fs::path& mesh_file) {
   if (status == 127)  // env's, when there is no such program
     throw std::runtime_error("CalculiX: cannot run '" + program +
                              "'; the Debian package calculix-ccx has it (bash "
-                             "scripts/install_packages.sh)");
+                             "scripts/install_packages.sh scripts/packages_for_tests.txt)");
   if (status != 0 || !contains(printed, "Job finished") || contains(printed, "*ERROR"))
     throw std::runtime_error(fmt::format(
         "CalculiX: exit status {}, last lines:\n{}", status,

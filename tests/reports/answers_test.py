@@ -90,7 +90,7 @@ class Answers(unittest.TestCase):
         self.assertEqual(
             text_of(self.sentence("distance")),
             f"Pressed by 5 % (3×3×3 hexahedra): the plate force of {ranges['mss-cf']}, of {ranges['mss-hencky']} off finite "
-            "elements, over Poisson's ratios from 0 to 0.45.",
+            "elements on the same mesh, over Poisson's ratios from 0 to 0.45.",
         )
 
     def test_numbers_carry_their_cases(self):

@@ -146,6 +146,20 @@ class Explorer(browser.PageTest):
         self.assertEqual(seen, dict.fromkeys(seen, self.usual_over_nu()))
         self.assertIn("1 more are the same simulations beside another reference", self.one(".explorer .said").text)
 
+    def test_differences_from_elements_are_in_percent(self):
+        self.open("#explore?test=compression&x=nu&y=answer_difference&methods=mss-cf")
+        self.assertIn("[%]", self.script("return document.querySelector('.explorer .plot').layout.yaxis.title.text"))
+        judged = 0
+        for trace in self.script(PLOTTED):
+            for y, place in zip(trace["y"], trace["places"]):
+                judge, case = self.script("return allCases.value('judge', arguments[0])", place), self.cases.loc[self.key(place)]
+                columns = ("scene", "nu", "deformation", "cells.x")
+                same = (self.cases[list(columns)] == case[list(columns)]).all(axis=1)
+                (theirs,) = set(self.cases[same & (self.cases.method == judge.split(":")[0])].plate_force)
+                self.assertAlmostEqual(y, 100 * (case.plate_force / theirs - 1), delta=1e-9)
+                judged += 1
+        self.assertGreater(judged, 2)
+
     def usual_over_nu(self):
         """What the explorer shows at first: the foremost methods at rest, on one mesh, under one load."""
         return {(method, nu) for method in ("mss-cf", "mss-affine", "fem-hencky") for nu in (0, 0.1, 0.2, 0.3, 0.4, 0.49)}

@@ -105,6 +105,14 @@ class Html(unittest.TestCase):
         self.assertEqual(html.count("<tr>"), 4)
         self.assertIn("first 3 of 10", html)
 
+    def test_long_methods_of_wide_tables_may_take_two_lines(self):
+        row = ["fem-hencky:q1-sri", "mss-affine-hencky", "mss-cf", "2026-11-28", "a <b>-c:d"]
+        wide = table(["n"] * 13, [row + [""] * 8], name="t")
+        for part in ("fem-hencky:</span><wbr><span>q1-sri<", "mss-affine-</span><wbr><span>hencky<", "<td>mss-cf<",
+                     "<td>2026-11-28<", "<td>a &lt;b&gt;-c:d<"):
+            self.assertIn(part, wide)
+        self.assertIn("<td>fem-hencky:q1-sri</td>", table(["n"] * 12, [row + [""] * 7], name="t"))
+
     def test_file_names_are_plain(self):
         self.assertEqual(file_name("mine/../<é> nu 0.25"), "mine-..-nu-0.25")
         self.assertEqual(file_name("Ω"), "unnamed")

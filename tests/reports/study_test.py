@@ -2,6 +2,7 @@
 
 import json
 import sys
+import types
 import unittest
 from pathlib import Path
 
@@ -13,7 +14,7 @@ import pandas as pd  # noqa: E402
 import study as study_module  # noqa: E402
 from program import springcheck  # noqa: E402
 from sections.failures import failing_sentences, failures  # noqa: E402
-from sections.summary import _force  # noqa: E402
+from sections.summary import _force, against_print  # noqa: E402
 from sections.thesis_tables import relative_size  # noqa: E402
 
 VOCABULARY = json.loads(springcheck("list", "--json").stdout)
@@ -175,6 +176,28 @@ class Words(unittest.TestCase):
         self.assertIn("in 3 of 3 cases (compression, bending; mildest: compression", sentence)
         self.assertIn("2 %)", sentence)
         self.assertEqual(failing_sentences(Stub(cases_of({}))), ["In none of these cases."])
+
+    def test_failures_of_other_settings_are_counted_apart(self):
+        other = {"method": "mss-nfd", "stiffness-form": "E", "status": "wrinkled", "deformation": 0.01}
+        usual = {"method": "mss-nfd", "status": "wrinkled", "deformation": 0.2}
+        others = (other, {**other, "nu": 0.3, "status": "ok"})
+        (sentence,) = failing_sentences(Stub(cases_of({"method": "mss-nfd"}, usual, *others)))
+        self.assertIn("in 1 of 2 cases (compression; mildest: compression", sentence)
+        self.assertIn("20 %); with other settings fails in 1 of 2 cases.", sentence)
+        (sentence,) = failing_sentences(Stub(cases_of(other)))
+        self.assertIn("in 1 of 1 cases", sentence)
+
+    def test_a_printed_figure_without_ours_is_not_met(self):
+        rows = [
+            {"method": "mss-cf", "nu": nu, "printed_text": printed, "printed": 5.0, "ours": ours, "notes": [],
+             "difference": None if ours is None or not printed else ours - 5}
+            for nu, printed, ours in (("0", "5.00", 5.1), ("0.25", "5.00", 5.3), ("0.4", "5.00", None), ("0.3", "", 7))
+        ]
+        document = {"table": "5.1", "quantity": "volume", "labels": ["nu", "method"], "unit": "%", "format": "{:.3f}",
+                    "rows": rows}
+        (sentence,) = against_print(types.SimpleNamespace(tables={"5.1": document}))
+        self.assertIn("<b>mss-cf</b> meets 1 of 3 figures", sentence)
+        self.assertIn("torque (of 1 nothing usable came out). Furthest: table 5.1, nu 0.25: printed 5.00, ours 5.300", sentence)
 
     def test_medians_are_of_judged_usable_cases(self):
         reference = fem("hencky", "q1-sri")

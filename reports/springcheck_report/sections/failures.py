@@ -5,7 +5,7 @@ from content import Figure, Section, bullets, paragraph, table
 from figures import statuses
 from markupsafe import Markup
 from numbers_shown import significant
-from study import case_text
+from study import case_text, is_variant
 
 _WORDS = {
     "wrinkled": "wrinkles: free faces zigzag from cell to cell",
@@ -20,10 +20,13 @@ _MOST_ROWS = 300
 
 
 def failing_sentences(study):
-    """What goes wrong with each spring method, in words; one sentence if nothing does."""
+    """What goes wrong with each spring method with its usual settings, or with those that were run if
+    those were not, in words; one sentence if nothing does."""
     cases = study.distinct[study.distinct.kind != "finite elements"]
     items = []
-    for method, of_method in cases.groupby("method"):
+    for method, with_any in cases.groupby("method"):
+        is_usual = ~with_any["name"].map(is_variant)
+        of_method = with_any[is_usual] if is_usual.any() else with_any
         bad = of_method[~of_method.status.isin(["ok", "refused"])]
         covered = of_method[of_method.status != "refused"]
         parts = []
@@ -34,6 +37,10 @@ def failing_sentences(study):
                 f"{_WORDS[status]} in {len(of_status)} of {len(covered)} cases ({tests}; "
                 f"mildest: {case_text(first)})"
             )
+        others = with_any.drop(of_method.index)
+        others = others[others.status != "refused"]
+        if failed := int((others.status != "ok").sum()):
+            parts.append(f"with other settings fails in {failed} of {len(others)} cases")
         if parts:
             items.append(Markup("<b>{}</b> {}.").format(method, "; ".join(parts)))
     if not items:

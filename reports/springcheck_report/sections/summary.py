@@ -166,26 +166,31 @@ def _short(value):
 
 
 def _findings(study):
-    agreement = [*_against_print(study), *_worst_cell(study), *_counts(study)]
+    agreement = [*against_print(study), *_worst_cell(study), *_counts(study)]
     return columns(
         [Markup("<h3>What agrees, what does not</h3>"), bullets(agreement)],
         [Markup("<h3>Where springs fail</h3>"), bullets(failing_sentences(study))],
     )
 
 
-def _against_print(study):
-    """How many of the thesis's figures are met, by method, and the furthest."""
+def against_print(study):
+    """How many of the thesis's figures are met, by method, and the furthest. One that has no figure of ours,
+    since nothing usable came out, is not met."""
     items = []
     for method, law in (
         (methods.of_thesis(), ""),
         (f"{methods.reference_law()}:q1-sri", " (of three laws the nearest to the thesis's FEM column)"),
     ):
-        judged = []
+        judged, without = [], 0
         for document in study.tables.values():
             if "quantity" not in document or document["table"] in ("deviation", "bending"):
                 continue
             for row in document["rows"]:
-                if row["method"] == method and row["difference"] is not None:
+                if row["method"] != method or not row["printed_text"]:
+                    continue
+                if row["difference"] is None:
+                    without += 1
+                else:
                     judged.append((relative_size(document, row), document, row))
         if not judged:
             continue
@@ -198,13 +203,14 @@ def _against_print(study):
         items.append(
             Markup(
                 "<b>{}</b>{} meets {} of {} figures that Golec's thesis of 2018 prints, to 0.2 points "
-                "of volume change or 1 % of force and torque. Furthest: table {}, {}: printed {}, ours "
+                "of volume change or 1 % of force and torque{}. Furthest: table {}, {}: printed {}, ours "
                 "{}, in {}.{}"
             ).format(
                 method,
                 law,
                 near,
-                len(judged),
+                len(judged) + without,
+                f" (of {without} nothing usable came out)" if without else "",
                 document["table"],
                 labels,
                 row["printed_text"],
@@ -232,7 +238,7 @@ def _worst_cell(study):
     if case.counterpart is not None:
         theirs = study.cases.loc[case.counterpart]
         ratio = significant(theirs.cell_volume_ratio_min, 3)
-        text += Markup("; smallest in {}: {}").format(
+        text += Markup("; smallest of {} on the same mesh: {}").format(
             theirs["name"],
             measured_number(study, case.counterpart, "cell_volume_ratio_min", ratio),
         )

@@ -15,7 +15,10 @@ def cost_of_accuracy(study):
     if not fronts:
         return None
     parts = [Markup("{}: {}").format(load_of(study, chart), _fastest(chart)) for chart, _ in fronts]
-    sentence = Markup("Within {} % of the converged force, {}.").format(_LEVEL, Markup("; ").join(parts))
+    laws = " or ".join(dict.fromkeys(chart["law"] for chart, _ in fronts))
+    sentence = Markup("Within {} % of the force to which {} converges, by models of any law: {}.").format(
+        _LEVEL, laws, Markup("; ").join(parts)
+    )
     return Answer("What does an accuracy cost?", _figure(study, *fronts[0]), sentence, "chart")
 
 

@@ -67,7 +67,7 @@ def _answer(study, test, by_name):
     # Springs that fail are none of the nearest, where others do not.
     ranks = {name: ((by_name[name].status != USABLE).any(), sizes.max()) for name, sizes in distances.items()}
     named = first_and_nearest(ranks)
-    sentence = Markup("{} ({}): the {} of {} off finite elements, over Poisson's ratios from {:g} to {:g}.").format(
+    sentence = Markup("{} ({}): the {} of {} off finite elements on the same mesh, over Poisson's ratios from {:g} to {:g}.").format(
         TESTS[test].format(first.load),
         mesh_text(first),
         answer,
