@@ -152,7 +152,9 @@ class Explorer(browser.PageTest):
         judged = 0
         for trace in self.script(PLOTTED):
             for y, place in zip(trace["y"], trace["places"]):
-                judge, case = self.script("return allCases.value('judge', arguments[0])", place), self.cases.loc[self.key(place)]
+                case = self.cases.loc[self.key(place)]
+                if (judge := self.script("return allCases.value('judge', arguments[0])", place)) is None:
+                    continue
                 columns = ("scene", "nu", "deformation", "cells.x")
                 same = (self.cases[list(columns)] == case[list(columns)]).all(axis=1)
                 (theirs,) = set(self.cases[same & (self.cases.method == judge.split(":")[0])].plate_force)

@@ -195,9 +195,16 @@ class Words(unittest.TestCase):
         ]
         document = {"table": "5.1", "quantity": "volume", "labels": ["nu", "method"], "unit": "%", "format": "{:.3f}",
                     "rows": rows}
-        (sentence,) = against_print(types.SimpleNamespace(tables={"5.1": document}))
-        self.assertIn("<b>mss-cf</b> meets 1 of 3 figures", sentence)
-        self.assertIn("torque (of 1 nothing usable came out). Furthest: table 5.1, nu 0.25: printed 5.00, ours 5.300", sentence)
+        torque = {"method": "mss-cf", "nu": "0.3", "printed_text": "10", "printed": 10.0, "ours": 9.0}
+        torque |= {"difference": -1.0, "notes": ["a. b."]}
+        torques = {**document, "table": "5.4", "unit": "N m", "format": "{:.0f}", "rows": [torque]}
+        (sentence,) = against_print(types.SimpleNamespace(tables={"5.1": document, "5.4": torques}))
+        self.assertIn("<b>mss-cf</b> meets 1 of 4 figures", sentence)
+        self.assertIn(
+            "torque (of 1 nothing usable came out). Furthest: table 5.1, nu 0.25: printed 5.00, ours 5.300, in %; "
+            "table 5.4, nu 0.3: printed 10, ours 9, in N m. Why",
+            sentence,
+        )
 
     def test_medians_are_of_judged_usable_cases(self):
         reference = fem("hencky", "q1-sri")

@@ -14,10 +14,11 @@ def cost_of_accuracy(study):
     fronts = [(chart, front) for chart in study.charts for front in chart["fronts"] if _is_main(chart, front)]
     if not fronts:
         return None
-    parts = [Markup("{}: {}").format(load_of(study, chart), _fastest(chart)) for chart, _ in fronts]
-    laws = " or ".join(dict.fromkeys(chart["law"] for chart, _ in fronts))
-    sentence = Markup("Within {} % of the force to which {} converges, by models of any law: {}.").format(
-        _LEVEL, laws, Markup("; ").join(parts)
+    parts = [
+        Markup("{} ({}): {}").format(load_of(study, chart), chart["law"], _fastest(chart)) for chart, _ in fronts
+    ]
+    sentence = Markup("Within {} % of the force to which the law named converges, by models of any law: {}.").format(
+        _LEVEL, Markup("; ").join(parts)
     )
     return Answer("What does an accuracy cost?", _figure(study, *fronts[0]), sentence, "chart")
 

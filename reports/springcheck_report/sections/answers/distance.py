@@ -64,6 +64,8 @@ def _answer(study, test, by_name):
         f"they follow none ({', '.join(judges)}), {mesh_text(first)}, {first.load}, against Poisson's ratio: the "
         f"size of the difference, whose sign may change. Less than {_LEAST_SHOWN:g} % is drawn there."
     )
+    if test in ("compression", "tension") and first.nu == 0:
+        caption += " At nu = 0 the strain is the same everywhere, so that laws alone differ there, not meshes."
     # Springs that fail are none of the nearest, where others do not.
     ranks = {name: ((by_name[name].status != USABLE).any(), sizes.max()) for name, sizes in distances.items()}
     named = first_and_nearest(ranks)
