@@ -135,15 +135,15 @@ def folded(blocks, title):
     return Markup('<details class="folded"><summary>{}</summary>{}</details>').format(title, inside)
 
 
-_LONG_METHOD = re.compile(r"([a-z]+-[\w-]+[:-])([\w-]+)")  # is broken into these where it must be
+_LONG_NAME = re.compile(r"([a-z]+-[\w-]+[:-])([\w-]+)")  # of a method: is broken into these where it must be
 _WORDS, _LONG = 10, 24  # characters of texts that may be broken into lines, and of those with a width of their own
 
 
 def _cell(cell, is_in_wide_table):
     text, style = cell if isinstance(cell, tuple) else (cell, "")
-    if is_in_wide_table and not isinstance(text, Markup) and (parts := _LONG_METHOD.fullmatch(text)):
+    if is_in_wide_table and not isinstance(text, Markup) and (parts := _LONG_NAME.fullmatch(text)):
         text = Markup("<span>{}</span><wbr><span>{}</span>").format(*parts.groups())
-        style = f"{style} method".strip()
+        style = f"{style} name".strip()
     if not isinstance(text, Markup) and " " in text and len(text) > _WORDS:
         style = f"{style} {'long' if len(text) > _LONG else 'words'}".strip()
     return Markup('<td class="{}">{}</td>').format(style, text) if style else Markup(

@@ -123,7 +123,7 @@ class Charts(unittest.TestCase):
         law = re.escape(self.charts[0]["law"])
         self.assertRegex(
             text,
-            "^Within 1 % of the force to which the law named converges, by models of any law: "
+            "^Within 1 % of the force or torque to which the law named converges, by models of any law: "
             rf"compression, [^(]*\({law}\): ",
         )
         self.assertGreater(len(parts), 0)
@@ -144,7 +144,7 @@ class Charts(unittest.TestCase):
             for one in self.study.charts:
                 for truth in one["truths"]:
                     truth["bars"]["force"] = 0.02
-            self.assertIn("no springs here, no finite elements here", cost_of_accuracy(self.study).sentence)
+            self.assertIn("it is known to 2.0 % only", cost_of_accuracy(self.study).sentence)
         finally:
             self.study.charts[:] = before
 

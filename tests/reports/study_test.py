@@ -183,9 +183,14 @@ class Words(unittest.TestCase):
         others = (other, {**other, "nu": 0.3, "status": "ok"})
         (sentence,) = failing_sentences(Stub(cases_of({"method": "mss-nfd"}, usual, *others)))
         self.assertIn("in 1 of 2 cases (compression; mildest: compression", sentence)
-        self.assertIn("20 %); with other settings fails in 1 of 2 cases.", sentence)
+        self.assertIn("20 %); with other settings or in motion fails in 1 of 2 cases.", sentence)
         (sentence,) = failing_sentences(Stub(cases_of(other)))
         self.assertIn("in 1 of 1 cases", sentence)
+
+    def test_where_a_method_covers_nothing_with_its_usual_settings_others_are_told(self):
+        other = {"method": "mss-nfd", "stiffness-form": "E", "status": "wrinkled", "deformation": 0.01}
+        (sentence,) = failing_sentences(Stub(cases_of({"method": "mss-nfd", "status": "refused"}, other)))
+        self.assertIn("in 1 of 1 cases (compression; mildest: compression", sentence)
 
     def test_a_printed_figure_without_ours_is_not_met(self):
         rows = [
@@ -195,6 +200,10 @@ class Words(unittest.TestCase):
         ]
         document = {"table": "5.1", "quantity": "volume", "labels": ["nu", "method"], "unit": "%", "format": "{:.3f}",
                     "rows": rows}
+        unmet = {**document, "rows": [rows[2]]}
+        (sentence,) = against_print(types.SimpleNamespace(tables={"5.1": unmet}))
+        self.assertIn("meets 0 of 1 figures", sentence)
+        self.assertNotIn("Furthest", sentence)
         torque = {"method": "mss-cf", "nu": "0.3", "printed_text": "10", "printed": 10.0, "ours": 9.0}
         torque |= {"difference": -1.0, "notes": ["a. b."]}
         torques = {**document, "table": "5.4", "unit": "N m", "format": "{:.0f}", "rows": [torque]}
@@ -202,7 +211,7 @@ class Words(unittest.TestCase):
         self.assertIn("<b>mss-cf</b> meets 1 of 4 figures", sentence)
         self.assertIn(
             "torque (of 1 nothing usable came out). Furthest: table 5.1, nu 0.25: printed 5.00, ours 5.300, in %; "
-            "table 5.4, nu 0.3: printed 10, ours 9, in N m. Why",
+            "table 5.4, nu 0.3: printed 10, ours 9, in N m. Deviations",
             sentence,
         )
 

@@ -21,6 +21,8 @@ run() {
     --config sweep=sweep.toml out="my all.h5" shards=2 springcheck="$springcheck" "$@"
 }
 fail() { echo "$1" >&2; exit 1; }
+command -v snakemake > /dev/null ||
+  fail "there is no snakemake (bash scripts/install_packages.sh scripts/packages_for_tests.txt)"
 
 run > first.log 2>&1 &
 first=$!

@@ -192,24 +192,25 @@ def against_print(study):
                     without += 1
                 else:
                     judged.append((relative_size(document, row), document, row))
-        if not judged:
+        if not judged and not without:
             continue
         near = sum(size <= 0.1 for size, _, _ in judged)
         furthest = {}
         for size, document, row in judged:
             furthest[document["unit"]] = max(furthest.get(document["unit"], (-1,)), (size, document, row), key=_first)
+        worst = [_printed_and_ours(document, row) for _, document, row in furthest.values()]
         items.append(
             Markup(
                 "<b>{}</b>{} meets {} of {} figures that Golec's thesis of 2018 prints, to 0.2 points "
-                "of volume change or 1 % of force and torque{}. Furthest: {}. Why is told below the tables; "
-                "printed deviations and drops of a tip have some of their own."
+                "of volume change or 1 % of force and torque{}.{} Deviations and drops of a tip are not "
+                "counted here."
             ).format(
                 method,
                 law,
                 near,
                 len(judged) + without,
                 f" (of {without} nothing usable came out)" if without else "",
-                "; ".join(_printed_and_ours(document, row) for _, document, row in furthest.values()),
+                f" Furthest: {'; '.join(worst)}." if worst else "",
             )
         )
     return items
