@@ -28,6 +28,8 @@ def case_command(case, settings, scenes):
         if key == "duration" and any(_text(case[other]) for other in _WITH_A_DURATION):
             continue
         value = _given(case, key, setting)
+        if not value and setting["kind"] != "boolean" and _text(own.get(key)):
+            value = setting["default"]  # takes away what the scene asks for and the case has not
         if value and value != (_text(own[key]) if key in own else setting["default"]):
             words += [f"--{key}"] if setting["kind"] == "boolean" else [f"--{key}", value]
     return shlex.join(words)

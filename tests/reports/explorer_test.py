@@ -45,6 +45,7 @@ RUNS = [
     "tissue-shearing --method mss-tissue --cells 2,2,2 --rate 0.5 --history 5 --time-steps 10",
     # Ends with half of its load.
     "tissue-relaxation --method mss-tissue --cells 2,2,2 --load-times 1,2 --load-fractions 1,0.5 --time-steps 5",
+    "tissue-relaxation --method mss-tissue --cells 2,2,2 --history 0 --time-steps 5",  # less than its scene
     "tissue-oscillation --method mss-tissue --cells 2,2,2 --angular-frequency 3 --cycles 1.25",
     "traction --method mss-cf --cells 2,2,2 --traction 0,0,500 --plates sliding",
     "kidney --method mss-affine --cells 4,4,4",
