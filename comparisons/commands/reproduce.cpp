@@ -253,8 +253,9 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
       {"page", seconds_of_page, [&] {
          const std::chrono::duration<double> elapsed =
              std::chrono::steady_clock::now() - start;
-         const std::string text =
-             summary(computed.set, stored_keys(result_file).statuses, elapsed.count());
+         const auto statuses = stored_keys(result_file).statuses;
+         announce(fmt::format("{} has {} cases", result_file.string(), statuses.size()));
+         const std::string text = summary(computed.set, statuses, elapsed.count());
          write_whole_stream(summary_file, [&](std::ostream& out) { out << text; });
          write_xdmf_beside(result_file);
          status = make_report(result_file, directory, caseless_sheets(computed.set),

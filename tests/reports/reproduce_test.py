@@ -67,6 +67,7 @@ class Reproduce(unittest.TestCase):
         self.assertEqual(count, str(all_cases))
         for text in ((self.folder / "summary.md").read_text(), (self.folder / "index.html").read_text()):
             self.assertRegex(text, rf"\b{count} cases\b")
+        self.assertTrue(any(line.endswith(f"results.h5 has {count} cases") for _, line in lines), lines)
 
         self.assertEqual(self.cases_to_compute(self.reproduce()), 0)
 

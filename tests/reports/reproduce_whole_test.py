@@ -90,12 +90,13 @@ class WholeReproduce(unittest.TestCase):
             times = [0] + [seconds for seconds, _ in lines]
             self.assertLess(max(b - a for a, b in zip(times, times[1:])), _LONGEST_SILENCE, said_in(lines))
 
-    def test_file_summary_and_page_count_the_same_cases(self):
+    def test_file_summary_page_and_log_count_the_same_cases(self):
         exported = springcheck("export", self.file, "--out", self.folder / "all.csv")
         count = re.search(r"(\d+) cases", exported.stdout)[1]
         self.assertGreater(int(count), 1000)
         for text in ((self.folder / "summary.md").read_text(encoding="utf-8"), self.page):
             self.assertRegex(text, rf"\b{count} cases\b")
+        self.assertIn(f"{self.file} has {count} cases\n", said_in(self.lines))
 
     def test_the_gates_of_the_thesis_pass(self):
         gates = springcheck("gate", "thesis", self.file)
