@@ -1,5 +1,7 @@
 """The first screen: what this is, answers in pictures, how well springs agree, where they fail."""
 
+from operator import itemgetter
+
 import methods
 import pandas as pd
 from content import Section, bullets, columns, measured_number, paragraph, table
@@ -195,10 +197,10 @@ def against_print(study):
         if not judged and not without:
             continue
         near = sum(size <= 0.1 for size, _, _ in judged)
-        furthest = {}
-        for size, document, row in judged:
-            furthest[document["unit"]] = max(furthest.get(document["unit"], (-1,)), (size, document, row), key=_first)
-        worst = [_printed_and_ours(document, row) for _, document, row in furthest.values()]
+        by_unit = {}
+        for entry in judged:
+            by_unit.setdefault(entry[1]["unit"], []).append(entry)
+        worst = [_printed_and_ours(*max(entries, key=itemgetter(0))[1:]) for entries in by_unit.values()]
         items.append(
             Markup(
                 "<b>{}</b>{} meets {} of {} figures that Golec's thesis of 2018 prints, to 0.2 points "
@@ -214,10 +216,6 @@ def against_print(study):
             )
         )
     return items
-
-
-def _first(entry):
-    return entry[0]
 
 
 def _printed_and_ours(document, row):
