@@ -36,7 +36,7 @@ def groups(study, test):
     cases with an equilibrium's fields."""
     cases = study.with_fields(study.cases[study.cases.test == test])
     # The same simulation beside another reference looks alike: one that has frames, if there is one.
-    has_none = pd.Series([not study.has(key, "frame_sample") for key in cases.index], cases.index)
+    has_none = pd.Series([not study.has(key, "frame_sample") for key in cases.index], cases.index, dtype=bool)
     first = cases.assign(has_none=has_none).sort_values("has_none", kind="stable")
     cases = cases[~first.duplicated(_SIMULATION).reindex(cases.index)]
     found = []
