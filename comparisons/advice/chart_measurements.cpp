@@ -122,8 +122,8 @@ StaticPath ChartMeasurements::static_path(const ChartModel& model, int across) {
     path.was_followed = true;
     // Of the whole load, for finer cells, which may get farther.
     constexpr double least = 0.01;
-    path.seconds =
-        result.solve_wall_s / std::clamp(result.solution.load_fraction, least, 1.);
+    path.seconds = result.measures.solve_wall_s.value() /
+                   std::clamp(result.solution.load_fraction, least, 1.);
     if (result.status != Status::ok)
       path.against =
           result.reason.empty() ? std::string(name_of(result.status)) : result.reason;

@@ -24,6 +24,7 @@ enum class Test {
 struct TestName {
   Test value;
   std::string_view name;
+  std::string_view description;
   std::string_view answer{};  // measure of what the body answers to the load
   bool deforms = true;        // a plate is moved: there is a deformation
   bool turns = false;         // which is an angle
@@ -34,28 +35,43 @@ struct TestName {
 
 template <>
 inline constexpr std::array value_names<Test>{
-    TestName{.value = Test::compression, .name = "compression", .answer = "plate_force"},
-    TestName{.value = Test::tension, .name = "tension", .answer = "plate_force"},
-    TestName{.value = Test::shearing, .name = "shearing", .answer = "plate_force_norm"},
+    TestName{.value = Test::compression,
+             .name = "compression",
+             .description = "the upper plate comes down by a part of the height",
+             .answer = "plate_force"},
+    TestName{.value = Test::tension,
+             .name = "tension",
+             .description = "the upper plate is lifted by a part of the height",
+             .answer = "plate_force"},
+    TestName{.value = Test::shearing,
+             .name = "shearing",
+             .description = "the upper plate moves sideways by a part of the height",
+             .answer = "plate_force_norm"},
     TestName{.value = Test::torsion,
              .name = "torsion",
+             .description = "the upper plate turns about the vertical through its centre",
              .answer = "plate_torque",
              .turns = true},
     TestName{.value = Test::bending,
              .name = "bending",
+             .description = "a beam that is held at one end bends under its weight",
              .answer = "tip_deflection",
              .deforms = false,
              .upper_plate = false},
     TestName{.value = Test::uniaxial,
              .name = "uniaxial",
+             .description = "as compression or tension, by plates along which the body "
+                            "slides",
              .answer = "plate_force",
              .slides = true},
     TestName{.value = Test::traction,
              .name = "traction",
+             .description = "a force per area, and no plate, loads the upper face",
              .answer = "face_displacement",
              .deforms = false},
     TestName{.value = Test::affine,
              .name = "affine",
+             .description = "the whole boundary moves by one displacement gradient H",
              .deforms = false,
              .lower_plate = false,
              .upper_plate = false}};

@@ -31,7 +31,7 @@ TimedCase timed_case(const CaseSettings& settings, const Mesh& mesh, int threads
       [&] {
         result = arena.execute([&] { return simulate(settings, mesh, threads); });
         setups.push_back(result.solution.setup_wall_s);
-        return result.solve_wall_s;
+        return result.measures.solve_wall_s.value();
       },
       budget);
   if (setups.size() > 1) setups.erase(setups.begin());  // the warm-up's

@@ -75,6 +75,33 @@ Json with_units(const std::vector<Described>& range) {
   return entries;
 }
 
+Json list_of_measures() {
+  Json entries;
+  for (const Measure& measure : measure_list) {
+    std::vector<std::string_view> tests;
+    for (const TestName& test : value_names<Test>)
+      if (measure.further.is_of(test)) tests.push_back(test.name);
+    entries[std::string(measure.name)] = {{"label", measure.label},
+                                          {"unit", measure.unit},
+                                          {"shown_unit", shown_unit(measure)},
+                                          {"shown_factor", shown_factor(measure)},
+                                          {"components", component_count(measure)},
+                                          {"tests", tests},
+                                          {"compared", name_of(measure.further.compared)},
+                                          {"time", measure.further.is_time},
+                                          {"description", measure.description}};
+  }
+  return entries;
+}
+
+Json list_of_tests() {
+  Json entries;
+  for (const TestName& test : value_names<Test>)
+    entries[std::string(test.name)] = {{"answer", test.answer},
+                                       {"description", test.description}};
+  return entries;
+}
+
 /// Shipped TOML files by their names; the first comment line describes each.
 Json shipped(const std::vector<ShippedFile>& files) {
   Json entries;
@@ -187,7 +214,9 @@ constexpr std::array lists{
     List{"materials", materials},
     List{"settings", settings},
     List{"tables", [] { return described(described_tables()); }},
-    List{"measures", [] { return with_units(measure_list()); }},
+    List{"tests", list_of_tests},
+    List{"measures", list_of_measures},
+    List{"compared", [] { return described(value_names<Compared>); }},
     List{"statuses", [] { return described(value_names<Status>); }},
     List{"failures", failures},
     List{"gate-keys", [] { return described(gates::gate_keys()); }},
@@ -219,6 +248,9 @@ void print_entries(const Json& entries) {
     fmt::print("  {:<{}} {}\n", heading_of(name, entry), width, text.get<std::string>());
     if (entry.contains("covers"))
       fmt::print("  {:<{}} covers {}\n", "", width, entry["covers"].get<std::string>());
+    if (entry.contains("tests") && entry["tests"].size() < value_names<Test>.size())
+      fmt::print("  {:<{}} in {}\n", "", width,
+                 fmt::join(entry["tests"].get<std::vector<std::string>>(), ", "));
   }
 }
 

@@ -106,7 +106,8 @@ template <class Visit>
 void for_each_told(const CaseResult& result, const Mesh& mesh, const Visit& visit) {
   const CaseSettings& settings = result.request.settings;
   const nlohmann::json told = settings_json(settings);
-  const auto visit_setting = [&]<class Value>(const char* name, std::optional<Value>) {
+  const auto visit_setting = [&]<class Value>(std::string_view name,
+                                              std::optional<Value>) {
     visit(name, told.contains(name) ? std::optional(told[name].get<Value>())
                                     : std::optional<Value>());
   };
@@ -127,7 +128,12 @@ void for_each_told(const CaseResult& result, const Mesh& mesh, const Visit& visi
   visit("status", result.status);
   visit("flags", result.flags);
   visit("reason", where(!result.reason.empty(), result.reason));
-  for_each_measure(result.measures, visit);
+  const auto visit_measures = [&](bool are_times) {
+    for_each_measure(result.measures, [&](const Measure& measure, const auto& value) {
+      if (measure.further.is_time == are_times) visit(measure.name, value);
+    });
+  };
+  visit_measures(false);
   const Solution& solution = result.solution;
   const auto& reference = result.request.reference;
   visit("reference",
@@ -143,8 +149,7 @@ void for_each_told(const CaseResult& result, const Mesh& mesh, const Visit& visi
   visit("dt_limit", solution.dt_limit);
   visit("history", where(!result.history.empty(), result.history));
   visit("force_evaluations", where(ran, solution.force_evaluations));
-  visit("wall_s", where(is_ours, result.wall_s));
-  visit("solve_wall_s", where(is_ours, result.solve_wall_s));
+  visit_measures(true);
   visit("key", result.key);
   visit("revision",
         result.revision.empty() ? std::string(build_info::revision) : result.revision);
@@ -158,7 +163,9 @@ Json run_json(const std::string& scene, const std::vector<CaseResult>& results,
   for (std::size_t i = 0; i < results.size(); ++i) {
     Json out;
     for_each_told(results[i], meshes.mesh(results[i].request.settings.body),
-                  [&](const char* name, const auto& value) { out[name] = json(value); });
+                  [&](std::string_view name, const auto& value) {
+                    out[std::string(name)] = json(value);
+                  });
     out["split"] = splits[i] ? split_json(*splits[i]) : Json();
     cases.push_back(std::move(out));
   }
@@ -169,14 +176,12 @@ Json run_schema() {
   // Of any case: all tell the same keys.
   const CaseSettings settings =
       case_of_scene("compression", {{"method", "mss-cf"}, {"cells", Cells{1, 1, 1}}});
-  const CaseResult result{.request = {.settings = settings},
-                          .status = Status::ok,
-                          .wall_s = 0,
-                          .solve_wall_s = 0};
+  const CaseResult result{.request = {.settings = settings}, .status = Status::ok};
   Json properties;
-  for_each_told(
-      result, build_mesh(settings.body),
-      [&](const char* name, const auto& value) { properties[name] = schema(value); });
+  for_each_told(result, build_mesh(settings.body),
+                [&](std::string_view name, const auto& value) {
+                  properties[std::string(name)] = schema(value);
+                });
   properties["split"] = {{"type", {"object", "null"}}};
   const Json text{{"type", "string"}};
   return whole_object(

@@ -3,16 +3,72 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
+#include <string_view>
+#include <utility>
 
+#include "comparisons/measures/measures.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/sheets/text_table.hpp"
 
 namespace springcheck {
 namespace {
 
-std::string shown(const std::optional<double>& value, const char* format,
-                  double factor = 1) {
-  return value ? fmt::format(fmt::runtime(format), factor * *value) : "-";
+/// A measure as a column: before and behind the components of vectors and matrices.
+struct Shown {
+  std::string_view measure, format;
+};
+constexpr Shown first_measures[] = {{"volume_change", "{:.4f}"},
+                                    {"plate_force", "{:.6g}"},
+                                    {"plate_force_norm", "{:.6g}"},
+                                    {"plate_torque", "{:.6g}"},
+                                    {"tip_deflection", "{:.6g}"}},
+                last_measures[] = {{"affine_deviation_relative", "{:.3g}"},
+                                   {"deviation_l2_relative", "{:.3f}"},
+                                   {"solve_wall_s", "{:.2f}"}};
+
+std::vector<std::string> heads() {
+  std::vector<std::string> heads{"method", "status"};
+  const auto add = [&](std::span<const Shown> shown) {
+    for (const auto& [name, format] : shown) {
+      const Measure& measure = *find_measure(name);
+      heads.push_back(fmt::format("{} {}", measure.label, shown_unit(measure)));
+    }
+  };
+  add(first_measures);
+  for (const char* component :
+       {"face z m", "stress xx Pa", "yy Pa", "zz Pa", "yz Pa", "xz Pa", "xy Pa"})
+    heads.emplace_back(component);
+  add(last_measures);
+  return heads;
+}
+
+std::vector<std::string> row_of(const CaseResult& result) {
+  const Measures& m = result.measures;
+  std::vector<std::string> row{variant_label(result.request.settings),
+                               status_words(result)};
+  const auto number = [](const Measures::Value& value, std::string_view format) {
+    return value ? fmt::format(fmt::runtime(format), *value) : "-";
+  };
+  const auto add = [&](std::span<const Shown> shown) {
+    for (const auto& [name, format] : shown) {
+      Measures::Value value = measure_of(m, name);
+      if (value) *value *= shown_factor(*find_measure(name));
+      row.push_back(number(value, format));
+    }
+  };
+  add(first_measures);
+  row.push_back(number(
+      m.face_displacement ? Measures::Value(m.face_displacement->z()) : std::nullopt,
+      "{:.6g}"));
+  constexpr std::pair<int, int> components[] = {{0, 0}, {1, 1}, {2, 2},
+                                                {1, 2}, {0, 2}, {0, 1}};
+  for (const auto& [i, j] : components)
+    row.push_back(
+        number(m.mean_stress ? Measures::Value((*m.mean_stress)(i, j)) : std::nullopt,
+               "{:.6g}"));
+  add(last_measures);
+  return row;
 }
 
 std::string stable_up_to(const Solution& solution) {
@@ -72,28 +128,8 @@ std::string last_load_text(const std::vector<CaseResult>& results) {
 }  // namespace
 
 std::string results_text(const std::vector<CaseResult>& results) {
-  std::vector<std::vector<std::string>> rows{
-      {"method", "status", "volume change %", "plate force N", "resultant N",
-       "torque N m", "tip m", "face z m", "stress xx Pa", "yy Pa", "zz Pa", "yz Pa",
-       "xz Pa", "xy Pa", "affine deviation %", "deviation L2 %", "solve s"}};
-  for (const CaseResult& result : results) {
-    const Measures& m = result.measures;
-    const auto stress = [&](Eigen::Index i, Eigen::Index j) {
-      return shown(m.mean_stress ? Measures::Value((*m.mean_stress)(i, j)) : std::nullopt,
-                   "{:.6g}");
-    };
-    rows.push_back(
-        {variant_label(result.request.settings), status_words(result),
-         shown(m.volume_change, "{:.4f}", 100), shown(m.plate_force, "{:.6g}"),
-         shown(m.plate_force_norm, "{:.6g}"), shown(m.plate_torque, "{:.6g}"),
-         shown(m.tip_deflection, "{:.6g}"),
-         m.face_displacement ? fmt::format("{:.6g}", m.face_displacement->z()) : "-",
-         stress(0, 0), stress(1, 1), stress(2, 2), stress(1, 2), stress(0, 2),
-         stress(0, 1), shown(m.affine_deviation_relative, "{:.3g}", 100),
-         shown(m.deviation_l2_relative, "{:.3f}", 100),
-         result.request.settings.method.solve ? fmt::format("{:.2f}", result.solve_wall_s)
-                                              : "-"});
-  }
+  std::vector<std::vector<std::string>> rows{heads()};
+  for (const CaseResult& result : results) rows.push_back(row_of(result));
   std::string text = in_columns(without_empty_columns(std::move(rows), "-"));
   for (const CaseResult& result : results)
     if (!result.reason.empty())

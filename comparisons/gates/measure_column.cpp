@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <type_traits>
-#include <vector>
+#include <ranges>
 
-#include "comparisons/measures/measures.hpp"
+#include "comparisons/measures/measure_list.hpp"
+#include "comparisons/settings/suggestion.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::gates {
@@ -17,25 +17,11 @@ namespace {
 
 /// Numbers in a row of each column, whether or not the cases have it.
 std::map<std::string, std::size_t> widths(const Columns& cases) {
-  std::map<std::string, std::size_t> widths{{"solve_wall_s", 1}, {"wall_s", 1}};
-  const Measures none;
-  for_each_measure(none, [&](const char* name, const auto& value) {
-    using Measure = std::decay_t<decltype(value)>;
-    if (std::is_same_v<Measure, Measures::Vector>)
-      widths[name] = 3;
-    else if (std::is_same_v<Measure, Measures::Matrix>)
-      widths[name] = 9;
-    else
-      widths[name] = 1;
-  });
+  std::map<std::string, std::size_t> widths;
+  for (const Measure& measure : measure_list)
+    widths.emplace(measure.name, component_count(measure));
   for (const auto& [name, column] : cases.numbers) widths[name] = column.width;
   return widths;
-}
-
-std::vector<std::string> components(std::size_t width) {
-  if (width == 1) return {""};
-  if (width == 9) return {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
-  return {"x", "y", "z"};
 }
 
 }  // namespace
@@ -49,23 +35,25 @@ MeasureColumn measure_column(const std::string& name, const Columns& cases,
   const std::string component = is_whole ? "" : name.substr(dot + 1);
   const auto width = known.find(column);
   if (width == known.end()) {
-    std::vector<std::string> names;
-    for (const auto& [one, _] : known) names.push_back(one);
-    throw InputError(place, "measure", fmt::format("one of {}", fmt::join(names, ", ")),
-                     "'" + name + "'");
+    const auto all = known | std::views::keys;
+    refuse_name(place, "measure", name, {all.begin(), all.end()});
   }
-  const std::vector<std::string> all = components(width->second);
-  const auto found = std::ranges::find(all, component);
-  if (found == all.end())
+  if (width->second == 1 && component.empty())
+    return {.name = name, .column = column, .component = 0};
+  const auto names = component_names(width->second);
+  const auto found = std::ranges::find(names, component);
+  if (found == names.end())
     throw InputError(
         place, "measure",
-        all.size() == 1
-            ? fmt::format("'{}', which has no components", column)
-            : fmt::format("'{}.' and one of {}", column, fmt::join(all, ", ")),
-        "'" + name + "'");
+        names.empty()
+            ? "a number, or one of a vector or a matrix"
+            : fmt::format("'{}.' and one of {}", column, fmt::join(names, ", ")),
+        names.empty() ? fmt::format("'{}', where '{}' is {}", name, column,
+                                    width->second == 1 ? "one number" : "a list of them")
+                      : "'" + name + "'");
   return {.name = name,
           .column = column,
-          .component = static_cast<std::size_t>(found - all.begin())};
+          .component = static_cast<std::size_t>(found - names.begin())};
 }
 
 std::optional<double> value_of(const MeasureColumn& measure, const Columns& cases,
@@ -78,7 +66,8 @@ std::optional<double> value_of(const MeasureColumn& measure, const Columns& case
 }
 
 bool is_time(const MeasureColumn& measure) {
-  return measure.column == "wall_s" || measure.column == "solve_wall_s";
+  const Measure* known = find_measure(measure.column);
+  return known != nullptr && known->further.is_time;
 }
 
 }  // namespace springcheck::gates

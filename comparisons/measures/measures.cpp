@@ -104,8 +104,8 @@ void measure_affine(Measures& measures, const CaseSettings& settings, const Scen
 
 Measures::Value measure_of(const Measures& measures, std::string_view name) {
   Measures::Value found;
-  for_each_measure(measures, [&](std::string_view own, const auto& value) {
-    if (name != own || !value) return;
+  for_each_measure(measures, [&](const Measure& measure, const auto& value) {
+    if (measure.name != name || !value) return;
     if constexpr (std::is_same_v<decltype(value), const Measures::Value&>)
       found = *value;
     else
@@ -116,11 +116,11 @@ Measures::Value measure_of(const Measures& measures, std::string_view name) {
 
 std::optional<std::string> not_finite(const Measures& measures) {
   std::optional<std::string> found;
-  for_each_measure(measures, [&](const char* name, const auto& value) {
+  for_each_measure(measures, [&](const Measure& measure, const auto& value) {
     if constexpr (std::is_same_v<decltype(value), const Measures::Value&>) {
-      if (value && !std::isfinite(*value)) found = name;
+      if (value && !std::isfinite(*value)) found = measure.name;
     } else {
-      if (value && !value->allFinite()) found = name;
+      if (value && !value->allFinite()) found = measure.name;
     }
   });
   return found;

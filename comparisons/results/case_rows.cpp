@@ -26,16 +26,20 @@ Row::mapped_type cell(const nlohmann::json& value) {
   return std::vector{value.get<double>()};
 }
 
-void put_measure(Row& row, const char* name, const Measures::Value& value) {
-  if (value) row[name] = std::vector{*value};
+std::vector<double> numbers_of(double value) {
+  return {value};
 }
-void put_measure(Row& row, const char* name, const Measures::Vector& value) {
-  if (value) row[name] = std::vector(value->data(), value->data() + 3);
+std::vector<double> numbers_of(const Vector3& value) {
+  return {value.data(), value.data() + 3};
 }
-void put_measure(Row& row, const char* name, const Measures::Matrix& value) {
-  if (!value) return;
-  const Eigen::Matrix3d columns = value->transpose();  // the file holds rows
-  row[name] = std::vector(columns.data(), columns.data() + 9);
+std::vector<double> numbers_of(const Eigen::Matrix3d& value) {
+  const Eigen::Matrix3d columns = value.transpose();  // the file holds rows
+  return {columns.data(), columns.data() + 9};
+}
+
+/// Nothing without a value.
+void put(Row& row, std::string_view name, const auto& value) {
+  if (value) row[std::string(name)] = numbers_of(*value);
 }
 
 /// A row of a file that is read.
@@ -78,28 +82,30 @@ class Reader {
   const std::string& file_;
 };
 
-void take(const Reader& reader, const char* name, Measures::Value& value) {
-  if (const double* number = reader.numbers(name, 1)) value = *number;
+void take(const Reader& reader, std::string_view name, Measures::Value& value) {
+  if (const double* number = reader.numbers(std::string(name), 1)) value = *number;
 }
-void take(const Reader& reader, const char* name, Measures::Vector& value) {
-  if (const double* first = reader.numbers(name, 3))
+void take(const Reader& reader, std::string_view name, Measures::Vector& value) {
+  if (const double* first = reader.numbers(std::string(name), 3))
     value = Vector3(first[0], first[1], first[2]);
 }
-void take(const Reader& reader, const char* name, Measures::Matrix& value) {
-  if (const double* first = reader.numbers(name, 9))
+void take(const Reader& reader, std::string_view name, Measures::Matrix& value) {
+  if (const double* first = reader.numbers(std::string(name), 9))
     value = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(first);
 }
 
 std::optional<Effort> effort_of(const Reader& reader) {
   if (reader.text("source") == "measured") return std::nullopt;
-  return Effort{.load_fraction = reader.number("load_fraction"),
-                .steps = static_cast<int>(reader.number("steps")),
-                .force_evaluations = static_cast<int>(reader.number("force_evaluations")),
-                .wall_s = reader.number("wall_s"),
-                .solve_wall_s = reader.number("solve_wall_s")};
+  return Effort{
+      .load_fraction = reader.number("load_fraction"),
+      .steps = static_cast<int>(reader.number("steps")),
+      .force_evaluations = static_cast<int>(reader.number("force_evaluations"))};
 }
 
 void check_measures(const StoredCase& stored, const Reader& reader) {
+  for (const Measure& measure : measure_list)
+    if (measure.further.is_time && stored.effort)
+      static_cast<void>(reader.number(std::string(measure.name)));
   if (const auto name = not_finite(stored.measures))
     reader.refuse(*name, "finite numbers", "others");
   // Of solver limit, short of the load.
@@ -140,8 +146,8 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
   row["status"] = std::string(name_of(result.status));
   row["flags"] = joined(result.flags);
   row["reason"] = result.reason;
-  for_each_measure(result.measures, [&](const char* name, const auto& value) {
-    put_measure(row, name, value);
+  for_each_measure(result.measures, [&](const Measure& measure, const auto& value) {
+    put(row, measure.name, value);
   });
   const auto number = [&](const char* name, double value) {
     row[name] = std::vector{value};
@@ -150,14 +156,12 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
     number("load_fraction", solution.load_fraction);
     number("steps", solution.steps);
     number("force_evaluations", solution.force_evaluations);
-    number("wall_s", result.wall_s);
-    number("solve_wall_s", result.solve_wall_s);
   }
   if (solution.linear_iterations)
     number("linear_iterations", *solution.linear_iterations);
   if (solution.factorisations) number("factorisations", *solution.factorisations);
-  put_measure(row, "dt_used", solution.dt);
-  put_measure(row, "dt_limit", solution.dt_limit);
+  put(row, "dt_used", solution.dt);
+  put(row, "dt_limit", solution.dt_limit);
   number("provenance", static_cast<double>(provenance));
   return row;
 }
@@ -174,8 +178,9 @@ StoredCase stored_case(const Columns& cases, std::size_t row, const std::string&
     stored.flags.push_back(status_named(flags.substr(0, comma), file));
     flags.erase(0, comma + 1);
   }
-  for_each_measure(stored.measures,
-                   [&](const char* name, auto& value) { take(reader, name, value); });
+  for_each_measure(stored.measures, [&](const Measure& measure, auto& value) {
+    take(reader, measure.name, value);
+  });
   if (const double* iterations = reader.numbers("linear_iterations", 1))
     stored.linear_iterations = static_cast<int>(*iterations);
   if (const double* factorisations = reader.numbers("factorisations", 1))
@@ -204,8 +209,6 @@ CaseResult with_stored(const Request& request, const StoredCase& stored) {
                        .factorisations = stored.factorisations,
                        .dt = stored.dt,
                        .dt_limit = stored.dt_limit},
-          .wall_s = effort.wall_s,
-          .solve_wall_s = effort.solve_wall_s,
           .revision = stored.revision};
 }
 

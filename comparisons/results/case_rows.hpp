@@ -18,11 +18,10 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance);
 /// Throws InputError, naming the file, where there is no such status.
 Status status_named(const std::string& name, const std::string& file);
 
-/// How far a solver of ours came, and at what cost.
+/// How far a solver of ours came, and in how many steps.
 struct Effort {
   double load_fraction;
   int steps, force_evaluations;
-  double wall_s, solve_wall_s;
 };
 
 /// What a result file knows about a case, without fields.

@@ -45,21 +45,11 @@ std::vector<Name> all_names() {
       const std::string_view unit = si_unit_of(setting.dimension);
       names.push_back({setting.key, unit == "-" ? "" : unit, Name::setting});
     }
-  for (const Described& measure : measure_list())
+  for (const Measure& measure : measure_list)
     names.push_back({measure.name, measure.unit, Name::measure});
   names.insert(names.end(), after.begin(), after.end());
   names.push_back({"other_revision", "", Name::how});
   return names;
-}
-
-/// Of numbers in a row.
-std::span<const std::string_view> components(std::size_t width) {
-  static constexpr std::string_view vector[] = {"x", "y", "z"};
-  static constexpr std::string_view matrix[] = {"xx", "xy", "xz", "yx", "yy",
-                                                "yz", "zx", "zy", "zz"};
-  if (width == std::size(vector)) return vector;
-  if (width == std::size(matrix)) return matrix;
-  return {};
 }
 
 std::string component_name(std::string_view name, std::string_view component) {
@@ -88,7 +78,7 @@ std::vector<CaseColumn> columns_of(const Columns& cases, const Name& name) {
   if (found == cases.numbers.end()) return {};
   const auto& [width, values] = found->second;
   if (width == 1) return {{key, unit, values}};
-  const auto names = components(width);
+  const auto names = component_names(width);
   std::vector<CaseColumn> columns;
   for (std::size_t i = 0; i < width; ++i) {
     Numbers component;

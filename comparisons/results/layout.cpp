@@ -67,8 +67,6 @@ const std::vector<Described>& case_columns() {
       {"factorisations", "of direct linear solvers"},
       {"dt_used", "last step through time", "s"},
       {"dt_limit", "largest stable step, as looked at last", "s"},
-      {"wall_s", "wall-clock time of the case, with its meshes and measures", "s"},
-      {"solve_wall_s", "wall-clock time of the solution alone", "s"},
       {"provenance", "row of /provenance: who computed it, with what and when"},
       {"source", "\"measured\", of what another program computed"},
       {"displacements", "SHA-256 of the numbers that were measured"},

@@ -24,7 +24,7 @@ std::string_view scale_of_unit(std::string_view unit) {
 /// rounding.
 std::map<std::string_view, double> largest_measures(const Row& a, const Row& b) {
   std::map<std::string_view, double> largest;
-  for (const Described& measure : measure_list())
+  for (const Measure& measure : measure_list)
     for (const Row* row : {&a, &b})
       if (const auto found = row->find(std::string(measure.name)); found != row->end())
         if (const auto* values = std::get_if<std::vector<double>>(&found->second))
@@ -59,15 +59,16 @@ struct Difference {
 /// Of two rows of a key the first column that differs by more than rounding, or else the
 /// first that differs at all; but for times, provenance, and what older files lack.
 std::optional<Difference> difference(Row a, Row b) {
-  for (const char* free :
-       {"wall_s", "solve_wall_s", "provenance", "family", "identity"}) {
-    a.erase(free);
-    b.erase(free);
-  }
+  const auto leave_out = [&](std::string_view name) {
+    for (Row* row : {&a, &b}) row->erase(std::string(name));
+  };
+  for (const char* free : {"provenance", "family", "identity"}) leave_out(free);
+  for (const Measure& measure : measure_list)
+    if (measure.further.is_time) leave_out(measure.name);
   const std::map<std::string_view, double> largest = largest_measures(a, b);
   const auto largest_beside = [&](const std::string& column) {
-    const auto measure = std::ranges::find(measure_list(), column, &Described::name);
-    if (measure == measure_list().end()) return 0.;
+    const Measure* measure = find_measure(column);
+    if (measure == nullptr) return 0.;
     const auto found = largest.find(scale_of_unit(measure->unit));
     return found == largest.end() ? 0. : found->second;
   };

@@ -23,8 +23,6 @@ struct CaseResult {
   std::vector<Vector3> deviation{};
   History history{};       // of dynamics, where samples were asked for
   HistoryFrames frames{};  // the body at some of them
-  double wall_s;           // solution and measures
-  double solve_wall_s;     // solution alone
   // Of the numerics that it was computed with, where they are not this program's alone;
   // "a+b" of a motion that revision a began and b went on with:
   std::string revision{};

@@ -138,9 +138,7 @@ dynamics::Observers observers_of(const CaseSettings& settings, const Mesh& mesh,
 CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found) {
   CaseResult result{.request = {.settings = settings},
                     .status = Status::ok,
-                    .solution = std::move(found),
-                    .wall_s = 0,
-                    .solve_wall_s = 0};
+                    .solution = std::move(found)};
   const Solution& solution = result.solution;
   result.reason = solution.reason;
   result.measures.definite_up_to_deformation =
@@ -205,8 +203,8 @@ CaseResult simulate(const CaseSettings& settings, const Mesh& mesh, int threads,
   result.history = std::move(record.history);
   result.frames = std::move(record.frames);
   result.revision = std::move(record.revision);
-  result.solve_wall_s = solve_wall_s;
-  result.wall_s = stopwatch.seconds();
+  result.measures.solve_wall_s = solve_wall_s;
+  result.measures.wall_s = stopwatch.seconds();
   return result;
 }
 

@@ -256,6 +256,15 @@ void write_rows(hid_t group, std::size_t first, std::size_t rows_after,
 
 }  // namespace
 
+std::span<const std::string_view> component_names(std::size_t width) {
+  static constexpr std::string_view vector[] = {"x", "y", "z"};
+  static constexpr std::string_view matrix[] = {"xx", "xy", "xz", "yx", "yy",
+                                                "yz", "zx", "zy", "zz"};
+  if (width == std::size(vector)) return vector;
+  if (width == std::size(matrix)) return matrix;
+  return {};
+}
+
 Row row_at(const Columns& table, std::size_t index) {
   Row row;
   for (const auto& [name, texts] : table.texts)

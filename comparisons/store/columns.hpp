@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -24,6 +25,10 @@ struct Columns {
   std::map<std::string, std::vector<std::string>> texts;
   std::map<std::string, NumberColumn> numbers;
 };
+
+/// Of a row's numbers, of a vector or a matrix by rows: x, y, z or xx, xy, ... zz; empty
+/// of another width.
+std::span<const std::string_view> component_names(std::size_t width);
 
 /// One row's values by column.
 using Row = std::map<std::string, std::variant<std::string, std::vector<double>>>;

@@ -201,8 +201,7 @@ class Study {
                     .key = case_key(requests_[i], mesh),
                     .status = Status::error,
                     .reason = reason,
-                    .wall_s = 0,
-                    .solve_wall_s = 0});
+                    .measures = {.wall_s = 0, .solve_wall_s = 0}});
     }
   }
 

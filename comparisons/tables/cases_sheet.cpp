@@ -9,6 +9,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "comparisons/measures/measure_list.hpp"
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/results/case_table.hpp"
 #include "comparisons/settings/setting.hpp"
@@ -16,27 +17,19 @@
 namespace springcheck {
 namespace {
 
-/// A column of numbers: its name in the file, its heading, and the factor to its unit.
-struct Measure {
-  const char* column;
-  Column shown;
-  double factor = 1;
-  const char* only = nullptr;  // test whose answer it is; in others it is round-off
+/// A measure among the columns.
+struct Shown {
+  std::string_view measure, format;
+  std::string_view only{};  // test whose answer it is; in others it is round-off
 };
 
-const std::vector<Measure>& shown_measures() {
-  static const std::vector<Measure> measures{
-      {"volume_error", {"volume_error", "volume change, absolute [%]", "{:.4f}"}, 100},
-      {"plate_force_norm", {"plate_force_norm", "force [N]", "{:.5g}"}},
-      {"plate_torque", {"plate_torque", "torque [N m]", "{:.5g}"}, 1, "torsion"},
-      {"tip_deflection", {"tip_deflection", "tip drop [m]", "{:.5g}"}},
-      {"cell_volume_ratio_min", {"cell_volume_ratio_min", "least V/V0", "{:.4f}"}},
-      {"deviation_l2_relative",
-       {"deviation_l2_relative", "deviation L2 [%]", "{:.3f}"},
-       100},
-      {"solve_wall_s", {"solve_wall_s", "time [s]", "{:.2g}"}}};
-  return measures;
-}
+constexpr Shown shown_measures[] = {{"volume_error", "{:.4f}"},
+                                    {"plate_force_norm", "{:.5g}"},
+                                    {"plate_torque", "{:.5g}", "torsion"},
+                                    {"tip_deflection", "{:.5g}"},
+                                    {"cell_volume_ratio_min", "{:.4f}"},
+                                    {"deviation_l2_relative", "{:.3f}"},
+                                    {"solve_wall_s", "{:.2g}"}};
 
 std::string text(const Columns& cases, const std::string& column, std::size_t row) {
   const auto found = cases.texts.find(column);
@@ -93,11 +86,10 @@ SheetRow row_of(const Columns& cases, std::size_t row) {
                 number(cases, "nu", row), number(cases, "young", row),
                 number(cases, "deformation", row), status},
       .cases = {text(cases, "key", row)}};
-  for (const Measure& measure : shown_measures()) {
-    const bool is_shown =
-        measure.only == nullptr || text(cases, "test", row) == measure.only;
-    Cell cell = is_shown ? number(cases, measure.column, row) : std::nullopt;
-    if (cell.number) *cell.number *= measure.factor;
+  for (const auto& [name, format, only] : shown_measures) {
+    const bool is_shown = only.empty() || text(cases, "test", row) == only;
+    Cell cell = is_shown ? number(cases, std::string(name), row) : std::nullopt;
+    if (cell.number) *cell.number *= shown_factor(*find_measure(name));
     shown.cells.push_back(cell);
   }
   if (const auto part = number(cases, "load_fraction", row);
@@ -153,7 +145,9 @@ Sheet cases_sheet(const Columns& cases) {
                   {"status", "status"}},
       .notes = {"Deviation: volume-weighted root mean square over the free nodes, "
                 "from the reference, over the largest imposed displacement."}};
-  for (const Measure& measure : shown_measures()) sheet.columns.push_back(measure.shown);
+  for (const auto& [name, format, only] : shown_measures)
+    sheet.columns.push_back(
+        {std::string(name), heading_of(*find_measure(name)), std::string(format)});
   sheet.columns.push_back({"reference", "reference"});
 
   std::vector<std::size_t> order(cases.rows);

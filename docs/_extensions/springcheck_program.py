@@ -22,7 +22,7 @@ HEADS = {"methods": "method", "scenes": "scene", "sweeps": "sweep", "settings": 
          "tables": "table", "measures": "measure", "statuses": "status",
          "failures": "failure", "gate-keys": "key", "result-file": "group",
          "columns": "column", "exit-statuses": "exit status", "elements": "element",
-         "cell-types": "cell type", "materials": "law"}
+         "cell-types": "cell type", "materials": "law", "tests": "test", "compared": "compared"}
 
 
 def asked(*arguments):
@@ -51,8 +51,11 @@ def table_of(kind, entries):
     first = next(iter(entries.values()))
     columns = [name for name in ("letter", "unit", "units")
                if isinstance(first, dict) and name in first]
-    further = [name for name in ("covers", "settings")
+    further = [name for name in ("covers", "settings", "tests", "compared")
                if isinstance(first, dict) and name in first]
+    # Measures of all tests say so in a word.
+    of_all, every = "all", max((entry.get("tests", []) for entry in entries.values()
+                                if isinstance(entry, dict)), key=len, default=[])
     heads = [*columns, "meaning", *further]
     heads.insert(int("letter" in columns), HEADS[kind])
     lines = [f"| {' | '.join(heads)} |", "|" + " --- |" * len(heads)]
@@ -61,7 +64,8 @@ def table_of(kind, entries):
         if isinstance(entry, dict) and entry.get("option") is False:
             text += " (in scene files alone)"
         row = [shown(column, entry[column]) for column in columns] + [text]
-        row += [shown(column, entry[column]) for column in further]
+        row += [of_all if entry[column] == every else shown(column, entry[column])
+                for column in further]
         row.insert(int("letter" in columns), f'<span id="{anchor(kind, name)}"></span>`{name}`')
         lines.append(f"| {' | '.join(row)} |")
     return lines

@@ -2,13 +2,13 @@
 
 import math
 
+import measures
 import method_style
 import methods
 import numpy as np
 import pandas as pd
-import springcheck_results
 from case_command import case_command
-from study import ANSWERS, is_variant, load_columns, mesh_text, setting_columns
+from study import is_variant, load_columns, mesh_text, setting_columns
 
 # Plotly's names of matplotlib's markers.
 _MARKS = {"o": "circle", "s": "square", "D": "diamond", "d": "diamond-tall", "P": "cross", "X": "x", "*": "star"}
@@ -16,15 +16,11 @@ _MARKS |= {"^": "triangle-up", "v": "triangle-down", "<": "triangle-left", ">": 
 _MARKS |= {"h": "hexagon", "H": "hexagon2", "8": "octagon", "1": "y-down-open", "2": "y-up-open", "3": "y-left-open"}
 _DASHES = {"-": "solid", "--": "dash", ":": "dot", "-.": "dashdot"}
 
-_COMPONENTS = [*springcheck_results.COMPONENTS[3], *springcheck_results.COMPONENTS[9]]
-
 # Measures that no column of the file is: differences from finite elements on the same problem, in percent.
 _COMPARED = {
     "answer_difference": ("force, torque or tip off elements", "%"),
     "volume_difference": ("volume off elements", "% of V0"),
 }
-_TIMES = {"solve_wall_s": "time of the solution"}
-_LABELS = {"volume_error": "volume change, absolute"}  # of elements at nu = 0 too, which are not in error
 
 
 def explorer_data(study):
@@ -34,7 +30,7 @@ def explorer_data(study):
     of what tells cases apart in words, "setting", "measure"; kind: "number" or "text"."""
     tables = [table for table in (study.cases, study.limits) if not table.empty]
     cases = pd.concat(tables) if len(tables) > 1 else tables[0]
-    parts = [_names(study, cases), _settings(study, cases), _measures(study, cases)]
+    parts = [_names(study, cases), _settings(study, cases), _measures(cases)]
     columns = {key: column for part in parts for key, column in part.items()}
     assert len(columns) == sum(map(len, parts)), "two columns of one name"
     return {
@@ -42,7 +38,7 @@ def explorer_data(study):
         "columns": columns,
         "looks": {name: _look(name) for name in dict.fromkeys(cases["name"])},
         "usual": [name for name in dict.fromkeys(cases["name"]) if _is_usual(name)],
-        "answers": {test: answer for test, (answer, _, _) in ANSWERS.items() if (cases.test == test).any()},
+        "answers": {test: own.column for test, own in measures.answers().items() if (cases.test == test).any()},
         "statuses": method_style.STATUS_COLOURS,
     }
 
@@ -97,14 +93,13 @@ def _settings(study, cases):
     return found
 
 
-def _measures(study, cases):
+def _measures(cases):
     found = dict(_COMPARED)
-    for name, measure in study.vocabulary["measures"].items():
-        for column in [name, *(f"{name}.{component}" for component in _COMPONENTS)]:
-            if column in cases and _is_number(cases[column]):
-                found[column] = _LABELS.get(column, column.replace("_", " ")), measure["unit"]
-    found |= {name: (label, "s") for name, label in _TIMES.items()}
-    answers = {ANSWERS[test][0] for test in cases.test if test in ANSWERS}  # even where every case failed
+    for column, label, unit in measures.columns():
+        if column in cases and _is_number(cases[column]):
+            found[column] = label, unit
+    # Even where every case failed:
+    answers = {answer.column for test, answer in measures.answers().items() if (cases.test == test).any()}
     return {
         name: {
             "label": label,

@@ -4,28 +4,16 @@ import json
 from dataclasses import dataclass
 from functools import lru_cache
 
+import measures
 import methods
 import numpy as np
 import pandas as pd
 import springcheck_results
 
-# Columns other than settings that a report reads; a file lacks those that none of its cases
+# Columns other than settings and measures that a report reads; a file lacks those that none of its cases
 # has.
 _TEXTS = ["scene", "mesh", "status", "flags", "reason", "source", "reference"]
-_NUMBERS = ["volume_error", "volume_change", "plate_force", "plate_force_norm", "plate_torque"]
-_NUMBERS += ["tip_deflection", "cell_volume_ratio_min", "load_fraction", "solve_wall_s"]
-_NUMBERS += ["deviation_l2_relative", "steps", "transit_count", "kinetic_energy", "strain_energy"]
-_NUMBERS += ["definite_up_to_deformation", "critical_wavelength", "provenance"]
-
-# What a body answers to each test with: column, name, unit.
-ANSWERS = {
-    "compression": ("plate_force", "plate force", "N"),
-    "tension": ("plate_force", "plate force", "N"),
-    "uniaxial": ("plate_force", "plate force", "N"),
-    "shearing": ("plate_force_norm", "force on the plate", "N"),
-    "torsion": ("plate_torque", "torque on the plate", "N m"),
-    "bending": ("tip_deflection", "drop of the tip", "m"),
-}
+_NUMBERS = ["load_fraction", "steps", "provenance"]
 
 # Statuses whose measures are those of an equilibrium worth comparing.
 USABLE = "ok"
@@ -41,7 +29,7 @@ class Study:
         `problem` (the same for all methods on the same mesh, material and load), `load`
         in words: both at the load that was reached, which the columns of a load hold, too;
         `whole_problem`, `whole_deformation` and `whole_load` by all of a path's; `answer`
-        (ANSWERS, SI), `counterpart` (key of the finite elements that solve the same
+        (of its test, SI), `counterpart` (key of the finite elements that solve the same
         problem, or None), `volume_difference` and `answer_difference` from them (volume
         as a fraction of V0, answer relative), `strain`: the size of the deformation (of a
         beam its tip's drop over its length).
@@ -149,6 +137,7 @@ def read(file, folder):
     note = (_document(folder / "data" / "revisions.json") or {}).get("note", "")
     settings = vocabulary["settings"]
     methods.learn(vocabulary)
+    measures.learn(vocabulary)
     cases = results.cases
     is_limit = _mask(cases["solver"] == "limit") if "solver" in cases else np.zeros(len(cases), bool)
     limits = prepared(cases[is_limit], settings) if is_limit.any() else pd.DataFrame()
@@ -202,7 +191,7 @@ def _problems(cases, settings):
 
 def prepared(cases, settings):
     """Cases with all columns that a report reads and those that it adds, see Study."""
-    lacking = dict.fromkeys(_TEXTS) | dict.fromkeys(_NUMBERS, np.nan)
+    lacking = dict.fromkeys(_TEXTS) | dict.fromkeys([*_NUMBERS, *measures.numbers()], np.nan)
     for key, setting in settings.items():
         names, nothing = setting_columns(key, setting)
         lacking |= dict.fromkeys(names, nothing)
@@ -228,12 +217,13 @@ def prepared(cases, settings):
     cases["further"] = _further(cases, settings)
     cases["is_repeated"] = cases.duplicated(["problem", "name", "load", "further"])
     other = cases.reindex(cases["counterpart"].tolist())
-    for measure, scale in (("volume_change", None), ("answer", "answer")):
-        theirs = other[measure].to_numpy(dtype=float)
-        difference = cases[measure].to_numpy(dtype=float) - theirs
-        name = measure.removesuffix("_change") + "_difference"
-        with np.errstate(divide="ignore", invalid="ignore"):
-            cases[name] = difference if scale is None else difference / np.abs(theirs)
+    theirs = {name: other[name].to_numpy(dtype=float) for name in ("volume_change", "answer")}
+    cases["volume_difference"] = measures.off("volume_change", cases.volume_change, theirs["volume_change"])
+    cases["answer_difference"] = np.nan
+    for test in set(cases.test):
+        if name := measures.answer_name(test):
+            own = (cases.test == test).to_numpy()
+            cases.loc[own, "answer_difference"] = measures.off(name, cases.answer[own], theirs["answer"][own])
     return cases
 
 
@@ -356,8 +346,8 @@ def case_text(case):
 def _answer(case):
     if case.test == "traction":
         return np.linalg.norm([case.get(f"face_displacement.{axis}", np.nan) for axis in "xyz"])
-    column = ANSWERS.get(case.test, (None,))[0]
-    return np.nan if column is None else case[column]
+    answer = measures.answer(case.test)
+    return case[answer.column] if answer else np.nan
 
 
 def _counterparts(cases):

@@ -198,7 +198,7 @@ class Explorer(browser.PageTest):
             self.assertAlmostEqual(shown, case.volume_change, delta=1e-12 * abs(case.volume_change))
         rings = self.browser.find_elements(By.CSS_SELECTOR, ".explorer .rings i")
         self.assertEqual(len(rings), 3)
-        for name in ("plate force = ", "cell volume ratio min = "):
+        for name in ("plate force = ", "least V/V0 = "):
             self.assertIn(name, self.one(".readout").text)
 
     def test_a_click_shows_the_case(self):

@@ -80,12 +80,12 @@ COLUMNS = {
     "E [Pa]": ("young", 1),
     "deformation [-, rad]": ("deformation", 1),
     "volume change, absolute [%]": ("volume_error", 100),
-    "force [N]": ("plate_force_norm", 1),
+    "resultant force [N]": ("plate_force_norm", 1),
     "torque [N m]": ("plate_torque", 1),
-    "tip drop [m]": ("tip_deflection", 1),
+    "tip deflection [m]": ("tip_deflection", 1),
     "least V/V0": ("cell_volume_ratio_min", 1),
     "deviation L2 [%]": ("deviation_l2_relative", 100),
-    "time [s]": ("solve_wall_s", 1),
+    "solution time [s]": ("solve_wall_s", 1),
 }
 
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/measures/measure_list.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/sheets/text_table.hpp"
 
@@ -59,17 +60,6 @@ std::string with_order(const ConvergedValue& converged, double factor) {
 
 }  // namespace
 
-ShownMeasure shown_measure(const std::string& measure) {
-  if (measure == "volume_change") return {"volume change", "%", 100};
-  if (measure == "plate_force") return {"plate force", "N", 1};
-  if (measure == "plate_force_norm") return {"resultant", "N", 1};
-  if (measure == "plate_torque") return {"torque", "N m", 1};
-  if (measure == "tip_deflection") return {"tip drop", "m", 1};
-  if (measure == "face_displacement") return {"face displacement", "m", 1};
-  if (measure == "mean_deviation") return {"mean deviation", "m", 1};
-  return {measure, "", 1};
-}
-
 Json split_json(const Split& split) {
   Json quantities;
   for (const SplitQuantity& quantity : split.quantities)
@@ -93,9 +83,10 @@ std::string split_text(const Split& split) {
        std::string(plan.reference[0].method.name), "law", "discretisation",
        "converged values"}};
   for (const SplitQuantity& quantity : split.quantities) {
-    const auto [name, unit, factor] = shown_measure(quantity.name);
+    const Measure& measure = *find_measure(quantity.name);
+    const double factor = shown_factor(measure);
     rows.push_back(
-        {fmt::format("{} {}", name, unit),
+        {fmt::format("{} {}", measure.label, shown_unit(measure)),
          quantity.springs ? fmt::format("{:.5g}", factor * *quantity.springs) : "-",
          with_order(quantity.cauchy_born.converged, factor),
          with_order(quantity.reference.converged, factor),

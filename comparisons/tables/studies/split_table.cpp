@@ -100,7 +100,8 @@ std::vector<std::string> keys_of(const SplitQuantity& quantity,
 SheetRow row_of(const SplitQuantity& quantity, const Split& split,
                 const CaseResult& springs) {
   const CaseSettings& settings = split.plan.springs;
-  const auto [name, unit, factor] = shown_measure(quantity.name);
+  const Measure& measure = *find_measure(quantity.name);
+  const double factor = shown_factor(measure);
   const auto& lattice = quantity.cauchy_born.converged;
   const auto& law = quantity.reference.converged;
   return {.cells = {settings.scene,
@@ -109,8 +110,8 @@ SheetRow row_of(const SplitQuantity& quantity, const Split& split,
                     settings.material.poisson_ratio,
                     variant_label(settings),
                     split.plan.reference[0].method.name,
-                    name,
-                    unit,
+                    measure.label,
+                    shown_unit(measure),
                     value_or_status(scaled(quantity.springs, factor), springs),
                     scaled(lattice.value, factor),
                     scaled(lattice.bar, factor),

@@ -1,6 +1,7 @@
 """The five tests, and others: 3D views, pictures, sections, beams."""
 
 import bodies
+import measures
 import methods
 import numpy as np
 from content import Figure, Section, Viewer, measured_number, paragraph, table
@@ -10,7 +11,7 @@ from numbers_shown import significant
 from sections.beams import beams_against_theory, diagonal_ratio_beams
 from sections.cross_sections import cross_section
 from sections.slices import explorer_links
-from study import ANSWERS, is_variant
+from study import is_variant
 from surface import outside
 
 _TESTS = {
@@ -70,7 +71,7 @@ def _test(study, test, further=()):
 def _verdicts(study, test):
     """Per spring method how far its answer is from finite elements on the same problem."""
     cases = study.cases[(study.cases.test == test) & (study.cases.kind != "finite elements")]
-    measure, answer, unit = ANSWERS[test]
+    measure, answer, unit = measures.answer(test)
     rows = []
     for name, of_method in cases.groupby("name"):
         judged = of_method[(of_method.status == "ok") & of_method.answer_difference.notna()]

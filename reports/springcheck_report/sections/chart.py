@@ -1,10 +1,11 @@
 """Speed against accuracy: what `springcheck chart` measured, with claims and fronts."""
 
+import measures
 from content import Figure, Section, file_name, paragraph, table, table_links, tabled_number
 from figures import work_precision
 from markupsafe import Markup
 from numbers_shown import formatted, revision_text, with_bar
-from study import ANSWERS, load_text
+from study import load_text
 
 _TABLES = ["chart", "chart-front", "chart-laws", "chart-converged", "chart-claims"]
 _KINDS = {
@@ -27,7 +28,6 @@ _PARTS = ["method", "family", "element", "cell_type", "linear_solver", "precisio
 _BARS = ["answer_bar", "volume_bar", "deviation_bar"]
 _APART = ["answer_apart", "volume_apart", "deviation_apart"]
 _TIMES = ["median", "lower_quartile", "upper_quartile"]
-_ANSWERS = {column: (name, unit) for column, name, unit in ANSWERS.values()}
 
 
 def chart(study):
@@ -94,7 +94,8 @@ def _truths(study, parts):
 
 
 def answer_of(one):
-    return _ANSWERS.get(one["answer"], (one["answer"].replace("_", " "), "SI"))
+    """Label and unit of what it is about."""
+    return measures.label(one["answer"]), measures.unit(one["answer"])
 
 
 def _with_bar(document, row, key, bar):

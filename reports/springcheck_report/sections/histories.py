@@ -2,11 +2,12 @@
 
 import json
 
+import measures
 import numpy as np
 from content import Figure
 from figures import curves
 from method_style import colour, shades
-from study import ANSWERS, case_text, counts_text, is_variant, method_name
+from study import case_text, counts_text, is_variant, method_name
 
 _MOST_CURVES = 8
 _DASHES = ["-", "--", ":", "-."]
@@ -58,7 +59,7 @@ def _figure(study, name, cases, of_test):
     if ratio:
         panels.append(curves.Panel("Kinetic over strain energy", "time [s]", "ratio", ratio, log_y=True))
     if force:
-        _, answer, unit = ANSWERS[test]
+        _, answer, unit = measures.answer(test)
         scale = ("E V" if test == "torsion" else "E A") if is_scaled else None
         y_label = f"{answer} / ({scale})" if scale else f"{answer} [{unit}]"
         force += _statics(study, group, is_scaled)
@@ -75,7 +76,7 @@ def _figure(study, name, cases, of_test):
 
 
 def answer_along(test, history, deformation):
-    """The test's measure (ANSWERS) at every moment as an array, None of tests without a
+    """The test's answer at every moment as an array, None of tests without a
     plate."""
     along = {
         "compression": -history.force_z,
@@ -140,7 +141,7 @@ def _statics(study, group, is_scaled):
         ring = {"linestyle": "none", "marker": "o", "markersize": 5, "markerfacecolor": "none"}
         ring["color"] = colour(case["name"])
         answer = np.array([case.answer / (_units(case)[0] if is_scaled else 1)])
-        if ANSWERS[case.test][0] == "plate_force":  # it is positive whichever way a path has gone
+        if measures.answer(case.test).column == "plate_force":  # it is positive whichever way a path has gone
             answer *= np.sign(case.deformation * moved.whole_deformation.iloc[0])
         found.append(curves.Curve(f"{case['name']} at rest", end, answer, style=ring))
     return found

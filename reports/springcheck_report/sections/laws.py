@@ -1,6 +1,7 @@
 """What the springs' constants and laws do: from the tables split, locking, orientation,
 modes."""
 
+import measures
 import methods
 import numpy as np
 from content import Figure, Section, paragraph
@@ -8,7 +9,6 @@ from figures import curves, error_parts as error_figures
 from figures import rows as row_figures
 from method_style import NEUTRAL, line, shades
 from sections.sheets import sheet_blocks
-from study import ANSWERS
 
 
 def spring_constants(study):
@@ -49,7 +49,7 @@ def _diagonal_ratio(study):
     cases = study.cases[(study.cases.method == methods.of_thesis()) & (study.cases.test != "bending")]
     panels = []
     for test, of_test in cases.groupby("test"):
-        if test not in ANSWERS:
+        if measures.answer(test) is None:
             continue
         lines = []
         loads = of_test.groupby(["mesh", "nu", "load"])
@@ -60,7 +60,7 @@ def _diagonal_ratio(study):
             if len(group) < 3:
                 continue
             ratio = group["diagonal-ratio"].to_numpy(dtype=float)
-            answer = group[ANSWERS[test][0]].to_numpy(dtype=float)
+            answer = group[measures.answer(test).column].to_numpy(dtype=float)
             base = answer[np.abs(np.log(ratio)).argmin()]
             lines.append(
                 curves.Curve(
@@ -72,7 +72,7 @@ def _diagonal_ratio(study):
                 )
             )
         if lines:
-            name = ANSWERS[test][1]
+            name = measures.answer(test).label
             panels.append(curves.Panel(test, "A = k_f/k_c", f"{name}, over A = 1", lines, log_x=True))
     if not panels:
         return []
@@ -109,7 +109,7 @@ def _both_parts(document):
         rows = [
             row
             for row in document["rows"]
-            if (row["quantity"] == quantity if quantity else row["quantity"] in _ANSWER_NAMES)
+            if (row["quantity"] == quantity if quantity else row["quantity"] in measures.answer_labels())
             and row["scene"] != "uniaxial"
         ]
         by_label = {f"{row['scene']} {row['load']}": row for row in rows}
@@ -129,7 +129,7 @@ def _law_parts(document):
     """The law parts of the answers, where several methods bear one load on one mesh."""
     by_load = {}
     for row in document["rows"]:
-        if row["quantity"] in _ANSWER_NAMES and row["law_percent"] is not None:
+        if row["quantity"] in measures.answer_labels() and row["law_percent"] is not None:
             by_load.setdefault((row["scene"], row["load"], row["cells"]), []).append(row)
     loads = {key: rows for key, rows in by_load.items() if len({row["method"] for row in rows}) > 1}
     if not loads:
@@ -152,13 +152,10 @@ def _law_parts(document):
     names = [f"{method} from {reference}" for method, reference in springs]
     caption = (
         "How far the continuum of springs is from a law of finite elements, in large deformation: "
-        "the law part of plate force, resultant or torque. Hollow: within its bound, and drawn there; "
+        "the law part of plate force, resultant force or torque. Hollow: within its bound, and drawn there; "
         "at the left edge what is smaller."
     )
     return [Figure("law_parts", caption, error_figures.draw_law_parts, (names, panels))]
-
-
-_ANSWER_NAMES = {"plate force", "resultant", "torque", "tip drop", "face displacement"}
 
 
 def _unit(rows):

@@ -2,6 +2,7 @@
 
 from operator import itemgetter
 
+import measures
 import methods
 import pandas as pd
 from content import Section, bullets, columns, measured_number, paragraph, table
@@ -10,7 +11,7 @@ from numbers_shown import formatted, significant
 from sections.answers import answers
 from sections.failures import failing_sentences
 from sections.thesis_tables import relative_size
-from study import ANSWERS, FAILED, case_text, is_variant
+from study import FAILED, case_text, is_variant
 
 # From half a percent on, below which volumes do not change; 5 % and 0.05 rad are small.
 _LEAST, _SMALL = 0.005, 0.051
@@ -47,7 +48,8 @@ def _what(cases):
 
 
 def _place_of_test(test):
-    return list(ANSWERS).index(test) if test in ANSWERS else len(ANSWERS), test
+    answered = list(measures.answers())
+    return answered.index(test) if test in answered else len(answered), test
 
 
 def _made_by(study):
@@ -91,7 +93,7 @@ def _agreement(study):
     if not parts:
         return paragraph("All deformations here are below ½ %: see the tests.")
     how_to_read = paragraph(
-        "For each test: how far the force (torque, drop of the tip) is from that of finite elements on the same "
+        "For each test: how far the force (torque, tip deflection) is from that of finite elements on the same "
         "mesh and problem, the median of usable cases; below it the largest, which leads to its case, and how many of "
         "the cases are usable, which are equilibria, stable and without wrinkles. It is red where most are not. <b>Not judged</b>: no "
         "finite elements solved the same problem on hexahedra without locking. <b>Volume</b>: the largest "
@@ -118,7 +120,7 @@ def _agreement(study):
 
 
 def _matrix(study, cases, name):
-    tests = [test for test in ANSWERS if (cases.test == test).any()]
+    tests = [test for test in measures.answers() if (cases.test == test).any()]
     rows = []
     for method in sorted(set(cases["name"]), key=_by_usefulness):
         of_method = cases[cases["name"] == method]

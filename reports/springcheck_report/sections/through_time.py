@@ -1,5 +1,6 @@
 """Dynamics: what the protocol alone changes, solvers beside statics, histories."""
 
+import measures
 import methods
 import numpy as np
 from content import Figure, Section, document_blocks, measured_number, paragraph, table, tabled_number
@@ -8,7 +9,7 @@ from markupsafe import Markup
 from method_style import colour
 from numbers_shown import formatted
 from sections.histories import histories
-from study import ANSWERS, USABLE, case_text, is_through_time, method_name
+from study import USABLE, case_text, is_through_time, method_name
 
 _MOST_ROWS = 200
 
@@ -126,7 +127,7 @@ def _solvers(study):
     document = study.tables.get("dynamics", {"rows": []})
     shown = {case for row in document["rows"] for case in row["cases"]}
     cases = study.distinct[study.distinct.apply(is_through_time, axis=1)]
-    cases = cases[~cases.index.isin(shown) & cases.test.isin(ANSWERS) & (cases.status != "refused")]
+    cases = cases[~cases.index.isin(shown) & cases.test.isin(measures.answers()) & (cases.status != "refused")]
     if cases.empty:
         return []
     statics = _statics(study)
@@ -135,7 +136,7 @@ def _solvers(study):
     heads = ["case", "method", "solver", "at the end", "statics", "off statics [%]", "kinetic/strain energy"]
     heads += ["damping", "transits", "duration [s]", "steps", "precision", "key"]
     note = paragraph(
-        '<span class="note">At the end: force or torque on the plate, of beams the drop of the tip. '
+        '<span class="note">At the end: force or torque on the plate, of beams the tip deflection. '
         "Statics are of the same springs, or of the same elements at rest, on the same problem: of "
         "fem-explicit-8p those of fem-stvk:q1, of fem-explicit-hencky those of fem-hencky.</span>"
     )
@@ -151,7 +152,7 @@ def _statics(study):
 
 def _solver_row(study, key, statics):
     case = study.cases.loc[key]
-    measure, _, unit = ANSWERS[case.test]
+    measure, _, unit = measures.answer(case.test)
 
     def number(name, form, of=key):
         value = study.cases.loc[of, name]

@@ -54,13 +54,15 @@ BOOST_AUTO_TEST_CASE(a_field_of_our_own_has_the_measures_it_had) {
     Measures without_energy = ours.measures;
     without_energy.strain_energy.reset();
     without_energy.definite_up_to_deformation.reset();
+    without_energy.wall_s.reset();
+    without_energy.solve_wall_s.reset();
     std::vector<std::string> mine, other;
     const auto collect = [](std::vector<std::string>& into) {
-      return [&](const char* name, const auto& value) {
+      return [&](const Measure& measure, const auto& value) {
         std::ostringstream text;
         text.precision(17);
         if (value) text << *value;
-        into.push_back(std::string(name) + " " + text.str());
+        into.push_back(std::string(measure.name) + " " + text.str());
       };
     };
     for_each_measure(without_energy, collect(mine));

@@ -28,12 +28,7 @@ CaseResult result_of(const std::string& scene, const std::vector<std::string>& c
 }
 
 double measure_named(const CaseResult& result, const std::string& wanted) {
-  Measures::Value found;
-  for_each_measure(result.measures, [&](const std::string& name, const auto& value) {
-    if constexpr (std::is_same_v<decltype(value), const Measures::Value&>)
-      if (name == wanted) found = value;
-  });
-  return found.value();
+  return measure_of(result.measures, wanted).value();
 }
 
 struct Figure {

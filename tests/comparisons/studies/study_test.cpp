@@ -165,9 +165,10 @@ BOOST_AUTO_TEST_CASE(a_refused_case_is_a_result_without_measures) {
             meshes, 1);
   BOOST_TEST((results.front().status == Status::refused));
   BOOST_TEST(results.front().reason.find("cubic") != std::string::npos);
-  for_each_measure(results.front().measures, [](const char* name, const auto& value) {
-    BOOST_TEST(!value.has_value(), name);
-  });
+  for_each_measure(
+      results.front().measures, [](const Measure& measure, const auto& value) {
+        BOOST_TEST(value.has_value() == measure.further.is_time, measure.name);
+      });
 }
 
 BOOST_AUTO_TEST_CASE(too_many_cells_are_refused_before_allocating) {

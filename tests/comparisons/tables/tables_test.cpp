@@ -359,8 +359,6 @@ BOOST_AUTO_TEST_CASE(rows_and_their_references_are_of_one_revision) {
     CaseResult theirs{.request = request,
                       .key = "their " + key,
                       .status = Status::ok,
-                      .wall_s = 0,
-                      .solve_wall_s = 0,
                       .revision = "0123456789ab"};
     theirs.measures.volume_error = 0;
     theirs.measures.plate_torque = 1;

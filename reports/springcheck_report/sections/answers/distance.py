@@ -1,5 +1,6 @@
 """How far springs are from finite elements, over Poisson's ratio."""
 
+import measures
 import numpy as np
 import pandas as pd
 from content import Answer, Figure
@@ -7,7 +8,7 @@ from figures import curves
 from markupsafe import Markup
 from sections.answers.words import SIZE, TESTS, bold, case_number, first_and_nearest, foremost_springs
 from sections.slices import longest_slices
-from study import ANSWERS, USABLE, mesh_text
+from study import USABLE, mesh_text
 
 _LEAST_VALUES = 3  # of Poisson's ratio
 _LEAST_SHOWN = 0.001  # percent
@@ -45,7 +46,7 @@ def _distances(cases):
 
 
 def _answer(study, test, by_name):
-    answer = ANSWERS[test][1]
+    answer = measures.answer(test).label
     first = next(iter(by_name.values())).iloc[0]
     distances = {name: _distances(cases) for name, cases in by_name.items()}
     known = pd.concat([by_name[name][sizes.notna()] for name, sizes in distances.items()])
