@@ -196,7 +196,7 @@ def prepared(cases, settings):
         names, nothing = setting_columns(key, setting)
         lacking |= dict.fromkeys(names, nothing)
     further = {name: nothing for name, nothing in lacking.items() if name not in cases}
-    cases = cases.assign(**further)
+    cases = pd.concat([cases, pd.DataFrame(further, index=cases.index)], axis=1)
     cases["whole_problem"], cases["whole_deformation"] = _problems(cases, settings), cases.deformation
     loads = load_columns(settings)
     has_end = ~cases.status.isin(FAILED) & (cases.solver != "limit") & cases.load_fraction.notna()
