@@ -45,12 +45,11 @@ MeasureColumn measure_column(const std::string& name, const Columns& cases,
   if (found == names.end())
     throw InputError(
         place, "measure",
-        names.empty()
-            ? "a number, or one of a vector or a matrix"
-            : fmt::format("'{}.' and one of {}", column, fmt::join(names, ", ")),
-        names.empty() ? fmt::format("'{}', where '{}' is {}", name, column,
-                                    width->second == 1 ? "one number" : "a list of them")
-                      : "'" + name + "'");
+        !names.empty()
+            ? fmt::format("'{}.' and one of {}", column, fmt::join(names, ", "))
+        : width->second == 1 ? fmt::format("'{}', which has no components", column)
+                             : "a number, or one of a vector or a matrix",
+        "'" + name + "'");
   return {.name = name,
           .column = column,
           .component = static_cast<std::size_t>(found - names.begin())};

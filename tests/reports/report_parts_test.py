@@ -7,6 +7,7 @@ from pathlib import Path
 
 REPORTS = Path(__file__).parents[2] / "reports"
 sys.path[:0] = [str(Path(__file__).parent), str(REPORTS), str(REPORTS / "springcheck_report")]
+import measures  # noqa: E402
 import method_style  # noqa: E402
 import methods  # noqa: E402
 import numpy as np  # noqa: E402
@@ -70,6 +71,10 @@ def split_row(method, reference_law, nu, law_percent, bar, cells="5x5x5"):
 
 
 class LawParts(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        measures.learn(json.loads(springcheck("list", "--json").stdout))
+
     def test_springs_stand_beside_each_other_on_one_mesh(self):
         rows = [
             split_row("mss-cf", "fem-hencky", 0.25, -36, 0.1, cells="10x10x10"),

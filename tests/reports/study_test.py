@@ -8,6 +8,7 @@ from pathlib import Path
 
 REPORTS = Path(__file__).parents[2] / "reports"
 sys.path[:0] = [str(REPORTS), str(REPORTS / "springcheck_report")]
+import measures  # noqa: E402
 import methods  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
@@ -20,6 +21,7 @@ from sections.thesis_tables import relative_size  # noqa: E402
 VOCABULARY = json.loads(springcheck("list", "--json").stdout)
 SETTINGS = VOCABULARY["settings"]
 methods.learn(VOCABULARY)
+measures.learn(VOCABULARY)
 
 
 class Stub:

@@ -245,7 +245,7 @@ const std::vector<BadInput> bad_inputs{
      "gates.toml:4:19: cells: expected 3 numbers, or a list of such lists, got cells = "
      "4"},
     {head + cf + "measure = 'plate_froce'\nat_most = 1",
-     "gates.toml:1:1: measure: expected one of "},
+     "gates.toml:1:1: unknown measure 'plate_froce', did you mean 'plate_force'?"},
     {head + cf + "measure = 'force'\nat_most = 1",
      "gates.toml:1:1: measure: expected 'force.' and one of x, y, z, got 'force'"},
     {head + cf + "measure = 'plate_force.x'\nat_most = 1",
