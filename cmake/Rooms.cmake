@@ -22,7 +22,8 @@ endforeach()
 
 # The library of this folder, named after it (comparisons/store: comparisons_store), with
 # the rooms that docs/rooms.txt lets it see and these packages. PUBLIC ones are named by
-# the folder's headers.
+# the folder's headers. Its sources are all in the folder, unless some are named, but
+# those that springcheck_compile_per_path compiles.
 #
 #   springcheck_room([SOURCES <file>...] [PUBLIC <target>...] [PRIVATE <target>...])
 function(springcheck_room)
@@ -39,6 +40,10 @@ function(springcheck_room)
         "${package}, which ${rooms_file} is to list")
     endif()
   endforeach()
+  if(NOT room_SOURCES)
+    file(GLOB room_SOURCES CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
+    list(FILTER room_SOURCES EXCLUDE REGEX "_per_path\\.cpp$")
+  endif()
   add_library(${name} ${room_SOURCES})
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "comparisons/sheets/text_table.hpp"
+#include "comparisons/formats/text_table.hpp"
 
 namespace springcheck {
 namespace {

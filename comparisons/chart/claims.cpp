@@ -175,8 +175,8 @@ std::string claim_text(const Chart& chart, const Claim& claim) {
                      times_as(*springs.seconds() / *rival.seconds(), "faster", "slower"));
 }
 
-Sheet claims_sheet(const std::vector<Chart>& charts) {
-  Sheet sheet{
+Table claims_table(const std::vector<Chart>& charts) {
+  Table table{
       .name = "chart-claims",
       .title = "Are springs faster than finite elements, and as accurate?",
       .columns = {{"scene", "scene"},
@@ -202,7 +202,7 @@ Sheet claims_sheet(const std::vector<Chart>& charts) {
   for (const Chart& chart : charts)
     for (const Claim& claim : claims(chart)) {
       const ChartPoint& springs = chart.points[claim.springs];
-      SheetRow row{
+      TableRow row{
           .cells = {}, .cases = {springs.place.key}, .part = identity_of(chart.stored)};
       for (const std::string& text :
            {chart.stored.scene, std::string(name_of(claim.kind)), chart.stored.law,
@@ -214,9 +214,9 @@ Sheet claims_sheet(const std::vector<Chart>& charts) {
         row.cells.push_back(text);
       row.cases.push_back(chart.points[claim.elements].place.key);
       if (claim.rival) row.cases.push_back(chart.points[*claim.rival].place.key);
-      sheet.rows.push_back(std::move(row));
+      table.rows.push_back(std::move(row));
     }
-  return sheet;
+  return table;
 }
 
 }  // namespace springcheck

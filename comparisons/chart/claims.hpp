@@ -1,7 +1,7 @@
 #pragma once
 
 #include "comparisons/chart/chart.hpp"
-#include "comparisons/sheets/sheet.hpp"
+#include "comparisons/formats/table.hpp"
 
 namespace springcheck {
 
@@ -40,6 +40,6 @@ std::vector<Claim> claims(const Chart& chart);
 std::string claim_text(const Chart& chart, const Claim& claim);
 
 /// "chart-claims": a row for each.
-Sheet claims_sheet(const std::vector<Chart>& charts);
+Table claims_table(const std::vector<Chart>& charts);
 
 }  // namespace springcheck

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "comparisons/chart/chart_run.hpp"
-#include "comparisons/chart/chart_sheets.hpp"
+#include "comparisons/chart/chart_tables.hpp"
 #include "comparisons/chart/claims.hpp"
 #include "meshing/input_error.hpp"
 
@@ -41,20 +41,20 @@ std::vector<int> thread_counts(const std::string& text) {
 }
 
 /// The front of the scene's own law.
-Sheet own_front(const Chart& chart) {
-  Sheet sheet = front_sheet({chart});
-  const auto law = std::ranges::find(sheet.columns, "law", &Column::key);
-  const auto place = static_cast<std::size_t>(law - sheet.columns.begin());
-  std::erase_if(sheet.rows, [&](const SheetRow& row) {
+Table own_front(const Chart& chart) {
+  Table table = front_table({chart});
+  const auto law = std::ranges::find(table.columns, "law", &Column::key);
+  const auto place = static_cast<std::size_t>(law - table.columns.begin());
+  std::erase_if(table.rows, [&](const TableRow& row) {
     return row.cells[place].text != chart.stored.law;
   });
-  return sheet;
+  return table;
 }
 
 std::string chart_text(const Chart& chart, const std::string& caution) {
   std::string text = fmt::format("{}\n\n{}\nFronts, law {}\n\n{}\n", chart.stored.scene,
-                                 sheet_in_columns(truths_sheet({chart})),
-                                 chart.stored.law, sheet_in_columns(own_front(chart)));
+                                 table_in_columns(truths_table({chart})),
+                                 chart.stored.law, table_in_columns(own_front(chart)));
   if (!caution.empty()) text += fmt::format("Caution: {}\n\n", caution);
   for (const Claim& claim : claims(chart))
     text += fmt::format("{}, {}: {}\n", name_of(claim.kind), name_of(claim.measure),
@@ -107,7 +107,7 @@ ExitStatus chart_command(const std::string& scene,
     if (!chart.format)
       fmt::print("{}\n", chart_text(charts.back(), caution_of_truth(plan)));
   }
-  if (chart.format) fmt::print("{}", format_sheets(chart_sheets(charts), *chart.format));
+  if (chart.format) fmt::print("{}", format_tables(chart_tables(charts), *chart.format));
   return ExitStatus::done;
 }
 

@@ -237,19 +237,25 @@ int run_arguments(int argc, char** argv) {
       app.add_subcommand("table",
                          "Print one of the thesis's tables beside ours, or one "
                          "of our own");
-  table
-      ->add_option(
-          "name", name,
-          "see 'springcheck list tables'; tissue-torsion, elements and convergence take "
-          "minutes, split, growth and laws ten and more")
-      ->required();
-  table->add_option("--from", from, "result files to take cases from; computes the rest")
-      ->check(check_not_empty);
-  table->add_option("--out", out, "HDF5 file for the cases behind the table")
-      ->check(check_not_empty);
-  table->add_option("--reference", reference,
-                    "METHOD[:ELEMENT][@CELLS|@converged] for the thesis's tables");
+  CLI::Option* table_name = table->add_option(
+      "name", name, "one of those that --list tells, with the minutes that each takes");
+  CLI::Option* table_from =
+      table
+          ->add_option("--from", from,
+                       "result files to take cases from; computes the rest")
+          ->check(check_not_empty);
+  CLI::Option* table_out =
+      table->add_option("--out", out, "HDF5 file for the cases behind the table")
+          ->check(check_not_empty);
+  CLI::Option* table_reference =
+      table->add_option("--reference", reference,
+                        "METHOD[:ELEMENT][@CELLS|@converged] for the thesis's tables");
   table->add_option("--format", format, "md (default), csv, json or latex");
+  bool lists_tables = false;
+  CLI::Option* table_list =
+      table->add_flag("--list", lists_tables, "print what tables there are instead");
+  for (CLI::Option* other : {table_name, table_from, table_out, table_reference})
+    table_list->excludes(other);
   add_revisions(table, "cases of --from files");
   add_threads(table);
 
@@ -259,7 +265,7 @@ int run_arguments(int argc, char** argv) {
       ->required()
       ->check(check_not_empty);
   CLI::Option* all_tables = everything->add_flag(
-      "--all", all, "the tables split, laws and growth too, which take most of an hour");
+      "--all", all, "the tables of ten minutes and more too, most of an hour");
   bool quick = false;
   everything->add_flag("--quick", quick, "the thesis's five tests alone, in two minutes")
       ->excludes(all_tables);
@@ -522,6 +528,10 @@ int run_arguments(int argc, char** argv) {
     status = measure_command(scene, measure_options.given(),
                              {displacements, path_or_none(forces), name},
                              path_or_none(out), output());
+  else if (lists_tables)
+    status = list_tables_command(table->count("--format") > 0
+                                     ? std::optional(table_format(format))
+                                     : std::nullopt);
   else if (*table)
     status = table_command(name, {from, path_or_none(out), revisions()}, reference,
                            table_format(format), threads);

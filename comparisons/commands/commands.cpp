@@ -23,7 +23,6 @@
 #include "comparisons/tables/computed_tables.hpp"
 #include "comparisons/tables/stored_tables.hpp"
 #include "comparisons/tables/studies/split_output.hpp"
-#include "comparisons/tables/thesis/format_table.hpp"
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
@@ -199,6 +198,10 @@ ExitStatus run_command(const std::string& scene, const std::vector<GivenSetting>
 
 ExitStatus table_command(const std::string& name, const TableFiles& files,
                          const std::string& reference, TableFormat format, int parallel) {
+  if (name.empty())
+    throw InputError("springcheck table", "name", "the name of a table, or --list",
+                     "neither");
+  const CatalogueEntry* const entry = &table_named(name);
   const auto& [from, out, revisions] = files;
   const StoredCases stored = stored_cases(from, revisions);
   for (const std::filesystem::path& file : from)
@@ -212,17 +215,23 @@ ExitStatus table_command(const std::string& name, const TableFiles& files,
   MeshStore meshes;
   std::optional<KeptResults> kept;
   if (out) kept.emplace(*out, meshes);
-  ComputedTables computed = compute_tables(
-      {name}, chosen, meshes, parallel, known_from(stored, meshes),
+  const ComputedTables computed = compute_tables(
+      {&entry, 1}, chosen, meshes, parallel, known_from(stored, meshes),
       [&](const CaseResult& result) {
         if (kept) kept->keep(result);
       },
       revisions);
   if (kept) kept->finish(computed.results, from);
-  for (const Table& table : computed.set.tables)
+  for (const Table& table : computed.tables)
     fmt::print("{}", format_table(table, format));
-  for (const Sheet& sheet : computed.set.sheets)
-    fmt::print("{}", format_sheet(sheet, format));
+  return ExitStatus::done;
+}
+
+ExitStatus list_tables_command(const std::optional<TableFormat>& format) {
+  const Table tables = table_of_tables();
+  fmt::print(
+      "{}", format ? format_table(tables, *format)
+                   : table_in_columns(tables, {"section"}) + tables.notes.front() + "\n");
   return ExitStatus::done;
 }
 

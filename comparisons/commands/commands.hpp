@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "comparisons/cases/named.hpp"
+#include "comparisons/formats/table_format.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/settings/run_settings.hpp"
-#include "comparisons/sheets/table_format.hpp"
 
 namespace springcheck {
 
@@ -51,6 +51,10 @@ struct TableFiles {
 /// `springcheck table`: prints one table.
 ExitStatus table_command(const std::string& name, const TableFiles& files,
                          const std::string& reference, TableFormat format, int parallel);
+
+/// `springcheck table --list`: prints what tables there are, for a terminal where no
+/// format is given.
+ExitStatus list_tables_command(const std::optional<TableFormat>& format);
 
 /// `springcheck list`; an empty `what` lists everything. Throws InputError for a list
 /// that there is not.

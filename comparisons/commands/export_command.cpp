@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "comparisons/formats/parquet.hpp"
+#include "comparisons/formats/text_table.hpp"
 #include "comparisons/results/case_table.hpp"
 #include "comparisons/results/known_results.hpp"
-#include "comparisons/sheets/parquet.hpp"
-#include "comparisons/sheets/text_table.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
 

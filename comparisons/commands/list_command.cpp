@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "comparisons/chart/chart_sheets.hpp"
+#include "comparisons/chart/chart_tables.hpp"
 #include "comparisons/commands/commands.hpp"
 #include "comparisons/gates/gate_keys.hpp"
 #include "comparisons/measures/measure_list.hpp"
@@ -80,17 +80,28 @@ Json list_of_measures() {
   for (const Measure& measure : measure_list) {
     std::vector<std::string_view> tests;
     for (const TestName& test : value_names<Test>)
-      if (measure.further.is_of(test)) tests.push_back(test.name);
+      if (measure.traits.is_of(test)) tests.push_back(test.name);
     entries[std::string(measure.name)] = {{"label", measure.label},
                                           {"unit", measure.unit},
                                           {"shown_unit", shown_unit(measure)},
                                           {"shown_factor", shown_factor(measure)},
                                           {"components", component_count(measure)},
                                           {"tests", tests},
-                                          {"compared", name_of(measure.further.compared)},
-                                          {"time", measure.further.is_time},
+                                          {"compared", name_of(measure.traits.compared)},
+                                          {"time", measure.traits.is_time},
                                           {"description", measure.description}};
   }
+  return entries;
+}
+
+Json list_of_tables() {
+  Json entries;
+  for (const CatalogueEntry& entry : catalogue())
+    entries[std::string(entry.name)] = {{"title", entry.title},
+                                        {"minutes", entry.minutes},
+                                        {"source", name_of(entry.source)},
+                                        {"section", entry.section},
+                                        {"description", entry.description}};
   return entries;
 }
 
@@ -213,7 +224,7 @@ constexpr std::array lists{
     List{"elements", list_of_elements},
     List{"materials", materials},
     List{"settings", settings},
-    List{"tables", [] { return described(described_tables()); }},
+    List{"tables", list_of_tables},
     List{"tests", list_of_tests},
     List{"measures", list_of_measures},
     List{"compared", [] { return described(value_names<Compared>); }},

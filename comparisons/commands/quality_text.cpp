@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "comparisons/sheets/text_table.hpp"
+#include "comparisons/formats/text_table.hpp"
 
 namespace springcheck {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/chart/chart_json.hpp"
-#include "comparisons/chart/chart_sheets.hpp"
+#include "comparisons/chart/chart_tables.hpp"
 #include "comparisons/commands/report_program.hpp"
 #include "comparisons/commands/table_files.hpp"
 #include "comparisons/results/known_results.hpp"
@@ -52,13 +52,13 @@ void prepare_report(const std::filesystem::path& folder) {
 
 ExitStatus make_report(const std::filesystem::path& file,
                        const std::filesystem::path& folder,
-                       const std::vector<Sheet>& further, Revisions revisions) {
+                       const std::vector<Table>& further, Revisions revisions) {
   const FolderLock lock(folder);
   MeshStore meshes;
-  TableSet tables = stored_tables(file, meshes, revisions);
-  tables.sheets.insert(tables.sheets.end(), further.begin(), further.end());
+  std::vector<Table> tables = stored_tables(file, meshes, revisions);
+  tables.insert(tables.end(), further.begin(), further.end());
   const std::vector<Chart> charts = stored_charts(file, revisions);
-  for (Sheet& sheet : chart_sheets(charts)) tables.sheets.push_back(std::move(sheet));
+  for (Table& table : chart_tables(charts)) tables.push_back(std::move(table));
   const OtherRevisions taken = other_revisions(stored_cases({file}, revisions));
   write_tables(folder / "tables", tables, file.parent_path() / "tables");
   const std::string theory = theory_curves(read_cases(file, revisions)).dump() + "\n";

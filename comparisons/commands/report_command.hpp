@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "comparisons/commands/commands.hpp"
-#include "comparisons/sheets/sheet.hpp"
+#include "comparisons/formats/table.hpp"
 
 namespace springcheck {
 
@@ -14,7 +14,7 @@ void prepare_report(const std::filesystem::path& folder);
 /// Writes into a folder that is prepared
 ///
 ///     tables/NAME.md .csv .json .tex   what the file's cases fill, see stored_tables;
-///                                      the further sheets; of tables without cases
+///                                      the further tables; of tables without cases
 ///                                      those in tables/ beside the file
 ///     data/theory.json                 see theory_curves
 ///     index.html, figures/, 3d/        by the program of reports/
@@ -24,7 +24,7 @@ void prepare_report(const std::filesystem::path& folder);
 /// reports/ did.
 ExitStatus make_report(const std::filesystem::path& file,
                        const std::filesystem::path& folder,
-                       const std::vector<Sheet>& further, Revisions revisions);
+                       const std::vector<Table>& further, Revisions revisions);
 
 /// `springcheck report`. Throws InputError before anything is written.
 ExitStatus report_command(const std::filesystem::path& file,

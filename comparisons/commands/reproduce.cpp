@@ -19,7 +19,7 @@
 #include "comparisons/stability/atlas.hpp"
 #include "comparisons/sweeps/sweep_file.hpp"
 #include "comparisons/sweeps/sweep_run.hpp"
-#include "comparisons/tables/catalogue.hpp"
+#include "comparisons/tables/computed_tables.hpp"
 #include "comparisons/tables/summary.hpp"
 #include "meshing/output_file.hpp"
 
@@ -58,13 +58,17 @@ StoredCases stored_in(const std::filesystem::path& file) {
                                        : StoredCases{};
 }
 
-std::vector<std::string> tables_of(Extent extent) {
-  std::vector<std::string> names = table_names();
-  if (extent == Extent::quick) return names;
-  for (const std::string& name : sheet_names())
-    if (extent == Extent::all || std::ranges::count(long_sheet_names(), name) == 0)
-      names.push_back(name);
-  return names;
+std::vector<const CatalogueEntry*> tables_of(Extent extent) {
+  std::vector<const CatalogueEntry*> entries;
+  for (const CatalogueEntry& entry : catalogue())
+    if (extent == Extent::quick ? is_of_printed_figures(entry)
+                                : extent == Extent::all || !takes_long(entry))
+      entries.push_back(&entry);
+  return entries;
+}
+
+bool is_computed_when_printed(const CatalogueEntry& entry) {
+  return entry.source == Source::when_printed;
 }
 
 /// The requests that the file lacks, or whose fields it lacks where they are wanted and
@@ -91,8 +95,8 @@ double seconds_of(std::span<const Request> requests, int parallel) {
 }
 
 ComputedTables compute_into(const std::filesystem::path& path,
-                            const std::vector<std::string>& tables, MeshStore& meshes,
-                            int parallel) {
+                            std::span<const CatalogueEntry* const> tables,
+                            MeshStore& meshes, int parallel) {
   ResultFile file(path);
   const StoredCases stored = stored_in(path);
   return compute_tables(tables, std::nullopt, meshes, parallel,
@@ -193,21 +197,20 @@ void set_aside(const std::filesystem::path& file) {
                        file.string(), kept.string()));
 }
 
-/// Tables without cases, which a result file cannot give back.
-std::vector<Sheet> caseless_sheets(const TableSet& tables) {
-  std::vector<Sheet> sheets;
-  std::ranges::copy_if(tables.sheets, std::back_inserter(sheets), [](const Sheet& sheet) {
-    return std::ranges::count(caseless_sheet_names(), sheet.name) > 0;
+/// Of computed ones those that a result file cannot give back.
+std::vector<Table> not_in_files(const std::vector<Table>& tables) {
+  std::vector<Table> found;
+  std::ranges::copy_if(tables, std::back_inserter(found), [](const Table& table) {
+    return is_computed_when_printed(table_named(table.name));
   });
-  return sheets;
+  return found;
 }
 
 }  // namespace
 
 ExitStatus reproduce_command(const std::filesystem::path& directory, Extent extent,
                              int parallel) {
-  // On two cores: tables that need no cases, the map, the page.
-  const double seconds_of_theory = extent == Extent::quick ? 0 : 80;
+  // On two cores:
   constexpr double seconds_of_map = 20, seconds_of_page = 60;
   const auto start = std::chrono::steady_clock::now();
   prepare_report(directory);
@@ -224,7 +227,10 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
   std::vector<Stage> stages;
   const StoredKeys stored = ResultFile(result_file).stored();
   std::set<std::string> planned;
-  const std::vector<std::string> tables = tables_of(extent);
+  const std::vector<const CatalogueEntry*> tables = tables_of(extent);
+  double seconds_of_theory = 0;
+  for (const CatalogueEntry* entry : tables)
+    if (is_computed_when_printed(*entry)) seconds_of_theory += 60 * entry->minutes;
   const std::vector<Request> of_tables =
       missing_of(requests_behind(tables), true, stored, planned, meshes);
   stages.push_back({fmt::format("tables, {} cases", of_tables.size()),
@@ -255,10 +261,10 @@ ExitStatus reproduce_command(const std::filesystem::path& directory, Extent exte
              std::chrono::steady_clock::now() - start;
          const auto statuses = stored_keys(result_file).statuses;
          announce(fmt::format("{} has {} cases", result_file.string(), statuses.size()));
-         const std::string text = summary(computed.set, statuses, elapsed.count());
+         const std::string text = summary(computed.tables, statuses, elapsed.count());
          write_whole_stream(summary_file, [&](std::ostream& out) { out << text; });
          write_xdmf_beside(result_file);
-         status = make_report(result_file, directory, caseless_sheets(computed.set),
+         status = make_report(result_file, directory, not_in_files(computed.tables),
                               Revisions::own);
        }});
   run_stages(stages);

@@ -9,7 +9,7 @@ namespace springcheck {
 /// How much `springcheck reproduce` computes.
 enum class Extent {
   quick,                // the thesis's tables alone: the five tests
-  without_long_tables,  // and ours but for long_sheet_names, sweeps, charts and a map
+  without_long_tables,  // and ours but for long ones, sweeps, charts and a map
   all                   // and those
 };
 

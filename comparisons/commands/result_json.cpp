@@ -130,7 +130,7 @@ void for_each_told(const CaseResult& result, const Mesh& mesh, const Visit& visi
   visit("reason", where(!result.reason.empty(), result.reason));
   const auto visit_measures = [&](bool are_times) {
     for_each_measure(result.measures, [&](const Measure& measure, const auto& value) {
-      if (measure.further.is_time == are_times) visit(measure.name, value);
+      if (measure.traits.is_time == are_times) visit(measure.name, value);
     });
   };
   visit_measures(false);

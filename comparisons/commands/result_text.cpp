@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
+#include "comparisons/formats/text_table.hpp"
 #include "comparisons/measures/measures.hpp"
 #include "comparisons/settings/setting.hpp"
-#include "comparisons/sheets/text_table.hpp"
 
 namespace springcheck {
 namespace {

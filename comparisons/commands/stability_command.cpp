@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "comparisons/settings/scene_file.hpp"
-#include "comparisons/stability/atlas_sheets.hpp"
+#include "comparisons/stability/atlas_tables.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -25,14 +25,14 @@ ExitStatus stability_command(const std::string& scene,
   const Atlas atlas = make_atlas(plan, runner);
   const OtherRevisions others = runner.others();
   if (stability.format) {
-    std::vector<Sheet> sheets{points_sheet(atlas, plan), limits_sheet(atlas, plan)};
+    std::vector<Table> tables{points_table(atlas, plan), limits_table(atlas, plan)};
     if (!others.empty())
-      for (Sheet& sheet : sheets) sheet.notes.push_back(note_of_taken(others));
-    fmt::print("{}", format_sheets(sheets, *stability.format));
+      for (Table& table : tables) table.notes.push_back(note_of_taken(others));
+    fmt::print("{}", format_tables(tables, *stability.format));
   } else {
     fmt::print("{}", maps_text(atlas, plan));
     if (!atlas.limits.empty())
-      fmt::print("\n{}", sheet_in_columns(limits_sheet(atlas, plan), {"reason"}));
+      fmt::print("\n{}", table_in_columns(limits_table(atlas, plan), {"reason"}));
     fmt::print("\n{} simulations computed, {} points.\n", runner.computed(),
                atlas.points.size());
     if (!others.empty()) fmt::print("{}\n", note_of_taken(others));

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
-#include "comparisons/chart/chart_sheets.hpp"
+#include "comparisons/chart/chart_tables.hpp"
 #include "comparisons/tables/catalogue.hpp"
-#include "comparisons/tables/thesis/format_table.hpp"
 #include "meshing/output_file.hpp"
 
 namespace springcheck {
@@ -32,34 +30,26 @@ void take_or_remove(const std::filesystem::path& file,
 
 }  // namespace
 
-void write_tables(const std::filesystem::path& folder, const TableSet& set,
+void write_tables(const std::filesystem::path& folder, std::span<const Table> tables,
                   const std::filesystem::path& earlier) {
-  std::set<std::string> written;
-  const auto write = [&](const std::string& name, auto&& text_as) {
+  for (const Table& table : tables)
     for (const auto& [extension, format] : file_formats)
-      write_whole_stream(folder / (name + extension),
-                         [&](std::ostream& out) { out << text_as(format); });
-    written.insert(name);
-  };
-  for (const Table& table : set.tables)
-    write(table.plan.name,
-          [&](TableFormat format) { return format_table(table, format); });
-  for (const Sheet& sheet : set.sheets)
-    write(sheet.name, [&](TableFormat format) { return format_sheet(sheet, format); });
-  std::vector<std::string> all{"cases"};
-  for (const auto* names : {&table_names(), &sheet_names(), &chart_sheet_names()})
-    all.insert(all.end(), names->begin(), names->end());
-  for (const std::string& name : all) {
-    if (written.contains(name)) continue;
-    const bool is_caseless = std::ranges::count(caseless_sheet_names(), name) > 0;
+      write_whole_stream(folder / (table.name + extension),
+                         [&](std::ostream& out) { out << format_table(table, format); });
+  const auto clear = [&](const std::string& name, bool comes_from_earlier) {
+    if (std::ranges::count(tables, name, &Table::name) > 0) return;
     for (const auto& [extension, format] : file_formats) {
       const std::filesystem::path file = folder / (name + extension);
-      if (is_caseless)
+      if (comes_from_earlier)
         take_or_remove(file, earlier / (name + extension));
       else
         std::filesystem::remove(file);
     }
-  }
+  };
+  clear("cases", false);
+  for (const std::string& name : chart_table_names()) clear(name, false);
+  for (const CatalogueEntry& entry : catalogue())
+    clear(std::string(entry.name), entry.source == Source::when_printed);
 }
 
 }  // namespace springcheck

@@ -1,16 +1,17 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
-#include "comparisons/tables/computed_tables.hpp"
+#include "comparisons/formats/table.hpp"
 
 namespace springcheck {
 
-/// Writes NAME.md .csv .json .tex of every table and sheet of the set into the folder,
-/// and removes those of tables that are not in it. Of caseless_sheet_names(), which no
-/// result file gives back, the folder gets those of `earlier`, a folder that may be the
-/// same or missing.
-void write_tables(const std::filesystem::path& folder, const TableSet& set,
+/// Writes NAME.md .csv .json .tex of every table into the folder, and removes those of
+/// tables that are not among them. Of tables that are computed when they are printed,
+/// which no result file gives back, the folder gets those of `earlier`, a folder that may
+/// be the same or missing.
+void write_tables(const std::filesystem::path& folder, std::span<const Table> tables,
                   const std::filesystem::path& earlier);
 
 }  // namespace springcheck

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/build_info/build_info.hpp"
-#include "comparisons/sheets/text_table.hpp"
+#include "comparisons/formats/text_table.hpp"
 
 namespace springcheck::gates {
 namespace {

@@ -66,7 +66,7 @@ std::optional<double> value_of(const MeasureColumn& measure, const Columns& case
 
 bool is_time(const MeasureColumn& measure) {
   const Measure* known = find_measure(measure.column);
-  return known != nullptr && known->further.is_time;
+  return known != nullptr && known->traits.is_time;
 }
 
 }  // namespace springcheck::gates

@@ -12,11 +12,11 @@ const Measure* find_measure(std::string_view name) {
 }
 
 std::string_view shown_unit(const Measure& measure) {
-  return measure.further.in_percent ? "%" : measure.unit;
+  return measure.traits.in_percent ? "%" : measure.unit;
 }
 
 double shown_factor(const Measure& measure) {
-  return measure.further.in_percent ? 100 : 1;
+  return measure.traits.in_percent ? 100 : 1;
 }
 
 std::string heading_of(const Measure& measure) {

@@ -13,8 +13,7 @@ namespace springcheck {
 
 /// What is measured on a solution, at the load that it reached: of a motion at the one
 /// with which its path ends. A value that was not computed is empty, never 0. SI units;
-/// fractions, not percent. What each is stands in
-/// measure_list.
+/// fractions, not percent. measure_list tells what each is.
 struct Measures {
   using Value = std::optional<double>;
   using Vector = std::optional<Vector3>;
@@ -50,8 +49,8 @@ struct Measures {
   Value cell_volume_ratio_rms_difference{};
   Value reference_order{}, reference_bar{}, reference_bar_l2_relative{};
 
-  // Of beams, see beam_theory.hpp. With odd cell counts, which have no node at the centre
-  // of the end face, the tip is interpolated:
+  // Of of_beam, see beam_theory.hpp. With odd cell counts, which have no node at the
+  // centre of the end face, the tip is interpolated:
   Value tip_deflection{};
   Value tip_euler_bernoulli{}, tip_timoshenko{}, tip_elastica{};
   Value centre_line_euler_bernoulli{}, centre_line_timoshenko{}, centre_line_elastica{};
@@ -85,12 +84,12 @@ struct Measure {
   std::string_view unit;   // SI; empty of fractions and ratios
   std::string_view description;
 
-  struct Further {
+  struct Traits {
     Compared compared = Compared::by_ratio;
     bool (*is_of)(const TestName&) = [](const TestName&) { return true; };
     bool in_percent = false;  // how people read it
     bool is_time = false;     // which only one session on one machine can compare
-  } further{};
+  } traits{};
 };
 
 namespace measure_table {
@@ -98,23 +97,26 @@ namespace measure_table {
 using enum Compared;
 using M = Measures;
 
-constexpr bool moved_plates(const TestName& test) {
+constexpr bool with_moved_plate(const TestName& test) {
   return test.deforms;
 }
-constexpr bool loaded_plates(const TestName& test) {
+constexpr bool with_upper_plate(const TestName& test) {
   return test.upper_plate;
 }
-constexpr bool pushed_plates(const TestName& test) {
+constexpr bool with_pushed_plate(const TestName& test) {
   return test.upper_plate && !test.turns;
 }
-constexpr bool tractions(const TestName& test) {
+constexpr bool with_traction(const TestName& test) {
   return test.value == Test::traction;
 }
-constexpr bool affine_boundaries(const TestName& test) {
+constexpr bool with_affine_boundary(const TestName& test) {
   return test.value == Test::affine;
 }
-constexpr bool beams(const TestName& test) {
+constexpr bool of_beam(const TestName& test) {
   return test.value == Test::bending;
+}
+constexpr bool with_free_surface(const TestName& test) {
+  return test.value != Test::affine;
 }
 
 /// Name, member, label, unit, what it is, and what else there is to say.
@@ -140,10 +142,10 @@ inline constexpr Measure table[] = {
     {"wrinkle_alternation", &M::wrinkle_alternation, "wrinkle alternation", "",
      "how much of what the worst free side does between neighbouring nodes is a "
      "zigzag from cell to cell; none where the amplitude is round-off",
-     {.compared = by_difference}},
+     {.compared = by_difference, .is_of = with_free_surface}},
     {"wrinkle_amplitude", &M::wrinkle_amplitude, "wrinkle amplitude", "",
-     "height of that zigzag over the cell edge",
-     {.compared = by_difference}},
+     "height of that zigzag over edge times strain of the surface",
+     {.compared = by_difference, .is_of = with_free_surface}},
     {"hourglass_alternation", &M::hourglass_alternation, "hourglass alternation", "",
      "how much of the hourglass displacement inside a body of hexahedra alternates "
      "from cell to cell; none where that displacement is round-off",
@@ -153,37 +155,37 @@ inline constexpr Measure table[] = {
      {.compared = by_difference}},
     {"force", &M::force, "force", "N",
      "what the moved plate, or the traction, applies to the body (x, y, z)",
-     {.is_of = loaded_plates}},
+     {.is_of = with_upper_plate}},
     {"torque", &M::torque, "torque vector", "N m",
      "the same about the plate's axis directions, through its centre",
-     {.is_of = moved_plates}},
+     {.is_of = with_moved_plate}},
     {"plate_force", &M::plate_force, "plate force", "N",
      "component of force along the imposed motion or the traction, positive where the "
      "body resists; once the load is gone along what it was",
-     {.is_of = pushed_plates}},
+     {.is_of = with_pushed_plate}},
     {"plate_force_norm", &M::plate_force_norm, "resultant force", "N",
      "length of force",
-     {.is_of = loaded_plates}},
+     {.is_of = with_upper_plate}},
     {"plate_torque", &M::plate_torque, "torque", "N m",
      "component of torque about z",
-     {.is_of = moved_plates}},
+     {.is_of = with_moved_plate}},
     {"face_displacement", &M::face_displacement, "face displacement", "m",
      "area-weighted mean displacement of the loaded face (x, y, z), int u dA/A with "
      "the element's own u (springs: bilinear on each face of a cell)",
-     {.is_of = tractions}},
+     {.is_of = with_traction}},
     {"mean_stress", &M::mean_stress, "mean stress", "Pa",
      "mean first Piola-Kirchhoff stress P = (1/V0) sum r (x) X of the boundary's "
      "reactions r, by rows; tension is positive, columns belong to undeformed normals",
-     {.is_of = affine_boundaries}},
+     {.is_of = with_affine_boundary}},
     {"affine_deviation_relative", &M::affine_deviation_relative, "affine deviation", "",
      "how far the inside is from u = H X, volume-weighted root mean square over the "
      "free nodes, divided by the largest imposed displacement",
-     {.compared = by_difference, .is_of = affine_boundaries, .in_percent = true}},
+     {.compared = by_difference, .is_of = with_affine_boundary, .in_percent = true}},
     {"definite_up_to_deformation", &M::definite_up_to_deformation, "definite up to", "",
      "deformation (load fraction times the whole one, in torsion an angle) up to "
      "which the states reached had a positive definite tangent, where that was lost "
      "on the way",
-     {.is_of = moved_plates}},
+     {.is_of = with_moved_plate}},
     {"critical_wavelength", &M::critical_wavelength, "critical wavelength", "",
      "of solver limit: wavelength of the mode that becomes unstable, in edges between "
      "neighbouring nodes, along the direction in which it is shortest; below 4 it is "
@@ -221,33 +223,33 @@ inline constexpr Measure table[] = {
      {.compared = is_deviation}},
     {"reference_bar_l2_relative", &M::reference_bar_l2_relative,
      "relative error bound of the reference", "",
-     "the same, divided like deviation_l2_relative",
+     "the same as deviation_l2_relative is taken, root mean square and divided",
      {.compared = is_deviation, .in_percent = true}},
     {"tip_deflection", &M::tip_deflection, "tip deflection", "m",
      "displacement of the end face's centre along gravity",
-     {.is_of = beams}},
+     {.is_of = of_beam}},
     {"tip_euler_bernoulli", &M::tip_euler_bernoulli, "tip by Euler and Bernoulli", "m",
      "the tip by Euler and Bernoulli's theory",
-     {.compared = never, .is_of = beams}},
+     {.compared = never, .is_of = of_beam}},
     {"tip_timoshenko", &M::tip_timoshenko, "tip by Timoshenko", "m",
      "the tip by Timoshenko's theory",
-     {.compared = never, .is_of = beams}},
+     {.compared = never, .is_of = of_beam}},
     {"tip_elastica", &M::tip_elastica, "tip by the elastica", "m",
      "the tip by the elastica, of large rotations",
-     {.compared = never, .is_of = beams}},
+     {.compared = never, .is_of = of_beam}},
     {"centre_line_euler_bernoulli", &M::centre_line_euler_bernoulli,
      "centre line off Euler and Bernoulli", "m",
      "largest distance between nodes of the centre line and that theory's points, "
      "across the plane of bending too; of regular grids of even counts only",
-     {.compared = by_difference, .is_of = beams}},
+     {.compared = by_difference, .is_of = of_beam}},
     {"centre_line_timoshenko", &M::centre_line_timoshenko,
      "centre line off Timoshenko", "m",
      "the same, Timoshenko's",
-     {.compared = by_difference, .is_of = beams}},
+     {.compared = by_difference, .is_of = of_beam}},
     {"centre_line_elastica", &M::centre_line_elastica,
      "centre line off the elastica", "m",
      "the same, the elastica's",
-     {.compared = by_difference, .is_of = beams}},
+     {.compared = by_difference, .is_of = of_beam}},
     {"strain_energy", &M::strain_energy, "strain energy", "J",
      "strain energy; none of a measured result"},
     {"kinetic_energy", &M::kinetic_energy, "kinetic energy", "J",
@@ -258,7 +260,7 @@ inline constexpr Measure table[] = {
      "would be",
      {.compared = never}},
     {"wall_s", &M::wall_s, "case time", "s",
-     "wall-clock time of the case, with its meshes and measures",
+     "wall-clock time of the solution and its own measures",
      {.is_time = true}},
     {"solve_wall_s", &M::solve_wall_s, "solution time", "s",
      "wall-clock time of the solution alone",

@@ -9,7 +9,8 @@
 
 namespace springcheck {
 
-/// The measure of that name, of a vector its length; none without.
+/// The measure of that name, of a vector its length, of a matrix its Frobenius norm; none
+/// without.
 Measures::Value measure_of(const Measures& measures, std::string_view name);
 
 /// The name of a measure that is not a finite number; none if all are that are known.

@@ -104,7 +104,7 @@ std::optional<Effort> effort_of(const Reader& reader) {
 
 void check_measures(const StoredCase& stored, const Reader& reader) {
   for (const Measure& measure : measure_list)
-    if (measure.further.is_time && stored.effort)
+    if (measure.traits.is_time && stored.effort)
       static_cast<void>(reader.number(std::string(measure.name)));
   if (const auto name = not_finite(stored.measures))
     reader.refuse(*name, "finite numbers", "others");

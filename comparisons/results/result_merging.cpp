@@ -64,7 +64,7 @@ std::optional<Difference> difference(Row a, Row b) {
   };
   for (const char* free : {"provenance", "family", "identity"}) leave_out(free);
   for (const Measure& measure : measure_list)
-    if (measure.further.is_time) leave_out(measure.name);
+    if (measure.traits.is_time) leave_out(measure.name);
   const std::map<std::string_view, double> largest = largest_measures(a, b);
   const auto largest_beside = [&](const std::string& column) {
     const Measure* measure = find_measure(column);

@@ -1,30 +1,64 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
-#include "comparisons/cases/described.hpp"
-#include "comparisons/tables/plans/sheet_plan.hpp"
+#include "comparisons/cases/named.hpp"
+#include "comparisons/settings/reference_method.hpp"
+#include "comparisons/tables/plans/table_plan.hpp"
+#include "comparisons/tables/thesis/comparison.hpp"
 
 namespace springcheck {
 
-/// Tables of our own, beside those of table_names().
-const std::vector<std::string>& sheet_names();
+/// Where a table's figures come from.
+enum class Source {
+  cases,         // simulations, which a result file keeps and gives back
+  when_printed,  // computed or measured while it is printed: no result file has it
+  counting       // nothing, in a second: stands beside the thesis's tables
+};
 
-/// Those that take many minutes; `reproduce` leaves them out unless asked for all.
-const std::vector<std::string>& long_sheet_names();
+template <>
+inline constexpr std::array value_names<Source>{
+    Named{Source::cases, "cases", "simulations, which result files keep"},
+    Named{Source::when_printed, "when printed",
+          "computed or measured while it is printed"},
+    Named{Source::counting, "counting", "counted, without any simulation"}};
 
-/// Those computed when they are printed, with no case behind them: result files cannot
-/// give them back.
-const std::vector<std::string>& caseless_sheet_names();
+/// A table that `springcheck table` prints, declared once: what computes it, how it is
+/// told of, and where the page shows it.
+struct CatalogueEntry {
+  using OfPrintedFigures = ComparisonPlan (*)(const std::optional<ReferenceMethod>&);
+  using OfOurs = TablePlan (*)();
 
-/// Every table that `springcheck table` prints, and what it shows.
-std::vector<Described> described_tables();
+  std::string_view name, title, description;
+  std::variant<OfPrintedFigures, OfOurs> plan;
+  std::string_view section;  // of the page, by its anchor
+  double minutes;            // about, on two cores, where no case is there yet
+  Source source = Source::cases;
+};
 
-/// Of sheet_names().
-SheetPlan plan_sheet(const std::string& name);
+/// All of them, those of the thesis's printed figures first.
+std::span<const CatalogueEntry> catalogue();
 
-/// Throws InputError for a name that is neither of table_names() nor of sheet_names().
-void check_table_name(const std::string& name);
+/// The one of that name. Throws InputError where there is none.
+const CatalogueEntry& table_named(std::string_view name);
+
+/// Whether it stands beside figures that the thesis printed.
+bool is_of_printed_figures(const CatalogueEntry& entry);
+
+/// Whether it takes so long that `reproduce` leaves it out unless asked for all.
+bool takes_long(const CatalogueEntry& entry);
+
+/// Its plan, whose table has its name and title. `reference` replaces the default of
+/// requests(). Throws InputError for one beside our own tables, which have theirs.
+TablePlan plan_of(const CatalogueEntry& entry,
+                  const std::optional<ReferenceMethod>& reference = std::nullopt);
+
+/// The catalogue as a table: names, minutes, whether cases are behind it, titles.
+Table table_of_tables();
 
 }  // namespace springcheck

@@ -8,8 +8,6 @@
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
-#include "comparisons/tables/catalogue.hpp"
-#include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {
@@ -74,75 +72,54 @@ void append(std::vector<Request>& all, const std::vector<Request>& further) {
   all.insert(all.end(), further.begin(), further.end());
 }
 
-/// Rows with their references, and sheets.
-std::vector<std::vector<Request>> groups_of(const std::vector<TablePlan>& tables,
-                                            const std::vector<SheetPlan>& sheets) {
+/// What is of one revision, or is computed: rows with their references, or whole tables.
+std::vector<std::vector<Request>> groups_of(const std::vector<TablePlan>& plans) {
   std::vector<std::vector<Request>> groups;
-  for (const TablePlan& table : tables)
-    for (const PlannedRow& row : table.rows) {
-      groups.push_back({row.request});
-      for (const CaseSettings& reference : reference_cases(row.request))
-        groups.back().push_back({.settings = reference});
+  for (const TablePlan& plan : plans) {
+    std::span<const Request> left = plan.requests;
+    for (const std::size_t size : plan.row_sizes) {
+      groups.emplace_back(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(size));
+      left = left.subspan(size);
     }
-  for (const SheetPlan& sheet : sheets) groups.push_back(sheet.requests);
+    groups.emplace_back(left.begin(), left.end());
+  }
   return groups;
 }
 
 }  // namespace
 
-std::vector<Request> requests_behind(const std::vector<std::string>& names) {
+std::vector<Request> requests_behind(std::span<const CatalogueEntry* const> entries) {
   std::vector<Request> all;
-  for (const std::string& name : names)
-    append(all, std::ranges::count(sheet_names(), name) > 0
-                    ? plan_sheet(name).requests
-                    : table_requests(plan_table(name, std::nullopt)));
+  for (const CatalogueEntry* entry : entries) append(all, plan_of(*entry).requests);
   return all;
 }
 
-ComputedTables compute_tables(const std::vector<std::string>& names,
+ComputedTables compute_tables(std::span<const CatalogueEntry* const> entries,
                               const std::optional<ReferenceMethod>& reference,
                               MeshStore& meshes, int parallel, const KnownResult& known,
                               const std::function<void(const CaseResult&)>& computed,
                               Revisions revisions) {
   std::vector<TablePlan> plans;
-  std::vector<SheetPlan> sheets;
-  std::vector<Request> all, of_sheets;
-  for (const std::string& name : names) {
-    check_table_name(name);
-    if (std::ranges::count(sheet_names(), name) > 0) {
-      if (reference)
-        throw InputError(reference->place, "", "no reference: table " + name + " has its",
-                         "one");
-      sheets.push_back(plan_sheet(name));
-      append(of_sheets, sheets.back().requests);
-    } else {
-      plans.push_back(plan_table(name, reference));
-      append(all, table_requests(plans.back()));
-    }
+  std::vector<Request> all;
+  for (const CatalogueEntry* entry : entries) {
+    plans.push_back(plan_of(*entry, reference));
+    append(all, plans.back().requests);
   }
-  append(all, of_sheets);
   check_memory("table", all);
-  KnownResult taken = known && !sheets.empty() ? only_with_fields(known) : known;
+  const bool need_fields = std::ranges::any_of(plans, &TablePlan::needs_fields);
+  KnownResult taken = known && need_fields ? only_with_fields(known) : known;
   if (revisions == Revisions::all)
-    taken = in_whole_groups(taken, groups_of(plans, sheets), meshes);
-  ComputedTables answer{.set = {},
+    taken = in_whole_groups(taken, groups_of(plans), meshes);
+  ComputedTables answer{.tables = {},
                         .results = results_of(all, meshes, parallel, taken, computed)};
-  auto next = answer.results.begin();
-  for (TablePlan& plan : plans) {
-    const auto count = static_cast<std::ptrdiff_t>(table_requests(plan).size());
-    const std::vector<CaseResult> results{next, next + count};
-    add_note_of_taken(plan.notes, results);
-    answer.set.tables.push_back(fill_table(std::move(plan), results));
-    next += count;
-  }
-  Progress progress("tables of our own");  // of which some are computed without cases
-  for (const SheetPlan& plan : sheets) {
-    progress.show(answer.set.sheets.size(), sheets.size());
-    const std::size_t count = plan.requests.size();
-    const std::span<const CaseResult> results(next, count);
-    answer.set.sheets.push_back(plan.make(results, meshes));
-    add_note_of_taken(answer.set.sheets.back().notes, results);
-    next += static_cast<std::ptrdiff_t>(count);
+  std::span<const CaseResult> left = answer.results;
+  Progress progress("tables");  // of which some are computed without cases
+  for (const TablePlan& plan : plans) {
+    progress.show(answer.tables.size(), plans.size());
+    const auto results = left.first(plan.requests.size());
+    left = left.subspan(results.size());
+    answer.tables.push_back(plan.make(results, meshes));
+    add_note_of_taken(answer.tables.back().notes, results);
   }
   return answer;
 }

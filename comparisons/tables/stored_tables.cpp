@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "comparisons/results/known_results.hpp"
-#include "comparisons/tables/cases_sheet.hpp"
+#include "comparisons/tables/all_cases_table.hpp"
 #include "comparisons/tables/catalogue.hpp"
 
 namespace springcheck {
@@ -12,37 +14,41 @@ namespace {
 /// A request's result in the file.
 using Find = std::function<std::optional<CaseResult>(const Request&)>;
 
-std::optional<Table> stored_table(const std::string& name, const std::string& file,
-                                  const Find& find) {
-  TablePlan plan = plan_table(name, std::nullopt);
-  std::vector<PlannedRow> rows;
-  std::vector<CaseResult> results;  // in the order of table_requests
-  for (const PlannedRow& row : plan.rows) {
-    auto own = find(row.request);
+std::optional<Table> filled_rows(const CatalogueEntry& entry, const std::string& file,
+                                 const Find& find, MeshStore& meshes) {
+  const TablePlan plan = plan_of(entry);
+  std::vector<std::size_t> rows;
+  std::vector<CaseResult> results;
+  std::span<const Request> left = plan.requests;
+  for (std::size_t row = 0; row < plan.row_sizes.size(); ++row) {
+    const auto requests = left.first(plan.row_sizes[row]);
+    left = left.subspan(requests.size());
+    auto own = find(requests.front());
     if (!own) continue;
     rows.push_back(row);
     results.push_back(std::move(*own));
     const std::string revision = results.back().revision;
-    for (const CaseSettings& reference : reference_cases(row.request)) {
-      auto found = find({.settings = reference});
+    for (const Request& reference : requests.subspan(1)) {
+      auto found = find(reference);
       const bool is_of_row = found && found->revision == revision;
       results.push_back(is_of_row ? *std::move(found) : CaseResult{});
     }
   }
   if (rows.empty()) return std::nullopt;
-  if (rows.size() < plan.rows.size())
-    plan.notes.push_back(
+  Table table = plan.of_rows(rows).make(results, meshes);
+  if (rows.size() < plan.row_sizes.size())
+    table.notes.push_back(
         fmt::format("{} of {} rows: the result file lacks the cases of the others; "
                     "`springcheck table {} --from {}` computes them.",
-                    rows.size(), plan.rows.size(), name, file));
-  plan.rows = std::move(rows);
-  add_note_of_taken(plan.notes, results);
-  return fill_table(std::move(plan), results);
+                    rows.size(), plan.row_sizes.size(), entry.name, file));
+  add_note_of_taken(table.notes, results);
+  return table;
 }
 
-std::optional<Sheet> stored_sheet(const std::string& name, const Find& find,
+/// Of all results or none.
+std::optional<Table> filled_whole(const CatalogueEntry& entry, const Find& find,
                                   MeshStore& meshes) {
-  const SheetPlan plan = plan_sheet(name);
+  const TablePlan plan = plan_of(entry);
   std::vector<CaseResult> results;
   for (const Request& request : plan.requests) {
     auto result = find(request);
@@ -51,15 +57,15 @@ std::optional<Sheet> stored_sheet(const std::string& name, const Find& find,
       return std::nullopt;
     results.push_back(std::move(*result));
   }
-  Sheet sheet = plan.make(results, meshes);
-  add_note_of_taken(sheet.notes, results);
-  return sheet;
+  Table table = plan.make(results, meshes);
+  add_note_of_taken(table.notes, results);
+  return table;
 }
 
 }  // namespace
 
-TableSet stored_tables(const std::filesystem::path& file, MeshStore& meshes,
-                       Revisions revisions) {
+std::vector<Table> stored_tables(const std::filesystem::path& file, MeshStore& meshes,
+                                 Revisions revisions) {
   const StoredCases stored = stored_cases({file}, revisions);
   const auto finder = [&](const KnownResult& known) -> Find {
     return [&meshes, known](const Request& request) {
@@ -68,19 +74,19 @@ TableSet stored_tables(const std::filesystem::path& file, MeshStore& meshes,
   };
   const Find figures = finder(known_figures(stored));
   const Find with_fields = finder(only_with_fields(known_from(stored, meshes)));
-  TableSet set;
-  for (const std::string& name : table_names())
-    if (auto table = stored_table(name, file.filename().string(), figures))
-      set.tables.push_back(std::move(*table));
-  for (const std::string& name : sheet_names()) {
-    if (name == "5.5" && set.tables.empty()) continue;  // needs no case: of the thesis
-    if (std::ranges::count(caseless_sheet_names(), name) > 0) continue;
-    if (auto sheet = stored_sheet(name, with_fields, meshes))
-      set.sheets.push_back(std::move(*sheet));
+  const std::string name = file.filename().string();
+  std::vector<Table> tables;
+  for (const CatalogueEntry& entry : catalogue()) {
+    if (entry.source == Source::when_printed ||
+        (entry.source == Source::counting && tables.empty()))
+      continue;
+    auto table = is_of_printed_figures(entry) ? filled_rows(entry, name, figures, meshes)
+                                              : filled_whole(entry, with_fields, meshes);
+    if (table) tables.push_back(std::move(*table));
   }
   if (!stored.empty()) {
-    set.sheets.push_back(cases_sheet(read_cases(file, revisions)));
-    std::vector<std::string>& notes = set.sheets.back().notes;
+    tables.push_back(all_cases_table(read_cases(file, revisions)));
+    std::vector<std::string>& notes = tables.back().notes;
     if (const OtherRevisions taken = other_revisions(stored); !taken.empty())
       notes.push_back(note_of_taken(taken));
     else if (const std::string note =
@@ -88,7 +94,7 @@ TableSet stored_tables(const std::filesystem::path& file, MeshStore& meshes,
              !note.empty())
       notes.push_back("In the file: " + note + ".");
   }
-  return set;
+  return tables;
 }
 
 }  // namespace springcheck

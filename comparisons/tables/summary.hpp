@@ -1,17 +1,18 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 
 #include "comparisons/cases/status.hpp"
-#include "comparisons/tables/computed_tables.hpp"
+#include "comparisons/formats/table.hpp"
 
 namespace springcheck {
 
 /// In markdown: how all cases of the result file ended, how far mss-cf and fem-hencky are
 /// from the printed figures, and which rows are not ok. statuses: of the cases, by their
 /// keys; seconds: that it took.
-std::string summary(const TableSet& set, const std::map<std::string, Status>& statuses,
-                    double seconds);
+std::string summary(std::span<const Table> tables,
+                    const std::map<std::string, Status>& statuses, double seconds);
 
 }  // namespace springcheck

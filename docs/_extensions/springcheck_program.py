@@ -51,7 +51,7 @@ def table_of(kind, entries):
     first = next(iter(entries.values()))
     columns = [name for name in ("letter", "unit", "units")
                if isinstance(first, dict) and name in first]
-    further = [name for name in ("covers", "settings", "tests", "compared")
+    further = [name for name in ("covers", "settings", "tests", "compared", "minutes", "source")
                if isinstance(first, dict) and name in first]
     # Measures of all tests say so in a word.
     of_all, every = "all", max((entry.get("tests", []) for entry in entries.values()
@@ -74,6 +74,8 @@ def table_of(kind, entries):
 def shown(column, value):
     if column == "letter":
         return f"`{value}`"
+    if isinstance(value, (int, float)):
+        return f"{value:g}"
     return cell(value if isinstance(value, str) else ", ".join(value))
 
 

@@ -33,6 +33,17 @@ def unit(name):
     return _measures[name]["unit"]
 
 
+def heading(name):
+    """ "deviation L2 [%]", with the unit that people read it in."""
+    unit = _measures[name]["shown_unit"]
+    return f"{label(name)} [{unit}]" if unit else label(name)
+
+
+def shown(name, value):
+    """In that unit."""
+    return _measures[name]["shown_factor"] * value
+
+
 def numbers():
     """Names of those that are one number."""
     return [name for name, entry in _measures.items() if entry["components"] == 1]
@@ -69,9 +80,9 @@ def answers():
     }
 
 
-def answer_labels():
-    """Those of every test with an answer."""
-    return {label(entry["answer"]) for entry in _tests.values() if entry["answer"]}
+def answer_names():
+    """Measures that answer a test's load."""
+    return {entry["answer"] for entry in _tests.values() if entry["answer"]}
 
 
 def off(name, values, others):

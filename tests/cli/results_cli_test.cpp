@@ -297,8 +297,8 @@ BOOST_AUTO_TEST_CASE(what_is_taken_of_other_revisions_stays_theirs) {
   BOOST_TEST(mapped.out.find("\n0 simulations computed") != std::string::npos,
              mapped.out);
   BOOST_TEST(mapped.out.find(" of 0123456789ab)") != std::string::npos, mapped.out);
-  const Run sheets = run_springcheck(map + accept + "--format md");
-  BOOST_TEST(sheets.out.find(" of 0123456789ab)") != std::string::npos, sheets.out);
+  const Run tables = run_springcheck(map + accept + "--format md");
+  BOOST_TEST(tables.out.find(" of 0123456789ab)") != std::string::npos, tables.out);
 }
 
 // Two would mix their files: the second waits for nobody, and changes nothing.

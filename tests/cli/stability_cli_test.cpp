@@ -60,10 +60,10 @@ BOOST_AUTO_TEST_CASE(an_atlas_in_which_everything_holds_has_a_page) {
 
 // Pressed bodies fail at the lower end of the axis.
 BOOST_AUTO_TEST_CASE(limits_along_negative_strains_are_bisected_with_their_sign) {
-  const Json sheets = json_of(
+  const Json tables = json_of(
       "stability uniaxial --cells 3,3,3 --method mss-cf --over deformation=-0.6:-0.1:6 "
       "--format json");
-  const Json limit = sheets[1]["rows"][0];
+  const Json limit = tables[1]["rows"][0];
   const double holds = limit["holds"], fails = limit["fails"];
   BOOST_TEST(holds > -0.4);
   BOOST_TEST(holds < -0.3);
@@ -72,10 +72,10 @@ BOOST_AUTO_TEST_CASE(limits_along_negative_strains_are_bisected_with_their_sign)
 }
 
 BOOST_AUTO_TEST_CASE(locking_is_judged_between_the_points_too) {
-  const Json sheets = json_of(
+  const Json tables = json_of(
       "stability compression --cells 3,3,3 --method fem-hooke --element q1 --deformation "
       "10% --over nu=.3,.49 --locking --format json");
-  const Json limit = sheets[1]["rows"][0];
+  const Json limit = tables[1]["rows"][0];
   BOOST_TEST(limit["failure"] == "locking");
   const double holds = limit["holds"], fails = limit["fails"];
   BOOST_TEST(holds >= 0.3);
@@ -86,11 +86,11 @@ BOOST_AUTO_TEST_CASE(locking_is_judged_between_the_points_too) {
 // With next to no face diagonals mss-cf wrinkles, at 2.42 % on 10^3 cells; what is
 // printed of a path is as wide as it was followed, whatever the axis.
 BOOST_AUTO_TEST_CASE(a_paths_limit_is_known_to_its_resolution) {
-  const Json sheets = json_of(
+  const Json tables = json_of(
       "stability compression --cells 4,4,4 --method mss-cf --diagonal-ratio .01 --nu "
       "0.25 "
       "--over deformation=10%:60%:2 --format json");
-  const Json limit = sheets[1]["rows"][0];
+  const Json limit = tables[1]["rows"][0];
   BOOST_TEST(limit["failure"] == "wrinkling");
   BOOST_TEST(limit["wavelength"].get<double>() < 3);
   const double holds = limit["holds"], fails = limit["fails"];
@@ -99,11 +99,11 @@ BOOST_AUTO_TEST_CASE(a_paths_limit_is_known_to_its_resolution) {
 }
 
 BOOST_AUTO_TEST_CASE(steps_above_the_limit_are_run_where_they_are_the_axis) {
-  const Json sheets = json_of(
+  const Json tables = json_of(
       stability +
       "--method mss-cf --solver verlet --duration .5 --over dt=.003:.01:2 --format json");
-  BOOST_TEST(sheets[0]["rows"][1]["failure"] == "blow-up");
-  BOOST_TEST(sheets[1]["rows"][0]["failure"] == "blow-up");
+  BOOST_TEST(tables[0]["rows"][1]["failure"] == "blow-up");
+  BOOST_TEST(tables[1]["rows"][0]["failure"] == "blow-up");
 }
 
 // Seeds have none between them, a mesh's tolerance is no limit of the body, and labels

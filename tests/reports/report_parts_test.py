@@ -2,6 +2,7 @@
 
 import json
 import sys
+import types
 import unittest
 from pathlib import Path
 
@@ -12,8 +13,9 @@ import method_style  # noqa: E402
 import methods  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
+import sections  # noqa: E402
 from bodies import far_apart  # noqa: E402
-from content import file_name, paragraph, table  # noqa: E402
+from content import Section, file_name, paragraph, table, table_links  # noqa: E402
 from figures import error_parts  # noqa: E402
 from figures.cost import pareto_front  # noqa: E402
 from matplotlib.colors import to_rgb  # noqa: E402
@@ -64,10 +66,30 @@ def split_row(method, reference_law, nu, law_percent, bar, cells="5x5x5"):
         "nu": nu,
         "method": method,
         "reference_law": reference_law,
-        "quantity": "plate force",
+        "measure": "plate_force",
         "law_percent": law_percent,
         "law_percent_bar": bar,
     }
+
+
+class FurtherTables(unittest.TestCase):
+    def test_a_table_that_no_section_draws_stands_in_its_own_once(self):
+        def document(name):
+            return {"table": name, "title": f"Of {name}", "columns": [], "rows": [], "notes": []}
+
+        names = {"drawn": "speed", "plain": "speed", "alone": "stability-theory", "not-there": "speed"}
+        study = types.SimpleNamespace(
+            tables={name: document(name) for name in ("drawn", "plain", "alone", "of-a-chart")},
+            vocabulary={"tables": {name: {"section": section} for name, section in names.items()}},
+        )
+        speed = Section("speed", "Speed", [table_links("drawn")])
+        (own,) = sections._further_tables(study, [speed])
+        self.assertEqual((own.name, own.title), ("stability-theory", "Stability theory"))
+        shown = ["".join(section.blocks) for section in (speed, own)]
+        self.assertEqual([text.count("<h3>Of plain</h3>") for text in shown], [1, 0])
+        self.assertEqual([text.count("<h3>Of alone</h3>") for text in shown], [0, 1])
+        self.assertNotIn("Of drawn", shown[0])
+        self.assertNotIn("of-a-chart", "".join(shown))
 
 
 class LawParts(unittest.TestCase):
@@ -82,7 +104,7 @@ class LawParts(unittest.TestCase):
             split_row("mss-cf", "fem-hencky", 0.25, -36.3, 0.1),
             split_row("mss-stvk", "fem-stvk", 0.25, -1e-13, 1e-6),
             split_row("mss-stvk", "fem-hencky", 0.25, None, None),
-            {**split_row("mss-stvk", "fem-stvk", 0.25, 1, 1), "quantity": "volume change"},
+            {**split_row("mss-stvk", "fem-stvk", 0.25, 1, 1), "measure": "volume_change"},
         ]
         (figure,) = laws._law_parts({"rows": rows})
         names, panels = figure.arguments

@@ -14,7 +14,7 @@ namespace springcheck {
 inline const Changes exact_elements{
     {"method", "fem-hooke"}, {"element", "q2"}, {"linear-solver", "direct"}};
 
-/// The simulations of a sheet while it is planned: each is known by its place.
+/// The simulations of a table while it is planned: each is known by its place.
 class PlannedRequests {
  public:
   std::size_t add(const CaseSettings& settings) {

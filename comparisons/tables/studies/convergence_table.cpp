@@ -1,4 +1,4 @@
-#include "comparisons/tables/studies/study_tables.hpp"
+#include "comparisons/tables/studies/convergence_table.hpp"
 
 #include <fmt/format.h>
 
@@ -77,7 +77,7 @@ double exact_force(std::span<const CaseResult> grids) {
       .value;
 }
 
-void add_rows(Sheet& sheet, const PlannedSeries& planned,
+void add_rows(Table& table, const PlannedSeries& planned,
               std::span<const CaseResult> results, MeshStore& meshes) {
   const double exact = exact_force(results.subspan(planned.exact, 3));
   const auto runs = results.subspan(planned.first, divisions.size());
@@ -93,7 +93,7 @@ void add_rows(Sheet& sheet, const PlannedSeries& planned,
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const CaseSettings& settings = runs[i].request.settings;
     const Mesh& mesh = meshes.mesh(settings.body);
-    sheet.rows.push_back(
+    table.rows.push_back(
         {.cells = {label(settings), name_of(settings.body.block.pattern), planned.nu,
                    divisions[i], sizes[i], mesh.cells().size(), mesh.nodes().size(),
                    value_or_status(in_percent(forces[i]), runs[i]), force_order,
@@ -106,7 +106,7 @@ void add_rows(Sheet& sheet, const PlannedSeries& planned,
 
 }  // namespace
 
-SheetPlan plan_convergence_table() {
+TablePlan plan_convergence_table() {
   std::vector<Request> requests;
   std::vector<PlannedSeries> all;
   for (const double nu : ratios) {
@@ -125,9 +125,7 @@ SheetPlan plan_convergence_table() {
   }
   return {.requests = requests,
           .make = [all](std::span<const CaseResult> results, MeshStore& meshes) {
-            Sheet sheet{
-                .name = "convergence",
-                .title = "Convergence in the mesh: shearing at a deformation of 1e-5",
+            Table table{
                 .columns = {{"method", "method"},
                             {"cell_type", "cell type"},
                             {"nu", "nu", "{}"},
@@ -148,8 +146,8 @@ SheetPlan plan_convergence_table() {
                     "displacement. Orders: least squares over the four meshes. The edges "
                     "of glued plates are singular: no method of low order reaches 2."}};
             for (const PlannedSeries& series : all)
-              add_rows(sheet, series, results, meshes);
-            return sheet;
+              add_rows(table, series, results, meshes);
+            return table;
           }};
 }
 

@@ -1,4 +1,4 @@
-#include "comparisons/tables/studies/study_tables.hpp"
+#include "comparisons/tables/studies/dynamics_table.hpp"
 
 #include <fmt/format.h>
 
@@ -50,10 +50,8 @@ std::optional<double> energy_ratio(const Measures& m) {
   return *m.kinetic_energy / *m.strain_energy;
 }
 
-Sheet filled(std::span<const CaseResult> results) {
-  Sheet sheet{
-      .name = "dynamics",
-      .title = "Statics and dynamics: mss-cf's figures of tables 5.1 to 5.4",
+Table filled(std::span<const CaseResult> results) {
+  Table table{
       .columns = {{"test", "test"},
                   {"nu", "nu", "{:g}"},
                   {"deformation", "deformation"},
@@ -85,7 +83,7 @@ Sheet filled(std::span<const CaseResult> results) {
       return value_or_status(measured ? std::optional(factor * *measured) : std::nullopt,
                              result);
     };
-    SheetRow row{.cells = {name_of(figure.test), figure.nu,
+    TableRow row{.cells = {name_of(figure.test), figure.nu,
                            deformation_text(figure.test, figure.deformation),
                            printed.name, figure.value, value(still, printed.factor)},
                  .cases = {still.key, moved.key, raw.key}};
@@ -96,15 +94,15 @@ Sheet filled(std::span<const CaseResult> results) {
       row.cells.push_back(result->request.settings.dynamics.damping_ratio);
       row.cells.push_back(energy_ratio(result->measures));
     }
-    sheet.rows.push_back(std::move(row));
+    table.rows.push_back(std::move(row));
   }
-  return sheet;
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_dynamics_table() {
-  SheetPlan plan{.make = [](std::span<const CaseResult> results, MeshStore&) {
+TablePlan plan_dynamics_table() {
+  TablePlan plan{.make = [](std::span<const CaseResult> results, MeshStore&) {
     return filled(results);
   }};
   for (const auto& [printed, figure] : figures())

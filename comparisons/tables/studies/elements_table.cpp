@@ -1,4 +1,4 @@
-#include "comparisons/tables/studies/study_tables.hpp"
+#include "comparisons/tables/studies/elements_table.hpp"
 
 #include <fmt/format.h>
 
@@ -202,11 +202,9 @@ std::vector<std::string> notes_on(const CaseResult& result) {
   return {fmt::format("Refused: {}.", result.reason)};
 }
 
-Sheet elements_sheet(const std::vector<PlannedElementsRow>& rows,
+Table elements_table(const std::vector<PlannedElementsRow>& rows,
                      std::span<const CaseResult> results, MeshStore& meshes) {
-  Sheet sheet{
-      .name = "elements",
-      .title = "Springs and finite elements on any cells, about 5 across",
+  Table table{
       .columns = {{"mesh", "mesh"},
                   {"cells", "cells", "{:.0f}"},
                   {"method", "method"},
@@ -219,22 +217,22 @@ Sheet elements_sheet(const std::vector<PlannedElementsRow>& rows,
           "own continuum, of springs that follow a law of finite elements that law. Van "
           "Gelder's and Lloyd's springs have no law."}};
   for (const LoadCase& test : tests)
-    sheet.columns.push_back(
+    table.columns.push_back(
         {"off_q2_" + test.scene, test.scene + ", off q2 [%]", "{:.2f}"});
   for (const LoadCase& test : tests)
-    sheet.columns.push_back({"off_truth_" + test.scene,
+    table.columns.push_back({"off_truth_" + test.scene,
                              test.scene + ", off the converged value [%]", "{:.2f}"});
   for (const LoadCase& test : tests)
-    sheet.columns.push_back(
+    table.columns.push_back(
         {"truth_bar_" + test.scene, test.scene + ", converged +- [%]", "{:.2g}"});
   for (const LoadCase& test : tests)
-    sheet.columns.push_back(
+    table.columns.push_back(
         {"volume_" + test.scene, test.scene + ", volume off its law [points]", "{:.4f}"});
-  sheet.columns.push_back({"status", "status at 5 %"});
+  table.columns.push_back({"status", "status at 5 %"});
 
   for (const PlannedElementsRow& planned : rows) {
     const CaseResult& first = results[planned.small[0]];
-    SheetRow row{
+    TableRow row{
         .cells = {planned.mesh, cell_count(meshes.mesh(first.request.settings.body)),
                   planned.method.label, planned.nu},
         .notes = notes_on(first)};
@@ -266,19 +264,19 @@ Sheet elements_sheet(const std::vector<PlannedElementsRow>& rows,
     if (planned.same_law)
       for (const std::size_t place : *planned.same_law)
         row.cases.push_back(results[place].key);
-    sheet.rows.push_back(std::move(row));
+    table.rows.push_back(std::move(row));
   }
-  return sheet;
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_elements_table() {
+TablePlan plan_elements_table() {
   PlannedRequests requests;
   const std::vector<PlannedElementsRow> rows = plan_rows(requests);
   return {.requests = requests.take(),
           .make = [rows](std::span<const CaseResult> results, MeshStore& meshes) {
-            return elements_sheet(rows, results, meshes);
+            return elements_table(rows, results, meshes);
           }};
 }
 

@@ -1,4 +1,4 @@
-#include "comparisons/tables/studies/study_tables.hpp"
+#include "comparisons/tables/studies/growth_table.hpp"
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -98,7 +98,7 @@ std::vector<Growing> all_growing(const std::vector<int>& wide,
   return all;
 }
 
-void add_rows(Sheet& sheet, const Growing& growing, double most_seconds) {
+void add_rows(Table& table, const Growing& growing, double most_seconds) {
   std::vector<double> cells, seconds, bytes;
   std::map<double, double> seconds_by_cells;
   for (const int n : growing.across) {
@@ -112,7 +112,7 @@ void add_rows(Sheet& sheet, const Growing& growing, double most_seconds) {
     const std::optional<Cost> cost = reason.empty() ? growing.cost(n) : std::nullopt;
     if (reason.empty() && !cost) reason = "failed";
     if (!reason.empty()) {
-      sheet.notes.push_back(fmt::format("{}, {}, {:.0f} cells: {}.", growing.model,
+      table.notes.push_back(fmt::format("{}, {}, {:.0f} cells: {}.", growing.model,
                                         growing.what, count, reason));
       continue;
     }
@@ -127,7 +127,7 @@ void add_rows(Sheet& sheet, const Growing& growing, double most_seconds) {
     memory_exponent = fitted_order(cells, bytes);
   }
   for (std::size_t i = 0; i < cells.size(); ++i)
-    sheet.rows.push_back(
+    table.rows.push_back(
         {.cells = {growing.model, growing.what, cells[i], seconds[i],
                    1e9 * seconds[i] / cells[i], time_exponent,
                    bytes[i] > 0 ? std::optional(bytes[i] / 1e6) : std::nullopt,
@@ -136,11 +136,9 @@ void add_rows(Sheet& sheet, const Growing& growing, double most_seconds) {
 
 }  // namespace
 
-Sheet growth_sheet(const std::vector<int>& across,
+Table growth_table(const std::vector<int>& across,
                    const std::vector<int>& across_directly, double most_seconds) {
-  Sheet sheet{
-      .name = "growth",
-      .title = "How time and memory grow with the cells",
+  Table table{
       .columns = {{"model", "model"},
                   {"what", "what"},
                   {"cells", "cells", "{:.0f}"},
@@ -161,14 +159,14 @@ Sheet growth_sheet(const std::vector<int>& across,
   Progress progress("series");
   for (std::size_t i = 0; i < all.size(); ++i) {
     progress.show(i, all.size());
-    add_rows(sheet, all[i], most_seconds);
+    add_rows(table, all[i], most_seconds);
   }
-  return sheet;
+  return table;
 }
 
-SheetPlan plan_growth_table() {
+TablePlan plan_growth_table() {
   return {.make = [](std::span<const CaseResult>, MeshStore&) {
-    return growth_sheet({10, 22, 46, 100}, {10, 14, 20, 28});
+    return growth_table({10, 22, 46, 100}, {10, 14, 20, 28});
   }};
 }
 

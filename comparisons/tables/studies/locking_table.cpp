@@ -1,4 +1,4 @@
-#include "comparisons/tables/studies/study_tables.hpp"
+#include "comparisons/tables/studies/locking_table.hpp"
 
 #include <fmt/format.h>
 
@@ -19,10 +19,8 @@ std::optional<double> ratio(const std::optional<double>& a,
   return *a / *b;
 }
 
-Sheet locking_sheet(std::span<const CaseResult> results) {
-  Sheet sheet{
-      .name = "locking",
-      .title = "Locking: plate force in compression by 5 % near nu = 0.5, by element",
+Table locking_table(std::span<const CaseResult> results) {
+  Table table{
       .columns = {{"law", "law"},
                   {"nu", "nu", "{}"},
                   {"element", "element"},
@@ -46,7 +44,7 @@ Sheet locking_sheet(std::span<const CaseResult> results) {
       const CaseResult& result = same_problem[i];
       const CaseSettings& settings = result.request.settings;
       const auto& e = result.measures.volume_error;
-      sheet.rows.push_back(
+      table.rows.push_back(
           {.cells = {settings.method.name, settings.material.poisson_ratio,
                      element_names[i], value_or_status(force_of(i), result),
                      ratio(force_of(i), force_of(1)), ratio(force_of(i), force_of(2)),
@@ -54,14 +52,14 @@ Sheet locking_sheet(std::span<const CaseResult> results) {
            .cases = {result.key}});
     }
   }
-  return sheet;
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_locking_table() {
-  SheetPlan plan{.make = [](std::span<const CaseResult> results, MeshStore&) {
-    return locking_sheet(results);
+TablePlan plan_locking_table() {
+  TablePlan plan{.make = [](std::span<const CaseResult> results, MeshStore&) {
+    return locking_table(results);
   }};
   for (const std::string& law : laws_that_lock)
     for (const double nu : ratios)

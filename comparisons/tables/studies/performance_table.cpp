@@ -1,4 +1,4 @@
-#include "comparisons/tables/studies/study_tables.hpp"
+#include "comparisons/tables/studies/performance_table.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -83,10 +83,8 @@ const std::vector<Timed>& timed_methods() {
   return all;
 }
 
-Sheet measured_sheet() {
-  Sheet sheet{
-      .name = "performance",
-      .title = "Time of explicit steps, figures 5.20 to 5.25 and the two printed times",
+Table measured_table() {
+  Table table{
       .columns = {{"scene", "scene"},
                   {"figures", "figures"},
                   {"cells", "cells", "{:.0f}"},
@@ -141,7 +139,7 @@ Sheet measured_sheet() {
           const auto if_printed = [&](double value) {
             return Cell{is_printed ? std::optional(value) : std::nullopt};
           };
-          sheet.rows.push_back(
+          table.rows.push_back(
               {.cells = {study.name, study.figures, count,
                          is_naive ? "plain loops" : timed.method,
                          name_of(timed.precision), threads, 1e9 * time.real / count,
@@ -154,13 +152,13 @@ Sheet measured_sheet() {
                          if_printed(study.printed_steps * time.real)}});
         }
     }
-  return sheet;
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_performance_table() {
-  return without_cases(measured_sheet);
+TablePlan plan_performance_table() {
+  return without_cases(measured_table);
 }
 
 }  // namespace springcheck

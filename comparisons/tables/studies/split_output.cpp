@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/formats/text_table.hpp"
 #include "comparisons/measures/measure_list.hpp"
 #include "comparisons/settings/setting.hpp"
-#include "comparisons/sheets/text_table.hpp"
 
 namespace springcheck {
 namespace {

@@ -1,4 +1,4 @@
-#include "comparisons/tables/studies/study_tables.hpp"
+#include "comparisons/tables/studies/split_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -97,7 +97,7 @@ std::vector<std::string> keys_of(const SplitQuantity& quantity,
   return keys;
 }
 
-SheetRow row_of(const SplitQuantity& quantity, const Split& split,
+TableRow row_of(const SplitQuantity& quantity, const Split& split,
                 const CaseResult& springs) {
   const CaseSettings& settings = split.plan.springs;
   const Measure& measure = *find_measure(quantity.name);
@@ -128,14 +128,15 @@ SheetRow row_of(const SplitQuantity& quantity, const Split& split,
                     percent(quantity.discretisation.value, quantity),
                     quantity.is_resolved() ? "resolved" : "unresolved"},
           .notes = split.reasons,
-          .cases = keys_of(quantity, springs)};
+          .cases = keys_of(quantity, springs),
+          .in_json = {{"measure", quantity.name}}};
 }
 
-Sheet sheet_of(const char* name, const char* title, const std::vector<Split>& splits,
-               const std::vector<CaseResult>& springs) {
-  Sheet sheet{
-      .name = name,
-      .title = title,
+}  // namespace
+
+Table split_table(const std::vector<Split>& splits,
+                  const std::vector<CaseResult>& springs) {
+  Table table{
       .columns = {{"scene", "scene"},
                   {"load", "load"},
                   {"cells", "cells"},
@@ -182,20 +183,20 @@ Sheet sheet_of(const char* name, const char* title, const std::vector<Split>& sp
           "is unresolved."}};
   for (std::size_t i = 0; i < splits.size(); ++i)
     for (const SplitQuantity& quantity : splits[i].quantities)
-      sheet.rows.push_back(row_of(quantity, splits[i], springs[i]));
-  return sheet;
+      table.rows.push_back(row_of(quantity, splits[i], springs[i]));
+  return table;
 }
 
-SheetPlan plan_of(const std::vector<SplitPlan>& splits,
-                  Sheet (*sheet)(const std::vector<Split>&,
-                                 const std::vector<CaseResult>&)) {
-  SheetPlan plan;
+namespace {
+
+TablePlan plan_of(const std::vector<SplitPlan>& splits) {
+  TablePlan plan;
   for (const SplitPlan& split : splits) {
     plan.requests.push_back({.settings = split.springs});
     const std::vector<Request> grids = split_requests(split);
     plan.requests.insert(plan.requests.end(), grids.begin(), grids.end());
   }
-  plan.make = [splits, sheet](std::span<const CaseResult> results, MeshStore& meshes) {
+  plan.make = [splits](std::span<const CaseResult> results, MeshStore& meshes) {
     std::vector<Split> computed;
     std::vector<CaseResult> springs;
     for (const SplitPlan& split : splits) {
@@ -205,33 +206,19 @@ SheetPlan plan_of(const std::vector<SplitPlan>& splits,
           split_error(split, results.front(), results.subspan(1, grids), meshes));
       results = results.subspan(1 + grids);
     }
-    return sheet(computed, springs);
+    return split_table(computed, springs);
   };
   return plan;
 }
 
-Sheet laws_sheet(const std::vector<Split>& splits,
-                 const std::vector<CaseResult>& springs) {
-  return sheet_of("laws",
-                  "Springs of all laws in large deformation: law and discretisation",
-                  splits, springs);
-}
-
 }  // namespace
 
-Sheet split_sheet(const std::vector<Split>& splits,
-                  const std::vector<CaseResult>& springs) {
-  return sheet_of("split",
-                  "Where mss-cf's error comes from, nu = 0.25: law and discretisation",
-                  splits, springs);
+TablePlan plan_split_table() {
+  return plan_of(five_tests());
 }
 
-SheetPlan plan_split_table() {
-  return plan_of(five_tests(), split_sheet);
-}
-
-SheetPlan plan_laws_table() {
-  return plan_of(large_deformation(), laws_sheet);
+TablePlan plan_laws_table() {
+  return plan_of(large_deformation());
 }
 
 }  // namespace springcheck

@@ -1,4 +1,4 @@
-#include "comparisons/tables/studies/study_tables.hpp"
+#include "comparisons/tables/studies/subdivision_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +70,7 @@ Cell change_cell(const std::optional<double>& of_child,
   return {100 * (*of_child / *of_parent - 1)};
 }
 
-SheetRow row_of(const PlannedPair& pair, std::span<const CaseResult> results) {
+TableRow row_of(const PlannedPair& pair, std::span<const CaseResult> results) {
   const CaseResult &parent = results[pair.parent], &child = results[pair.child];
   const SplitMeasure answer = answer_to_load(child.request.settings.test).value();
   const auto &volume = child.measures.volume_change,
@@ -89,7 +89,7 @@ SheetRow row_of(const PlannedPair& pair, std::span<const CaseResult> results) {
 
 }  // namespace
 
-SheetPlan plan_subdivision_table() {
+TablePlan plan_subdivision_table() {
   PlannedRequests requests;
   std::vector<PlannedPair> pairs;
   for (const Changes& method : methods_compared)
@@ -107,9 +107,7 @@ SheetPlan plan_subdivision_table() {
   return {
       .requests = requests.take(),
       .make = [pairs](std::span<const CaseResult> results, MeshStore&) {
-        Sheet sheet{
-            .name = "subdivision",
-            .title = "Cells against what they can be cut into, nu = 0.25",
+        Table table{
             .columns = {{"method", "method"},
                         {"test", "test"},
                         {"amount", "deformation"},
@@ -125,8 +123,8 @@ SheetPlan plan_subdivision_table() {
                       "displacement. Source of the subdivisions: Golec 2018, section "
                       "6.1; of prisms into three tetrahedra (tetrahedron) and six "
                       "(tetrahedron-12)."}};
-        for (const PlannedPair& pair : pairs) sheet.rows.push_back(row_of(pair, results));
-        return sheet;
+        for (const PlannedPair& pair : pairs) table.rows.push_back(row_of(pair, results));
+        return table;
       }};
 }
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "comparisons/cases/case.hpp"
+#include "comparisons/formats/table.hpp"
 #include "comparisons/modes/beam_frequencies.hpp"
 #include "comparisons/modes/beam_motion.hpp"
-#include "comparisons/sheets/sheet.hpp"
 
 namespace springcheck {
 

@@ -1,4 +1,4 @@
-#include "comparisons/tables/theory/theory_tables.hpp"
+#include "comparisons/tables/theory/four_springs_table.hpp"
 
 #include <fmt/format.h>
 
@@ -21,16 +21,14 @@ double centre_on_paper(double zeta) {
   return std::abs(zeta) > 0.5 ? 0 : std::sqrt(0.25 - zeta * zeta);
 }
 
-void add_row(Sheet& sheet, const char* part, double zeta, double x) {
-  sheet.rows.push_back({.cells = {part, zeta, mss::forces_at(unit, x, zeta).top,
+void add_row(Table& table, const char* part, double zeta, double x) {
+  table.rows.push_back({.cells = {part, zeta, mss::forces_at(unit, x, zeta).top,
                                   force_on_paper(zeta), x, centre_on_paper(zeta)}});
 }
 
-Sheet four_springs_sheet() {
+Table four_springs_table() {
   const double critical = mss::bifurcation(unit);
-  Sheet sheet{
-      .name = "four-springs",
-      .title = "The four springs that buckle, figure 3.2",
+  Table table{
       .columns = {{"part", "part"},
                   {"zeta", "zeta", "{:.4f}"},
                   {"force", "F_A/(k l)", "{:.4f}"},
@@ -50,21 +48,21 @@ Sheet four_springs_sheet() {
           "and beyond -k l/2 from -1/2 to 3/2, where the thesis's text has 1/2."}};
   for (int tenths = 15; tenths >= -15; --tenths) {
     const double zeta = tenths / 10.;
-    add_row(sheet, "held", zeta, mss::centre_at_rest(unit, zeta));
+    add_row(table, "held", zeta, mss::centre_at_rest(unit, zeta));
   }
   constexpr int steps = 8;
   constexpr double load_step = 0.12;  // jumps fall between two loads
   const auto loop = mss::hysteresis_loop(unit, load_step, steps);
   for (std::size_t i = 0; i < loop.size(); ++i)
-    add_row(sheet, i > steps && i <= 3 * steps ? "load goes back" : "load grows",
+    add_row(table, i > steps && i <= 3 * steps ? "load goes back" : "load grows",
             loop[i].zeta, loop[i].x);
-  return sheet;
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_four_springs_table() {
-  return without_cases(four_springs_sheet);
+TablePlan plan_four_springs_table() {
+  return without_cases(four_springs_table);
 }
 
 }  // namespace springcheck

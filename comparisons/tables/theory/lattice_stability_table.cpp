@@ -1,4 +1,4 @@
-#include "comparisons/tables/theory/theory_tables.hpp"
+#include "comparisons/tables/theory/lattice_stability_table.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -100,10 +100,8 @@ void add_cells(std::vector<Cell>& cells, const LatticeLimit& limit) {
       {std::isinf(length) ? std::nullopt : std::optional(length), "infinite"});
 }
 
-Sheet lattice_stability_sheet(MeshStore& meshes) {
-  Sheet sheet{
-      .name = "lattice-stability",
-      .title = "First loss of stability of the infinite lattice under uniaxial stress",
+Table lattice_stability_table(MeshStore& meshes) {
+  Table table{
       .columns = {{"method", "method"},
                   {"diagonal_ratio", "A", "{:.4g}"},
                   {"nu", "nu", "{}"}},
@@ -135,7 +133,7 @@ Sheet lattice_stability_sheet(MeshStore& meshes) {
           {"loss", "lost", ""},
           {"wave", "wave", ""},
           {"wavelength", "wavelength [cells]", "{:.2f}"}})
-      sheet.columns.push_back({.key = fmt::format("{}_{}", load, key),
+      table.columns.push_back({.key = fmt::format("{}_{}", load, key),
                                .heading = fmt::format("{}: {}", load, heading),
                                .format = format});
   const std::vector<Row> rows = all_rows(meshes);
@@ -146,19 +144,19 @@ Sheet lattice_stability_sheet(MeshStore& meshes) {
                  mss::uniaxial_limit(cell, UniaxialLoad::tension, most_tension)};
   });
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    SheetRow row{
+    TableRow row{
         .cells = {rows[i].method, rows[i].diagonal_ratio, rows[i].poisson_ratio}};
     for (const LatticeLimit& limit : limits[i]) add_cells(row.cells, limit);
-    sheet.rows.push_back(std::move(row));
+    table.rows.push_back(std::move(row));
   }
-  return sheet;
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_lattice_stability_table() {
+TablePlan plan_lattice_stability_table() {
   return {.make = [](std::span<const CaseResult>, MeshStore& meshes) {
-    return lattice_stability_sheet(meshes);
+    return lattice_stability_table(meshes);
   }};
 }
 

@@ -1,4 +1,4 @@
-#include "comparisons/tables/theory/theory_tables.hpp"
+#include "comparisons/tables/theory/modes_table.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -43,10 +43,8 @@ const std::vector<SwingingBody>& bodies() {
   return all;
 }
 
-Sheet empty_sheet() {
-  Sheet sheet{
-      .name = "modes",
-      .title = "Lowest natural frequencies of a free cube and of a cantilever",
+Table empty_table() {
+  Table table{
       .columns = {{"body", "body"},
                   {"nu", "nu", "{}"},
                   {"modes", "modes"},
@@ -86,13 +84,13 @@ Sheet empty_sheet() {
                                      {"cf", "mss-cf"},
                                      {"affine", "mss-affine"},
                                      {"nfd", "mss-nfd"}}) {
-    sheet.columns.push_back({key, fmt::format("{} [Hz]", heading), "{:.3f}"});
-    sheet.columns.push_back(
+    table.columns.push_back({key, fmt::format("{} [Hz]", heading), "{:.3f}"});
+    table.columns.push_back(
         {fmt::format("{}_off", key), fmt::format("{} off [%]", heading), "{:.2f}"});
   }
-  sheet.columns.push_back({"mac", "MAC", "{:.3f}"});
-  sheet.columns.push_back({"status", "status"});
-  return sheet;
+  table.columns.push_back({"mac", "MAC", "{:.3f}"});
+  table.columns.push_back({"status", "status"});
+  return table;
 }
 
 std::string numbers(const Multiplet& multiplet) {
@@ -121,7 +119,7 @@ std::vector<std::string> body_notes(const MethodModes& method,
   return notes;
 }
 
-std::vector<SheetRow> rows_of(const SwingingBody& body, double nu, MeshStore& meshes) {
+std::vector<TableRow> rows_of(const SwingingBody& body, double nu, MeshStore& meshes) {
   const CaseSettings settings = case_of_scene(
       body.scene, body.changes + Changes{{"nu", nu}, {"method", "fem-hooke"}});
   const Mesh& mesh = meshes.mesh(settings.body);
@@ -137,9 +135,9 @@ std::vector<SheetRow> rows_of(const SwingingBody& body, double nu, MeshStore& me
                                       polynomial_degree, polynomial_modes, mesh.nodes()));
   BeamCells beam(settings, mesh);
 
-  std::vector<SheetRow> rows;
+  std::vector<TableRow> rows;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    SheetRow row{
+    TableRow row{
         .cells = {body.name, settings.material.poisson_ratio, numbers(groups[i])}};
     const std::vector<Cell> theory =
         body.hold == Hold::free ? std::vector<Cell>{{}, {}, exact[i].frequency}
@@ -156,7 +154,7 @@ std::vector<SheetRow> rows_of(const SwingingBody& body, double nu, MeshStore& me
   std::string status;
   for (const MethodModes& method : std::span(all).subspan(1)) {
     if (!method.modes) {
-      for (SheetRow& row : rows) row.cells.insert(row.cells.end(), {method.reason, {}});
+      for (TableRow& row : rows) row.cells.insert(row.cells.end(), {method.reason, {}});
       status += (status.empty() ? "" : ", ") + method.method + " " + method.reason;
       continue;
     }
@@ -183,19 +181,19 @@ std::vector<SheetRow> rows_of(const SwingingBody& body, double nu, MeshStore& me
 
 }  // namespace
 
-SheetPlan plan_modes_table() {
+TablePlan plan_modes_table() {
   return {.make = [](std::span<const CaseResult>, MeshStore& meshes) {
-    Sheet sheet = empty_sheet();
+    Table table = empty_table();
     std::vector<std::pair<const SwingingBody*, double>> all;
     for (const SwingingBody& body : bodies())
       for (const double nu : body.ratios) all.emplace_back(&body, nu);
-    std::vector<std::vector<SheetRow>> rows(all.size());
+    std::vector<std::vector<TableRow>> rows(all.size());
     tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
       rows[i] = rows_of(*all[i].first, all[i].second, meshes);
     });
-    for (std::vector<SheetRow>& some : rows)
-      std::ranges::move(some, std::back_inserter(sheet.rows));
-    return sheet;
+    for (std::vector<TableRow>& some : rows)
+      std::ranges::move(some, std::back_inserter(table.rows));
+    return table;
   }};
 }
 

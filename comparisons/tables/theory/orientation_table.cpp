@@ -1,4 +1,4 @@
-#include "comparisons/tables/theory/theory_tables.hpp"
+#include "comparisons/tables/theory/orientation_table.hpp"
 
 #include <fmt/format.h>
 
@@ -100,15 +100,15 @@ CaseSettings sheared_case(double nu, double strain, const Turn& turn, Changes me
 /// A row's stresses, one for each column of springs.
 using Stresses = std::array<std::optional<double>, columns>;
 
-void add_row(Sheet& sheet, std::string_view load, double nu, double strain,
+void add_row(Table& table, std::string_view load, double nu, double strain,
              std::string_view direction, std::span<const CaseResult> results,
              const Stresses& stress, const Stresses& off) {
-  SheetRow row{.cells = {std::string(load), nu, strain, std::string(direction)}};
+  TableRow row{.cells = {std::string(load), nu, strain, std::string(direction)}};
   for (std::size_t i = 0; i < columns; ++i)
     row.cells.push_back(value_or_status(stress[i], results[i]));
   for (std::size_t i = lattice_springs; i < columns; ++i) row.cells.emplace_back(off[i]);
   for (std::size_t i = 0; i < columns; ++i) row.cases.push_back(results[i].key);
-  sheet.rows.push_back(std::move(row));
+  table.rows.push_back(std::move(row));
 }
 
 /// Each over the first direction's less 1, in percent.
@@ -149,10 +149,8 @@ std::array<Stresses, 2> shear_stresses(std::span<const CaseResult> results,
   return {stress, off};
 }
 
-Sheet orientation_sheet(std::span<const CaseResult> results) {
-  Sheet sheet{
-      .name = "orientation",
-      .title = "Stress against the direction of the load in the springs' frame",
+Table orientation_table(std::span<const CaseResult> results) {
+  Table table{
       .columns = {{"load", "load"},
                   {"nu", "nu", "{}"},
                   {"strain", "strain", "{}"},
@@ -187,7 +185,7 @@ Sheet orientation_sheet(std::span<const CaseResult> results) {
     const LatticeDirection direction = settings.elements.lattice_direction;
     const Stresses stress = uniaxial_stresses(row);
     if (direction == LatticeDirection::d100) along_100 = stress;
-    add_row(sheet, uniaxial, settings.material.poisson_ratio, *settings.deformation,
+    add_row(table, uniaxial, settings.material.poisson_ratio, *settings.deformation,
             name_of(direction), row, stress, off_first(stress, along_100));
   }
   const std::vector<Turn> all = turns();
@@ -197,18 +195,18 @@ Sheet orientation_sheet(std::span<const CaseResult> results) {
     for (std::size_t t = 0; t < all.size(); ++t) {
       const auto here = row.subspan(columns * t, columns);
       const auto [stress, off] = shear_stresses(here, row, all[t], strain);
-      add_row(sheet, shear, first.material.poisson_ratio, strain, all[t].name, here,
+      add_row(table, shear, first.material.poisson_ratio, strain, all[t].name, here,
               stress, off);
     }
   }
-  return sheet;
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_orientation_table() {
-  SheetPlan plan{.make = [](std::span<const CaseResult> results, MeshStore&) {
-    return orientation_sheet(results);
+TablePlan plan_orientation_table() {
+  TablePlan plan{.make = [](std::span<const CaseResult> results, MeshStore&) {
+    return orientation_table(results);
   }};
   const auto add = [&](CaseSettings settings) {
     plan.requests.push_back({.settings = std::move(settings)});

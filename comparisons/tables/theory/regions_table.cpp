@@ -1,4 +1,4 @@
-#include "comparisons/tables/theory/theory_tables.hpp"
+#include "comparisons/tables/theory/regions_table.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -10,24 +10,22 @@ namespace {
 
 using dynamics::Integrator;
 
-void add_point(Sheet& sheet, const char* figure, const char* name, Integrator integrator,
+void add_point(Table& table, const char* figure, const char* name, Integrator integrator,
                double zeta) {
   const double r = region_border(integrator, zeta);
   const bool has_gamma = std::abs(zeta) <= 1;  // else two, and real
   const auto if_gamma = [&](double value) {
     return Cell{has_gamma ? std::optional(value) : std::nullopt};
   };
-  sheet.rows.push_back(
+  table.rows.push_back(
       {.cells = {figure, name, zeta, r, border_on_paper(integrator, zeta),
                  if_gamma(-r * zeta),
                  if_gamma(r * std::sqrt(std::max(0., 1 - zeta * zeta))),
                  integrator == Integrator::implicit_euler ? "outside" : "inside"}});
 }
 
-Sheet regions_sheet() {
-  Sheet sheet{
-      .name = "regions",
-      .title = "Stability regions of the integrators, figures 2.2 and 2.3",
+Table regions_table() {
+  Table table{
       .columns = {{"figure", "figure"},
                   {"integrator", "integrator"},
                   {"zeta", "zeta", "{:.4f}"},
@@ -52,26 +50,26 @@ Sheet regions_sheet() {
     return std::sin(std::numbers::pi / 2 * ray / rays);
   };
   for (int ray = 1; ray <= rays; ++ray)  // the first would touch the origin only
-    add_point(sheet, "2.2 left", "implicit Euler", Integrator::implicit_euler,
+    add_point(table, "2.2 left", "implicit Euler", Integrator::implicit_euler,
               -zeta_of(ray));
   for (int ray = 1; ray <= rays; ++ray)
-    add_point(sheet, "2.2 right", "explicit Euler", Integrator::explicit_euler,
+    add_point(table, "2.2 right", "explicit Euler", Integrator::explicit_euler,
               zeta_of(ray));
   for (int ray = 0; ray <= rays; ++ray)
-    add_point(sheet, "2.3", "semi-implicit Euler", Integrator::semi_implicit_euler,
+    add_point(table, "2.3", "semi-implicit Euler", Integrator::semi_implicit_euler,
               zeta_of(ray));
   for (const auto& [name, integrator] :
        {std::pair{"semi-implicit Euler", Integrator::semi_implicit_euler},
         {"Verlet", Integrator::verlet}})
     for (int tenths = 0; tenths <= 20; ++tenths)
-      add_point(sheet, "omega dt, zeta", name, integrator, tenths / 10.);
-  return sheet;
+      add_point(table, "omega dt, zeta", name, integrator, tenths / 10.);
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_regions_table() {
-  return without_cases(regions_sheet);
+TablePlan plan_regions_table() {
+  return without_cases(regions_table);
 }
 
 }  // namespace springcheck

@@ -55,42 +55,39 @@ SpringCounts count_springs(const Mesh& mesh) {
   return counts;
 }
 
-Sheet meshes_sheet() {
-  Sheet sheet{
-      .name = "5.5",
-      .title = "Meshes of the performance study, printed and counted (thesis, table 5.5)",
-      .columns = {{"mesh", "mesh"},
-                  {"volumes_printed", "cells, printed", "{:.0f}"},
-                  {"volumes", "cells", "{:.0f}"},
-                  {"vertices_printed", "nodes, printed", "{:.0f}"},
-                  {"vertices", "nodes", "{:.0f}"},
-                  {"springs_nfd_printed", "mss-nfd springs, printed", "{:.0f}"},
-                  {"springs_nfd", "mss-nfd springs", "{:.0f}"},
-                  {"springs_fd_printed", "mss-fd springs, printed", "{:.0f}"},
-                  {"springs_fd", "mss-fd springs", "{:.0f}"},
-                  {"springs_distinct", "each spring once", "{:.0f}"}},
-      .notes = {"The thesis stores face diagonals with each cell, so that those "
-                "between two cells count twice; the last column counts every "
-                "spring of mss-fd and mss-cf once."}};
+Table meshes_table() {
+  Table table{.columns = {{"mesh", "mesh"},
+                          {"volumes_printed", "cells, printed", "{:.0f}"},
+                          {"volumes", "cells", "{:.0f}"},
+                          {"vertices_printed", "nodes, printed", "{:.0f}"},
+                          {"vertices", "nodes", "{:.0f}"},
+                          {"springs_nfd_printed", "mss-nfd springs, printed", "{:.0f}"},
+                          {"springs_nfd", "mss-nfd springs", "{:.0f}"},
+                          {"springs_fd_printed", "mss-fd springs, printed", "{:.0f}"},
+                          {"springs_fd", "mss-fd springs", "{:.0f}"},
+                          {"springs_distinct", "each spring once", "{:.0f}"}},
+              .notes = {"The thesis stores face diagonals with each cell, so that those "
+                        "between two cells count twice; the last column counts every "
+                        "spring of mss-fd and mss-cf once."}};
   for (const PrintedMesh& printed : printed_meshes) {
     const auto [nx, ny, nz] = printed.cells;
     const Mesh mesh =
         generate_block({.size = {0.05, 0.05, 0.05 * nz / nx}, .cells = printed.cells});
     const SpringCounts springs = count_springs(mesh);
     const auto count = [](std::size_t n) { return static_cast<double>(n); };
-    sheet.rows.push_back(
+    table.rows.push_back(
         {.cells = {fmt::format("{}x{}x{}", nx, ny, nz), printed.volumes,
                    count(mesh.cells().size()), printed.vertices,
                    count(mesh.nodes().size()), printed.springs_nfd, springs.nfd,
                    printed.springs_fd, springs.fd, springs.distinct}});
   }
-  return sheet;
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_meshes_table() {
-  return {.make = [](std::span<const CaseResult>, MeshStore&) { return meshes_sheet(); }};
+TablePlan plan_meshes_table() {
+  return without_cases(meshes_table);
 }
 
 }  // namespace springcheck

@@ -1,4 +1,4 @@
-#include "comparisons/tables/tissue/tissue_tables.hpp"
+#include "comparisons/tables/tissue/oscillation_table.hpp"
 
 #include <fmt/format.h>
 
@@ -32,10 +32,8 @@ Cell off(const std::optional<double>& value, double law) {
   return {value ? std::optional(100 * (*value / law - 1)) : std::nullopt};
 }
 
-Sheet oscillation_sheet(std::span<const CaseResult> results) {
-  Sheet sheet{
-      .name = "tissue-oscillation",
-      .title = "Storage and loss modulus of bi-power tissue",
+Table oscillation_table(std::span<const CaseResult> results) {
+  Table table{
       .columns = {{"organ", "organ"},
                   {"angular_frequency", "omega [rad/s]", "{:g}"},
                   {"storage", "G' of the law [Pa]", "{:.5g}"},
@@ -59,7 +57,7 @@ Sheet oscillation_sheet(std::span<const CaseResult> results) {
       const tissue::ComplexModulus law = small_oscillation(organ.law, frequency),
                                    branches = small_oscillation(fit.model, frequency);
       const auto storage = modulus(at_peak), loss = modulus(at_rest);
-      sheet.rows.push_back(
+      table.rows.push_back(
           {.cells = {organ.name, frequency, law.storage, branches.storage,
                      value_or_status(storage, at_peak), off(storage, law.storage),
                      law.loss, branches.loss, value_or_status(loss, at_rest),
@@ -67,12 +65,12 @@ Sheet oscillation_sheet(std::span<const CaseResult> results) {
            .cases = {at_peak.key, at_rest.key}});
     }
   }
-  return sheet;
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_tissue_oscillation_table() {
+TablePlan plan_tissue_oscillation_table() {
   PlannedRequests planned;
   for (const tissue::Organ& organ : tissue::organs())
     for (const double frequency : frequencies)
@@ -80,7 +78,7 @@ SheetPlan plan_tissue_oscillation_table() {
         planned.add(swinging(organ.name, frequency, cycles));
   return {.requests = planned.take(),
           .make = [](std::span<const CaseResult> results, MeshStore&) {
-            return oscillation_sheet(results);
+            return oscillation_table(results);
           }};
 }
 

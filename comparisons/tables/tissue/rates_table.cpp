@@ -1,4 +1,4 @@
-#include "comparisons/tables/tissue/tissue_tables.hpp"
+#include "comparisons/tables/tissue/rates_table.hpp"
 
 #include <fmt/format.h>
 
@@ -16,11 +16,9 @@ constexpr std::array final_strains{0.1, 0.3, 1.};
 constexpr std::array swept_rates{0.001, 0.004, 0.0151, 0.05, 0.133, 0.3,
                                  0.67,  2.,    5.,     10.,  20.,   50.};
 
-Sheet rates_sheet(std::span<const CaseResult> results) {
+Table rates_table(std::span<const CaseResult> results) {
   const tissue::FitRange range;
-  Sheet sheet{
-      .name = "tissue-rates",
-      .title = "Bi-power tissue in simple shear, by rate",
+  Table table{
       .columns = {{"organ", "organ"},
                   {"strain", "strain", "{:g}"},
                   {"rate", "rate [1/s]", "{:g}"},
@@ -48,7 +46,7 @@ Sheet rates_sheet(std::span<const CaseResult> results) {
         const double branches = tissue::constant_rate_stress(model, strain, rate);
         const auto& found = result.measures.mean_stress;
         const auto springs = found ? std::optional((*found)(0, 2)) : std::nullopt;
-        sheet.rows.push_back(
+        table.rows.push_back(
             {.cells = {organ.name, strain, rate,
                        range.rates.contains(rate) ? "yes" : "no", law, branches,
                        off(branches), value_or_status(springs, result),
@@ -56,12 +54,12 @@ Sheet rates_sheet(std::span<const CaseResult> results) {
              .cases = {result.key}});
       }
   }
-  return sheet;
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_tissue_rates_table() {
+TablePlan plan_tissue_rates_table() {
   PlannedRequests planned;
   for (const tissue::Organ& organ : tissue::organs())
     for (const double strain : final_strains)
@@ -69,7 +67,7 @@ SheetPlan plan_tissue_rates_table() {
         planned.add(sheared_tissue(organ.name, rate, strain));
   return {.requests = planned.take(),
           .make = [](std::span<const CaseResult> results, MeshStore&) {
-            return rates_sheet(results);
+            return rates_table(results);
           }};
 }
 

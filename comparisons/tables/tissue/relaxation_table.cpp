@@ -1,4 +1,4 @@
-#include "comparisons/tables/tissue/tissue_tables.hpp"
+#include "comparisons/tables/tissue/relaxation_table.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ CaseSettings sheared(std::string_view organ, const Way& way) {
                         {"history", 0}});
 }
 
-SheetRow row_of(const tissue::Organ& organ, const Way& way, const CaseResult& result) {
+TableRow row_of(const tissue::Organ& organ, const Way& way, const CaseResult& result) {
   const auto& [times, strains] = way.strain;
   const double law = tissue::stress(organ.law, way.strain, times[2]);
   const bool is_held = strains[2] == strains[1];
@@ -51,7 +51,7 @@ SheetRow row_of(const tissue::Organ& organ, const Way& way, const CaseResult& re
     springs = (*stress)(0, 2);
     off = 100 * (*springs - law) / scale;
   }
-  SheetRow row{.cells = {organ.name, way.what, strains[1] / times[1], times[2] - times[1],
+  TableRow row{.cells = {organ.name, way.what, strains[1] / times[1], times[2] - times[1],
                          strains[2], law, value_or_status(springs, result), off},
                .cases = {result.key}};
   if (!is_held)
@@ -59,10 +59,8 @@ SheetRow row_of(const tissue::Organ& organ, const Way& way, const CaseResult& re
   return row;
 }
 
-Sheet relaxation_sheet(std::span<const CaseResult> results) {
-  Sheet sheet{
-      .name = "tissue-relaxation",
-      .title = "Bi-power tissue sheared to 100 %, then held or unloaded",
+Table relaxation_table(std::span<const CaseResult> results) {
+  Table table{
       .columns = {{"organ", "organ"},
                   {"then", "then"},
                   {"rate", "rate [1/s]", "{:.4g}"},
@@ -79,19 +77,19 @@ Sheet relaxation_sheet(std::span<const CaseResult> results) {
   std::size_t next = 0;
   for (const tissue::Organ& organ : tissue::organs())
     for (const Way& way : ways())
-      sheet.rows.push_back(row_of(organ, way, results[next++]));
-  return sheet;
+      table.rows.push_back(row_of(organ, way, results[next++]));
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_tissue_relaxation_table() {
+TablePlan plan_tissue_relaxation_table() {
   PlannedRequests planned;
   for (const tissue::Organ& organ : tissue::organs())
     for (const Way& way : ways()) planned.add(sheared(organ.name, way));
   return {.requests = planned.take(),
           .make = [](std::span<const CaseResult> results, MeshStore&) {
-            return relaxation_sheet(results);
+            return relaxation_table(results);
           }};
 }
 

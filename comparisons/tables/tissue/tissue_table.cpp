@@ -1,4 +1,4 @@
-#include "comparisons/tables/tissue/tissue_tables.hpp"
+#include "comparisons/tables/tissue/tissue_table.hpp"
 
 #include <fmt/format.h>
 
@@ -50,7 +50,7 @@ std::string errors_note(std::string_view organ, const tissue::FitErrors& errors)
 }
 
 /// Rows of an organ at a rate, and the note of their deviations.
-void add_rows(Sheet& sheet, const tissue::Organ& organ, const tissue::MaxwellModel& model,
+void add_rows(Table& table, const tissue::Organ& organ, const tissue::MaxwellModel& model,
               double rate, std::span<const CaseResult> results) {
   using tissue::Elongation;
   const auto thesis = [&](Elongation elongation) {
@@ -63,7 +63,7 @@ void add_rows(Sheet& sheet, const tissue::Organ& organ, const tissue::MaxwellMod
   for (std::size_t i = 0; i < strains.size(); ++i) {
     const double strain = strains[i];
     const tissue::ShearStress law = tissue::constant_rate_stress(organ.law, strain, rate);
-    SheetRow row{
+    TableRow row{
         .cells = {organ.name, rate, strain, strain / rate, law.total(), law.hardening},
         .cases = {results[i].key}};
     const auto add = [&](double stress, Deviations& deviations) {
@@ -77,9 +77,9 @@ void add_rows(Sheet& sheet, const tissue::Organ& organ, const tissue::MaxwellMod
       row.cells.resize(row.cells.size() + 2, name_of(results[i].status));
     add(mss::shear_stress(printed, strain), of_printed);
     add(mss::shear_stress(repaired, strain), of_repaired);
-    sheet.rows.push_back(std::move(row));
+    table.rows.push_back(std::move(row));
   }
-  sheet.notes.push_back(fmt::format(
+  table.notes.push_back(fmt::format(
       "{} at {:g} 1/s, RMS of ln and largest deviation over these strains: branches {}, "
       "mss-tissue {}, Eq. 4.4 as printed {}, repaired {}.",
       organ.name, rate, of_branches.text(),
@@ -87,10 +87,8 @@ void add_rows(Sheet& sheet, const tissue::Organ& organ, const tissue::MaxwellMod
       of_repaired.text()));
 }
 
-Sheet tissue_sheet(std::span<const CaseResult> results) {
-  Sheet sheet{
-      .name = "tissue",
-      .title = "Bi-power tissue in simple shear at constant rate",
+Table tissue_table(std::span<const CaseResult> results) {
+  Table table{
       .columns = {{"organ", "organ"},
                   {"rate", "rate [1/s]", "{:g}"},
                   {"strain", "strain", "{:g}"},
@@ -119,17 +117,17 @@ Sheet tissue_sheet(std::span<const CaseResult> results) {
   for (const tissue::Organ& organ : tissue::organs()) {
     const tissue::MaxwellFit fit = tissue::fit_maxwell_model(organ.law);
     for (const double rate : rates) {
-      add_rows(sheet, organ, fit.model, rate, left.first(strains.size()));
+      add_rows(table, organ, fit.model, rate, left.first(strains.size()));
       left = left.subspan(strains.size());
     }
-    sheet.notes.push_back(errors_note(organ.name, fit.errors));
+    table.notes.push_back(errors_note(organ.name, fit.errors));
   }
-  return sheet;
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_tissue_table() {
+TablePlan plan_tissue_table() {
   PlannedRequests planned;
   for (const tissue::Organ& organ : tissue::organs())
     for (const double rate : rates)
@@ -137,7 +135,7 @@ SheetPlan plan_tissue_table() {
         planned.add(sheared_tissue(organ.name, rate, strain));
   return {.requests = planned.take(),
           .make = [](std::span<const CaseResult> results, MeshStore&) {
-            return tissue_sheet(results);
+            return tissue_table(results);
           }};
 }
 

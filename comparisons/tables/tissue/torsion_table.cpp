@@ -1,4 +1,4 @@
-#include "comparisons/tables/tissue/tissue_tables.hpp"
+#include "comparisons/tables/tissue/torsion_table.hpp"
 
 #include <fmt/format.h>
 
@@ -27,10 +27,8 @@ CaseSettings turned(std::string_view organ, double rim_strain,
                         {"rate", rim_rate * angle_per_strain}});
 }
 
-Sheet torsion_sheet(std::span<const CaseResult> results) {
-  Sheet sheet{
-      .name = "tissue-torsion",
-      .title = "Torque on a disc of bi-power tissue between a rheometer's plates",
+Table torsion_table(std::span<const CaseResult> results) {
+  Table table{
       .columns = {{"organ", "organ"},
                   {"rim_strain", "strain at the rim", "{:g}"},
                   {"time", "time [s]", "{:.4g}"},
@@ -43,16 +41,16 @@ Sheet torsion_sheet(std::span<const CaseResult> results) {
           1000 * height, rim_rate)}};
   for (const auto& [across, layers] : meshes) {
     const std::string name = fmt::format("springs_{}", across);
-    sheet.columns.push_back(
+    table.columns.push_back(
         {name, fmt::format("mss-tissue, {} across, {} layers [uN m]", across, layers),
          "{:.5g}"});
-    sheet.columns.push_back({name + "_off", "off [%]", "{:.2f}"});
+    table.columns.push_back({name + "_off", "off [%]", "{:.2f}"});
   }
   std::size_t next = 0;
   for (const tissue::Organ& organ : tissue::organs())
     for (const double rim_strain : rim_strains) {
       const double law = 1e6 * disc_torque(organ.law, rim_strain, rim_rate, radius);
-      SheetRow row{.cells = {organ.name, rim_strain, rim_strain / rim_rate, law}};
+      TableRow row{.cells = {organ.name, rim_strain, rim_strain / rim_rate, law}};
       for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
         const CaseResult& result = results[next++];
         std::optional<double> torque, off;
@@ -64,21 +62,21 @@ Sheet torsion_sheet(std::span<const CaseResult> results) {
         row.cells.push_back(off);
         row.cases.push_back(result.key);
       }
-      sheet.rows.push_back(std::move(row));
+      table.rows.push_back(std::move(row));
     }
-  return sheet;
+  return table;
 }
 
 }  // namespace
 
-SheetPlan plan_tissue_torsion_table() {
+TablePlan plan_tissue_torsion_table() {
   PlannedRequests planned;
   for (const tissue::Organ& organ : tissue::organs())
     for (const double rim_strain : rim_strains)
       for (const auto& mesh : meshes) planned.add(turned(organ.name, rim_strain, mesh));
   return {.requests = planned.take(),
           .make = [](std::span<const CaseResult> results, MeshStore&) {
-            return torsion_sheet(results);
+            return torsion_table(results);
           }};
 }
 

@@ -4,7 +4,7 @@ import pandas as pd
 from content import Section, paragraph, table
 from markupsafe import Markup
 from paraview import vtu_name
-from sections.sheets import sheet_blocks
+from sections.documents import table_blocks
 
 _MOST_ROWS = 2000
 
@@ -33,7 +33,7 @@ def all_cases(study):
     if document is None:
         return None
     section = Section("cases", "All cases")
-    section.blocks += sheet_blocks(document, limit=_MOST_ROWS)
+    section.blocks += table_blocks(document, limit=_MOST_ROWS)
     return section
 
 

@@ -4,7 +4,7 @@ import numpy as np
 from content import Figure, Section, paragraph
 from figures import cells as cell_figures
 from figures import curves
-from sections.sheets import sheet_blocks
+from sections.documents import table_blocks
 
 
 def any_cells(study):
@@ -32,7 +32,7 @@ def any_cells(study):
         figures.append(Figure(f"cells_{test}", caption, cell_figures.draw, arguments))
     section = Section("elements", "Any cells: cubes, mixed meshes, tetrahedra")
     section.blocks.append(paragraph("{}.", document["title"]))
-    section.blocks += [*figures, *sheet_blocks(document)]
+    section.blocks += [*figures, *table_blocks(document)]
     return section
 
 
@@ -59,7 +59,7 @@ def convergence(study):
         "cells. All types of cells are in the table."
     )
     section.blocks.append(Figure("convergence", caption, curves.draw, (panels[:3],)))
-    section.blocks += sheet_blocks(document)
+    section.blocks += table_blocks(document)
     return section
 
 
@@ -68,5 +68,5 @@ def subdivision(study):
     if document is None:
         return None
     section = Section("subdivision", "Cells against what they can be cut into")
-    section.blocks += [paragraph("{}.", document["title"]), *sheet_blocks(document, limit=60)]
+    section.blocks += [paragraph("{}.", document["title"]), *table_blocks(document, limit=60)]
     return section

@@ -1,5 +1,6 @@
 """Times of single runs: error against time with the Pareto front, time against cells."""
 
+import measures
 import numpy as np
 from content import Figure, Section, paragraph
 from figures import cost as cost_figures
@@ -54,7 +55,7 @@ def _errors(study):
         seconds.append(study.cases.loc[row["case"], "solve_wall_s"])
         errors.append(row["deviation"])
     methods = {name: (np.array(seconds), np.array(errors)) for name, (seconds, errors) in methods.items()}
-    return (f"deviation L2 [%], shearing, nu = {nu:g}", methods)
+    return (f"{measures.heading('deviation_l2_relative')}, shearing, nu = {nu:g}", methods)
 
 
 def _times(study):

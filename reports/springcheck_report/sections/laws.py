@@ -8,7 +8,7 @@ from content import Figure, Section, paragraph
 from figures import curves, error_parts as error_figures
 from figures import rows as row_figures
 from method_style import NEUTRAL, line, shades
-from sections.sheets import sheet_blocks
+from sections.documents import table_blocks
 
 
 def spring_constants(study):
@@ -97,19 +97,19 @@ def error_parts(study):
         )
     )
     if split is not None:
-        section.blocks += _both_parts(split) + sheet_blocks(split)
+        section.blocks += _both_parts(split) + table_blocks(split)
     if laws is not None:
-        section.blocks += _law_parts(laws) + sheet_blocks(laws)
+        section.blocks += _law_parts(laws) + table_blocks(laws)
     return section
 
 
 def _both_parts(document):
     panels, labels = [], []
-    for quantity, title in (("volume change", "Volume change"), (None, "Answer")):
+    for quantity, title in (("volume_change", "Volume change"), (None, "Answer")):
         rows = [
             row
             for row in document["rows"]
-            if (row["quantity"] == quantity if quantity else row["quantity"] in measures.answer_labels())
+            if (row["measure"] == quantity if quantity else row["measure"] in measures.answer_names())
             and row["scene"] != "uniaxial"
         ]
         by_label = {f"{row['scene']} {row['load']}": row for row in rows}
@@ -129,7 +129,7 @@ def _law_parts(document):
     """The law parts of the answers, where several methods bear one load on one mesh."""
     by_load = {}
     for row in document["rows"]:
-        if row["quantity"] in measures.answer_labels() and row["law_percent"] is not None:
+        if row["measure"] in measures.answer_names() and row["law_percent"] is not None:
             by_load.setdefault((row["scene"], row["load"], row["cells"]), []).append(row)
     loads = {key: rows for key, rows in by_load.items() if len({row["method"] for row in rows}) > 1}
     if not loads:
@@ -196,11 +196,11 @@ def locking(study):
                     y,
                 )
             )
-    panel = curves.Panel("", "1/2 − nu", "plate force [N]", lines, log_x=True, log_y=True)
+    panel = curves.Panel("", "1/2 − nu", measures.heading("plate_force"), lines, log_x=True, log_y=True)
     section = Section("locking", "Volumetric locking")
     caption = document["title"] + ". The volume change hardly shows it."
     section.blocks.append(Figure("locking", caption, curves.draw, ([panel],)))
-    section.blocks += sheet_blocks(document)
+    section.blocks += table_blocks(document)
     return section
 
 
@@ -209,7 +209,7 @@ def orientation(study):
     if document is None:
         return None
     section = Section("orientation", "The lattice's directions")
-    section.blocks += [paragraph("{}.", document["title"]), *sheet_blocks(document)]
+    section.blocks += [paragraph("{}.", document["title"]), *table_blocks(document)]
     return section
 
 
@@ -230,7 +230,7 @@ def modes(study):
         "Frequencies off finite elements with consistent masses, at nu = 0.25. Lumped FEM has the "
         "springs' own masses: what springs differ by from it is stiffness."
     )
-    section.blocks += [Figure("modes", caption, row_figures.draw, (panels, styles)), *sheet_blocks(document)]
+    section.blocks += [Figure("modes", caption, row_figures.draw, (panels, styles)), *table_blocks(document)]
     return section
 
 

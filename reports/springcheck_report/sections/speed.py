@@ -7,7 +7,7 @@ from figures import curves
 from markupsafe import Markup
 from method_style import NEUTRAL, line, shades
 from numbers_shown import significant
-from sections.sheets import sheet_blocks, titled_sheet
+from sections.documents import table_blocks, titled_table
 
 _MOST_ROWS = 200
 _UNDISTURBED = 0.9  # user over real time of one thread
@@ -32,9 +32,9 @@ def speed(study):
         _headline(document),
         *_printed_times(document),
         *(figure for figure in figures if figure),
-        *titled_sheet(study.tables.get("5.5")),
+        *titled_table(study.tables.get("5.5")),
         title,
-        *sheet_blocks({**document, "notes": notes, "columns": columns}, _MOST_ROWS),
+        *table_blocks({**document, "notes": notes, "columns": columns}, _MOST_ROWS),
     ]
     return section
 

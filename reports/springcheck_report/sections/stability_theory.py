@@ -4,12 +4,12 @@ import numpy as np
 from content import Figure, Section, paragraph
 from figures import four_springs as four_springs_figure
 from figures import regions as region_figures
-from sections.sheets import titled_sheet
+from sections.documents import titled_table
 
 
 def stability_theory(study):
     """From the tables regions, four-springs and lattice-stability, those there are."""
-    lattice = titled_sheet(study.tables.get("lattice-stability"))
+    lattice = titled_table(study.tables.get("lattice-stability"))
     blocks = [*_regions(study), *_four_springs(study), *lattice]
     if not blocks:
         return None
@@ -48,8 +48,8 @@ def _regions(study):
     )
     arguments = _column(own, "zeta"), _column(own, "on_paper"), found
     over_damping = Figure("regions_damping", caption, region_figures.draw_over_damping, arguments)
-    title, *sheet = titled_sheet(document)
-    return [title, plane, over_damping, *sheet]
+    title, *blocks = titled_table(document)
+    return [title, plane, over_damping, *blocks]
 
 
 def _border(document, figure):
@@ -84,5 +84,5 @@ def _four_springs(study):
         "F = ±k l/2 it jumps, and comes back by another way."
     )
     figure = Figure("four_springs", caption, four_springs_figure.draw, (held, loop))
-    title, *sheet = titled_sheet(document)
-    return [title, figure, *sheet]
+    title, *blocks = titled_table(document)
+    return [title, figure, *blocks]

@@ -6,15 +6,14 @@ from content import Figure, Section, document_blocks, paragraph, tabled_number
 from figures import agreement
 from markupsafe import Markup
 from numbers_shown import data, formatted, with_bar
-from sections.sheets import titled_sheet
 
-_NAMES = ["5.1", "5.2", "5.3", "5.4", "deviation", "bending"]
 _SHORT = {"5.1": "compression", "5.2": "tension", "5.3": "shearing", "5.4": "torsion"}
 
 
 def thesis_tables(study):
     """Every table of the thesis that the file has cases of, after one figure of them all."""
-    tables = [study.tables[name] for name in _NAMES if name in study.tables]
+    documents = (study.tables.get(name) for name in study.vocabulary["tables"])
+    tables = [document for document in documents if document and "quantity" in document]
     if not tables:
         return None
     section = Section("thesis-tables", "The thesis's tables: printed and ours")
@@ -44,8 +43,6 @@ def thesis_tables(study):
         )
     for document in tables:
         section.blocks += thesis_table(document)
-    if "performance" not in study.tables:  # else it stands there
-        section.blocks += titled_sheet(study.tables.get("5.5"))
     return section
 
 

@@ -5,7 +5,7 @@ from content import Figure, Section, paragraph
 from figures import curves
 from markupsafe import Markup
 from method_style import NEUTRAL, shades
-from sections.sheets import sheet_blocks
+from sections.documents import table_blocks
 
 _MOST_ROWS = 30
 
@@ -26,7 +26,7 @@ def tissue(study):
         if document is None:
             continue
         title = Markup("<h3>{}</h3>").format(document["title"])
-        blocks += [title, draw(document), *sheet_blocks(document, _MOST_ROWS)]
+        blocks += [title, draw(document), *table_blocks(document, _MOST_ROWS)]
     if not blocks:
         return None
     section = Section("tissue", "Living tissue")

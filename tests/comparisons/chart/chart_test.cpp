@@ -6,7 +6,7 @@
 
 #include "comparisons/chart/chart_json.hpp"
 #include "comparisons/chart/chart_run.hpp"
-#include "comparisons/chart/chart_sheets.hpp"
+#include "comparisons/chart/chart_tables.hpp"
 #include "comparisons/chart/claims.hpp"
 #include "comparisons/chart/pareto.hpp"
 #include "comparisons/methods/methods.hpp"
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(a_truth_is_at_least_as_unsure_as_its_check_is_off) {
   for (const char* key : {"c1", "c2", "c3"})
     *example.cases.at(key).measures.plate_force += 6;
   chart = evaluated(example.chart, example.cases);
-  const SheetRow apart = truths_sheet({chart}).rows.at(0);
+  const TableRow apart = truths_table({chart}).rows.at(0);
   BOOST_TEST(!chart.truths.at(0).answer.is_resolved);
   BOOST_TEST(apart.notes.size() == 1U);
   BOOST_TEST(apart.cases.size() == 6U);
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(a_truth_is_at_least_as_unsure_as_its_check_is_off) {
   example.cases.at("c2").status = Status::indefinite;
   const Chart unchecked = evaluated(example.chart, example.cases);
   BOOST_TEST(!unchecked.truths.at(0).answer.disagreement.has_value());
-  BOOST_TEST(truths_sheet({unchecked}).rows.at(0).cells[7].text == "not checked");
+  BOOST_TEST(truths_table({unchecked}).rows.at(0).cells[7].text == "not checked");
 }
 
 // Whatever solved it: the grid of another solver has another key.
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(a_point_that_tells_the_truth_says_so) {
   BOOST_TEST((charts_json({chart})[0]["points"][1]["tells_truth_of"] ==
               nlohmann::ordered_json{"fem-stvk"}));
   std::vector<std::size_t> notes;
-  for (const SheetRow& row : points_sheet({chart}).rows)
+  for (const TableRow& row : points_table({chart}).rows)
     notes.push_back(row.notes.size());
   BOOST_TEST(notes == (std::vector<std::size_t>{1, 1, 0, 1}),
              boost::test_tools::per_element());
@@ -283,7 +283,7 @@ BOOST_AUTO_TEST_CASE(deviations_are_held_against_the_bar_of_their_own_mesh) {
   example.cases.at("mss-cf4 compared").measures.reference_bar_l2_relative = 0.001;
   example.cases.at("fem-stvk:q28 compared").measures.reference_bar_l2_relative = 1e-4;
   const Chart chart = evaluated(example.chart, example.cases);
-  for (const SheetRow& row : front_sheet({chart}).rows)
+  for (const TableRow& row : front_table({chart}).rows)
     if (row.cells[3].text == "deviation") BOOST_TEST(row.notes.empty());
   const auto front = charts_json({chart})[0]["fronts"][2];  // of equilibria
   BOOST_TEST(front["measure"] == "deviation");
@@ -401,10 +401,10 @@ BOOST_AUTO_TEST_CASE(a_chart_is_measured_once_and_kept) {
   BOOST_TEST(charts_json({again}).dump() == charts_json({chart}).dump());
   BOOST_TEST(charts_json(stored_charts(file, Revisions::own)).dump() ==
              charts_json({chart}).dump());
-  for (const Sheet& sheet : chart_sheets({chart})) {
-    BOOST_TEST(!sheet.rows.empty(), sheet.name);
-    for (const SheetRow& row : sheet.rows)
-      BOOST_TEST(row.cells.size() == sheet.columns.size(), sheet.name);
+  for (const Table& table : chart_tables({chart})) {
+    BOOST_TEST(!table.rows.empty(), table.name);
+    for (const TableRow& row : table.rows)
+      BOOST_TEST(row.cells.size() == table.columns.size(), table.name);
   }
 
   // Further sizes join the points; those beyond the budget are kept without a time.

@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(tests_are_answered_by_measures) {
   for (const TestName& test : value_names<Test>) {
     const Measure* answer = find_measure(test.answer);
     BOOST_TEST((answer == nullptr) == test.answer.empty(), test.name);
-    if (answer != nullptr) BOOST_TEST(answer->further.is_of(test), test.name);
+    if (answer != nullptr) BOOST_TEST(answer->traits.is_of(test), test.name);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "comparisons/stability/atlas_sheets.hpp"
+#include "comparisons/stability/atlas_tables.hpp"
 #include "tests/comparisons/own_folder.hpp"
 
 using namespace springcheck;
@@ -75,8 +75,8 @@ BOOST_AUTO_TEST_CASE(a_map_has_a_limit_for_every_column_and_method) {
           point.failure == Failure::wrinkling)
         BOOST_TEST(number_of(point.values[0]) > *limit.low);
   }
-  BOOST_TEST(points_sheet(atlas, plan).rows.size() == 12U);
-  BOOST_TEST(limits_sheet(atlas, plan).rows.size() == 4U);
+  BOOST_TEST(points_table(atlas, plan).rows.size() == 12U);
+  BOOST_TEST(limits_table(atlas, plan).rows.size() == 4U);
   BOOST_TEST(maps_text(atlas, plan).find("mss-nfd: deformation against nu") !=
              std::string::npos);
 }
@@ -146,11 +146,11 @@ BOOST_AUTO_TEST_CASE(an_atlas_goes_on_where_it_was_left) {
   std::string first;
   {
     CaseRunner runner(file, 2);
-    first = format_sheet(limits_sheet(make_atlas(plan, runner), plan), TableFormat::csv);
+    first = format_table(limits_table(make_atlas(plan, runner), plan), TableFormat::csv);
     BOOST_TEST(runner.computed() > 2U);
   }
   CaseRunner runner(file, 2);
-  BOOST_TEST(format_sheet(limits_sheet(make_atlas(plan, runner), plan),
+  BOOST_TEST(format_table(limits_table(make_atlas(plan, runner), plan),
                           TableFormat::csv) == first);
   BOOST_TEST(runner.computed() == 0U);
 }

@@ -5,7 +5,7 @@
 #include "comparisons/settings/case_json.hpp"
 #include "comparisons/studies/split.hpp"
 #include "comparisons/tables/studies/split_output.hpp"
-#include "comparisons/tables/studies/study_tables.hpp"
+#include "comparisons/tables/studies/split_table.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
 
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(discretisations_that_disagree_beyond_their_bars_are_unresol
   BOOST_TEST(indefinite.reasons.size() == 1U);
 
   const std::string table =
-      format_sheet(split_sheet({split}, {springs}), TableFormat::markdown);
+      format_table(split_table({split}, {springs}), TableFormat::markdown);
   BOOST_TEST(table.find("| unresolved |") != std::string::npos);
 }
 

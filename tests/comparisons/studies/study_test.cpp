@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(a_refused_case_is_a_result_without_measures) {
   BOOST_TEST(results.front().reason.find("cubic") != std::string::npos);
   for_each_measure(
       results.front().measures, [](const Measure& measure, const auto& value) {
-        BOOST_TEST(value.has_value() == measure.further.is_time, measure.name);
+        BOOST_TEST(value.has_value() == measure.traits.is_time, measure.name);
       });
 }
 

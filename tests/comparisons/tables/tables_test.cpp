@@ -7,13 +7,12 @@
 #include <numbers>
 #include <set>
 
+#include "comparisons/formats/table.hpp"
+#include "comparisons/formats/text_table.hpp"
 #include "comparisons/methods/methods.hpp"
-#include "comparisons/sheets/sheet.hpp"
-#include "comparisons/sheets/text_table.hpp"
 #include "comparisons/studies/study.hpp"
 #include "comparisons/tables/catalogue.hpp"
 #include "comparisons/tables/computed_tables.hpp"
-#include "comparisons/tables/thesis/format_table.hpp"
 #include "comparisons/tables/thesis/printed_figures.hpp"
 #include "comparisons/tables/thesis/table_notes.hpp"
 #include "meshing/input_error.hpp"
@@ -25,10 +24,22 @@ BOOST_AUTO_TEST_SUITE(tables_test)
 
 namespace {
 
-/// Results of table_requests without computing: e = .0317, or a limit point.
-std::vector<CaseResult> invented(const TablePlan& plan, Status status) {
+ComparisonPlan plan_comparison(const std::string& name,
+                               const std::optional<ReferenceMethod>& reference = {}) {
+  return std::get<CatalogueEntry::OfPrintedFigures>(table_named(name).plan)(reference);
+}
+
+std::vector<std::string> printed_names() {
+  std::vector<std::string> names;
+  for (const CatalogueEntry& entry : catalogue())
+    if (is_of_printed_figures(entry)) names.emplace_back(entry.name);
+  return names;
+}
+
+/// Results of a plan's requests without computing: e = .0317, or a limit point.
+std::vector<CaseResult> invented(const ComparisonPlan& plan, Status status) {
   std::vector<CaseResult> results;
-  for (const Request& request : table_requests(plan)) {
+  for (const Request& request : table_plan(plan).requests) {
     CaseResult result{};
     result.request = request;
     result.key = "0123456789abcdef";
@@ -89,7 +100,7 @@ BOOST_AUTO_TEST_CASE(every_printed_figure_has_its_row) {
     std::multiset<double> printed, planned;
     for (const PrintedFigure& figure : printed_figures(name))
       printed.insert(figure.value);
-    for (const PlannedRow& row : plan_table(name, std::nullopt).rows)
+    for (const PlannedRow& row : plan_comparison(name, std::nullopt).rows)
       if (row.printed && label(row.request.settings) != "fem-hooke:q1-sri" &&
           label(row.request.settings) != "fem-hencky:q1-sri" &&
           row.request.settings.springs.stiffness_form ==
@@ -107,7 +118,7 @@ BOOST_AUTO_TEST_CASE(
     for (const PrintedFigure& figure : printed_figures(name))
       printed.insert({figure.nu, figure.deformation});
     std::map<std::pair<std::string, std::string>, std::multiset<Load>> planned;
-    for (const PlannedRow& row : plan_table(name, std::nullopt).rows) {
+    for (const PlannedRow& row : plan_comparison(name, std::nullopt).rows) {
       const CaseSettings& settings = row.request.settings;
       BOOST_TEST(row.printed.has_value() != settings.method.beside_printed);
       if (row.printed) continue;
@@ -140,7 +151,7 @@ BOOST_AUTO_TEST_CASE(
 BOOST_AUTO_TEST_CASE(a_reference_that_was_asked_for_is_that_of_every_row) {
   const ReferenceMethod hooke{*find_method("fem-hooke"), *find_element("q1")};
   std::size_t of_stvk = 0;
-  for (const PlannedRow& row : plan_table("5.3", hooke).rows) {
+  for (const PlannedRow& row : plan_comparison("5.3", hooke).rows) {
     BOOST_TEST(reference_label(row.request) == "fem-hooke:q1");
     if (row.request.settings.method.name == "mss-stvk") ++of_stvk;
   }
@@ -151,7 +162,7 @@ BOOST_AUTO_TEST_CASE(a_reference_that_was_asked_for_is_that_of_every_row) {
 BOOST_AUTO_TEST_CASE(st_venants_change_of_volume_is_said_where_it_shows) {
   for (const auto& [name, expected] : {std::pair("5.1", 10), std::pair("5.3", 0)}) {
     int noted = 0;
-    for (const PlannedRow& row : plan_table(name, std::nullopt).rows)
+    for (const PlannedRow& row : plan_comparison(name, std::nullopt).rows)
       if (std::ranges::count(row.notes, std::string(table_notes::st_venants_volume)) >
           0) {
         ++noted;
@@ -164,7 +175,7 @@ BOOST_AUTO_TEST_CASE(st_venants_change_of_volume_is_said_where_it_shows) {
 // The printed nu = 0 rows of 5.1 need the E-form (docs/explanation/thesis.md).
 BOOST_AUTO_TEST_CASE(table_5_1_shows_the_young_modulus_form_at_nu_0_only) {
   int rows = 0;
-  for (const PlannedRow& row : plan_table("5.1", std::nullopt).rows)
+  for (const PlannedRow& row : plan_comparison("5.1", std::nullopt).rows)
     if (row.request.settings.springs.stiffness_form ==
         mss::StiffnessForm::young_modulus) {
       ++rows;
@@ -175,9 +186,10 @@ BOOST_AUTO_TEST_CASE(table_5_1_shows_the_young_modulus_form_at_nu_0_only) {
 }
 
 BOOST_AUTO_TEST_CASE(a_row_holds_the_difference_its_reference_and_its_case) {
-  const TablePlan plan = plan_table("5.1", std::nullopt);
-  const Table table = fill_table(plan, invented(plan, Status::ok));
-  const auto json = nlohmann::json::parse(format_table(table, TableFormat::json));
+  const ComparisonPlan plan = plan_comparison("5.1", std::nullopt);
+  const Comparison table = compare(plan, invented(plan, Status::ok));
+  const auto json =
+      nlohmann::json::parse(format_table(table_of(table), TableFormat::json));
   const auto& row = json["rows"][0];
   BOOST_TEST(row["printed"] == 2.6);
   BOOST_TEST(row["ours"].get<double>() == 3.17, boost::test_tools::tolerance(1e-12));
@@ -189,21 +201,23 @@ BOOST_AUTO_TEST_CASE(a_row_holds_the_difference_its_reference_and_its_case) {
 }
 
 BOOST_AUTO_TEST_CASE(a_method_without_equilibrium_shows_its_status_in_its_cell) {
-  const TablePlan plan = plan_table("5.2", std::nullopt);
-  const Table table = fill_table(plan, invented(plan, Status::no_equilibrium));
-  const std::string markdown = format_table(table, TableFormat::markdown);
+  const ComparisonPlan plan = plan_comparison("5.2", std::nullopt);
+  const Comparison table = compare(plan, invented(plan, Status::no_equilibrium));
+  const std::string markdown = format_table(table_of(table), TableFormat::markdown);
   BOOST_TEST(markdown.find("| no_equilibrium beyond 10 % |") != std::string::npos);
-  const auto json = nlohmann::json::parse(format_table(table, TableFormat::json));
+  const auto json =
+      nlohmann::json::parse(format_table(table_of(table), TableFormat::json));
   BOOST_TEST(json["rows"][0]["ours"].is_null());
   BOOST_TEST(json["rows"][0]["difference"].is_null());
 }
 
 BOOST_AUTO_TEST_CASE(markdown_and_csv_are_rectangular) {
-  for (const std::string& name : table_names()) {
-    const TablePlan plan = plan_table(name, std::nullopt);
-    const Table table = fill_table(plan, invented(plan, Status::ok));
-    expect_rectangular(format_table(table, TableFormat::markdown),
-                       format_table(table, TableFormat::csv), plan.rows.size(), name);
+  for (const std::string& name : printed_names()) {
+    const ComparisonPlan plan = plan_comparison(name, std::nullopt);
+    const Comparison table = compare(plan, invented(plan, Status::ok));
+    expect_rectangular(format_table(table_of(table), TableFormat::markdown),
+                       format_table(table_of(table), TableFormat::csv), plan.rows.size(),
+                       name);
   }
 }
 
@@ -211,7 +225,7 @@ BOOST_AUTO_TEST_CASE(markdown_and_csv_are_rectangular) {
 BOOST_AUTO_TEST_CASE(
     the_locking_table_compares_each_element_with_the_two_that_do_not_lock,
     *boost::unit_test::tolerance(1e-12)) {
-  const SheetPlan plan = plan_sheet("locking");
+  const TablePlan plan = plan_of(table_named("locking"));
   BOOST_TEST_REQUIRE(plan.requests.size() == 18U);  // 2 laws, 3 ratios, 3 locking
   std::vector<CaseResult> results;
   for (const Request& request : plan.requests) {
@@ -224,10 +238,10 @@ BOOST_AUTO_TEST_CASE(
   results[1].measures.plate_force.reset();
   results[1].status = Status::not_converged;
   MeshStore meshes;
-  const Sheet sheet = plan.make(results, meshes);
-  expect_rectangular(format_sheet(sheet, TableFormat::markdown),
-                     format_sheet(sheet, TableFormat::csv), 18, "locking");
-  const auto json = nlohmann::json::parse(format_sheet(sheet, TableFormat::json));
+  const Table table = plan.make(results, meshes);
+  expect_rectangular(format_table(table, TableFormat::markdown),
+                     format_table(table, TableFormat::csv), 18, "locking");
+  const auto json = nlohmann::json::parse(format_table(table, TableFormat::json));
   BOOST_TEST(json["table"] == "locking");
   const auto& row = json["rows"][3];
   BOOST_TEST(row["law"] == "fem-hooke");
@@ -239,7 +253,7 @@ BOOST_AUTO_TEST_CASE(
   BOOST_TEST(row["case"] == "0123456789abcdef");
   BOOST_TEST(json["rows"][0]["over_q1_sri"].is_null());
   BOOST_TEST(json["rows"][1]["plate_force"].is_null());
-  BOOST_TEST(format_sheet(sheet, TableFormat::markdown).find("| not_converged |") !=
+  BOOST_TEST(format_table(table, TableFormat::markdown).find("| not_converged |") !=
              std::string::npos);
 }
 
@@ -247,12 +261,12 @@ BOOST_AUTO_TEST_CASE(
 // uniaxial stress is the referee's; that of mss-affine 13 % with six directions in shear
 // of 20 %, at most .2 % with sixteen.
 BOOST_AUTO_TEST_CASE(the_orientation_table_shows_the_lattice_s_anisotropy) {
-  const SheetPlan plan = plan_sheet("orientation");
+  const TablePlan plan = plan_of(table_named("orientation"));
   MeshStore meshes;
   const auto results =
       run_study(plan.requests, meshes, 2, [](std::size_t, std::size_t) {});
   const auto json =
-      nlohmann::json::parse(format_sheet(plan.make(results, meshes), TableFormat::json));
+      nlohmann::json::parse(format_table(plan.make(results, meshes), TableFormat::json));
   BOOST_TEST_REQUIRE(json["rows"].size() == 12U + 16U);
   std::vector<double> at_20, found;
   for (const char* nu : {"0.25", "0.499"})
@@ -284,11 +298,12 @@ BOOST_AUTO_TEST_CASE(the_orientation_table_shows_the_lattice_s_anisotropy) {
 // laws, and two of Hencky's.
 BOOST_AUTO_TEST_CASE(the_laws_table_has_springs_of_all_laws) {
   constexpr std::size_t tests_and_ratios = 4 * 3, splits = 2 + 4 + 2, runs = 1 + 12;
-  BOOST_TEST(plan_sheet("laws").requests.size() == tests_and_ratios * splits * runs);
+  BOOST_TEST(plan_of(table_named("laws")).requests.size() ==
+             tests_and_ratios * splits * runs);
 }
 
 BOOST_AUTO_TEST_CASE(the_split_table_has_five_tests) {
-  const SheetPlan plan = plan_sheet("split");
+  const TablePlan plan = plan_of(table_named("split"));
   BOOST_TEST(plan.requests.size() == 9U * 13U);
   std::set<std::string> tests;
   for (const Request& request : plan.requests)
@@ -297,51 +312,88 @@ BOOST_AUTO_TEST_CASE(the_split_table_has_five_tests) {
 }
 
 BOOST_AUTO_TEST_CASE(csv_keeps_all_digits_and_words_its_notes) {
-  const TablePlan plan = plan_table("5.1", std::nullopt);
+  const ComparisonPlan plan = plan_comparison("5.1", std::nullopt);
   std::vector<CaseResult> results = invented(plan, Status::ok);
   results.front().measures.volume_error = 0.01171875;
-  const std::string csv = format_table(fill_table(plan, results), TableFormat::csv);
+  const std::string csv =
+      format_table(table_of(compare(plan, results)), TableFormat::csv);
   BOOST_TEST(csv.find(",1.171875,") != std::string::npos);
   BOOST_TEST(csv.find("logarithmic strain") != std::string::npos);
   BOOST_TEST(csv.find("0123456789abcdef") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(columns_without_an_entry_are_left_out_of_markdown) {
-  const TablePlan plan = plan_table("5.3", std::nullopt);
-  const std::string markdown =
-      format_table(fill_table(plan, invented(plan, Status::ok)), TableFormat::markdown);
+  const ComparisonPlan plan = plan_comparison("5.3", std::nullopt);
+  const std::string markdown = format_table(
+      table_of(compare(plan, invented(plan, Status::ok))), TableFormat::markdown);
   BOOST_TEST(markdown.find("printed instabilities") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_table_is_refused) {
-  BOOST_CHECK_EXCEPTION(check_table_name("5.9"), InputError, [](const InputError& error) {
+  BOOST_CHECK_EXCEPTION(table_named("splitt"), InputError, [](const InputError& error) {
     const std::string message = error.what();
-    return message.find("5.1, 5.2") != std::string::npos &&
+    return message.find("did you mean 'split'?") != std::string::npos &&
+           message.find("5.1, 5.2") != std::string::npos &&
            message.find("split, laws, elements, convergence") != std::string::npos;
   });
-  BOOST_CHECK_NO_THROW(check_table_name("5.1"));
-  BOOST_CHECK_NO_THROW(check_table_name("split"));
+  BOOST_TEST(table_named("5.1").name == "5.1");
+  BOOST_TEST(table_named("split").name == "split");
+}
+
+BOOST_AUTO_TEST_CASE(the_catalogue_says_each_thing_once) {
+  std::set<std::string_view> names, titles;
+  for (const CatalogueEntry& entry : catalogue()) {
+    names.insert(entry.name);
+    titles.insert(entry.title);
+    BOOST_TEST(!entry.description.empty(), entry.name);
+    BOOST_TEST(!entry.section.empty(), entry.name);
+    BOOST_TEST(entry.minutes > 0, entry.name);
+    // What is counted or made while it is printed has no simulations behind it.
+    BOOST_TEST((entry.source == Source::cases) != plan_of(entry).requests.empty(),
+               entry.name);
+  }
+  BOOST_TEST(names.size() == catalogue().size());
+  BOOST_TEST(titles.size() == catalogue().size());
+  const Table list = table_of_tables();
+  BOOST_TEST(list.rows.size() == catalogue().size());
+}
+
+// A table has the name and title of its entry, of a part of its rows as well.
+BOOST_AUTO_TEST_CASE(plans_make_tables_of_their_entries) {
+  const CatalogueEntry& entry = table_named("5.2");
+  const TablePlan whole = plan_of(entry), part = whole.of_rows({0, 2});
+  BOOST_TEST(part.row_sizes.size() == 2U);
+  BOOST_TEST(part.row_sizes.at(1) == whole.row_sizes.at(2));
+  MeshStore meshes;
+  for (const TablePlan* plan : {&whole, &part}) {
+    const Table table =
+        plan->make(std::vector<CaseResult>(plan->requests.size()), meshes);
+    BOOST_TEST(table.name == entry.name);
+    BOOST_TEST(table.title == entry.title);
+    BOOST_TEST(table.rows.size() == plan->row_sizes.size());
+  }
 }
 
 // On three grids .28, .16, .13 quarter their change: order 2, which is the formal one at
 // nu = 0, limit .12, bar 2.25 * .01.
 BOOST_AUTO_TEST_CASE(a_converged_reference_shows_its_order_and_bar,
                      *boost::unit_test::tolerance(1e-9)) {
-  TablePlan plan = plan_table(
+  ComparisonPlan plan = plan_comparison(
       "5.1", reference_named(Given::from_text("--reference", "fem-hencky@converged")));
   plan.rows.resize(1);
   std::vector<CaseResult> results = invented(plan, Status::ok);
   BOOST_TEST_REQUIRE(results.size() == 4U);
   for (std::size_t i = 1; i < 4; ++i)
     results[i].measures.volume_error = std::array{0.28, 0.16, 0.13}.at(i - 1);
-  const Table table = fill_table(plan, results);
+  const Comparison table = compare(plan, results);
   BOOST_TEST(*table.rows[0].reference_value == 12.);  // %
   BOOST_TEST(*table.rows[0].reference_order == 2.);
   BOOST_TEST(*table.rows[0].reference_bar == 2.25);
-  const auto json = nlohmann::json::parse(format_table(table, TableFormat::json));
+  const auto json =
+      nlohmann::json::parse(format_table(table_of(table), TableFormat::json));
   BOOST_TEST(json["rows"][0]["reference_bar"].get<double>() == 2.25);
   BOOST_TEST(json["rows"][0]["reference_order"].get<double>() == 2.);
-  const std::string text = format_table(table, TableFormat::markdown);
+  const std::string text = format_table(table_of(table), TableFormat::markdown);
   BOOST_TEST(text.find("| 12.000 | 2 | 2.00 | fem-hencky:q1-sri@converged |") !=
                  std::string::npos,
              text);
@@ -365,13 +417,14 @@ BOOST_AUTO_TEST_CASE(rows_and_their_references_are_of_one_revision) {
     return theirs;
   };
   std::set<std::string> computed;
+  const CatalogueEntry* const entry = &table_named("5.4");
   const ComputedTables tables = compute_tables(
-      {"5.4"}, std::nullopt, meshes, 2, known,
+      {&entry, 1}, std::nullopt, meshes, 2, known,
       [&](const CaseResult& result) { computed.insert(result.key); }, Revisions::all);
-  const Table& table = tables.set.tables.at(0);
+  const Comparison table = compare(plan_comparison("5.4"), tables.results);
   const double theirs = table.plan.quantity.of({.plate_torque = 1}).value();
   std::size_t own = 0;
-  for (const TableRow& row : table.rows) {
+  for (const ComparisonRow& row : table.rows) {
     const bool is_own = row.result.revision.empty();
     own += is_own;
     if (row.plan.request.settings.deformation.value() > 0.1) BOOST_TEST(!is_own);

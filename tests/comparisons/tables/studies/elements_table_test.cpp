@@ -5,7 +5,7 @@
 #include <map>
 #include <thread>
 
-#include "comparisons/sheets/sheet.hpp"
+#include "comparisons/formats/table.hpp"
 #include "comparisons/studies/study.hpp"
 #include "comparisons/tables/catalogue.hpp"
 
@@ -19,14 +19,14 @@ namespace {
 using Rows = std::map<std::string, std::vector<Cell>>;
 
 Rows computed() {
-  const SheetPlan plan = plan_sheet("elements");
+  const TablePlan plan = plan_of(table_named("elements"));
   MeshStore meshes;
   const auto results =
       run_study(plan.requests, meshes,
                 static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
                 [](std::size_t, std::size_t) {});
   Rows rows;
-  for (const SheetRow& row : plan.make(results, meshes).rows)
+  for (const TableRow& row : plan.make(results, meshes).rows)
     rows[row.cells[0].text + "/" + row.cells[2].text + "/" +
          std::to_string(row.cells[3].number.value()).substr(0, 5)] = row.cells;
   return rows;

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <map>
 
-#include "comparisons/tables/studies/study_tables.hpp"
-#include "tests/comparisons/tables/sheet_column.hpp"
+#include "comparisons/tables/studies/growth_table.hpp"
+#include "tests/comparisons/tables/table_column.hpp"
 
 using namespace springcheck;
 
@@ -11,17 +11,17 @@ BOOST_AUTO_TEST_SUITE(growth_test)
 
 BOOST_AUTO_TEST_CASE(every_series_has_its_sizes_and_exponents,
                      *boost::unit_test::label("slow")) {
-  const Sheet sheet = growth_sheet({4, 10}, {3, 10});
-  std::map<std::string, std::vector<const SheetRow*>> series;
-  for (const SheetRow& row : sheet.rows) {
-    BOOST_TEST(row.cells.size() == sheet.columns.size());
+  const Table table = growth_table({4, 10}, {3, 10});
+  std::map<std::string, std::vector<const TableRow*>> series;
+  for (const TableRow& row : table.rows) {
+    BOOST_TEST(row.cells.size() == table.columns.size());
     series[row.cells[0].text + ", " + row.cells[1].text].push_back(&row);
   }
   BOOST_TEST(series.size() == 12U);
-  BOOST_TEST(sheet.notes.size() == 2U);  // nothing was left out
-  const auto cells = column(sheet, "cells"), seconds = column(sheet, "seconds"),
-             exponent = column(sheet, "time_exponent"),
-             per_cell = column(sheet, "ns_per_cell");
+  BOOST_TEST(table.notes.size() == 2U);  // nothing was left out
+  const auto cells = column(table, "cells"), seconds = column(table, "seconds"),
+             exponent = column(table, "time_exponent"),
+             per_cell = column(table, "ns_per_cell");
   for (const auto& [name, rows] : series) {
     BOOST_TEST_CONTEXT(name) {
       BOOST_TEST_REQUIRE(rows.size() == 2U);
@@ -43,23 +43,23 @@ BOOST_AUTO_TEST_CASE(every_series_has_its_sizes_and_exponents,
 }
 
 BOOST_AUTO_TEST_CASE(what_would_take_too_long_is_named) {
-  const Sheet sheet = growth_sheet({4, 10}, {3, 10}, 1e-9);
-  const auto named = std::ranges::count_if(sheet.notes, [](const std::string& note) {
+  const Table table = growth_table({4, 10}, {3, 10}, 1e-9);
+  const auto named = std::ranges::count_if(table.notes, [](const std::string& note) {
     return note.find(", 1000 cells: not run: may take ") < note.size();
   });
   BOOST_TEST(named == 12);
-  BOOST_TEST(sheet.rows.size() == 12U);
+  BOOST_TEST(table.rows.size() == 12U);
 }
 
 BOOST_AUTO_TEST_CASE(what_would_not_fit_is_named) {
-  const Sheet sheet = growth_sheet({4, 100000}, {100000});
-  const auto named = std::ranges::count_if(sheet.notes, [](const std::string& note) {
+  const Table table = growth_table({4, 100000}, {100000});
+  const auto named = std::ranges::count_if(table.notes, [](const std::string& note) {
     return note.ends_with("more memory than is left.");
   });
   BOOST_TEST(named == 12);  // of all series; of the direct ones nothing is left
-  BOOST_TEST(sheet.rows.size() == 10U);
-  for (const SheetRow& row : sheet.rows)  // one size has no exponent
-    BOOST_TEST(!row.cells[column(sheet, "time_exponent")].number.has_value());
+  BOOST_TEST(table.rows.size() == 10U);
+  for (const TableRow& row : table.rows)  // one size has no exponent
+    BOOST_TEST(!row.cells[column(table, "time_exponent")].number.has_value());
 }
 
 BOOST_AUTO_TEST_SUITE_END()
