@@ -21,7 +21,6 @@
 #include "comparisons/running/progress.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/tables/computed_tables.hpp"
-#include "comparisons/tables/stored_tables.hpp"
 #include "comparisons/tables/studies/split_output.hpp"
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/input_error.hpp"

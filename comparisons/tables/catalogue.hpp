@@ -58,7 +58,7 @@ bool takes_long(const CatalogueEntry& entry);
 TablePlan plan_of(const CatalogueEntry& entry,
                   const std::optional<ReferenceMethod>& reference = std::nullopt);
 
-/// The catalogue as a table: names, minutes, whether cases are behind it, titles.
+/// The catalogue as a table: names, minutes, sources, titles, sections of the page.
 Table table_of_tables();
 
 }  // namespace springcheck

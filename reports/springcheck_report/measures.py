@@ -35,13 +35,8 @@ def unit(name):
 
 def heading(name):
     """ "deviation L2 [%]", with the unit that people read it in."""
-    unit = _measures[name]["shown_unit"]
-    return f"{label(name)} [{unit}]" if unit else label(name)
-
-
-def shown(name, value):
-    """In that unit."""
-    return _measures[name]["shown_factor"] * value
+    shown = _measures[name]["shown_unit"]
+    return f"{label(name)} [{shown}]" if shown else label(name)
 
 
 def numbers():

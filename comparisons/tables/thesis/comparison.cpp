@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "comparisons/cases/grids.hpp"
 #include "comparisons/studies/converged_number.hpp"
