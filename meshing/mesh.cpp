@@ -238,10 +238,13 @@ const Region& Mesh::region(const std::string& name) const {
   if (found == regions_.end()) {
     std::vector<std::string_view> names;
     for (const auto& [known, region] : regions_) names.push_back(known);
-    throw InputError(source_, "region",
-                     names.empty()
-                         ? "a surface that is named (by a physical group of gmsh)"
-                         : fmt::format("one of {}", fmt::join(names, ", ")),
+    if (names.empty())
+      throw InputError(source_, "region",
+                       fmt::format("a surface with the name '{}'; in gmsh, Physical "
+                                   "Surface(\"{}\") = {{...}}; gives it, before meshing",
+                                   name, name),
+                       "none with a name");
+    throw InputError(source_, "region", fmt::format("one of {}", fmt::join(names, ", ")),
                      fmt::format("'{}'", name));
   }
   return found->second;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/chart/chart.hpp"
 #include "comparisons/chart/chart_models.hpp"
 #include "comparisons/chart/chart_plan.hpp"
 #include "comparisons/chart/kept_truths.hpp"

@@ -1,15 +1,21 @@
-#include "comparisons/commands/advise_command.hpp"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <memory>
 
 #include "comparisons/advice/advice_text.hpp"
 #include "comparisons/advice/advise.hpp"
 #include "comparisons/advice/chart_measurements.hpp"
+#include "comparisons/command_line/computing.hpp"
+#include "comparisons/command_line/interrupted.hpp"
+#include "comparisons/command_line/options.hpp"
+#include "comparisons/command_line/setting_options.hpp"
+#include "comparisons/commands/chart_options.hpp"
+#include "comparisons/commands/commands.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/settings/named_values.hpp"
 #include "comparisons/settings/scene_file.hpp"
@@ -22,6 +28,20 @@ namespace springcheck {
 namespace {
 
 const char* const first_line = "# Advised by springcheck";
+
+struct AdviseOptions {
+  std::string scene{};
+  SettingOptions settings{};
+  std::string tolerance{};              // "0.08" or "8%"
+  std::vector<std::string> measures{};  // force, volume, deviation; empty: all there are
+  std::string law{};                    // of the truth; empty: the scene's
+  std::string real_time{};              // [s] of a frame; empty: an equilibrium is wanted
+  double budget = 20;                   // [s] that a solution may take
+  std::filesystem::path out{};          // result file; empty: none is kept
+  std::filesystem::path scene_file{};   // empty: NAME-advised.toml
+  std::optional<int> truth_across{};    // see truth_grids
+  int jobs = all_cores();               // truths at once, at most
+};
 
 /// Those that are asked for, or all that bodies of this kind have.
 std::vector<ChartMeasure> measures_of(const std::vector<std::string>& names,
@@ -108,45 +128,62 @@ std::string caution_of_steps(const ChartPlan& plan, const ChartPoint& chosen,
                      result.reason.empty() ? "" : ": " + result.reason);
 }
 
-}  // namespace
-
-ExitStatus advise_command(const std::string& scene,
-                          const std::vector<GivenSetting>& options,
-                          const AdviseOptions& given) {
-  const Wish wish = wish_of(given, chart_body(scene, options));
-  const std::string name = read_scene(scene).name;
+/// Where the advised scene goes. Throws InputError where something else would be lost.
+std::filesystem::path scene_file_of(const AdviseOptions& options) {
+  const SceneFile scene = read_scene(options.scene);
   const std::filesystem::path scene_file =
-      given.scene_file.empty() ? std::filesystem::path(name + "-advised.toml")
-                               : given.scene_file;
+      options.scene_file.empty() ? std::filesystem::path(scene.name + "-advised.toml")
+                                 : options.scene_file;
   check_scene_file(scene_file);
   for (const std::filesystem::path& other :
-       {given.out, std::filesystem::path(read_scene(scene).file)})
+       {options.out, std::filesystem::path(scene.file)})
     if (std::filesystem::weakly_canonical(scene_file) ==
         std::filesystem::weakly_canonical(other))
       throw InputError("--scene-file", "", "a file that is not read or written otherwise",
                        "'" + scene_file.string() + "'");
-  std::optional<TemporaryFolder> temporary;
-  if (given.out.empty()) temporary.emplace("advise");
-  const ChartPlan plan{.scene = scene,
-                       .options = options,
-                       .law = truth_law_named(given.law),
-                       .threads = {wish.threads},
-                       .budget = given.budget,
-                       .repeat_for = std::min(1., given.budget),
-                       .jobs = given.jobs,
-                       .retime = false,
-                       .least_models = 0,
-                       .truth_across = given.truth_across,
-                       .truths_file = users_truths_file()};
-  ChartMeasurements measurements(plan,
-                                 temporary ? temporary->path() / "advise.h5" : given.out);
-  const Advice advice = advise(wish, plan, measurements);
+  return scene_file;
+}
+
+ChartPlan plan_of(const AdviseOptions& options, const std::vector<GivenSetting>& settings,
+                  int threads) {
+  return {.scene = options.scene,
+          .options = settings,
+          .law = truth_law_named(options.law),
+          .threads = {threads},
+          .budget = options.budget,
+          .repeat_for = std::min(1., options.budget),
+          .jobs = options.jobs,
+          .retime = false,
+          .least_models = 0,
+          .truth_across = options.truth_across,
+          .truths_file = users_truths_file()};
+}
+
+void print_advice(const Advice& advice, const Wish& wish, const ChartPlan& plan) {
   fmt::print("{}\n{}\n{}", question(advice, wish), truth_text(advice),
              evidence_text(advice, wish));
   std::vector<std::string> cautions = advice.cautions;
   if (const std::string of_law = caution_of_truth(plan); !of_law.empty())
     cautions.push_back(of_law + " Another is taken by --converged-law.");
   for (const std::string& caution : cautions) fmt::print("\nCaution: {}\n", caution);
+}
+
+/// The cheapest model of a scene that meets a tolerance, with its neighbours and a scene
+/// file that runs it; fell_short, and what comes closest, where none does.
+ExitStatus advise_scene(const AdviseOptions& options) {
+  const Computing computing(std::max(options.jobs, all_cores()), options.jobs);
+  const std::vector<GivenSetting> settings = options.settings.given();
+  const Wish wish = wish_of(options, chart_body(options.scene, settings));
+  const std::filesystem::path scene_file = scene_file_of(options);
+  std::optional<TemporaryFolder> temporary;
+  if (options.out.empty()) temporary.emplace("advise");
+  const ChartPlan plan = plan_of(options, settings, wish.threads);
+  const BeforeInterruption kept = tell_that_it_goes_on(
+      options.out.empty() ? std::nullopt : std::optional(options.out));
+  ChartMeasurements measurements(
+      plan, temporary ? temporary->path() / "advise.h5" : options.out);
+  const Advice advice = advise(wish, plan, measurements);
+  print_advice(advice, wish, plan);
   if (!advice.chosen) {
     fmt::print("\n{}", failure_text(advice, wish));
     return ExitStatus::fell_short;
@@ -162,12 +199,67 @@ ExitStatus advise_command(const std::string& scene,
   }
   fmt::print("\nLeft out\n");
   for (const std::string& words : advice.left_out) fmt::print("- {}\n", words);
-  const std::string text = scene_text(scene, options, chosen, advice.chart.stored.law,
-                                      time_step, question(advice, wish));
+  const std::string text =
+      scene_text(options.scene, settings, chosen, advice.chart.stored.law, time_step,
+                 question(advice, wish));
   write_whole_stream(scene_file, [&](std::ostream& out) { out << text; });
   fmt::print("\nRun it: springcheck run {}{}\n", scene_file.has_parent_path() ? "" : "./",
              scene_file.string());
   return ExitStatus::done;
+}
+
+Action declare_advise(CLI::App& parser) {
+  const auto options = std::make_shared<AdviseOptions>();
+  constexpr auto of_wish = "what is wished for";
+  add_scene(parser, options->scene);
+  parser
+      .add_option("--tolerance", options->tolerance, "largest error, such as 0.08 or 8%")
+      ->required()
+      ->type_name("FRACTION")
+      ->group(of_wish);
+  parser
+      .add_option("--measure", options->measures,
+                  "of what: force (torque, or a tip's drop), volume, deviation (the "
+                  "shape); several with commas between (default: all that the body has)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("force|volume|deviation")
+      ->group(of_wish);
+  parser
+      .add_option("--real-time", options->real_time,
+                  "seconds of a frame of motion that must be simulated in as many "
+                  "(default: an equilibrium is wanted)")
+      ->type_name("SECONDS")
+      ->group(of_wish);
+  add_seconds(parser, "--budget", options->budget, false,
+              "seconds that a solution may take")
+      ->group(of_wish);
+  add_converged_across(parser, options->truth_across)->group(of_wish);
+  add_converged_law(parser, options->law)->group(of_wish);
+  options->settings.add_to(parser, is_taken_by_charts);
+  add_path(parser, "--out", options->out, "FILE",
+           "HDF5 file to keep what was measured in, and to take it from")
+      ->group(of_output);
+  add_path(parser, "--scene-file", options->scene_file, "FILE",
+           "the scene file to write (default SCENE-advised.toml)")
+      ->group(of_output);
+  add_jobs(parser, options->jobs, "converged solutions' grids");
+  return [options] { return advise_scene(*options); };
+}
+
+}  // namespace
+
+Command advise_command() {
+  return {.name = "advise",
+          .summary = "Find the cheapest model of a scene that meets a tolerance",
+          .description = "Writes a scene file that runs it.",
+          .examples = {{"springcheck advise compression --tolerance 5%",
+                        "the fastest equilibrium with errors of at most 5 %"},
+                       {"springcheck advise shearing --tolerance 8% --measure force "
+                        "--real-time 0.02",
+                        "what follows 50 frames a second, if anything does"}},
+          .simulates = true,
+          .declare = declare_advise};
 }
 
 }  // namespace springcheck

@@ -1,18 +1,40 @@
-#include "comparisons/commands/chart_command.hpp"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <set>
-#include <thread>
 
 #include "comparisons/chart/chart_run.hpp"
 #include "comparisons/chart/chart_tables.hpp"
 #include "comparisons/chart/claims.hpp"
+#include "comparisons/command_line/computing.hpp"
+#include "comparisons/command_line/interrupted.hpp"
+#include "comparisons/command_line/options.hpp"
+#include "comparisons/command_line/setting_options.hpp"
+#include "comparisons/commands/chart_options.hpp"
+#include "comparisons/commands/commands.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {
+
+struct ChartOptions {
+  std::string scene{};
+  SettingOptions settings{};
+  std::string sizes = "4,6,10,16";  // cells across
+  std::string threads{};            // "1,2"; empty: 1 and all
+  double budget = 8;                // [s] that a point's solution may take
+  double repeat_for = 1;            // [s] of a point's repetitions, in all rounds
+  std::string law{};  // of the scene's own truth; empty: that of its reference
+  std::filesystem::path out{};
+  std::optional<TableFormat> format{};  // none: truths, fronts and claims for a terminal
+  int jobs = all_cores();               // truths at once, at most
+  bool retime = false;
+  bool quick = false;                 // quick_plan's models, sizes and times
+  int least_models = 12;              // see ChartRun::measure_beyond_budget
+  std::optional<int> truth_across{};  // see truth_grids
+};
 
 /// Different counts of at least 1, ascending, as "4,6,10,16".
 std::vector<int> counts_in(const std::string& option, const std::string& text, int most) {
@@ -34,7 +56,7 @@ std::vector<int> counts_in(const std::string& option, const std::string& text, i
 }
 
 std::vector<int> thread_counts(const std::string& text) {
-  const int most = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int most = all_cores();
   if (!text.empty()) return counts_in("--on-threads", text, most);
   if (most == 1) return {1};
   return {1, most};
@@ -70,15 +92,13 @@ std::string chart_text(const Chart& chart, const std::string& caution) {
                     chart.points.size(), failed, left_out);
 }
 
-}  // namespace
-
-ExitStatus chart_command(const std::string& scene,
-                         const std::vector<GivenSetting>& options,
-                         const ChartOptions& chart) {
+/// Of a scene, or of the five scenes of the thesis ("all").
+std::vector<ChartPlan> plans_of(const ChartOptions& chart) {
+  const std::vector<GivenSetting> options = chart.settings.given();
   const std::vector<int> across = counts_in("--sizes", chart.sizes, 1000);
   const std::vector<int> threads = thread_counts(chart.threads);
-  std::vector<std::string> scenes{scene};
-  if (scene == "all")
+  std::vector<std::string> scenes{chart.scene};
+  if (chart.scene == "all")
     scenes = {"compression", "tension", "shearing", "torsion", "bending"};
   std::vector<ChartPlan> plans;
   for (const std::string& one : scenes) {
@@ -101,6 +121,15 @@ ExitStatus chart_command(const std::string& scene,
                      .truth_across = chart.truth_across});
   }
   for (const ChartPlan& plan : plans) check_plan(plan);
+  return plans;
+}
+
+/// Measures how long each model takes and how far it is off the truth. What the result
+/// file holds is not measured again.
+ExitStatus measure_models(const ChartOptions& chart) {
+  const Computing computing(std::max(chart.jobs, all_cores()), chart.jobs);
+  const std::vector<ChartPlan> plans = plans_of(chart);
+  const BeforeInterruption kept = tell_that_it_goes_on(chart.out);
   std::vector<Chart> charts;
   for (const ChartPlan& plan : plans) {
     charts.push_back(make_chart(plan, chart.out));
@@ -109,6 +138,70 @@ ExitStatus chart_command(const std::string& scene,
   }
   if (chart.format) fmt::print("{}", format_tables(chart_tables(charts), *chart.format));
   return ExitStatus::done;
+}
+
+void declare_measurements(CLI::App& parser, ChartOptions& options) {
+  const auto add = [&](CLI::Option* option) { option->group("measurements"); };
+  add(parser.add_option("--sizes", options.sizes, "cells across the shortest edge")
+          ->type_name("COUNTS")
+          ->capture_default_str());
+  add(parser
+          .add_option("--on-threads", options.threads,
+                      "numbers of threads that are timed (default: 1 and all cores)")
+          ->type_name("COUNTS"));
+  add(add_seconds(parser, "--budget", options.budget, false,
+                  "seconds that a point's solution may take"));
+  add(add_seconds(parser, "--repeat-for", options.repeat_for, false,
+                  "seconds for the repetitions of each point"));
+  add(add_converged_across(parser, options.truth_across));
+  add(add_converged_law(parser, options.law));
+  add(parser.add_flag("--retime", options.retime,
+                      "time again what the file has a time of, and nothing else"));
+  add(add_count(
+          parser, "--least-models", options.least_models, 0, 1000,
+          "models at equilibrium that get to the finest cells and are ok there, the "
+          "cheapest first, whatever the budget")
+          ->capture_default_str());
+  CLI::Option* const quick = parser.add_flag(
+      "--quick", options.quick,
+      "the models that people want to see first, on 4, 6 and 10 cells across, beside the "
+      "converged solution of the scene's own law alone, in about a minute a scene");
+  for (const char* option :
+       {"--sizes", "--on-threads", "--budget", "--repeat-for", "--converged-across",
+        "--converged-law", "--retime", "--least-models"})
+    quick->excludes(parser.get_option(option));
+  add(quick);
+}
+
+Action declare_chart(CLI::App& parser) {
+  const auto options = std::make_shared<ChartOptions>();
+  parser
+      .add_option("scene", options->scene,
+                  "name of a shipped scene, a .toml file, or all: the thesis's five")
+      ->required()
+      ->type_name("SCENE|FILE|all");
+  options->settings.add_to(parser, is_taken_by_charts);
+  declare_measurements(parser, *options);
+  add_path(parser, "--out", options->out, "FILE", "HDF5 file to add the chart to")
+      ->required()
+      ->group(of_output);
+  add_format(parser, options->format, "converged solutions, fronts and claims");
+  add_jobs(parser, options->jobs, "converged solutions' grids");
+  return [options] { return measure_models(*options); };
+}
+
+}  // namespace
+
+Command chart_command() {
+  return {.name = "chart",
+          .summary = "Measure time against accuracy of every model on a scene",
+          .description = "What the file of --out holds is not measured again.",
+          .examples = {{"springcheck chart compression --out chart.h5 --quick",
+                        "the models that people want to see first, in about a minute"},
+                       {"springcheck chart all --out charts.h5",
+                        "every model on the thesis's five scenes, in hours"}},
+          .simulates = true,
+          .declare = declare_chart};
 }
 
 }  // namespace springcheck

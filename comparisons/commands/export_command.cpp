@@ -1,11 +1,13 @@
-#include "comparisons/commands/export_command.hpp"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "comparisons/command_line/options.hpp"
+#include "comparisons/commands/commands.hpp"
 #include "comparisons/formats/parquet.hpp"
 #include "comparisons/formats/text_table.hpp"
 #include "comparisons/results/case_table.hpp"
@@ -86,11 +88,20 @@ const Format& format_of(const std::filesystem::path& out) {
                    "'" + out.string() + "'");
 }
 
-}  // namespace
+/// What is asked of an export.
+///
+///     .csv      RFC 4180; the head has units, "plate_force_norm [N]"
+///     .parquet  Apache Parquet; the same names, with nulls
+///     .json     {"columns": [{"name", "unit"}], "cases": [{name: value}]}
+struct ExportOptions {
+  std::filesystem::path results{};
+  std::filesystem::path out{};
+  std::vector<std::string> columns{};  // see case_table; empty: what differs
+  Revisions revisions = Revisions::own;
+};
 
-ExitStatus export_command(const std::filesystem::path& results,
-                          const std::filesystem::path& out,
-                          const std::vector<std::string>& columns, Revisions revisions) {
+ExitStatus write_cases(const ExportOptions& options) {
+  const auto& [results, out, columns, revisions] = options;
   const Format& format = format_of(out);
   check_writable(out);
   const Columns cases = read_cases(results, revisions);
@@ -104,6 +115,39 @@ ExitStatus export_command(const std::filesystem::path& results,
   write_whole_stream(out, [&](std::ostream& stream) { format.write(stream, table); });
   fmt::print("{}: {} cases, {} columns\n", out.string(), cases.rows, table.size());
   return ExitStatus::done;
+}
+
+Action declare_export(CLI::App& parser) {
+  const auto options = std::make_shared<ExportOptions>();
+  add_results(parser, options->results);
+  add_path(parser, "--out", options->out, "FILE", "a .csv, .parquet or .json file")
+      ->required()
+      ->group(of_output);
+  parser
+      .add_option("--columns", options->columns,
+                  "settings, measures and columns of 'springcheck list columns', with "
+                  "commas between (default: what differs between cases, and what was "
+                  "measured)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("MEASURE")
+      ->group(of_output);
+  add_revisions(parser, options->revisions, "cases in the file");
+  return [options] { return write_cases(*options); };
+}
+
+}  // namespace
+
+Command export_command() {
+  return {.name = "export",
+          .summary = "Write the cases of a result file as a table for other programs",
+          .description = "",
+          .examples = {{"springcheck export results.h5 --out cases.csv", "every case"},
+                       {"springcheck export results.h5 --out cases.parquet --columns "
+                        "method,nu,volume_error",
+                        "some columns, for pandas or R"}},
+          .simulates = false,
+          .declare = declare_export};
 }
 
 }  // namespace springcheck

@@ -1,8 +1,11 @@
-#include "comparisons/commands/gate_command.hpp"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <memory>
 #include <nlohmann/json.hpp>
+
+#include "comparisons/command_line/options.hpp"
+#include "comparisons/commands/commands.hpp"
 
 #include "comparisons/gates/gate_check.hpp"
 #include "comparisons/gates/gate_file.hpp"
@@ -35,43 +38,50 @@ void bless_values(Report& report, const TomlFile& toml, const Columns& cases) {
   report.outcomes = judged(report.gates, cases, report.results_file);
 }
 
-}  // namespace
+struct GateOptions {
+  std::string gates{};  // a file's name, or that of a shipped one
+  std::filesystem::path results{};
+  std::optional<std::filesystem::path> junit{};
+  Output output = Output::text;
+  bool blesses = false;
+  Revisions revisions = Revisions::own;
+};
 
-ExitStatus gate_command(const std::string& name_or_path,
-                        const std::filesystem::path& results,
-                        const std::optional<std::filesystem::path>& junit, Output output,
-                        Bless bless, Revisions revisions) {
-  if (bless == Bless::yes && !is_toml_path(name_or_path))
+/// done when all pass, fell_short when one does not, bad_input when one has no case.
+ExitStatus judge(const GateOptions& options) {
+  if (options.blesses && !is_toml_path(options.gates))
     throw InputError("--bless", "", "a path to a gate file",
-                     "'" + name_or_path + "', which is part of the program");
-  const TomlFile toml = toml_file(name_or_path, "gate", shipped_gates());
+                     "'" + options.gates + "', which is part of the program");
+  const TomlFile toml = toml_file(options.gates, "gate", shipped_gates());
   const std::vector<Gate> parsed = parse_gates(toml.text, toml.file);
-  if (bless == Bless::yes) check_writable(toml.file);
-  if (junit) {
-    check_writable(*junit);
-    for (const std::filesystem::path& input : {results, std::filesystem::path(toml.file)})
-      if (std::error_code none; std::filesystem::equivalent(*junit, input, none))
+  if (options.blesses) check_writable(toml.file);
+  if (options.junit) {
+    check_writable(*options.junit);
+    for (const std::filesystem::path& input :
+         {options.results, std::filesystem::path(toml.file)})
+      if (std::error_code none; std::filesystem::equivalent(*options.junit, input, none))
         throw InputError("--junit", "", "another file than " + input.string(),
-                         "'" + junit->string() + "'");
+                         "'" + options.junit->string() + "'");
   }
-  if (bless == Bless::yes && revisions == Revisions::all)
+  if (options.blesses && options.revisions == Revisions::all)
     throw InputError("--bless", "", "figures of this program's revision alone",
                      "--accept-other-revisions");
-  const Columns cases = read_cases(results, revisions);
-  const StoredKeys stored = stored_keys(results);
+  const Columns cases = read_cases(options.results, options.revisions);
+  const StoredKeys stored = stored_keys(options.results);
 
   Report report{.gates_name = toml.name,
                 .gates_file = toml.file,
-                .results_file = results.string(),
+                .results_file = options.results.string(),
                 .gates = parsed,
-                .outcomes = judged(parsed, cases, results.string()),
+                .outcomes = judged(parsed, cases, options.results.string()),
                 .others = stored.others,
-                .revisions = revisions,
-                .note = note_of_other_revisions(stored, revisions)};
-  if (bless == Bless::yes) bless_values(report, toml, cases);
-  if (junit)
-    write_whole_stream(*junit, [&](std::ostream& out) { write_junit(out, report); });
-  if (output == Output::json)
+                .revisions = options.revisions,
+                .note = note_of_other_revisions(stored, options.revisions)};
+  if (options.blesses) bless_values(report, toml, cases);
+  if (options.junit)
+    write_whole_stream(*options.junit,
+                       [&](std::ostream& out) { write_junit(out, report); });
+  if (options.output == Output::json)
     fmt::print("{}\n", report_json(report).dump(
                            2, ' ', false, nlohmann::json::error_handler_t::replace));
   else
@@ -80,6 +90,36 @@ ExitStatus gate_command(const std::string& name_or_path,
   if (count(report, Judgement::no_case) > 0) return ExitStatus::bad_input;
   return count(report, Judgement::falls_short) > 0 ? ExitStatus::fell_short
                                                    : ExitStatus::done;
+}
+
+Action declare_gate(CLI::App& parser) {
+  const auto options = std::make_shared<GateOptions>();
+  parser
+      .add_option("gates", options->gates, "a gate file (.toml), or accuracy or thesis")
+      ->required()
+      ->type_name("accuracy|thesis|FILE");
+  add_results(parser, options->results);
+  add_path(parser, "--junit", options->junit, "FILE", "JUnit XML file to write")
+      ->group(of_output);
+  add_json(parser, options->output);
+  parser.add_flag("--bless", options->blesses,
+                  "replace stored values that are outside their bands in the gate file");
+  add_revisions(parser, options->revisions, "cases in the file");
+  return [options] { return judge(*options); };
+}
+
+}  // namespace
+
+Command gate_command() {
+  return {.name = "gate",
+          .summary = "Judge results by bands, as a CI does",
+          .description = "",
+          .examples = {{"springcheck gate thesis results.h5",
+                        "whether the figures are those of the thesis"},
+                       {"springcheck gate bands.toml results.h5 --junit gates.xml",
+                        "by bands of your own, for a CI that reads JUnit"}},
+          .simulates = false,
+          .declare = declare_gate};
 }
 
 }  // namespace springcheck

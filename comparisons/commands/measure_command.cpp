@@ -1,12 +1,17 @@
-#include "comparisons/commands/measure_command.hpp"
-
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "comparisons/cases/mechanical_scene.hpp"
+#include "comparisons/command_line/computing.hpp"
+#include "comparisons/command_line/interrupted.hpp"
+#include "comparisons/command_line/options.hpp"
+#include "comparisons/command_line/setting_options.hpp"
+#include "comparisons/commands/commands.hpp"
 #include "comparisons/commands/result_json.hpp"
 #include "comparisons/commands/result_text.hpp"
 #include "comparisons/measured/measured_case.hpp"
@@ -31,7 +36,20 @@ std::vector<Vector3> read_displacements(const std::filesystem::path& file,
                    file.has_extension() ? file.extension().string() : "none");
 }
 
-MeasuredFields read_fields(const MeasuredFiles& files, const Mesh& mesh) {
+constexpr auto of_measured = "what was computed";
+
+struct MeasureOptions {
+  std::string scene{};
+  SettingOptions settings{};
+  std::filesystem::path displacements{};          // .vtu or .csv
+  std::optional<std::filesystem::path> forces{};  // .csv
+  std::string label{};                            // stands for the method
+  std::optional<std::filesystem::path> out{};     // result file
+  Output output = Output::text;
+  int threads = all_cores();
+};
+
+MeasuredFields read_fields(const MeasureOptions& files, const Mesh& mesh) {
   MeasuredFields fields{.displacements = read_displacements(files.displacements, mesh)};
   if (files.forces)
     fields.forces = read_nodal_csv(*files.forces, mesh, NodalQuantity::force);
@@ -61,33 +79,30 @@ void check_read(const RunSettings& run, const Method& measured,
   }
 }
 
-}  // namespace
-
-ExitStatus measure_command(const std::string& scene,
-                           const std::vector<GivenSetting>& options,
-                           const MeasuredFiles& files,
-                           const std::optional<std::filesystem::path>& result_file,
-                           Output output) {
-  const RunSettings run = read_run(scene, options);
+ExitStatus measure(const MeasureOptions& options) {
+  const Computing computing(options.threads);
+  const std::vector<GivenSetting> given = options.settings.given();
+  const RunSettings run = read_run(options.scene, given);
   check_memory(run.cells_place, requests(run));
-  if (result_file) check_results_writable(*result_file);
+  if (options.out) check_results_writable(*options.out);
   MeshStore meshes;
   const Mesh& mesh = meshes.mesh(run.common.body);
-  const MeasuredFields fields = read_fields(files, mesh);
-  check_read(run, measured_method(files.label, fields), options);
+  const MeasuredFields fields = read_fields(options, mesh);
+  check_read(run, measured_method(options.label, fields), given);
   const CaseSettings measured = at_load(run.common, last_load(run.common.dynamics));
   for (const std::string& words :
        contradictions(mesh, mechanical_scene(measured, mesh), fields))
     spdlog::warn("{}", words);
+  const BeforeInterruption told = tell_when_interrupted([] { return "Nothing is kept."; });
   std::vector<CaseResult> results;
   {
     Progress progress("simulations");
     results.push_back(measured_case(
-        run, files.label, fields, meshes,
+        run, options.label, fields, meshes,
         [&](std::size_t done, std::size_t of) { progress.show(done, of); }));
   }
-  if (result_file) write_results(*result_file, results, meshes);
-  if (output == Output::json)
+  if (options.out) write_results(*options.out, results, meshes);
+  if (options.output == Output::json)
     fmt::print("{}\n",
                run_json(run.common.scene, results, {std::nullopt}, meshes).dump(2));
   else
@@ -95,6 +110,43 @@ ExitStatus measure_command(const std::string& scene,
   return std::ranges::count(run.expect, results.front().status) > 0
              ? ExitStatus::done
              : ExitStatus::unexpected_status;
+}
+
+Action declare_measure(CLI::App& parser) {
+  const auto options = std::make_shared<MeasureOptions>();
+  add_scene(parser, options->scene);
+  add_path(parser, "--displacements", options->displacements, "FILE",
+           ".vtu or .csv file of the nodes' displacements [m]")
+      ->required()
+      ->group(of_measured);
+  add_path(parser, "--forces", options->forces, "FILE",
+           ".csv file of the forces that the plates apply to the nodes [N]")
+      ->group(of_measured);
+  parser.add_option("--label", options->label, "name that stands for the method")
+      ->required()
+      ->type_name("NAME")
+      ->group(of_measured);
+  options->settings.add_to(parser, is_no_method);
+  add_path(parser, "--out", options->out, "FILE", "HDF5 file for measures and fields")
+      ->group(of_output);
+  add_json(parser, options->output);
+  add_threads(parser, options->threads);
+  return [options] { return measure(*options); };
+}
+
+}  // namespace
+
+Command measure_command() {
+  return {.name = "measure",
+          .summary = "Measure what another program computed on a scene's mesh",
+          .description =
+              "'springcheck mesh' writes that mesh. Warnings tell what "
+              "contradicts the scene.",
+          .examples = {{"springcheck measure compression --displacements nodes.csv "
+                        "--label their-solver",
+                        "its volume error and distance from the reference"}},
+          .simulates = true,
+          .declare = declare_measure};
 }
 
 }  // namespace springcheck

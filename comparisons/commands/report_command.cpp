@@ -1,96 +1,21 @@
-#include "comparisons/commands/report_command.hpp"
-
 #include <fmt/format.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <system_error>
+#include <CLI/CLI.hpp>
+#include <memory>
 
 #include "comparisons/build_info/build_info.hpp"
-#include "comparisons/chart/chart_json.hpp"
-#include "comparisons/chart/chart_tables.hpp"
-#include "comparisons/commands/report_program.hpp"
-#include "comparisons/commands/table_files.hpp"
+#include "comparisons/command_line/options.hpp"
+#include "comparisons/commands/commands.hpp"
+#include "comparisons/report/report.hpp"
 #include "comparisons/results/known_results.hpp"
-#include "comparisons/stability/atlas_json.hpp"
-#include "comparisons/tables/stored_tables.hpp"
-#include "comparisons/tables/theory_curves.hpp"
 #include "meshing/input_error.hpp"
-#include "meshing/output_file.hpp"
 
 namespace springcheck {
-
 namespace {
 
-/// Refuses a folder whose page somebody else made: it would be lost.
-void check_page_is_ours(const std::filesystem::path& folder) {
-  const std::filesystem::path page = folder / "index.html";
-  std::ifstream in(page);
-  if (!in) return;
-  std::string head(1000, '\0');
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (head.find("content=\"springcheck report\"") == std::string::npos)
-    throw InputError(page.string(), "", "the page of an earlier report, or none",
-                     "another page, which would be lost");
-}
-
-}  // namespace
-
-void prepare_report(const std::filesystem::path& folder) {
-  check_python();
-  check_page_is_ours(folder);
-  for (const char* part : {"tables", "data"}) {
-    std::error_code failed;
-    std::filesystem::create_directories(folder / part, failed);
-    if (failed)
-      throw InputError(folder.string(), "", "a folder that can be created",
-                       failed.message());
-  }
-  for (const char* file : {"tables/5.1.md", "data/theory.json", "index.html"})
-    check_writable(folder / file);
-}
-
-ExitStatus make_report(const std::filesystem::path& file,
-                       const std::filesystem::path& folder,
-                       const std::vector<Table>& further, Revisions revisions) {
-  const FolderLock lock(folder);
-  MeshStore meshes;
-  std::vector<Table> tables = stored_tables(file, meshes, revisions);
-  tables.insert(tables.end(), further.begin(), further.end());
-  const std::vector<Chart> charts = stored_charts(file, revisions);
-  for (Table& table : chart_tables(charts)) tables.push_back(std::move(table));
-  const OtherRevisions taken = other_revisions(stored_cases({file}, revisions));
-  write_tables(folder / "tables", tables, file.parent_path() / "tables");
-  const std::string theory = theory_curves(read_cases(file, revisions)).dump() + "\n";
-  write_whole_stream(folder / "data" / "theory.json",
-                     [&](std::ostream& out) { out << theory; });
-  const std::string vocabulary = list_json("").dump() + "\n";
-  write_whole_stream(folder / "data" / "vocabulary.json",
-                     [&](std::ostream& out) { out << vocabulary; });
-  const std::string note = !taken.empty()
-                               ? note_of_taken(taken)
-                               : note_of_other_revisions(stored_keys(file), revisions);
-  const std::string of_revisions = nlohmann::json{{"note", note}}.dump() + "\n";
-  write_whole_stream(folder / "data" / "revisions.json",
-                     [&](std::ostream& out) { out << of_revisions; });
-  const std::string chart_data = charts_json(charts).dump() + "\n";
-  write_whole_stream(folder / "data" / "charts.json",
-                     [&](std::ostream& out) { out << chart_data; });
-  const std::string atlas = atlas_json(file, revisions).dump() + "\n";
-  write_whole_stream(folder / "data" / "atlas.json",
-                     [&](std::ostream& out) { out << atlas; });
-  if (run_report_program(file, folder) != 0) return ExitStatus::fell_short;
-  const std::filesystem::path xdmf = folder / "3d" / "cases.xdmf";
-  if (std::filesystem::exists(folder / "3d" / "show.py"))  // made where there are fields
-    write_xdmf_for(file, xdmf, revisions);
-  else
-    std::filesystem::remove(xdmf);
-  fmt::print("Start with {}\n", (folder / "index.html").string());
-  return ExitStatus::done;
-}
-
-ExitStatus report_command(const std::filesystem::path& file,
-                          const std::filesystem::path& folder, Revisions revisions) {
+/// Throws InputError before anything is written.
+ExitStatus report(const std::filesystem::path& file, const std::filesystem::path& folder,
+                  Revisions revisions) {
   if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
     throw InputError(file.string(), "", "a result file", "what is no file");
   // Whatever is wrong with the file is said before a folder is made.
@@ -102,6 +27,30 @@ ExitStatus report_command(const std::filesystem::path& file,
                      note_of_other_revisions(stored, revisions));
   prepare_report(folder);
   return make_report(file, folder, {}, revisions);
+}
+
+Action declare_report(CLI::App& parser) {
+  struct Options {
+    std::filesystem::path results{}, out{};
+    Revisions revisions = Revisions::own;
+  };
+  const auto options = std::make_shared<Options>();
+  add_results(parser, options->results);
+  add_path(parser, "--out", options->out, "FOLDER", "folder for them")->required();
+  add_revisions(parser, options->revisions, "cases in the file");
+  return [options] { return report(options->results, options->out, options->revisions); };
+}
+
+}  // namespace
+
+Command report_command() {
+  return {.name = "report",
+          .summary = "Make page, figures and tables of a result file",
+          .description = "Computes nothing. index.html in the folder is where to start.",
+          .examples = {{"springcheck report results.h5 --out page",
+                        "page/index.html, with figures and tables beside it"}},
+          .simulates = false,
+          .declare = declare_report};
 }
 
 }  // namespace springcheck

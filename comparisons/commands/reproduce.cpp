@@ -11,8 +11,8 @@
 #include <span>
 
 #include "comparisons/chart/chart_run.hpp"
-#include "comparisons/commands/report_command.hpp"
 #include "comparisons/methods/methods.hpp"
+#include "comparisons/report/report.hpp"
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/running/cost.hpp"
 #include "comparisons/running/progress.hpp"
@@ -208,8 +208,8 @@ std::vector<Table> not_in_files(const std::vector<Table>& tables) {
 
 }  // namespace
 
-ExitStatus reproduce_command(const std::filesystem::path& directory, Extent extent,
-                             int parallel) {
+ExitStatus reproduce(const std::filesystem::path& directory, Extent extent,
+                     int parallel) {
   // On two cores:
   constexpr double seconds_of_map = 20, seconds_of_page = 60;
   const auto start = std::chrono::steady_clock::now();

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "comparisons/commands/commands.hpp"
+#include "comparisons/cases/exit_status.hpp"
 
 namespace springcheck {
 
@@ -32,7 +32,6 @@ enum class Extent {
 /// into results.h5 as they come; those that are there already are taken, if this very
 /// program computed them, so that an interrupted run goes on where it was.
 /// Throws InputError before computing when the directory cannot be written.
-ExitStatus reproduce_command(const std::filesystem::path& directory, Extent extent,
-                             int parallel);
+ExitStatus reproduce(const std::filesystem::path& directory, Extent extent, int parallel);
 
 }  // namespace springcheck

@@ -1,7 +1,12 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <memory>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/command_line/options.hpp"
 #include "comparisons/commands/commands.hpp"
 #include "comparisons/commands/result_json.hpp"
 #include "comparisons/gates/gate_keys.hpp"
@@ -9,6 +14,7 @@
 #include "comparisons/settings/setting_schema.hpp"
 #include "comparisons/settings/suggestion.hpp"
 #include "comparisons/sweeps/sweep_schema.hpp"
+#include "comparisons/vocabulary/vocabulary.hpp"
 
 namespace springcheck {
 namespace {
@@ -36,18 +42,39 @@ constexpr std::array schemas{Schema{"scene", scene_schema}, Schema{"sweep", swee
                              Schema{"gate", gates::gate_schema},
                              Schema{"result", result_schema}};
 
+std::vector<std::string_view> schema_names() {
+  std::vector<std::string_view> names;
+  for (const Schema& schema : schemas) names.push_back(schema.name);
+  return names;
+}
+
+ExitStatus print_schema(const std::string& what) {
+  const auto schema = std::ranges::find(schemas, what, &Schema::name);
+  if (schema == schemas.end())
+    refuse_name("springcheck schema", "file", what, schema_names());
+  fmt::print("{}\n", schema->make().dump(2));
+  return ExitStatus::done;
+}
+
+Action declare_schema(CLI::App& parser) {
+  const auto what = std::make_shared<std::string>();
+  parser.add_option("kind", *what, "of file; result is what --json prints")
+      ->required()
+      ->type_name(alternatives(schema_names()));
+  return [what] { return print_schema(*what); };
+}
+
 }  // namespace
 
-ExitStatus schema_command(const std::string& what) {
-  std::vector<std::string_view> names;
-  for (const auto& [name, make] : schemas) {
-    if (name == what) {
-      fmt::print("{}\n", make().dump(2));
-      return ExitStatus::done;
-    }
-    names.push_back(name);
-  }
-  refuse_name("springcheck schema", "file", what, names);
+Command schema_command() {
+  return {.name = "schema",
+          .summary = "Print the JSON schema of a kind of file",
+          .description = "Editors complete and check files by it.",
+          .examples = {{"springcheck schema scene", "the keys of scene files"},
+                       {"springcheck schema result",
+                        "what run, gate and list print with --json"}},
+          .simulates = false,
+          .declare = declare_schema};
 }
 
 }  // namespace springcheck

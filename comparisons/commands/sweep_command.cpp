@@ -1,12 +1,16 @@
-#include "comparisons/commands/sweep_command.hpp"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <memory>
 
+#include "comparisons/command_line/computing.hpp"
+#include "comparisons/command_line/interrupted.hpp"
+#include "comparisons/command_line/options.hpp"
+#include "comparisons/commands/commands.hpp"
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/running/cost.hpp"
 #include "comparisons/running/memory.hpp"
@@ -18,6 +22,23 @@ namespace springcheck {
 namespace {
 
 constexpr std::size_t unasked = 1'000'000;
+
+/// Every `of`-th case, from the `number`-th on.
+struct Shard {
+  int number = 1, of = 1;
+};
+
+struct SweepOptions {
+  std::string sweep{};  // a file's name, or that of a shipped one
+  std::filesystem::path out{};
+  int jobs = all_cores();    // simulations at once, at most
+  bool dry_run = false;      // count and estimate only
+  bool only_failed = false;  // those the file holds with a status other than ok
+  bool recompute = false;    // also what the file holds
+  bool yes = false;          // more than a million combinations are meant
+  Shard shard{};
+  Revisions revisions = Revisions::own;
+};
 
 /// What is to be computed.
 std::vector<PlannedCase> missing_of(const std::vector<PlannedCase>& wanted,
@@ -72,9 +93,8 @@ std::string counts(const std::map<Status, int>& count) {
   return text;
 }
 
-}  // namespace
-
-void set_shard(SweepOptions& options, const std::string& text) {
+/// Of "I/N". Throws InputError unless 1 <= I <= N.
+Shard shard_of(const std::string& text) {
   const std::size_t slash = text.find('/');
   const auto number = [&](std::string_view digits) {
     int value = 0;
@@ -82,20 +102,24 @@ void set_shard(SweepOptions& options, const std::string& text) {
         std::from_chars(digits.data(), digits.data() + digits.size(), value);
     return error == std::errc{} && end == digits.data() + digits.size() ? value : 0;
   };
+  Shard shard{0, 0};
   if (slash != std::string::npos) {
-    options.shard = number(std::string_view(text).substr(0, slash));
-    options.shards = number(std::string_view(text).substr(slash + 1));
+    shard.number = number(std::string_view(text).substr(0, slash));
+    shard.of = number(std::string_view(text).substr(slash + 1));
   }
-  if (slash == std::string::npos || options.shard < 1 || options.shard > options.shards)
+  if (shard.number < 1 || shard.number > shard.of)
     throw InputError("--shard", "", "I/N with 1 <= I <= N", "'" + text + "'");
+  return shard;
 }
 
-ExitStatus sweep_command(const std::string& name_or_path,
-                         const std::filesystem::path& file, const SweepOptions& options) {
-  const Sweep sweep = read_sweep(name_or_path, options.yes ? SIZE_MAX : unasked);
+/// Computes the cases the result file lacks and adds each as soon as it is complete.
+ExitStatus run_sweep(const SweepOptions& options) {
+  const Computing computing(options.jobs);
+  const std::filesystem::path& file = options.out;
+  const Sweep sweep = read_sweep(options.sweep, options.yes ? SIZE_MAX : unasked);
   MeshHashes meshes;
   const std::vector<PlannedCase> wanted =
-      planned_cases(sweep, meshes, options.shard, options.shards);
+      planned_cases(sweep, meshes, options.shard.number, options.shard.of);
   const auto told = [&](const std::vector<PlannedCase>& missing) {
     fmt::print("{}: {} cases, {} of them to compute\n", sweep.name, wanted.size(),
                missing.size());
@@ -117,6 +141,7 @@ ExitStatus sweep_command(const std::string& name_or_path,
   const std::vector<PlannedCase> missing =
       missing_of(wanted, results.stored(), sweep, meshes, options);
   told(missing);
+  const BeforeInterruption kept = tell_that_it_goes_on(file);
   std::fflush(stdout);  // into a pipe, too, whatever becomes of what follows
   const SweepOutcome outcome = run_cases(results, sweep, missing, options.jobs);
   if (!outcome.count.empty()) fmt::print("computed: {}\n", counts(outcome.count));
@@ -126,6 +151,47 @@ ExitStatus sweep_command(const std::string& name_or_path,
   if (sweep.with_fields && !missing.empty()) write_xdmf_beside(file);
   if (outcome.failure) std::rethrow_exception(outcome.failure);
   return ExitStatus::done;
+}
+
+Action declare_sweep(CLI::App& parser) {
+  const auto options = std::make_shared<SweepOptions>();
+  parser.add_option("sweep", options->sweep, "name of a shipped sweep, or a .toml file")
+      ->required()
+      ->type_name("SWEEP|FILE");
+  add_path(parser, "--out", options->out, "FILE", "HDF5 file to add the cases to")
+      ->required();
+  parser.add_flag("--dry-run", options->dry_run, "count and estimate only");
+  parser.add_flag("--only-failed", options->only_failed,
+                  "run again what the file holds with a status other than ok");
+  parser.add_flag("--recompute", options->recompute, "run again all that the file holds");
+  parser
+      .add_option_function<std::string>(
+          "--shard",
+          [options](const std::string& text) { options->shard = shard_of(text); },
+          "I/N: every N-th case from the I-th on")
+      ->type_name("I/N");
+  parser.add_flag("--yes", options->yes, "more than a million combinations are meant");
+  add_revisions(parser, options->revisions, "cases in the file");
+  add_jobs(parser, options->jobs, "simulations");
+  return [options] { return run_sweep(*options); };
+}
+
+}  // namespace
+
+Command sweep_command() {
+  return {.name = "sweep",
+          .summary = "Run the cases of a sweep that a result file lacks",
+          .description =
+              "A sweep is a scene over lists of settings. What was computed is "
+              "kept, whatever ends the command: started again, it goes on.",
+          .examples = {{"springcheck sweep nu --out nu.h5",
+                        "springs and elements over Poisson's ratio"},
+                       {"springcheck sweep nu --out nu.h5 --dry-run",
+                        "how many cases that is, and how long it takes"},
+                       {"springcheck sweep mine.toml --out part1.h5 --shard 1/2",
+                        "half of a sweep of your own, on one of two machines"}},
+          .simulates = true,
+          .declare = declare_sweep};
 }
 
 }  // namespace springcheck

@@ -61,9 +61,14 @@ LockFile::LockFile(const std::filesystem::path& file)
     close(descriptor_);
     throw std::runtime_error(lock_.string() + ": " + message_of(error));
   }
+  removal_.emplace([lock = lock_] {
+    std::error_code ignored;
+    std::filesystem::remove(lock, ignored);
+  });
 }
 
 LockFile::~LockFile() {
+  removal_.reset();
   std::error_code ignored;
   std::filesystem::remove(lock_, ignored);
   close(descriptor_);

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+
+#include "comparisons/system/interruption.hpp"
 
 namespace springcheck {
 
@@ -18,6 +21,7 @@ class LockFile {
  private:
   std::filesystem::path lock_;
   int descriptor_;
+  std::optional<BeforeInterruption> removal_{};
 };
 
 }  // namespace springcheck

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include "comparisons/system/interruption.hpp"
 
 namespace springcheck {
 
@@ -20,6 +23,7 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
   int lock_;
+  std::optional<BeforeInterruption> removal_{};
 };
 
 }  // namespace springcheck

@@ -2,6 +2,7 @@
 
     {program-list} measures     the table of `springcheck list measures`
     {program-help} run          what `springcheck run --help` prints
+    {program-commands}          a section for each command, with what its --help prints
 
 The program is $SPRINGCHECK, or build/release/springcheck of this clone.
 """
@@ -9,6 +10,7 @@ The program is $SPRINGCHECK, or build/release/springcheck of this clone.
 import json
 import os
 import pathlib
+import re
 import subprocess
 
 from docutils import nodes
@@ -28,7 +30,8 @@ HEADS = {"methods": "method", "scenes": "scene", "sweeps": "sweep", "settings": 
 def asked(*arguments):
     """What the program prints."""
     try:
-        run = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True)
+        run = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True,
+                             env=os.environ | {"COLUMNS": "100"})
     except (OSError, subprocess.CalledProcessError) as error:
         detail = getattr(error, "stderr", "") or str(error)
         raise ExtensionError(f"{PROGRAM} {' '.join(arguments)}: {detail.strip()}") from error
@@ -106,16 +109,29 @@ class ProgramList(SphinxDirective):
         return [node]
 
 
+def help_of(*command):
+    text = asked(*command, "--help")
+    return nodes.literal_block(text, text, language="text")
+
+
 class ProgramHelp(SphinxDirective):
     optional_arguments = 1
 
     def run(self):
         self.env.note_reread()
-        text = asked(*self.arguments, "--help").replace(PROGRAM, "springcheck")
-        return [nodes.literal_block(text, text, language="text")]
+        return [help_of(*self.arguments)]
+
+
+class ProgramCommands(SphinxDirective):
+    def run(self):
+        self.env.note_reread()
+        commands = re.findall(r"^  ([a-z]+) ", asked("help").split("\nCommands:\n")[1], re.M)
+        return [nodes.section("", nodes.title(name, name), help_of(name), ids=[name], names=[name])
+                for name in commands]
 
 
 def setup(app):
     app.add_directive("program-list", ProgramList)
     app.add_directive("program-help", ProgramHelp)
+    app.add_directive("program-commands", ProgramCommands)
     return {"version": "1", "parallel_read_safe": True}

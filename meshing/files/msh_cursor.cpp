@@ -36,7 +36,8 @@ MshCursor::MshCursor(const std::filesystem::path& file) : file_(file.string()) {
   };
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) refuse_file("no such file");
+  if (!std::filesystem::exists(status))
+    refuse_file("no such file (gmsh -3 BODY.geo -o BODY.msh makes one)");
   if (std::filesystem::is_directory(status)) refuse_file("a directory");
   if (!std::filesystem::is_regular_file(status)) refuse_file("no regular file");
   std::ifstream in(file, std::ios::binary);

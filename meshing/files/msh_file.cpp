@@ -29,7 +29,8 @@ constexpr std::array<MshType, 8> types{{{1, 1, 2, "line"},
 bool read_format(MshCursor& cursor) {
   cursor.set_entity("first line");
   if (const auto start = cursor.word(); start != "$MeshFormat")
-    cursor.refuse("'$MeshFormat'", quotation(start));
+    cursor.refuse("'$MeshFormat' of a mesh (gmsh -3 BODY.geo -o BODY.msh makes one)",
+                  quotation(start));
   cursor.set_entity("$MeshFormat");
   const std::string version(cursor.word());
   if (version != "2.2" && version != "4.1")

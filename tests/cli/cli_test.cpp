@@ -228,6 +228,10 @@ BOOST_AUTO_TEST_CASE(the_exit_status_of_several_methods_is_chosen) {
     BOOST_TEST(status(both, "any") == 3);
   }
   BOOST_TEST(status(works, "any") == 0);
+  BOOST_TEST(status(fails + "," + works, "unstable,wrinkled") == 3);
+  BOOST_TEST(status(fails + "," + works, "unstable,refused") == 0);
+  BOOST_TEST(status(fails, "unstable,refused") == 0);
+  BOOST_TEST(status(works, "ok") == 3);
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_s_expectations_decide_the_exit_status) {
@@ -340,11 +344,14 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
   expect_bad_input("run $(printf 'sc\\377ne.toml')", "UTF-8");
   expect_bad_input("run compression --fixed $(printf 'a\\377')",
                    "argument 4: expected text in UTF-8, got other bytes: 'a?'");
-  expect_bad_input("run compression --fail-on some", "one of any, all, none");
+  expect_bad_input("run compression --fail-on some", "one of any, all, none, ok,");
+  expect_bad_input("run compression --fail-on wrinkeld", "did you mean 'wrinkled'?");
   expect_bad_input("compare",
-                   "run, table, reproduce, measure, sweep, merge, stability, chart, "
-                   "advise, list, mesh");
-  expect_bad_input("", "subcommand");
+                   "one of run, table, reproduce, sweep, chart, stability, advise, gate, "
+                   "report, export, merge, measure, mesh, list, schema, help");
+  expect_bad_input("help rnu", "did you mean 'run'?");
+  expect_bad_input("run compression --celltype prism", "did you mean '--cell-type'?");
+  expect_bad_input("run", "run: scene is required (see springcheck help run)");
 }
 
 // OpenBLAS would ask for its buffer for ever. Whatever the limit, the run ends.
@@ -393,14 +400,26 @@ BOOST_AUTO_TEST_CASE(errors_are_one_line) {
     BOOST_TEST(lines(run_springcheck(arguments).err) == 1U, arguments);
 }
 
+BOOST_AUTO_TEST_CASE(without_a_command_it_tells_what_there_is) {
+  const Run nothing = run_springcheck("", "COLUMNS=80 "), help = run_springcheck("help"),
+            asked = run_springcheck("--help");
+  BOOST_TEST(nothing.status == 2);  // nothing was done
+  BOOST_TEST(help.status == 0);
+  BOOST_TEST(asked.status == 0);
+  BOOST_TEST(nothing.out == help.out);
+  BOOST_TEST(asked.out == help.out);
+  BOOST_TEST(help.out.find("springcheck run compression") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(help_version_and_lists_work) {
-  BOOST_TEST(run_springcheck("--help").status == 0);
   for (const char* command :
-       {"run", "table", "reproduce", "measure", "list", "mesh", "gate"}) {
-    BOOST_TEST(run_springcheck(std::string(command) + " --version").status == 0, command);
-    const Run help = run_springcheck(std::string(command) + " --help");
-    BOOST_TEST(help.status == 0, command);
-    BOOST_TEST(help.out.find("Usage") != std::string::npos, command);
+       {"run", "table", "reproduce", "measure", "list", "mesh", "gate", "manual"}) {
+    const std::string name(command);
+    BOOST_TEST(run_springcheck(name + " --version").status == 0, name);
+    const Run help = run_springcheck(name + " --help");
+    BOOST_TEST(help.status == 0, name);
+    BOOST_TEST(help.out.starts_with("Usage: springcheck " + name), name);
+    BOOST_TEST(run_springcheck("help " + name).out == help.out, name);
   }
   BOOST_TEST(run_springcheck("--version").out.starts_with("springcheck "));
   const Json lists = json_of("list --json");

@@ -25,7 +25,7 @@ def options_in(text):
 
 
 LISTS = json.loads(printed("list", "--json"))
-COMMANDS = re.findall(r"^  ([a-z]+) ", printed("--help").split("Subcommands:")[1], re.M)
+COMMANDS = re.findall(r"^  ([a-z]+) ", printed("help").split("\nCommands:\n")[1], re.M)
 OPTIONS = {command: options_in(printed(command, "--help")) | {"--verbose"}
            for command in COMMANDS}
 EVERY_OPTION = set.union(*OPTIONS.values())

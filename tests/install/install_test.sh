@@ -14,6 +14,15 @@ cp -r "$folder/usr/share/doc/springcheck/examples" "$folder/examples"
 cd "$folder"
 
 [ "$(command -v springcheck)" = "$folder/usr/bin/springcheck" ]
+springcheck help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' > commands.txt
+for command in $(cat commands.txt); do
+  MANPATH="$folder/usr/share/man" man "springcheck-$command" | grep -q "^SYNOPSIS"
+done
+[ "$(wc -l < commands.txt)" -ge 18 ]
+MANPATH="$folder/usr/share/man" man --warnings springcheck 2>&1 >/dev/null | (! grep .)
+bash -c "source usr/share/bash-completion/completions/springcheck; complete -p springcheck"
+[ -s usr/share/fish/vendor_completions.d/springcheck.fish ]
+[ -s usr/share/zsh/vendor-completions/_springcheck ]
 bash examples/own_method/run.sh
 bash examples/gates/run.sh
 springcheck report examples/gates/results.h5 --out page

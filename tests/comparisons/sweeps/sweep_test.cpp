@@ -1,3 +1,5 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <exception>
@@ -6,7 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "comparisons/commands/sweep_command.hpp"
+#include "comparisons/commands/commands.hpp"
+#include "comparisons/results/known_results.hpp"
 #include "comparisons/running/cost.hpp"
 #include "comparisons/shipped/shipped.hpp"
 #include "comparisons/sweeps/sweep_file.hpp"
@@ -30,6 +33,14 @@ Sweep sweep_of(const std::string& text, std::size_t most = 1000) {
   const OwnFolder own;
   std::ofstream(own.path / "sweep.toml") << text;
   return read_sweep((own.path / "sweep.toml").string(), most);
+}
+
+/// As the command line does.
+ExitStatus run(const Command& command, std::vector<std::string> words) {
+  DeclaredCommand declared(command);
+  std::ranges::reverse(words);  // as CLI11 takes them
+  declared.parser.parse(std::move(words));
+  return declared.action();
 }
 
 std::string message_of(const std::string& text, std::size_t most = 1000) {
@@ -381,20 +392,21 @@ BOOST_AUTO_TEST_CASE(shards_are_disjoint_and_whole) {
   std::size_t cases = 0;
   for (int shard = 1; shard <= 4; ++shard) {
     const fs::path file = own.path / ("part" + std::to_string(shard) + ".h5");
-    sweep_command(sweep, file, {.jobs = 2, .shard = shard, .shards = 4});
+    run(sweep_command(),
+        {sweep, "--out", file, "--jobs", "2", "--shard", std::to_string(shard) + "/4"});
     cases += read_cases(file, Revisions::own).rows;
-    merge_command(own.path / "all.h5", {file});
+    run(merge_command(), {own.path / "all.h5", file});
   }
   BOOST_TEST(cases == 9U);
   BOOST_TEST(read_cases(own.path / "all.h5", Revisions::own).rows == 9U);
   // Nothing is left to do, and merging again changes nothing.
-  sweep_command(sweep, own.path / "all.h5", {.jobs = 1});
-  BOOST_TEST(merge_command(own.path / "all.h5", {own.path / "part1.h5"}) ==
+  run(sweep_command(), {sweep, "--out", own.path / "all.h5", "--jobs", "1"});
+  BOOST_TEST(run(merge_command(), {own.path / "all.h5", own.path / "part1.h5"}) ==
              ExitStatus::done);
   const Columns all = read_cases(own.path / "all.h5", Revisions::own);
   BOOST_TEST(all.rows == 9U);
 
-  sweep_command(sweep, own.path / "whole.h5", {.jobs = 2});
+  run(sweep_command(), {sweep, "--out", own.path / "whole.h5", "--jobs", "2"});
   const Columns whole = read_cases(own.path / "whole.h5", Revisions::own);
   const auto force_of = [](const Columns& table, const std::string& key) {
     const auto& keys = table.texts.at("key");
@@ -411,7 +423,7 @@ BOOST_AUTO_TEST_CASE(only_failed_runs_what_is_there_and_not_ok) {
   const std::string sweep = (own.path / "s.toml").string();
   std::ofstream(sweep) << "scene = 'compression'\nmethod = 'fem-hooke'\n"
                           "cells = [2, 2, 2]\nnu = [0.1, 0.2, 0.3]\n";
-  sweep_command(sweep, file, {.jobs = 1});
+  run(sweep_command(), {sweep, "--out", file, "--jobs", "1"});
   MeshStore meshes;
   const Request request =
       all_requests(sweep_of("scene = 'compression'\nmethod = 'fem-hooke'\n"
@@ -423,10 +435,11 @@ BOOST_AUTO_TEST_CASE(only_failed_runs_what_is_there_and_not_ok) {
   failed.status = Status::not_converged;
   ResultFile(file).put({&failed, 1}, false, meshes);
   BOOST_TEST(ResultFile(file).stored().statuses.size() == 3U);
-  sweep_command(sweep, file, {.jobs = 1});  // failed or not, it is there
+  run(sweep_command(),
+      {sweep, "--out", file, "--jobs", "1"});  // failed or not, it is there
   BOOST_TEST(
       (ResultFile(file).stored().statuses.at(failed.key) == Status::not_converged));
-  sweep_command(sweep, file, {.jobs = 1, .only_failed = true});
+  run(sweep_command(), {sweep, "--out", file, "--jobs", "1", "--only-failed"});
   BOOST_TEST((ResultFile(file).stored().statuses.at(failed.key) == Status::ok));
   BOOST_TEST(read_cases(file, Revisions::own).rows == 3U);
 }

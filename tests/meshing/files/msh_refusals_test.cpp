@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(sound_text_is_not_refused) {
 
 BOOST_AUTO_TEST_CASE(what_is_no_file_to_read_is_refused) {
   BOOST_TEST(refusal(directory / "none.msh") ==
-             ": expected a gmsh file that can be read, got no such file");
+             ": expected a gmsh file that can be read, got no such file (gmsh -3 BODY.geo -o BODY.msh makes one)");
   BOOST_TEST(refusal(directory / "") ==
              ": expected a gmsh file that can be read, got a directory");
   BOOST_TEST(refusal("/dev/zero") ==
@@ -67,7 +67,8 @@ BOOST_AUTO_TEST_CASE(what_is_no_file_to_read_is_refused) {
 BOOST_AUTO_TEST_CASE(script_is_refused_and_not_run) {
   const std::filesystem::path trace = directory / "trace";
   BOOST_TEST(refusal_of("SystemCall \"touch " + trace.string() + "\";\n") ==
-             ":1: first line: expected '$MeshFormat', got 'SystemCall'");
+             ":1: first line: expected '$MeshFormat' of a mesh (gmsh -3 "
+             "BODY.geo -o BODY.msh makes one), got 'SystemCall'");
   BOOST_TEST(!std::filesystem::exists(trace));
 }
 

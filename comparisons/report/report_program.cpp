@@ -1,4 +1,4 @@
-#include "comparisons/commands/report_program.hpp"
+#include "comparisons/report/report_program.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

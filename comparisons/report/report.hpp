@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
-#include "comparisons/commands/commands.hpp"
+#include "comparisons/cases/exit_status.hpp"
 #include "comparisons/formats/table.hpp"
+#include "comparisons/running/case_result.hpp"
 
 namespace springcheck {
 
@@ -25,9 +27,5 @@ void prepare_report(const std::filesystem::path& folder);
 ExitStatus make_report(const std::filesystem::path& file,
                        const std::filesystem::path& folder,
                        const std::vector<Table>& further, Revisions revisions);
-
-/// `springcheck report`. Throws InputError before anything is written.
-ExitStatus report_command(const std::filesystem::path& file,
-                          const std::filesystem::path& folder, Revisions revisions);
 
 }  // namespace springcheck

@@ -1,4 +1,4 @@
-#include "comparisons/commands/table_files.hpp"
+#include "comparisons/report/table_files.hpp"
 
 #include <algorithm>
 #include <array>

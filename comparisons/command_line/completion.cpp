@@ -1,0 +1,244 @@
+#include "comparisons/command_line/completion.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+namespace springcheck {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string joined(const Words& words) {
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+Words names_of(std::span<const CommandText> commands) {
+  Words names;
+  for (const CommandText& command : commands) names.push_back(command.name);
+  return names;
+}
+
+/// All names of its options.
+Words options_of(const CommandText& command) {
+  Words names;
+  for (const OptionText& option : command.options)
+    if (!option.is_positional)
+      names.insert(names.end(), option.names.begin(), option.names.end());
+  return names;
+}
+
+/// The type of its positional values: those of several, one after the other.
+std::string type_of_positional(const CommandText& command) {
+  std::string type;
+  for (const OptionText& option : command.options)
+    if (option.is_positional) type += (type.empty() ? "" : "|") + option.type;
+  return type;
+}
+
+/// The first clause, as people read it beside a name.
+std::string short_text(const std::string& description) {
+  const std::size_t end =
+      std::min({description.find(';'), description.find(". "), description.find(" (")});
+  return description.substr(0, end);
+}
+
+/// The text with a backslash before each of the characters.
+std::string escaped(std::string_view text, std::string_view characters) {
+  std::string result;
+  for (const char c : text) {
+    if (characters.find(c) != std::string_view::npos) result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+std::string in_quotes(std::string_view text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'')
+      result += "'\\''";
+    else
+      result += c;
+  }
+  return result + "'";
+}
+
+/// `values='...'; files=yes` of bash.
+std::string bash_values(const std::string& type) {
+  std::string values = fmt::format("values={}", in_quotes(joined(words_of_type(type))));
+  if (takes_files(type)) values += "; files=-f";
+  if (takes_folders(type)) values += "; files=-d";
+  return values;
+}
+
+std::string bash_case(const CommandText& command) {
+  std::string text = fmt::format("    {})\n      options={}\n      case $previous in\n",
+                                 command.name, in_quotes(joined(options_of(command))));
+  for (const OptionText& option : command.options)
+    if (!option.is_positional && !option.type.empty())
+      text += fmt::format("        {}) {} ;;\n", fmt::join(option.names, "|"),
+                          bash_values(option.type));
+  return text + fmt::format("        *) {} ;;\n      esac ;;\n",
+                            bash_values(type_of_positional(command)));
+}
+
+std::string bash_script(std::span<const CommandText> commands) {
+  std::string cases;
+  for (const CommandText& command : commands) cases += bash_case(command);
+  return fmt::format(R"(# bash completion of springcheck; see springcheck help completion
+_springcheck() {{
+  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}}
+  local values= options= files= before=
+  COMPREPLY=()
+  if [ "$COMP_CWORD" -eq 1 ]; then
+    mapfile -t COMPREPLY < <(compgen -W '{} --help --version --verbose' -- "$current")
+    return
+  fi
+  case ${{COMP_WORDS[1]}} in
+{}  esac
+  case $current in
+    -*) values=$options files= ;;
+    *,*) before=${{current%,*}}, ;;
+  esac
+  mapfile -t COMPREPLY < <(compgen -P "$before" -W "$values" -- "${{current##*,}}")
+  if [ -n "$files" ]; then
+    compopt -o filenames
+    mapfile -t -O "${{#COMPREPLY[@]}}" COMPREPLY < <(compgen $files -- "$current")
+  fi
+}}
+complete -F _springcheck springcheck
+)",
+                     joined(names_of(commands)), cases);
+}
+
+/// What zsh completes a value by: `:NAME:ACTION` of its _arguments.
+std::string zsh_action(const std::string& type) {
+  const Words words = words_of_type(type);
+  const std::string name = escaped(type, ":[]");
+  const char* const files = takes_folders(type) ? "_files -/" : "_files";
+  const bool has_files = takes_files(type) || takes_folders(type);
+  if (words.empty()) return fmt::format(":{}:{}", name, has_files ? files : "");
+  if (has_files)
+    return fmt::format(":{}:_alternative 'names:name:({})' 'files:file:{}'", name,
+                       escaped(joined(words), ":"), files);
+  return fmt::format(":{}:_sequence compadd - {}", name, escaped(joined(words), ":"));
+}
+
+std::string zsh_case(const CommandText& command) {
+  std::string text = fmt::format("    {})\n      _arguments", command.name);
+  int place = 0;
+  for (const OptionText& option : command.options) {
+    if (option.is_positional) {
+      const std::string which = option.may_be_repeated ? "*" : fmt::to_string(++place);
+      text += " \\\n        " + in_quotes(which + zsh_action(option.type));
+      continue;
+    }
+    const std::string description = escaped(short_text(option.description), ":[]");
+    for (const std::string& name : option.names)
+      text += " \\\n        " +
+              in_quotes(fmt::format("{}[{}]{}", name, description,
+                                    option.type.empty() ? "" : zsh_action(option.type)));
+  }
+  return text + " ;;\n";
+}
+
+std::string zsh_script(std::span<const CommandText> commands) {
+  std::string names, cases;
+  for (const CommandText& command : commands) {
+    names += fmt::format("    {}\n",
+                         in_quotes(command.name + ":" + escaped(command.summary, ":")));
+    cases += zsh_case(command);
+  }
+  return fmt::format(R"(#compdef springcheck
+# zsh completion of springcheck; see springcheck help completion
+_springcheck() {{
+  local -a commands=(
+{}  )
+  if (( CURRENT == 2 )); then
+    _describe command commands
+    return
+  fi
+  shift words
+  (( CURRENT-- ))
+  case $words[1] in
+{}  esac
+}}
+if [ "$funcstack[1]" = _springcheck ]; then
+  _springcheck "$@"
+else
+  compdef _springcheck springcheck
+fi
+)",
+                     names, cases);
+}
+
+/// The values of an option, or of what has no option's name, for fish's `complete`.
+std::string fish_values(const std::string& type, bool is_option) {
+  const Words words = words_of_type(type);
+  std::string flags;
+  if (takes_files(type))
+    flags = is_option ? " -r -F" : " -F";
+  else
+    flags = is_option ? " -x" : " -f";
+  if (takes_folders(type)) flags += " -a '(__fish_complete_directories)'";
+  if (words.empty()) return flags;
+  if (takes_files(type)) return flags + fmt::format(" -a {}", in_quotes(joined(words)));
+  return flags + fmt::format(" -a {}", in_quotes(fmt::format("(__fish_append , {})",
+                                                             joined(words))));
+}
+
+std::string fish_lines(const CommandText& command) {
+  const std::string of_command = fmt::format(
+      "complete -c springcheck -n '__fish_seen_subcommand_from {}'", command.name);
+  std::string lines =
+      fmt::format("complete -c springcheck -n __fish_use_subcommand -f -a {} -d {}\n",
+                  command.name, in_quotes(command.summary));
+  if (const std::string type = type_of_positional(command); !type.empty())
+    lines += of_command + fish_values(type, false) + "\n";
+  else
+    lines += of_command + " -f\n";
+  for (const OptionText& option : command.options) {
+    if (option.is_positional) continue;
+    lines += of_command;
+    for (const std::string& name : option.names)
+      lines += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+    lines += " -d " + in_quotes(short_text(option.description));
+    lines += option.type.empty() ? " -f" : fish_values(option.type, true);
+    lines += "\n";
+  }
+  return lines;
+}
+
+std::string fish_script(std::span<const CommandText> commands) {
+  std::string script =
+      "# fish completion of springcheck; see springcheck help completion\n"
+      "complete -c springcheck -n __fish_use_subcommand -f\n"
+      "complete -c springcheck -n __fish_use_subcommand -l version -d 'print the "
+      "version'\n"
+      "complete -c springcheck -n __fish_use_subcommand -l help -d 'print what there "
+      "is'\n"
+      "complete -c springcheck -n __fish_use_subcommand -l verbose -d 'log every Newton "
+      "iteration'\n";
+  for (const CommandText& command : commands) script += fish_lines(command);
+  return script;
+}
+
+}  // namespace
+
+std::string completion_script(Shell shell, std::span<const CommandText> commands) {
+  switch (shell) {
+    case Shell::bash:
+      return bash_script(commands);
+    case Shell::zsh:
+      return zsh_script(commands);
+    case Shell::fish:
+      return fish_script(commands);
+  }
+  throw std::logic_error("a shell that is none");
+}
+
+}  // namespace springcheck

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "comparisons/cases/named.hpp"
+#include "comparisons/formats/table_format.hpp"
+#include "comparisons/running/case_result.hpp"
+#include "comparisons/settings/named_values.hpp"
+
+namespace springcheck {
+
+// Options that several commands have, each declared once. The type of an option, which
+// help shows in place of its value, is words with | between them. In capitals stand what
+// completion fills in: FILE, FOLDER, and lists of `springcheck list`, such as SCENE.
+
+template <>
+inline constexpr std::array value_names<TableFormat>{
+    Named{TableFormat::markdown, "md"}, Named{TableFormat::csv, "csv"},
+    Named{TableFormat::json, "json"}, Named{TableFormat::latex, "latex"}};
+
+/// What a command prints: text for people, or one JSON document.
+enum class Output { text, json };
+
+inline constexpr auto of_output = "output";  // the group of options that say what is kept
+
+/// "md|csv|json|latex".
+std::string alternatives(const std::vector<std::string_view>& names);
+
+/// An option that takes one of the names of an enumeration.
+template <class Enumeration, class Variable>
+CLI::Option* add_choice(CLI::App& parser, const std::string& option, Variable& variable,
+                        const std::string& help) {
+  const auto read = [option, &variable](const std::string& text) {
+    variable = named<Enumeration>(Given::from_text(option, text));
+  };
+  return parser.add_option_function<std::string>(option, read, help)
+      ->type_name(alternatives(all_names<Enumeration>()));
+}
+
+/// Refuses an empty name, for add_path.
+std::string refusal_of_path(const std::string& text);
+
+/// A file or folder; an empty name is refused.
+template <class Path>
+CLI::Option* add_path(CLI::App& parser, const std::string& option, Path& path,
+                      const std::string& type, const std::string& help) {
+  return parser.add_option(option, path, help)->check(refusal_of_path)->type_name(type);
+}
+
+CLI::Option* add_scene(CLI::App& parser, std::string& scene);
+/// A result file that is read.
+CLI::Option* add_results(CLI::App& parser, std::filesystem::path& results);
+
+CLI::Option* add_format(CLI::App& parser, std::optional<TableFormat>& format,
+                        const std::string& otherwise);
+CLI::Option* add_json(CLI::App& parser, Output& output);
+CLI::Option* add_threads(CLI::App& parser, int& threads);
+
+/// Of `what` that run at the same time.
+CLI::Option* add_jobs(CLI::App& parser, int& jobs, const std::string& what);
+
+/// `taken`: what of other revisions is taken.
+CLI::Option* add_revisions(CLI::App& parser, Revisions& revisions,
+                           const std::string& taken);
+
+/// Seconds above 0, or 0 and more.
+CLI::Option* add_seconds(CLI::App& parser, const std::string& option, double& seconds,
+                         bool may_be_zero, const std::string& help);
+
+/// A whole number in [least, most], into an integer or an optional one.
+template <class Count>
+CLI::Option* add_count(CLI::App& parser, const std::string& option, Count& count,
+                       int least, int most, const std::string& help) {
+  return parser.add_option(option, count, help)
+      ->check(CLI::Range(least, most).description(""))
+      ->type_name("COUNT");
+}
+
+/// The cores of this machine: how many threads, or simulations at once, there are where
+/// nothing else is asked for.
+int all_cores();
+
+}  // namespace springcheck

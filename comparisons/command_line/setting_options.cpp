@@ -1,0 +1,66 @@
+#include "comparisons/command_line/setting_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+
+#include "comparisons/command_line/options.hpp"
+
+namespace springcheck {
+
+void SettingOptions::add_to(CLI::App& parser, bool (*is_taken)(const Setting&)) {
+  parser.footer(
+      "Values of a list have commas between them. Numbers are in SI units, or carry a "
+      "unit: 10kPa, 5cm, 20ms, 5%, 45deg.");
+  for (const Setting& setting : all_settings()) {
+    if (!is_option(setting) || !is_taken(setting)) continue;
+    const std::string name(setting.key), option = "--" + name;
+    if (setting.access.type.kind == ValueType::Kind::truth)
+      options_[name] = parser.add_flag(option)->description(help_of(setting));
+    else
+      options_[name] = parser.add_option(option, texts_[name], help_of(setting))
+                           ->type_name(placeholder_of(setting));
+    options_[name]->group(std::string(setting.group));
+  }
+}
+
+std::vector<GivenSetting> SettingOptions::given() const {
+  std::vector<GivenSetting> settings;
+  for (const auto& [name, option] : options_)
+    if (option->count() > 0)
+      settings.push_back(
+          {name, Given::from_text("--" + name,
+                                  texts_.contains(name) ? texts_.at(name) : "true")});
+  return settings;
+}
+
+bool is_any(const Setting&) {
+  return true;
+}
+
+bool is_no_method(const Setting& setting) {
+  return setting.key != "method" && setting.key != "element";
+}
+
+bool is_taken_by_charts(const Setting& setting) {
+  return setting.in_charts == InCharts::taken;
+}
+
+std::string placeholder_of(const Setting& setting) {
+  constexpr std::size_t short_enough = 16;
+  const ValueType& type = setting.access.type;
+  if (setting.key == "mesh") return "FILE";
+  if (holds_numbers(type))
+    return type.most > 1                           ? "NUMBERS"
+           : type.kind == ValueType::Kind::integer ? "COUNT"
+                                                   : "NUMBER";
+  if (type.names == nullptr) return "NAME";
+  const std::string names = alternatives(type.names());
+  if (names.size() <= short_enough) return names;
+  std::string key(setting.key);
+  std::ranges::transform(key, key.begin(),
+                         [](unsigned char c) { return std::toupper(c); });
+  return key;
+}
+
+}  // namespace springcheck

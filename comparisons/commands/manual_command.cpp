@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <system_error>
+
+#include "comparisons/command_line/manual_page.hpp"
+#include "comparisons/command_line/options.hpp"
+#include "comparisons/commands/commands.hpp"
+#include "meshing/input_error.hpp"
+#include "meshing/output_file.hpp"
+
+namespace springcheck {
+namespace {
+
+void write_page(const std::filesystem::path& file, const std::string& page) {
+  write_whole_stream(file, [&](std::ostream& out) { out << page; });
+}
+
+/// Every page, as springcheck.1 and springcheck-COMMAND.1.
+void write_all_pages(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+    throw InputError(folder.string(), "", "a folder that can be created",
+                     failed.message());
+  const std::vector<Command> commands = all_commands();
+  write_page(folder / "springcheck.1", manual_page(commands));
+  for (const Command& command : commands)
+    write_page(folder / fmt::format("springcheck-{}.1", command.name),
+               manual_page(text_of(command)));
+}
+
+Action declare_manual(CLI::App& parser) {
+  struct Options {
+    std::string command{};
+    std::optional<std::filesystem::path> out{};
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::Option* const command =
+      parser
+          .add_option("command", options->command, "whose page it is (default: of all)")
+          ->type_name(alternatives(command_names()));
+  add_path(parser, "--out", options->out, "FOLDER", "folder for all pages instead")
+      ->excludes(command);
+  return [options] {
+    if (options->out)
+      write_all_pages(*options->out);
+    else
+      fmt::print("{}", options->command.empty()
+                           ? manual_page(all_commands())
+                           : manual_page(text_of(command_named(options->command))));
+    return ExitStatus::done;
+  };
+}
+
+}  // namespace
+
+Command manual_command() {
+  return {.name = "manual",
+          .summary = "Print manual pages for man",
+          .description = "The installed package has them already.",
+          .examples = {{"springcheck manual run | man -l -", "reads the page of run"},
+                       {"springcheck manual --out man1", "writes every page"}},
+          .simulates = false,
+          .declare = declare_manual};
+}
+
+}  // namespace springcheck

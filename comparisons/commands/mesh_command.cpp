@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "comparisons/command_line/options.hpp"
+#include "comparisons/command_line/setting_options.hpp"
+#include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/quality_text.hpp"
+#include "comparisons/running/memory.hpp"
+#include "comparisons/settings/scene_file.hpp"
+#include "meshing/files/mesh_files.hpp"
+#include "meshing/input_error.hpp"
+#include "meshing/output_file.hpp"
+
+namespace springcheck {
+namespace {
+
+/// "8 prisms, 20 hexahedra".
+std::string cell_counts(const Mesh& mesh) {
+  std::string text;
+  for (const CellType type : all_cell_types)
+    if (const std::size_t count = mesh.count(type); count > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, plural_of(type));
+  return text;
+}
+
+struct MeshOptions {
+  std::string scene{};
+  SettingOptions settings{};
+  std::optional<std::filesystem::path> file{};
+  bool quality = false;
+};
+
+ExitStatus write_scene_mesh(const MeshOptions& options) {
+  const auto& file = options.file;
+  if (!file && !options.quality)
+    throw InputError("--out", "", "a .msh, .vtu or .inp file, or --quality alone",
+                     "neither");
+  const RunSettings run = read_run(options.scene, options.settings.given());
+  check_mesh_memory(run.cells_place, run.common.body);
+  if (file) check_writable(*file);
+  const Mesh mesh = build_mesh(run.common.body);
+  if (file) write_mesh(mesh, *file);
+  fmt::print("{}: {} nodes, {}, {:.6g} m^3, SHA-256 {}\n",
+             file ? file->string() : mesh.source(), mesh.nodes().size(),
+             cell_counts(mesh), mesh.volume(), mesh.sha256());
+  if (!mesh.surfaces_elsewhere().empty())
+    fmt::print("surfaces that are not on the boundary, and hold nothing: {}\n",
+               fmt::join(mesh.surfaces_elsewhere(), ", "));
+  if (options.quality) fmt::print("\n{}", quality_text(quality_of(mesh)));
+  return ExitStatus::done;
+}
+
+Action declare_mesh(CLI::App& parser) {
+  const auto options = std::make_shared<MeshOptions>();
+  add_scene(parser, options->scene);
+  options->settings.add_to(parser, is_any);
+  add_path(parser, "--out", options->file, "FILE", "a .msh, .vtu or .inp file")
+      ->group(of_output);
+  parser
+      .add_flag("--quality", options->quality,
+                "print volumes, scaled Jacobians and edge ratios of the cells")
+      ->group(of_output);
+  return [options] { return write_scene_mesh(*options); };
+}
+
+}  // namespace
+
+Command mesh_command() {
+  return {.name = "mesh",
+          .summary = "Write the mesh that both solvers use, or tell how good it is",
+          .description = "",
+          .examples = {{"springcheck mesh compression --out block.msh",
+                        "the scene's block for gmsh"},
+                       {"springcheck mesh compression --mesh body.msh --quality",
+                        "how good the cells of a mesh of yours are"}},
+          .simulates = false,
+          .declare = declare_mesh};
+}
+
+}  // namespace springcheck

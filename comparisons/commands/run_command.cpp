@@ -1,0 +1,265 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+
+#include "comparisons/command_line/computing.hpp"
+#include "comparisons/command_line/interrupted.hpp"
+#include "comparisons/command_line/options.hpp"
+#include "comparisons/command_line/setting_options.hpp"
+#include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/result_json.hpp"
+#include "comparisons/commands/result_text.hpp"
+#include "comparisons/commands/run_splits.hpp"
+#include "comparisons/results/kept_results.hpp"
+#include "comparisons/running/memory.hpp"
+#include "comparisons/running/progress.hpp"
+#include "comparisons/settings/scene_file.hpp"
+#include "comparisons/tables/studies/split_output.hpp"
+#include "meshing/input_error.hpp"
+#include "meshing/output_file.hpp"
+
+namespace springcheck {
+namespace {
+
+struct RunOptions {
+  std::string scene{};
+  SettingOptions settings{};
+  std::optional<std::filesystem::path> out{};  // result file
+  Output output = Output::text;
+  bool splits_errors = false;
+  std::string fail_on{};
+  Watch watch{.shows_progress = true};
+  int threads = all_cores();  // that split the error
+};
+
+/// A checkpoint belongs to a single simulation through time, and is no result file.
+void check_checkpoint(const RunSettings& run, const std::filesystem::path& file,
+                      const std::optional<std::filesystem::path>& result_file) {
+  const auto place = [](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+  };
+  if (result_file && place(file) == place(*result_file))
+    throw InputError("--checkpoint", "", "another file than that of --out",
+                     "'" + file.string() + "'");
+  if (run.methods.size() != 1)
+    throw InputError("--checkpoint", "", "one method",
+                     fmt::to_string(run.methods.size()));
+  const CaseSettings settings = with_method(run.common, run.methods.front());
+  if (!goes_through_time(settings))
+    throw InputError("--checkpoint", "", "a solver that goes through time",
+                     std::string(name_of(solver_of(settings))));
+  check_writable(file);
+}
+
+void print_results(const RunSettings& run, Output output,
+                   const std::vector<CaseResult>& results,
+                   const std::vector<std::optional<Split>>& splits, MeshStore& meshes) {
+  if (output == Output::json) {
+    fmt::print("{}\n", run_json(run.common.scene, results, splits, meshes).dump(2));
+    return;
+  }
+  fmt::print("{}", results_text(results));
+  for (const auto& split : splits)
+    if (split) fmt::print("\n{}", split_text(*split));
+}
+
+/// Those that make the run no success: as --fail-on says; else any of one method, and
+/// none of several.
+struct Failing {
+  enum class Rule { any, all, none, listed } rule;
+  std::vector<Status> listed{};
+};
+
+Failing failing_statuses(const std::string& text, std::size_t methods) {
+  using enum Failing::Rule;
+  if (text.empty()) return {methods == 1 ? any : none};
+  if (text == "any") return {any};
+  if (text == "all") return {all};
+  if (text == "none") return {none};
+  const Given given = Given::from_text("--fail-on", text);
+  std::vector<std::string_view> names{"any", "all", "none"};
+  for (const std::string_view status : all_names<Status>()) names.push_back(status);
+  Failing failing{listed};
+  for (const std::string& name : given.texts()) {
+    const auto* const status = find_value<Status>(name);
+    if (status == nullptr) given.refuse_name(name, names);
+    failing.listed.push_back(status->value);
+  }
+  return failing;
+}
+
+bool has_failed(const std::vector<CaseResult>& results,
+                const std::vector<Status>& expected, const Failing& failing) {
+  using enum Failing::Rule;
+  const auto is_listed = [&](const CaseResult& result) {
+    return std::ranges::any_of(failing.listed, [&](Status status) {
+      return result.status == status || std::ranges::count(result.flags, status) > 0;
+    });
+  };
+  const auto is_unexpected = [&](const CaseResult& result) {
+    return std::ranges::count(expected, result.status) == 0;
+  };
+  switch (failing.rule) {
+    case any:
+      return std::ranges::any_of(results, is_unexpected);
+    case all:
+      return std::ranges::all_of(results, is_unexpected);
+    case none:
+      return false;
+    case listed:
+      return std::ranges::any_of(results, is_listed);
+  }
+  throw std::logic_error("a rule that is none");
+}
+
+/// A run, what it computes beyond what was asked for, and what came of it.
+struct Simulations {
+  std::vector<Request> requests;  // those asked for, then the grids of the splits
+  std::size_t asked;
+  std::vector<std::optional<SplitPlan>> plans;  // of those asked for
+  std::vector<CaseResult> results{};            // in the order of the requests
+  std::exception_ptr failure{};                 // of a case; the others are still told
+};
+
+Simulations planned(const RunSettings& run, bool splits_errors) {
+  Simulations all{.requests = requests(run), .asked = 0, .plans = {}};
+  all.asked = all.requests.size();
+  all.plans.resize(all.asked);
+  if (splits_errors) all.plans = split_plans(run, all.requests);
+  for (const auto& plan : all.plans)
+    if (plan) {
+      const std::vector<Request> needed = split_requests(*plan);
+      all.requests.insert(all.requests.end(), needed.begin(), needed.end());
+    }
+  return all;
+}
+
+/// Where a case fails, those asked for that were computed stay. Throws where none was.
+void compute(Simulations& all, const RunOptions& options,
+             std::optional<KeptResults>& kept, MeshStore& meshes) {
+  // One at a time, unless the grids of a split make it long.
+  const int at_once = all.requests.size() > all.asked ? options.threads : 1;
+  all.results.resize(all.requests.size());
+  Progress progress("simulations");
+  const Finished show = [&](std::size_t done, std::size_t of) {
+    if (all.requests.size() > 1) progress.show(done, of);
+  };
+  const Deliver take = [&](std::size_t request, CaseResult&& result) {
+    all.results[request] = std::move(result);  // computed, whatever becomes of the file
+    if (kept) kept->keep(all.results[request]);
+  };
+  try {
+    run_study(all.requests, meshes, at_once, show, {}, take, options.watch);
+  } catch (...) {
+    all.failure = std::current_exception();
+    all.results.resize(all.asked);
+    std::erase_if(all.results,
+                  [](const CaseResult& result) { return result.key.empty(); });
+    if (all.results.empty()) throw;
+  }
+}
+
+/// Of those asked for.
+std::vector<std::optional<Split>> splits_of(const Simulations& all, MeshStore& meshes) {
+  std::vector<std::optional<Split>> splits(all.asked);
+  std::span<const CaseResult> grids = std::span(all.results).subspan(all.asked);
+  for (std::size_t i = 0; i < all.asked; ++i)
+    if (all.plans[i]) {
+      const std::size_t count = split_requests(*all.plans[i]).size();
+      splits[i] = split_error(*all.plans[i], all.results[i], grids.first(count), meshes);
+      grids = grids.subspan(count);
+    }
+  return splits;
+}
+
+ExitStatus run(const RunOptions& options) {
+  const Computing computing(options.threads);
+  const RunSettings settings = read_run(options.scene, options.settings.given());
+  const Failing failing = failing_statuses(options.fail_on, settings.methods.size());
+  if (options.watch.checkpoint)
+    check_checkpoint(settings, *options.watch.checkpoint, options.out);
+  Simulations all = planned(settings, options.splits_errors);
+  check_memory(settings.cells_place, all.requests);
+
+  MeshStore meshes;
+  std::optional<KeptResults> kept;
+  if (options.out) kept.emplace(*options.out, meshes);
+  const BeforeInterruption told = options.watch.checkpoint
+                                      ? tell_that_it_goes_on(options.watch.checkpoint)
+                                      : tell_what_is_kept(options.out);
+  compute(all, options, kept, meshes);
+  if (all.failure) {
+    const std::vector<std::optional<Split>> none(all.results.size());
+    print_results(settings, options.output, all.results, none, meshes);
+  }
+  if (kept) kept->finish(all.results, {});
+  if (all.failure) std::rethrow_exception(all.failure);
+  const std::vector<std::optional<Split>> splits = splits_of(all, meshes);
+  all.results.resize(all.asked);
+  print_results(settings, options.output, all.results, splits, meshes);
+  return has_failed(all.results, settings.expect, failing) ? ExitStatus::unexpected_status
+                                                           : ExitStatus::done;
+}
+
+Action declare_run(CLI::App& parser) {
+  const auto options = std::make_shared<RunOptions>();
+  add_scene(parser, options->scene);
+  options->settings.add_to(parser, is_any);
+  add_path(parser, "--out", options->out, "FILE", "HDF5 file for measures and fields")
+      ->group(of_output);
+  add_json(parser, options->output);
+  parser
+      .add_option("--fail-on", options->fail_on,
+                  "exit with 3 when any or all of the methods end in a status that the "
+                  "scene does not expect, or none; or when one ends in a status of this "
+                  "list, such as diverged,unstable (default: any with one method; none "
+                  "with several: they may all fail, and the exit status is 0)")
+      ->type_name("any|all|none|STATUS")
+      ->group(of_output);
+  parser
+      .add_flag("--split", options->splits_errors,
+                "split the errors of spring methods into law and discretisation; runs "
+                "finite elements on up to 4 times as many cells along each axis")
+      ->group(of_output);
+  CLI::Option* const checkpoint =
+      add_path(parser, "--checkpoint", options->watch.checkpoint, "FILE",
+               "HDF5 file to which dynamics is saved on the way, and from which it goes "
+               "on if it is there")
+          ->group(of_output);
+  add_seconds(parser, "--checkpoint-every", options->watch.seconds_between_checkpoints,
+              true, "seconds between two savings")
+      ->needs(checkpoint)
+      ->group(of_output);
+  add_revisions(parser, options->watch.revisions, "with --checkpoint: saved states")
+      ->needs(checkpoint);
+  add_threads(parser, options->threads);
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+Command run_command() {
+  return {
+      .name = "run",
+      .summary = "Run one scene with one or more methods",
+      .description =
+          "Options replace what the scene says. Several methods may all fail, "
+          "and the exit status is 0 unless --fail-on says otherwise.",
+      .examples = {{"springcheck run compression",
+                    "the scene's methods beside their reference"},
+                   {"springcheck run shearing --method mss-affine,fem-stvk:q2 --nu 0.45 "
+                    "--cells 8,8,8",
+                    "two methods on a mesh and a material of your own"},
+                   {"springcheck run torsion --deformation 45deg --out results.h5",
+                    "keeps measures and fields for tables, gates and the page"}},
+      .simulates = true,
+      .declare = declare_run};
+}
+
+}  // namespace springcheck

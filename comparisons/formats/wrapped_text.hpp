@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace springcheck {
+
+/// The text with line ends between words, so that no line is longer than `width`
+/// characters, but for words that are. The first line continues one that has `first`
+/// characters already; the others are indented by `indent` spaces. Without a line end
+/// after the last one.
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0,
+                    std::size_t first = 0);
+
+}  // namespace springcheck
