@@ -20,7 +20,7 @@ void SettingOptions::add_to(CLI::App& parser, bool (*is_taken)(const Setting&)) 
     else
       options_[name] = parser.add_option(option, texts_[name], help_of(setting))
                            ->type_name(placeholder_of(setting));
-    options_[name]->group(std::string(setting.group));
+    options_[name]->group(std::string(setting.group.heading));
   }
 }
 

@@ -61,11 +61,17 @@ struct Particulars {
   std::string_view default_text{};  // the default in words, where `otherwise` is not all
 };
 
+/// Settings that belong together: in documentation and in the explorer under their name,
+/// in a command's help, which has fewer, under the heading.
+struct SettingGroup {
+  std::string_view name, heading;
+};
+
 /// A setting, declared in setting_table.cpp alone: scene and sweep files, command line,
 /// refusals, case keys, result columns, stability axes, charts and documentation read it
 /// there.
 struct Setting : Particulars {
-  constexpr Setting(std::string_view its_key, std::string_view its_group, InCharts charts,
+  constexpr Setting(std::string_view its_key, SettingGroup its_group, InCharts charts,
                     const Readers& its_readers, const Access& its_access,
                     std::string_view its_default, std::string_view its_help,
                     const Particulars& particulars = {})
@@ -79,7 +85,7 @@ struct Setting : Particulars {
         help(its_help) {}
 
   std::string_view key;
-  std::string_view group;  // as documentation orders them
+  SettingGroup group;
   InCharts in_charts;
   Readers readers;
   Access access;

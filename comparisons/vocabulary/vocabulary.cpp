@@ -171,7 +171,7 @@ Json settings() {
   Json entries;
   for (const Setting& setting : all_settings())
     entries[std::string(setting.key)] = {
-        {"group", setting.group},
+        {"group", setting.group.name},
         {"option", is_option(setting)},
         {"units", units_of(setting.dimension)},
         {"kind", name_of(setting.access.type.kind)},

@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(help_has_groups_defaults_and_what_is_needed) {
   std::vector<std::size_t> places;
   for (const char* heading :
        {"\nExamples:\n", "\nMethod:\n", "\nScene:\n", "\nMaterial:\n", "\nSolver:\n",
-        "\nDynamics:\n", "\nOutput:\n", "\nOptions:\n"})
+        "\nDynamics:\n", "\nTissue:\n", "\nOutput:\n", "\nOptions:\n"})
     places.push_back(help.find(heading));
   BOOST_TEST(std::ranges::is_sorted(places));
   BOOST_TEST(places.back() != help.npos);

@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(keys_are_declared_once_and_their_companions_exist) {
     BOOST_TEST((setting.beside.empty() || find_setting(setting.beside) != nullptr),
                setting.key);
     BOOST_TEST(!setting.help.empty(), setting.key);
-    BOOST_TEST(!setting.group.empty(), setting.key);
+    BOOST_TEST(!setting.group.name.empty(), setting.key);
     BOOST_TEST((setting.access.read != nullptr), setting.key);
     const Readers& readers = setting.readers;
     const bool may_be_refused = readers.unread != Unread::accepted;
