@@ -2,6 +2,7 @@
 
 #include <CLI/App.hpp>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,13 +30,15 @@ struct Command {
   Action (*declare)(CLI::App& parser);
 };
 
+/// "springcheck 0.2.0 (commit)".
+std::string version_text();
+
 /// A command with its options, which the parser reads.
 struct DeclaredCommand {
-  explicit DeclaredCommand(const Command& its_command);
+  explicit DeclaredCommand(const Command& command);
   DeclaredCommand(const DeclaredCommand&) = delete;  // the parser writes into `verbose`
   DeclaredCommand& operator=(const DeclaredCommand&) = delete;
 
-  const Command& command;
   CLI::App parser;
   Action action;
   bool verbose = false;

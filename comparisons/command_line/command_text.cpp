@@ -14,6 +14,12 @@ namespace {
 
 const std::string without_group = "Options";  // CLI11's word
 
+std::string capitalised(std::string text) {
+  text.front() =
+      static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
 std::string in_capitals(std::string text) {
   std::ranges::transform(text, text.begin(),
                          [](unsigned char c) { return std::toupper(c); });
@@ -30,7 +36,7 @@ OptionText text_of(const CLI::Option& option) {
   OptionText text{.names = {},
                   .type = option.get_items_expected() == 0 ? "" : option.get_type_name(),
                   .description = option.get_description(),
-                  .group = option.get_group(),
+                  .group = capitalised(option.get_group()),
                   .is_positional = option.get_positional(),
                   .is_required = option.get_required(),
                   .may_be_repeated = option.get_items_expected_max() > 1};
@@ -55,8 +61,9 @@ std::vector<std::string> parts_of(const std::string& type) {
   return parts;
 }
 
+/// In capitals; E is a value.
 bool is_placeholder(const std::string& part) {
-  return !part.empty() && std::isupper(static_cast<unsigned char>(part.front())) != 0;
+  return part.size() > 1 && std::isupper(static_cast<unsigned char>(part.front())) != 0;
 }
 
 /// METHOD: the names that the setting `method` takes, or those of the list `methods`.

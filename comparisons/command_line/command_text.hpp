@@ -12,7 +12,7 @@ struct OptionText {
   std::vector<std::string> names;  // "-h", "--help"; of a positional one "SCENE"
   std::string type;                // see options.hpp; empty of a flag
   std::string description;         // with its default
-  std::string group;
+  std::string group;               // the heading of help
   bool is_positional;
   bool is_required;
   bool may_be_repeated;
@@ -31,7 +31,8 @@ CommandText text_of(const Command& command);
 std::string usage_of(const CommandText& command);
 
 /// The groups of options that are not positional: their headings in the order of the
-/// first option of each, those without a group of their own last.
+/// first option of each, those without a group of their own last, of whom there are some
+/// in every command.
 std::vector<std::string> groups_of(const CommandText& command);
 
 /// The words that complete a value of the type, with those of the lists that it names;

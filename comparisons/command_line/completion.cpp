@@ -41,8 +41,8 @@ std::string type_of_positional(const CommandText& command) {
 
 /// The first clause, as people read it beside a name.
 std::string short_text(const std::string& description) {
-  const std::size_t end =
-      std::min({description.find(';'), description.find(". "), description.find(" (")});
+  const std::size_t end = std::min(
+      {description.find(';'), description.find(". "), description.find(" (default")});
   return description.substr(0, end);
 }
 
@@ -75,36 +75,71 @@ std::string bash_values(const std::string& type) {
   return values;
 }
 
-std::string bash_case(const CommandText& command) {
-  std::string text = fmt::format("    {})\n      options={}\n      case $previous in\n",
-                                 command.name, in_quotes(joined(options_of(command))));
+/// The cases of options that have a value, or several.
+std::string bash_cases(const CommandText& command, bool several) {
+  std::string text;
   for (const OptionText& option : command.options)
-    if (!option.is_positional && !option.type.empty())
+    if (!option.is_positional && !option.type.empty() &&
+        (!several || option.may_be_repeated))
       text += fmt::format("        {}) {} ;;\n", fmt::join(option.names, "|"),
                           bash_values(option.type));
-  return text + fmt::format("        *) {} ;;\n      esac ;;\n",
-                            bash_values(type_of_positional(command)));
+  return text;
 }
 
+std::string bash_case(const CommandText& command) {
+  const std::string otherwise = bash_values(type_of_positional(command)),
+                    of_several = bash_cases(command, true);
+  std::string text =
+      fmt::format("    {})\n      options={}\n      case $previous in\n{}", command.name,
+                  in_quotes(joined(options_of(command))), bash_cases(command, false));
+  if (of_several.empty())
+    return text + fmt::format("        *) {} ;;\n      esac ;;\n", otherwise);
+  return text + fmt::format(
+                    "        *) case $option in\n{}        *) {} ;;\n"
+                    "        esac ;;\n      esac ;;\n",
+                    of_several, otherwise);
+}
+
+// Bash takes : and = for words of their own.
 std::string bash_script(std::span<const CommandText> commands) {
   std::string cases;
   for (const CommandText& command : commands) cases += bash_case(command);
   return fmt::format(R"(# bash completion of springcheck; see springcheck help completion
 _springcheck() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}}
-  local values= options= files= before=
+  local values= options= files= before= option= first=1 i
   COMPREPLY=()
-  if [ "$COMP_CWORD" -eq 1 ]; then
+  while [ "${{COMP_WORDS[first]}}" = --verbose ] && [ "$first" -lt "$COMP_CWORD" ]; do
+    first=$((first + 1))
+  done
+  if [ "$COMP_CWORD" -eq "$first" ]; then
     mapfile -t COMPREPLY < <(compgen -W '{} --help --version --verbose' -- "$current")
     return
   fi
-  case ${{COMP_WORDS[1]}} in
+  for ((i = COMP_CWORD - 1; i > first; i--)); do
+    case ${{COMP_WORDS[i]}} in -*) option=${{COMP_WORDS[i]}}; break ;; esac
+  done
+  local behind_option=$((i + 1)) replaced=
+  if [ "$current" = = ]; then
+    current=
+  elif [ "$previous" = = ]; then
+    previous=$option
+  elif [ "$current" = : ] || [ "$previous" = : ]; then
+    previous=$option current=
+    for ((i = behind_option; i <= COMP_CWORD; i++)); do
+      current+=${{COMP_WORDS[i]}}
+    done
+    current=${{current#=}}
+    replaced=${{current%"${{current##*:}}"}}
+  fi
+  case ${{COMP_WORDS[first]}} in
 {}  esac
   case $current in
     -*) values=$options files= ;;
     *,*) before=${{current%,*}}, ;;
   esac
   mapfile -t COMPREPLY < <(compgen -P "$before" -W "$values" -- "${{current##*,}}")
+  COMPREPLY=("${{COMPREPLY[@]#"$replaced"}}")
   if [ -n "$files" ]; then
     compopt -o filenames
     mapfile -t -O "${{#COMPREPLY[@]}}" COMPREPLY < <(compgen $files -- "$current")
@@ -123,9 +158,9 @@ std::string zsh_action(const std::string& type) {
   const bool has_files = takes_files(type) || takes_folders(type);
   if (words.empty()) return fmt::format(":{}:{}", name, has_files ? files : "");
   if (has_files)
-    return fmt::format(":{}:_alternative 'names:name:({})' 'files:file:{}'", name,
+    return fmt::format(":{}: _alternative 'names:name:({})' 'files:file:{}'", name,
                        escaped(joined(words), ":"), files);
-  return fmt::format(":{}:_sequence compadd - {}", name, escaped(joined(words), ":"));
+  return fmt::format(":{}: _sequence compadd - {}", name, escaped(joined(words), ":"));
 }
 
 std::string zsh_case(const CommandText& command) {
@@ -140,7 +175,8 @@ std::string zsh_case(const CommandText& command) {
     const std::string description = escaped(short_text(option.description), ":[]");
     for (const std::string& name : option.names)
       text += " \\\n        " +
-              in_quotes(fmt::format("{}[{}]{}", name, description,
+              in_quotes(fmt::format("{}{}{}[{}]{}", option.may_be_repeated ? "*" : "",
+                                    name, option.type.empty() ? "" : "=", description,
                                     option.type.empty() ? "" : zsh_action(option.type)));
   }
   return text + " ;;\n";
@@ -158,6 +194,10 @@ std::string zsh_script(std::span<const CommandText> commands) {
 _springcheck() {{
   local -a commands=(
 {}  )
+  while (( CURRENT > 2 )) && [ "$words[2]" = --verbose ]; do
+    words[2]=()
+    (( CURRENT-- ))
+  done
   if (( CURRENT == 2 )); then
     _describe command commands
     return
@@ -192,10 +232,10 @@ std::string fish_values(const std::string& type, bool is_option) {
 }
 
 std::string fish_lines(const CommandText& command) {
-  const std::string of_command = fmt::format(
-      "complete -c springcheck -n '__fish_seen_subcommand_from {}'", command.name);
+  const std::string of_command =
+      fmt::format("complete -c springcheck -n '__springcheck_has {}'", command.name);
   std::string lines =
-      fmt::format("complete -c springcheck -n __fish_use_subcommand -f -a {} -d {}\n",
+      fmt::format("complete -c springcheck -n __springcheck_has -f -a {} -d {}\n",
                   command.name, in_quotes(command.summary));
   if (const std::string type = type_of_positional(command); !type.empty())
     lines += of_command + fish_values(type, false) + "\n";
@@ -215,13 +255,21 @@ std::string fish_lines(const CommandText& command) {
 
 std::string fish_script(std::span<const CommandText> commands) {
   std::string script =
-      "# fish completion of springcheck; see springcheck help completion\n"
-      "complete -c springcheck -n __fish_use_subcommand -f\n"
-      "complete -c springcheck -n __fish_use_subcommand -l version -d 'print the "
+      R"(# fish completion of springcheck; see springcheck help completion
+function __springcheck_has # the command of that name, or none
+  set -l words (commandline -opc) ''
+  while test "$words[2]" = --verbose
+    set -e words[2]
+  end
+  test "$words[2]" = "$argv"
+end
+)"
+      "complete -c springcheck -n __springcheck_has -f\n"
+      "complete -c springcheck -n __springcheck_has -l version -d 'print the "
       "version'\n"
-      "complete -c springcheck -n __fish_use_subcommand -l help -d 'print what there "
+      "complete -c springcheck -n __springcheck_has -l help -d 'print what there "
       "is'\n"
-      "complete -c springcheck -n __fish_use_subcommand -l verbose -d 'log every Newton "
+      "complete -c springcheck -n __springcheck_has -l verbose -d 'log every Newton "
       "iteration'\n";
   for (const CommandText& command : commands) script += fish_lines(command);
   return script;

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <string_view>
@@ -56,10 +55,12 @@ std::string description_of(const OptionText& option) {
   return option.description + (is_told ? " (needed)" : "");
 }
 
-std::string heading_of(std::string group) {
-  group.front() =
-      static_cast<char>(std::toupper(static_cast<unsigned char>(group.front())));
-  return "\n" + group + ":\n";
+/// 0 of any other text.
+int positive_number_in(std::string_view text) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc{} && stop == end ? std::max(0, number) : 0;
 }
 
 }  // namespace
@@ -74,7 +75,7 @@ std::string help_text(const CommandText& command, std::size_t width) {
     if (option.is_positional)
       text += entry(name_of(option), description_of(option), column, width);
   for (const std::string& group : groups_of(command)) {
-    text += heading_of(group);
+    text += "\n" + group + ":\n";
     for (const OptionText& option : command.options)
       if (!option.is_positional && option.group == group)
         text += entry(name_of(option), description_of(option), column, width);
@@ -108,8 +109,9 @@ std::size_t width_of_output() {
   constexpr int least = 40, usual = 80, most = 100;
   int width = usual;
   winsize size{};
-  if (const char* const columns = std::getenv("COLUMNS"))
-    std::from_chars(columns, columns + std::string_view(columns).size(), width);
+  const char* const variable = std::getenv("COLUMNS");
+  if (const int columns = variable == nullptr ? 0 : positive_number_in(variable))
+    width = columns;
   else if (isatty(STDOUT_FILENO) != 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 &&
            size.ws_col > 0)
     width = size.ws_col;

@@ -15,7 +15,7 @@ BeforeInterruption tell_what_is_kept(const std::optional<std::filesystem::path>&
     if (!file) return "Nothing is kept: --out FILE keeps what is computed.";
     if (std::error_code none; !std::filesystem::exists(*file, none))
       return "Nothing was kept yet.";
-    return fmt::format("What was computed is in {}.{}{}", file->string(),
+    return fmt::format("What was complete is in {}.{}{}", file->string(),
                        how.empty() ? "" : " ", how);
   });
 }

@@ -9,10 +9,10 @@ namespace springcheck {
 
 // What a command says where it is interrupted.
 
-/// What was computed is in the file, or nowhere, and the same command goes on from there.
+/// What was complete is in the file, or nowhere, and the same command goes on from there.
 BeforeInterruption tell_that_it_goes_on(const std::optional<std::filesystem::path>& file);
 
-/// What was computed is in the file, or nowhere; `how` is how to go on from there.
+/// What was complete is in the file, or nowhere; `how` is how to go on from there.
 BeforeInterruption tell_what_is_kept(const std::optional<std::filesystem::path>& file,
                                      const std::string& how = {});
 

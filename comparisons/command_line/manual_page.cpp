@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "comparisons/build_info/build_info.hpp"
@@ -18,6 +19,8 @@ std::string escaped(std::string_view text) {
   for (const char c : text) {
     if (c == '\\')
       roff += "\\e";
+    else if (c == '"')  // it would hold an argument of a macro together
+      roff += "\\(dq";
     else if (c == '-')
       roff += "\\-";
     else if ((c == '.' || c == '\'') && roff.empty())
@@ -63,13 +66,16 @@ std::string manual_page(const CommandText& command) {
   const auto add = [&](const OptionText& option) {
     std::string name = fmt::format("{}", fmt::join(option.names, ", "));
     if (!option.is_positional && !option.type.empty()) name += " " + option.type;
-    page += entry(name, option.description);
+    const bool is_told = option.is_required && !option.is_positional;
+    page += entry(name, option.description + (is_told ? " (needed)" : ""));
   };
   for (const OptionText& option : command.options)
     if (option.is_positional) add(option);
   page += ".SH OPTIONS\n";
-  for (const std::string& group : groups_of(command)) {
-    page += fmt::format(".SS {}\n", escaped(group));
+  std::vector<std::string> groups = groups_of(command);
+  std::ranges::rotate(groups, groups.end() - 1);  // those without a group need no heading
+  for (const std::string& group : groups) {
+    if (group != groups.front()) page += fmt::format(".SS {}\n", escaped(group));
     for (const OptionText& option : command.options)
       if (!option.is_positional && option.group == group) add(option);
   }

@@ -34,8 +34,11 @@ std::string alternatives(const std::vector<std::string_view>& names);
 template <class Enumeration, class Variable>
 CLI::Option* add_choice(CLI::App& parser, const std::string& option, Variable& variable,
                         const std::string& help) {
-  const auto read = [option, &variable](const std::string& text) {
-    variable = named<Enumeration>(Given::from_text(option, text));
+  const std::string place = option.starts_with("--")
+                                ? option
+                                : "springcheck " + parser.get_name() + ": " + option;
+  const auto read = [place, &variable](const std::string& text) {
+    variable = named<Enumeration>(Given::from_text(place, text));
   };
   return parser.add_option_function<std::string>(option, read, help)
       ->type_name(alternatives(all_names<Enumeration>()));

@@ -50,6 +50,7 @@ std::string placeholder_of(const Setting& setting) {
   constexpr std::size_t short_enough = 16;
   const ValueType& type = setting.access.type;
   if (setting.key == "mesh") return "FILE";
+  if (setting.key == "reference") return "METHOD";
   if (holds_numbers(type))
     return type.most > 1                           ? "NUMBERS"
            : type.kind == ValueType::Kind::integer ? "COUNT"

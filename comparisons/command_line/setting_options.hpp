@@ -12,6 +12,10 @@ namespace springcheck {
 /// The settings among a command's options.
 class SettingOptions {
  public:
+  SettingOptions() = default;
+  SettingOptions(const SettingOptions&) = delete;  // the parser writes into the texts
+  SettingOptions& operator=(const SettingOptions&) = delete;
+
   /// Those that the command takes, in their groups.
   void add_to(CLI::App& parser, bool (*is_taken)(const Setting&));
 

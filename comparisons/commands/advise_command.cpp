@@ -178,8 +178,14 @@ ExitStatus advise_scene(const AdviseOptions& options) {
   std::optional<TemporaryFolder> temporary;
   if (options.out.empty()) temporary.emplace("advise");
   const ChartPlan plan = plan_of(options, settings, wish.threads);
-  const BeforeInterruption kept = tell_that_it_goes_on(
-      options.out.empty() ? std::nullopt : std::optional(options.out));
+  const BeforeInterruption kept = tell_when_interrupted([&options] {
+    return options.out.empty()
+               ? std::string("Converged solutions are kept; --out FILE keeps the rest.")
+               : fmt::format(
+                     "What was complete is in {}. The same command goes on from "
+                     "there.",
+                     options.out.string());
+  });
   ChartMeasurements measurements(
       plan, temporary ? temporary->path() / "advise.h5" : options.out);
   const Advice advice = advise(wish, plan, measurements);

@@ -129,7 +129,8 @@ std::vector<ChartPlan> plans_of(const ChartOptions& chart) {
 ExitStatus measure_models(const ChartOptions& chart) {
   const Computing computing(std::max(chart.jobs, all_cores()), chart.jobs);
   const std::vector<ChartPlan> plans = plans_of(chart);
-  const BeforeInterruption kept = tell_that_it_goes_on(chart.out);
+  const BeforeInterruption kept =
+      chart.retime ? tell_what_is_kept(chart.out) : tell_that_it_goes_on(chart.out);
   std::vector<Chart> charts;
   for (const ChartPlan& plan : plans) {
     charts.push_back(make_chart(plan, chart.out));

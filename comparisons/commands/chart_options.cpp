@@ -6,6 +6,15 @@
 #include "comparisons/methods/methods.hpp"
 
 namespace springcheck {
+namespace {
+
+std::vector<std::string_view> law_names() {
+  std::vector<std::string_view> names;
+  for (const Method* law : laws()) names.push_back(law->name);
+  return names;
+}
+
+}  // namespace
 
 CLI::Option* add_converged_across(CLI::App& parser, std::optional<int>& across) {
   return add_count(
@@ -19,7 +28,7 @@ CLI::Option* add_converged_law(CLI::App& parser, std::string& law) {
       .add_option("--converged-law", law,
                   "method of the law whose converged solution errors are told from: " +
                       names_of(laws()) + " (default: that of the scene's reference)")
-      ->type_name("METHOD");
+      ->type_name(alternatives(law_names()));
 }
 
 }  // namespace springcheck

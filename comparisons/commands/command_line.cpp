@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/build_info/build_info.hpp"
 #include "comparisons/cases/exit_status.hpp"
 #include "comparisons/command_line/help_text.hpp"
 #include "comparisons/commands/commands.hpp"
@@ -43,7 +42,7 @@ void check_options(const CLI::App& parser, const Words& words) {
     for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
   const std::vector<std::string_view> names(options.begin(), options.end());
   for (const std::string& word : words) {
-    if (word == "--" || word == "--help") return;
+    if (word == "--") return;
     if (!word.starts_with("--")) continue;
     const std::string name = word.substr(0, word.find('='));
     if (std::ranges::count(names, name) > 0) continue;
@@ -55,14 +54,17 @@ void check_options(const CLI::App& parser, const Words& words) {
   }
 }
 
+bool asks_for_help(const Words& words) {
+  const auto end = std::ranges::find(words, "--");
+  return std::any_of(words.begin(), end, [](const std::string& word) {
+    return word == "--help" || word == "-h";
+  });
+}
+
 /// What was printed must have arrived: a full disk or a closed pipe is a failure.
 void flush_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw std::runtime_error("standard output could not be written whole");
-}
-
-std::string version() {
-  return fmt::format("springcheck {} ({})\n", build_info::version, build_info::commit);
 }
 
 ExitStatus print_overview(ExitStatus status) {
@@ -72,17 +74,17 @@ ExitStatus print_overview(ExitStatus status) {
 
 ExitStatus run_command_with(const Command& command, Words words, bool verbose,
                             char** argv) {
+  if (asks_for_help(words)) {  // whatever else is wrong
+    fmt::print("{}", help_text(text_of(command), width_of_output()));
+    return ExitStatus::done;
+  }
   DeclaredCommand declared(command);
-  declared.parser.set_version_flag("--version", version());
   check_options(declared.parser, words);
   std::ranges::reverse(words);  // as CLI11 takes them
   try {
     declared.parser.parse(std::move(words));
-  } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", help_text(text_of(command), width_of_output()));
-    return ExitStatus::done;
   } catch (const CLI::CallForVersion&) {
-    fmt::print("{}", version());
+    fmt::print("{}\n", version_text());
     return ExitStatus::done;
   } catch (const CLI::ParseError& error) {
     fmt::print(stderr, "springcheck {0}: {1} (see springcheck help {0})\n", command.name,
@@ -108,7 +110,7 @@ ExitStatus run_words(Words words, char** argv) {
   const std::string& word = words.front();
   if (word == "--help" || word == "-h") return print_overview(ExitStatus::done);
   if (word == "--version") {
-    fmt::print("{}", version());
+    fmt::print("{}\n", version_text());
     return ExitStatus::done;
   }
   if (word.starts_with('-'))

@@ -130,7 +130,7 @@ Action declare_export(CLI::App& parser) {
                   "measured)")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->type_name("MEASURE")
+      ->type_name("SETTING|MEASURE|COLUMN")
       ->group(of_output);
   add_revisions(parser, options->revisions, "cases in the file");
   return [options] { return write_cases(*options); };

@@ -93,7 +93,8 @@ ExitStatus measure(const MeasureOptions& options) {
   for (const std::string& words :
        contradictions(mesh, mechanical_scene(measured, mesh), fields))
     spdlog::warn("{}", words);
-  const BeforeInterruption told = tell_when_interrupted([] { return "Nothing is kept."; });
+  const BeforeInterruption told =
+      tell_when_interrupted([] { return "Nothing is kept."; });
   std::vector<CaseResult> results;
   {
     Progress progress("simulations");

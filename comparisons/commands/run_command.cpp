@@ -83,10 +83,13 @@ Failing failing_statuses(const std::string& text, std::size_t methods) {
   if (text == "all") return {all};
   if (text == "none") return {none};
   const Given given = Given::from_text("--fail-on", text);
-  std::vector<std::string_view> names{"any", "all", "none"};
+  const std::vector<std::string_view> rules{"any", "all", "none"};
+  std::vector<std::string_view> names = rules;
   for (const std::string_view status : all_names<Status>()) names.push_back(status);
   Failing failing{listed};
   for (const std::string& name : given.texts()) {
+    if (std::ranges::count(rules, name) > 0)
+      given.refuse("any, all or none alone, or a list of statuses");
     const auto* const status = find_value<Status>(name);
     if (status == nullptr) given.refuse_name(name, names);
     failing.listed.push_back(status->value);
@@ -215,11 +218,13 @@ Action declare_run(CLI::App& parser) {
       ->group(of_output);
   add_json(parser, options->output);
   parser
-      .add_option("--fail-on", options->fail_on,
-                  "exit with 3 when any or all of the methods end in a status that the "
-                  "scene does not expect, or none; or when one ends in a status of this "
-                  "list, such as diverged,unstable (default: any with one method; none "
-                  "with several: they may all fail, and the exit status is 0)")
+      .add_option(
+          "--fail-on", options->fail_on,
+          "when the exit status is 3: any, where one of the methods ends in a "
+          "status that the scene does not expect; all, where all do; none, never; "
+          "or a list such as diverged,not_converged, where one ends in a status "
+          "of it (default: any with one method; none with several: they may all "
+          "fail, and the exit status is 0)")
       ->type_name("any|all|none|STATUS")
       ->group(of_output);
   parser

@@ -141,7 +141,10 @@ ExitStatus run_sweep(const SweepOptions& options) {
   const std::vector<PlannedCase> missing =
       missing_of(wanted, results.stored(), sweep, meshes, options);
   told(missing);
-  const BeforeInterruption kept = tell_that_it_goes_on(file);
+  const BeforeInterruption kept = tell_what_is_kept(
+      file, options.recompute || options.only_failed
+                ? "Without --recompute and --only-failed the sweep goes on from there."
+                : "The same command goes on from there.");
   std::fflush(stdout);  // into a pipe, too, whatever becomes of what follows
   const SweepOutcome outcome = run_cases(results, sweep, missing, options.jobs);
   if (!outcome.count.empty()) fmt::print("computed: {}\n", counts(outcome.count));

@@ -61,10 +61,7 @@ LockFile::LockFile(const std::filesystem::path& file)
     close(descriptor_);
     throw std::runtime_error(lock_.string() + ": " + message_of(error));
   }
-  removal_.emplace([lock = lock_] {
-    std::error_code ignored;
-    std::filesystem::remove(lock, ignored);
-  });
+  removal_.emplace(lock_);
 }
 
 LockFile::~LockFile() {

@@ -21,7 +21,7 @@ class LockFile {
  private:
   std::filesystem::path lock_;
   int descriptor_;
-  std::optional<BeforeInterruption> removal_{};
+  std::optional<RemovedAtInterruption> removal_{};
 };
 
 }  // namespace springcheck

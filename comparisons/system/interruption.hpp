@@ -1,26 +1,40 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <list>
 #include <string>
 
 namespace springcheck {
 
-/// From here on SIGINT, SIGTERM and SIGHUP end the program after what BeforeInterruption
-/// holds was done; a second one ends it at once. Signals that are ignored stay so.
+/// From here on SIGINT, SIGTERM and SIGHUP end the program after what is to be done
+/// before; another one meanwhile ends it at once. Signals that are ignored stay so.
 void watch_interruptions();
 
-/// While it lives, what is done before a signal ends the program: what was given first
-/// comes first, in a thread of its own, while the others go on.
+/// While it lives, what is done before a signal ends the program, in a thread of its own
+/// while the others go on. What is given first comes first.
 class BeforeInterruption {
  public:
   explicit BeforeInterruption(std::function<void()> what);
-  ~BeforeInterruption();  // waits where it is being done, for ever
+  ~BeforeInterruption();  // waits where that is being done, for ever
   BeforeInterruption(const BeforeInterruption&) = delete;
   BeforeInterruption& operator=(const BeforeInterruption&) = delete;
 
  private:
   std::list<std::function<void()>>::iterator place_;
+};
+
+/// While it lives, a file or folder that is removed as the last thing before a signal
+/// ends the program, which nobody may take for abandoned while that still writes.
+class RemovedAtInterruption {
+ public:
+  explicit RemovedAtInterruption(std::filesystem::path path);
+  ~RemovedAtInterruption();
+  RemovedAtInterruption(const RemovedAtInterruption&) = delete;
+  RemovedAtInterruption& operator=(const RemovedAtInterruption&) = delete;
+
+ private:
+  std::list<std::filesystem::path>::iterator place_;
 };
 
 /// Says on stderr, before a signal ends the program, what is to be said by then.

@@ -48,10 +48,7 @@ TemporaryFolder::TemporaryFolder(const std::string& purpose) {
     throw std::runtime_error(name + ": " + std::generic_category().message(errno));
   path_ = name;
   lock_ = locked(path_, O_CREAT);
-  removal_.emplace([path = path_] {
-    std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
-  });
+  removal_.emplace(path_);
 }
 
 TemporaryFolder::~TemporaryFolder() {

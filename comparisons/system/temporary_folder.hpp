@@ -23,7 +23,7 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
   int lock_;
-  std::optional<BeforeInterruption> removal_{};
+  std::optional<RemovedAtInterruption> removal_{};
 };
 
 }  // namespace springcheck

@@ -21,10 +21,19 @@ PACKAGES = {
     "meshio": "python3-meshio",
 }
 
+_ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
 
 def missing_packages():
     """Debian packages that are needed and not there."""
     return [package for name, package in PACKAGES.items() if importlib.util.find_spec(name) is None]
+
+
+def _interrupt(number, frame):
+    """It cleans up undisturbed, then ends: a terminal and the program may both ask for it."""
+    for other in _ENDING:
+        signal.signal(other, signal.SIG_IGN)
+    raise KeyboardInterrupt
 
 
 def main(arguments):
@@ -39,8 +48,9 @@ def main(arguments):
             file=sys.stderr,
         )
         return 1
-    for number in (signal.SIGTERM, signal.SIGHUP):  # it cleans up, as after an interrupt
-        signal.signal(number, signal.default_int_handler)
+    for number in _ENDING:
+        if signal.getsignal(number) != signal.SIG_IGN:
+            signal.signal(number, _interrupt)
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # springcheck_results
     try:
         import report

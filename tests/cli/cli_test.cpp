@@ -228,9 +228,9 @@ BOOST_AUTO_TEST_CASE(the_exit_status_of_several_methods_is_chosen) {
     BOOST_TEST(status(both, "any") == 3);
   }
   BOOST_TEST(status(works, "any") == 0);
-  BOOST_TEST(status(fails + "," + works, "unstable,wrinkled") == 3);
-  BOOST_TEST(status(fails + "," + works, "unstable,refused") == 0);
-  BOOST_TEST(status(fails, "unstable,refused") == 0);
+  BOOST_TEST(status(fails + "," + works, "diverged,wrinkled") == 3);
+  BOOST_TEST(status(fails + "," + works, "diverged,refused") == 0);
+  BOOST_TEST(status(fails, "diverged,refused") == 0);
   BOOST_TEST(status(works, "ok") == 3);
 }
 
@@ -346,6 +346,7 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
                    "argument 4: expected text in UTF-8, got other bytes: 'a?'");
   expect_bad_input("run compression --fail-on some", "one of any, all, none, ok,");
   expect_bad_input("run compression --fail-on wrinkeld", "did you mean 'wrinkled'?");
+  expect_bad_input("run compression --fail-on any,ok", "any, all or none alone");
   expect_bad_input("compare",
                    "one of run, table, reproduce, sweep, chart, stability, advise, gate, "
                    "report, export, merge, measure, mesh, list, schema, help");

@@ -533,6 +533,7 @@ class SmallFiles(unittest.TestCase):
             started.send_signal(end)
             _, errors = started.communicate()
             if started.returncode != 0:  # else it was done already
+                self.assertEqual(started.returncode, -end)
                 self.assertNotIn("Traceback", errors)
                 self.assertEqual(sorted(report.rglob("*")), before)
             self.assertEqual((report / "index.html").read_text(encoding="utf-8"), page)
