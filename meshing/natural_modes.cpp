@@ -84,6 +84,10 @@ std::optional<NaturalModes> natural_modes(const SparseMatrix& stiffness,
   // Motions of massless unknowns are no modes: the inverse has none of them.
   MatrixXd block = inverse.apply(start(stiffness.rows()));
   block = added(block, MatrixXd(block.rows(), 0), inverse, negligible * block.norm());
+  // No more directions than these have mass: what is found beyond them is rounding.
+  const VectorXd own_masses = masses.diagonal();
+  const Index with_mass = (own_masses.array() > 0).count();
+  block = block.rightCols(std::min(block.cols(), with_mass)).eval();
   MatrixXd basis(block.rows(), 0);  // M-orthonormal
   MatrixXd projected;               // basis^T M (K + s M)^-1 M basis
   for (;;) {
@@ -103,7 +107,8 @@ std::optional<NaturalModes> natural_modes(const SparseMatrix& stiffness,
     const Index zeros = (squares.array().abs() <= zero).count();
     const Index found = std::min<Index>(count, size - zeros);
 
-    const MatrixXd next = added(image, basis, inverse, negligible * values[0]);
+    MatrixXd next = added(image, basis, inverse, negligible * values[0]);
+    next = next.rightCols(std::min(next.cols(), with_mass - size)).eval();
     const MatrixXd residuals = next.transpose() * weighed *
                                vectors.bottomRows(block.cols()).leftCols(zeros + found);
     const bool has_converged =

@@ -26,7 +26,7 @@ constexpr Example to_try[] = {
 /// that is too long.
 std::string entry(const std::string& name, std::string_view text, std::size_t column,
                   std::size_t width) {
-  std::string line = std::string(margin, ' ') + name;
+  std::string line = std::string(margin, ' ') + wrapped(name, width, 6, margin);
   if (line.size() + margin > column)
     line += "\n" + std::string(column, ' ');
   else

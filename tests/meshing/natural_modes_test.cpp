@@ -51,6 +51,22 @@ BOOST_AUTO_TEST_CASE(two_masses_swing_against_each_other,
   BOOST_TEST(m1 * x[0] * x[0] + m2 * x[1] * x[1] == 1.);
 }
 
+// However rounding goes, with springs that differ by eight digits.
+BOOST_AUTO_TEST_CASE(there_are_no_more_modes_than_masses) {
+  for (int n = 2; n <= 40; ++n) {
+    SparseMatrix stiffness(n, n);
+    Eigen::VectorXd masses(n);
+    for (int i = 0; i < n; ++i) {
+      stiffness.coeffRef(i, i) =
+          std::pow(10, 8. * i / n - 4) + 3 * std::pow(10, 8. * (i + 1) / n - 4);
+      if (i > 0) stiffness.coeffRef(i, i - 1) = -std::pow(10, 8. * i / n - 4);
+      masses[i] = 1 + std::sin(i);
+    }
+    const auto modes = natural_modes(stiffness, diagonal(masses), 50).value();
+    BOOST_TEST(modes.zero_modes + modes.frequencies.size() == n);
+  }
+}
+
 // On paper: omega_j = 2 sqrt(k/m) sin(pi j/(2 n)).
 BOOST_AUTO_TEST_CASE(a_chain_s_lowest_modes_come_in_order,
                      *boost::unit_test::tolerance(1e-9)) {

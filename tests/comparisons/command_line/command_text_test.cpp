@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(help_has_groups_defaults_and_what_is_needed) {
   BOOST_TEST(std::ranges::is_sorted(places));
   BOOST_TEST(places.back() != help.npos);
   BOOST_TEST(help.starts_with("Usage: springcheck run SCENE [OPTIONS]\n"));
-  BOOST_TEST(help.find("they may all\n") != help.npos);
+  BOOST_TEST(help.find("--fail-on") != help.npos);
   const std::string chart = help_text(text_of(chart_command()), 80);
   BOOST_TEST(chart.find("(default 4,6,10,16)") != chart.npos);
   BOOST_TEST(chart.find("HDF5 file to add the chart to (needed)") != chart.npos);
@@ -114,8 +114,8 @@ BOOST_AUTO_TEST_CASE(every_option_stands_in_help_manual_and_completion) {
                     fish = completion_script(Shell::fish, texts);
   for (const std::string_view key : option_keys()) {
     const std::string name(key);
-    BOOST_TEST(bash.find(" --" + name + " ") != bash.npos, name);
-    BOOST_TEST(zsh.find("'--" + name + "[") != zsh.npos, name);
+    BOOST_TEST(bash.find("--" + name) != bash.npos, name);
+    BOOST_TEST(zsh.find("'--" + name) != zsh.npos, name);
     BOOST_TEST(fish.find(" -l " + name + " ") != fish.npos, name);
   }
 }
