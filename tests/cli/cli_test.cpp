@@ -410,6 +410,9 @@ BOOST_AUTO_TEST_CASE(without_a_command_it_tells_what_there_is) {
   BOOST_TEST(nothing.out == help.out);
   BOOST_TEST(asked.out == help.out);
   BOOST_TEST(help.out.find("springcheck run compression") != std::string::npos);
+  BOOST_TEST(run_springcheck("help", "COLUMNS=50 ").out != help.out);
+  for (const char* unusable : {"COLUMNS=0 ", "COLUMNS=1e9 ", "COLUMNS=-50 "})
+    BOOST_TEST(run_springcheck("help", unusable).out == nothing.out, unusable);
 }
 
 BOOST_AUTO_TEST_CASE(help_version_and_lists_work) {
