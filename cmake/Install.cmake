@@ -20,7 +20,7 @@ install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
 # Manual pages and what shells complete commands by, from the program's own declarations.
 install(CODE [[
   set(share "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/share")
-  set(program $<TARGET_FILE:springcheck>)
+  set(executable $<TARGET_FILE:springcheck>)
   foreach(shell_and_file "bash;bash-completion/completions/springcheck"
       "zsh;zsh/vendor-completions/_springcheck"
       "fish;fish/vendor_completions.d/springcheck.fish")
@@ -28,11 +28,11 @@ install(CODE [[
     list(GET shell_and_file 1 file)
     get_filename_component(folder "${share}/${file}" DIRECTORY)
     file(MAKE_DIRECTORY ${folder})
-    execute_process(COMMAND ${program} completion ${shell} OUTPUT_FILE "${share}/${file}"
+    execute_process(COMMAND ${executable} completion ${shell} OUTPUT_FILE "${share}/${file}"
       COMMAND_ERROR_IS_FATAL ANY)
   endforeach()
   set(pages "${share}/man/man1")
-  execute_process(COMMAND ${program} manual --out "${pages}" COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${executable} manual --out "${pages}" COMMAND_ERROR_IS_FATAL ANY)
   file(GLOB pages "${pages}/springcheck*.1")
   execute_process(COMMAND gzip -9nf ${pages} COMMAND_ERROR_IS_FATAL ANY)
 ]] COMPONENT program)

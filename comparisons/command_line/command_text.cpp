@@ -62,13 +62,13 @@ std::vector<std::string> parts_of(const std::string& type) {
 }
 
 /// In capitals; E is a value.
-bool is_placeholder(const std::string& part) {
+bool names_a_list(const std::string& part) {
   return part.size() > 1 && std::isupper(static_cast<unsigned char>(part.front())) != 0;
 }
 
 /// METHOD: the names that the setting `method` takes, or those of the list `methods`.
-std::vector<std::string> words_behind(const std::string& placeholder) {
-  const std::string name = in_small_letters(placeholder);
+std::vector<std::string> words_behind(const std::string& capitals) {
+  const std::string name = in_small_letters(capitals);
   const Setting* const setting = find_setting(name);
   if (setting != nullptr && setting->access.type.names != nullptr) {
     const auto names = setting->access.type.names();
@@ -120,7 +120,7 @@ std::vector<std::string> groups_of(const CommandText& command) {
 std::vector<std::string> words_of_type(const std::string& type) {
   std::vector<std::string> words;
   for (const std::string& part : parts_of(type)) {
-    if (is_placeholder(part))
+    if (names_a_list(part))
       std::ranges::copy(words_behind(part), std::back_inserter(words));
     else if (!part.empty())
       words.push_back(part);

@@ -19,7 +19,7 @@ void SettingOptions::add_to(CLI::App& parser, bool (*is_taken)(const Setting&)) 
       options_[name] = parser.add_flag(option)->description(help_of(setting));
     else
       options_[name] = parser.add_option(option, texts_[name], help_of(setting))
-                           ->type_name(placeholder_of(setting));
+                           ->type_name(shown_type_of(setting));
     options_[name]->group(std::string(setting.group.heading));
   }
 }
@@ -46,7 +46,7 @@ bool is_taken_by_charts(const Setting& setting) {
   return setting.in_charts == InCharts::taken;
 }
 
-std::string placeholder_of(const Setting& setting) {
+std::string shown_type_of(const Setting& setting) {
   constexpr std::size_t short_enough = 16;
   const ValueType& type = setting.access.type;
   if (setting.key == "mesh") return "FILE";

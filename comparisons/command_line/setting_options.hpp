@@ -34,6 +34,6 @@ bool is_taken_by_charts(const Setting& setting);
 
 /// What stands in the place of a setting's value: "on|off", its key in capitals where
 /// there are more names, or NUMBER.
-std::string placeholder_of(const Setting& setting);
+std::string shown_type_of(const Setting& setting);
 
 }  // namespace springcheck
