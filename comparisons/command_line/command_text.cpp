@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "comparisons/formats/capitals.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/vocabulary/vocabulary.hpp"
 
@@ -13,24 +14,6 @@ namespace springcheck {
 namespace {
 
 const std::string without_group = "Options";  // CLI11's word
-
-std::string capitalised(std::string text) {
-  text.front() =
-      static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text;
-}
-
-std::string in_capitals(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return std::toupper(c); });
-  return text;
-}
-
-std::string in_small_letters(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 OptionText text_of(const CLI::Option& option) {
   OptionText text{.names = {},

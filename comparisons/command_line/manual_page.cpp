@@ -8,6 +8,7 @@
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/cases/exit_status.hpp"
+#include "comparisons/formats/capitals.hpp"
 
 namespace springcheck {
 namespace {
@@ -32,12 +33,10 @@ std::string escaped(std::string_view text) {
 }
 
 std::string head(const std::string& name, std::string_view summary) {
-  std::string capitals;
-  for (const char c : name) capitals += static_cast<char>(std::toupper(c));
   return fmt::format(
       ".TH {} 1 \"\" \"springcheck {}\" \"User Commands\"\n"
       ".SH NAME\n{} \\- {}\n",
-      escaped(capitals), build_info::version, escaped(name), escaped(summary));
+      escaped(in_capitals(name)), build_info::version, escaped(name), escaped(summary));
 }
 
 /// In bold what stands before the text.

@@ -1,10 +1,9 @@
 #include "comparisons/command_line/setting_options.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cctype>
 
 #include "comparisons/command_line/options.hpp"
+#include "comparisons/formats/capitals.hpp"
 
 namespace springcheck {
 
@@ -58,10 +57,7 @@ std::string shown_type_of(const Setting& setting) {
   if (type.names == nullptr) return "NAME";
   const std::string names = alternatives(type.names());
   if (names.size() <= short_enough) return names;
-  std::string key(setting.key);
-  std::ranges::transform(key, key.begin(),
-                         [](unsigned char c) { return std::toupper(c); });
-  return key;
+  return in_capitals(setting.key);
 }
 
 }  // namespace springcheck

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "comparisons/cases/exit_status.hpp"
-#include "comparisons/command_line/help_text.hpp"
 #include "comparisons/commands/commands.hpp"
 #include "comparisons/settings/suggestion.hpp"
 #include "comparisons/studies/study.hpp"
@@ -67,15 +66,10 @@ void flush_output() {
     throw std::runtime_error("standard output could not be written whole");
 }
 
-ExitStatus print_overview(ExitStatus status) {
-  fmt::print("{}", overview_text(all_commands(), width_of_output()));
-  return status;
-}
-
 ExitStatus run_command_with(const Command& command, Words words, bool verbose,
                             char** argv) {
   if (asks_for_help(words)) {  // whatever else is wrong
-    fmt::print("{}", help_text(text_of(command), width_of_output()));
+    print_help(command.name);
     return ExitStatus::done;
   }
   DeclaredCommand declared(command);
@@ -106,9 +100,15 @@ ExitStatus run_words(Words words, char** argv) {
   const auto first = std::ranges::find_if_not(words, is_verbose);
   const bool verbose = first != words.begin();
   words.erase(words.begin(), first);
-  if (words.empty()) return print_overview(ExitStatus::bad_input);
+  if (words.empty()) {
+    print_help({});
+    return ExitStatus::bad_input;
+  }
   const std::string& word = words.front();
-  if (word == "--help" || word == "-h") return print_overview(ExitStatus::done);
+  if (word == "--help" || word == "-h") {
+    print_help({});
+    return ExitStatus::done;
+  }
   if (word == "--version") {
     fmt::print("{}\n", version_text());
     return ExitStatus::done;

@@ -41,4 +41,7 @@ std::vector<std::string_view> command_names();
 /// Throws InputError for another name, with the nearest.
 Command command_named(std::string_view name);
 
+/// What `springcheck help NAME` prints; of no name what there is. Throws InputError.
+void print_help(std::string_view name);
+
 }  // namespace springcheck

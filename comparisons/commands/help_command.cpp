@@ -15,14 +15,18 @@ Action declare_help(CLI::App& parser) {
   parser.add_option("command", *name, "whose options are told (default: all commands)")
       ->type_name(alternatives(command_names()));
   return [name] {
-    const std::size_t width = width_of_output();
-    fmt::print("{}", name->empty() ? overview_text(all_commands(), width)
-                                   : help_text(text_of(command_named(*name)), width));
+    print_help(*name);
     return ExitStatus::done;
   };
 }
 
 }  // namespace
+
+void print_help(std::string_view name) {
+  const std::size_t width = width_of_output();
+  fmt::print("{}", name.empty() ? overview_text(all_commands(), width)
+                                : help_text(text_of(command_named(name)), width));
+}
 
 Command help_command() {
   return {.name = "help",

@@ -27,6 +27,16 @@
 namespace springcheck {
 namespace {
 
+enum class FailOn { any, all, none };
+
+}  // namespace
+
+template <>
+inline constexpr std::array value_names<FailOn>{
+    Named{FailOn::any, "any"}, Named{FailOn::all, "all"}, Named{FailOn::none, "none"}};
+
+namespace {
+
 struct RunOptions {
   std::string scene{};
   SettingOptions settings{};
@@ -69,26 +79,23 @@ void print_results(const RunSettings& run, Output output,
     if (split) fmt::print("\n{}", split_text(*split));
 }
 
-/// Those that make the run no success: as --fail-on says; else any of one method, and
-/// none of several.
+/// Statuses that make the run no success, where one of the cases ends in one of them; or
+/// nothing, and what --fail-on says of those that the scene does not expect.
 struct Failing {
-  enum class Rule { any, all, none, listed } rule;
+  FailOn unexpected;
   std::vector<Status> listed{};
 };
 
+/// Where nothing is said: any of one method, none of several.
 Failing failing_statuses(const std::string& text, std::size_t methods) {
-  using enum Failing::Rule;
-  if (text.empty()) return {methods == 1 ? any : none};
-  if (text == "any") return {any};
-  if (text == "all") return {all};
-  if (text == "none") return {none};
+  if (text.empty()) return {methods == 1 ? FailOn::any : FailOn::none};
+  if (const auto* const rule = find_value<FailOn>(text)) return {rule->value};
   const Given given = Given::from_text("--fail-on", text);
-  const std::vector<std::string_view> rules{"any", "all", "none"};
-  std::vector<std::string_view> names = rules;
+  std::vector<std::string_view> names = all_names<FailOn>();
   for (const std::string_view status : all_names<Status>()) names.push_back(status);
-  Failing failing{listed};
+  Failing failing{FailOn::none};
   for (const std::string& name : given.texts()) {
-    if (std::ranges::count(rules, name) > 0)
+    if (find_value<FailOn>(name) != nullptr)
       given.refuse("any, all or none alone, or a list of statuses");
     const auto* const status = find_value<Status>(name);
     if (status == nullptr) given.refuse_name(name, names);
@@ -99,7 +106,6 @@ Failing failing_statuses(const std::string& text, std::size_t methods) {
 
 bool has_failed(const std::vector<CaseResult>& results,
                 const std::vector<Status>& expected, const Failing& failing) {
-  using enum Failing::Rule;
   const auto is_listed = [&](const CaseResult& result) {
     return std::ranges::any_of(failing.listed, [&](Status status) {
       return result.status == status || std::ranges::count(result.flags, status) > 0;
@@ -108,17 +114,16 @@ bool has_failed(const std::vector<CaseResult>& results,
   const auto is_unexpected = [&](const CaseResult& result) {
     return std::ranges::count(expected, result.status) == 0;
   };
-  switch (failing.rule) {
-    case any:
+  if (!failing.listed.empty()) return std::ranges::any_of(results, is_listed);
+  switch (failing.unexpected) {
+    case FailOn::any:
       return std::ranges::any_of(results, is_unexpected);
-    case all:
+    case FailOn::all:
       return std::ranges::all_of(results, is_unexpected);
-    case none:
+    case FailOn::none:
       return false;
-    case listed:
-      return std::ranges::any_of(results, is_listed);
   }
-  throw std::logic_error("a rule that is none");
+  throw std::logic_error("a FailOn that is none");
 }
 
 /// A run, what it computes beyond what was asked for, and what came of it.
