@@ -6,9 +6,10 @@
 """
 
 import importlib.util
-import signal
 import sys
 from pathlib import Path
+
+import interruption
 
 # Import name and Debian package of what the report is made with.
 PACKAGES = {
@@ -21,19 +22,10 @@ PACKAGES = {
     "meshio": "python3-meshio",
 }
 
-_ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-
 
 def missing_packages():
     """Debian packages that are needed and not there."""
     return [package for name, package in PACKAGES.items() if importlib.util.find_spec(name) is None]
-
-
-def _interrupt(number, frame):
-    """It cleans up undisturbed, then ends: a terminal and the program may both ask for it."""
-    for other in _ENDING:
-        signal.signal(other, signal.SIG_IGN)
-    raise KeyboardInterrupt
 
 
 def main(arguments):
@@ -48,9 +40,7 @@ def main(arguments):
             file=sys.stderr,
         )
         return 1
-    for number in _ENDING:
-        if signal.getsignal(number) != signal.SIG_IGN:
-            signal.signal(number, _interrupt)
+    interruption.watch()
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # springcheck_results
     try:
         import report
@@ -59,9 +49,6 @@ def main(arguments):
     except (OSError, ValueError) as error:
         print(f"springcheck: {arguments[0]}: the report failed: {error}", file=sys.stderr)
         return 1
-    except KeyboardInterrupt:
-        print("springcheck: interrupted; an earlier report is as it was", file=sys.stderr)
-        return 130
     return 0
 
 

@@ -1,7 +1,6 @@
 """Makes the report of a result file: page, figures, files for ParaView."""
 
 import base64
-import ctypes
 import gc
 import gzip
 import json
@@ -9,10 +8,10 @@ import multiprocessing
 import os
 import re
 import shutil
-import signal
 from pathlib import Path
 
 import bodies
+import interruption
 import jinja2
 import method_style
 import paraview
@@ -39,8 +38,10 @@ def make(file, folder):
     # Beside their place until all of them are made: an earlier report stays whole till then.
     unfinished = folder / "data" / "unfinished"
     shutil.rmtree(unfinished, ignore_errors=True)  # of one that was killed
+    interruption.remove_when_interrupted(unfinished)
     try:
         _make_files(study, groups, figures, unfinished)
+        interruption.ignore()
         _replace_earlier(folder, unfinished)
     finally:
         shutil.rmtree(unfinished, ignore_errors=True)
@@ -94,17 +95,8 @@ def _in_parallel(tasks):
     gc.freeze()  # or the workers' collectors would copy all memory
     context = multiprocessing.get_context("fork")
     workers = min(len(os.sched_getaffinity(0)), len(beside))
-    with context.Pool(workers, _leave_signals_to_the_parent) as pool:
+    with context.Pool(workers, interruption.leave_to_parent, [os.getpid()]) as pool:
         pool.map(_run_task, beside, chunksize=1)
-
-
-def _leave_signals_to_the_parent():
-    """It ends its workers, by SIGTERM; so does Linux where it is killed: they would keep
-    the folder's lock."""
-    ctypes.CDLL(None).prctl(1, signal.SIGTERM)  # PR_SET_PDEATHSIG
-    for number in (signal.SIGINT, signal.SIGHUP):
-        signal.signal(number, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def _run_task(place):
