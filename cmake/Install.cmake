@@ -5,6 +5,7 @@ include(GNUInstallDirs)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # a package needs no test
 
 install(TARGETS springcheck COMPONENT program)
+install(TARGETS springcheck_core DESTINATION libexec/springcheck COMPONENT program)
 set(SPRINGCHECK_PYTHON_DIR lib/python3/dist-packages CACHE STRING
   "Where the Python module that reads results is installed; of Debian's /usr unless set")
 install(FILES reports/springcheck_results.py DESTINATION ${SPRINGCHECK_PYTHON_DIR}

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
-
-#include "comparisons/formats/text_table.hpp"
 
 namespace springcheck {
 namespace {
@@ -16,34 +15,58 @@ namespace {
 constexpr std::array all_measures{ChartMeasure::force, ChartMeasure::volume,
                                   ChartMeasure::deviation};
 
-/// "2.1 +- 0.27", of one that was not asked for in brackets.
-std::string error_text(const Advice& advice, const Wish& wish, std::size_t point,
-                       ChartMeasure measure) {
-  const auto& error = advice.chart.points[point].errors[advice.truth].of(measure);
-  if (!error) return "-";
-  const auto bar = advice.chart.bar(point, measure, advice.truth);
-  const std::string text =
-      fmt::format("{:.3g} +- {:.2g}", 100 * *error, 100 * bar.value_or(INFINITY));
-  return std::ranges::count(wish.measures, measure) > 0 ? text : "(" + text + ")";
+std::vector<std::string_view> names_of(const std::vector<ChartMeasure>& measures) {
+  std::vector<std::string_view> names;
+  for (const ChartMeasure measure : measures) names.push_back(name_of(measure));
+  return names;
 }
 
-std::vector<std::string> line_of(const std::string& role, const Advice& advice,
-                                 const Wish& wish, std::size_t i) {
+std::optional<double> in_percent(const std::optional<double>& fraction) {
+  return fraction ? std::optional(100 * *fraction) : std::nullopt;
+}
+
+std::vector<Column> columns_of(const Wish& wish) {
+  std::vector<Column> columns{{.key = "role", .heading = ""},
+                              {.key = "model", .heading = "model"},
+                              {.key = "across", .heading = "across", .format = "{:.0f}"},
+                              {.key = "cells", .heading = "cells", .format = "{:.0f}"}};
+  for (const ChartMeasure measure : all_measures) {
+    const std::string name(name_of(measure));
+    columns.push_back({.key = name, .heading = name + " off [%]", .format = "{:.3g}"});
+    columns.push_back({.key = name + "_bound", .heading = "+- [%]", .format = "{:.2g}"});
+  }
+  columns.push_back({.key = "seconds",
+                     .heading = wish.frame ? "real s per simulated s" : "time [s]",
+                     .format = "{:.3g}"});
+  if (!wish.frame) return columns;
+  columns.push_back({.key = "steps", .heading = "steps of a frame", .format = "{:.0f}"});
+  columns.push_back({.key = "step_seconds", .heading = "step [s]", .format = "{:.3g}"});
+  columns.push_back(
+      {.key = "frame_seconds", .heading = "frame takes [s]", .format = "{:.3g}"});
+  return columns;
+}
+
+TableRow row_of(const std::string& role, const Advice& advice, const Wish& wish,
+                std::size_t i) {
   const ChartPoint& point = advice.chart.points[i];
-  std::vector<std::string> line{role, name_of(point.place.model),
-                                std::to_string(point.place.across),
-                                fmt::format("{:.0f}", point.place.cells)};
-  for (const ChartMeasure measure : all_measures)
-    line.push_back(error_text(advice, wish, i, measure));
-  line.push_back(fmt::format("{:.3g}", *point.seconds()));
+  TableRow row{
+      .cells = {role, name_of(point.place.model), point.place.across, point.place.cells},
+      .cases = {point.place.key}};
+  for (const ChartMeasure measure : all_measures) {
+    const auto& error = point.errors[advice.truth].of(measure);
+    row.cells.emplace_back(in_percent(error));
+    row.cells.emplace_back(
+        error ? in_percent(advice.chart.bar(i, measure, advice.truth))
+              : std::nullopt);
+  }
+  row.cells.emplace_back(point.seconds());
   if (wish.frame) {
     const auto frame = frame_of(point, *wish.frame);
-    line.push_back(frame ? fmt::format("{:.0f} x {:.3g}", frame->steps, frame->dt)
-                         : "none");
-    line.push_back(frame ? fmt::format("{:.3g}", frame->seconds()) : "none");
+    row.cells.push_back(frame ? Cell(frame->steps) : Cell(std::nullopt, "none"));
+    row.cells.push_back(frame ? Cell(frame->dt) : Cell());
+    row.cells.push_back(frame ? Cell(frame->seconds()) : Cell(std::nullopt, "none"));
   }
-  line.push_back(point.place.key.substr(0, 12));
-  return line;
+  return row;
 }
 
 /// The shortest frame that the point can hold, if there is one.
@@ -52,8 +75,8 @@ std::string words_of_frame(const ChartPoint& point) {
   const auto frame = frame_of(point, one_second);
   if (!frame) return {};
   const double real = frame->seconds();
-  if (real > 1) return fmt::format("It is {:.3g} times slower than real time.\n", real);
-  return fmt::format("It holds frames of {:.2g} s, a step each, and longer ones.\n",
+  if (real > 1) return fmt::format(" It is {:.3g} times slower than real time.", real);
+  return fmt::format(" It holds frames of {:.2g} s, a step each, and longer ones.",
                      real / frame->steps);
 }
 
@@ -67,18 +90,17 @@ std::string words_of_bar(const Advice& advice, const Wish& wish) {
   };
   for (std::size_t i = 0; i < advice.chart.points.size(); ++i)
     if (bar_is_narrower(i)) return {};
-  return "Nothing could: the converged solution itself is not known so well. Finer grids "
-         "(--converged-across) take longer.\n";
+  return " Nothing could: the converged solution itself is not known so well. Finer "
+         "grids "
+         "(--converged-across) take longer.";
 }
 
 }  // namespace
 
 std::string question(const Advice& advice, const Wish& wish) {
-  std::vector<std::string> names;
-  for (const ChartMeasure measure : wish.measures) names.emplace_back(name_of(measure));
   return fmt::format(
       "{}: {} within {:g} % of what {} converges to{}", advice.chart.stored.scene,
-      fmt::join(names, ", "), 100 * wish.tolerance,
+      fmt::join(names_of(wish.measures), ", "), 100 * wish.tolerance,
       advice.chart.truths[advice.truth].grids.law,
       wish.frame ? fmt::format(", frames of {:g} s in real time", *wish.frame) : "");
 }
@@ -88,27 +110,27 @@ std::string truth_text(const Advice& advice) {
   const bool is_resolved = truth.answer.is_resolved && truth.volume_change.is_resolved;
   return fmt::format(
       "The converged solution has {} = {:.6g}, known to {:.2g} %, and a change of volume "
-      "of {:.6g} of V0, known to {:.2g} % of V0 times the strain.\n{}",
+      "of {:.6g} of V0, known to {:.2g} % of V0 times the strain.{}",
       advice.chart.stored.answer, truth.answer.value, 100 * truth.bars.force.value(),
       truth.volume_change.value, 100 * truth.bars.volume.value(),
       is_resolved
           ? ""
-          : "It is that unsure because two discretisations contradict each other: "
-            "finer grids (--converged-across) may agree.\n");
+          : " It is that unsure because two discretisations contradict each other: "
+            "finer grids (--converged-across) may agree.");
 }
 
-std::string evidence_text(const Advice& advice, const Wish& wish) {
-  TextLines lines{{"", "model", "across", "cells", "force off [%]", "volume off [%]",
-                   "deviation [%]", wish.frame ? "real s per simulated s" : "time [s]"}};
-  if (wish.frame) {
-    lines[0].emplace_back("steps of a frame [s]");
-    lines[0].emplace_back("frame takes [s]");
-  }
-  lines[0].emplace_back("case");
+Table evidence_table(const Advice& advice, const Wish& wish) {
+  Table table{
+      .name = "advice",
+      .title = question(advice, wish),
+      .columns = columns_of(wish),
+      .in_json = {{"measures", names_of(wish.measures)}, {"tolerance", wish.tolerance}}};
+  const auto add = [&](const std::string& role, std::size_t point) {
+    table.rows.push_back(row_of(role, advice, wish, point));
+  };
   for (const auto& [point, against] : advice.crossings)
-    lines.push_back(line_of("a crossing, not chosen", advice, wish, point));
-  for (const std::size_t point : advice.equals)
-    lines.push_back(line_of("as quick, but larger", advice, wish, point));
+    add("a crossing, not chosen", point);
+  for (const std::size_t point : advice.equals) add("as quick, but larger", point);
   for (const auto& [role, point] :
        std::initializer_list<std::pair<const char*, std::optional<std::size_t>>>{
            {"cheaper, too far off", advice.cheaper},
@@ -116,26 +138,30 @@ std::string evidence_text(const Advice& advice, const Wish& wish) {
            {"chosen", advice.chosen},
            {"nearest", advice.nearest},
            {"dearer, more accurate", advice.dearer}})
-    if (point) lines.push_back(line_of(role, advice, wish, *point));
-  std::string text = in_columns(lines);
+    if (point) add(role, *point);
+  return table;
+}
+
+std::vector<std::string> notes_on_evidence(const Advice& advice) {
+  std::vector<std::string> notes;
   if (!advice.crossings.empty())
-    text += "\nCrossings: within the tolerance here, but not for a reason.\n";
+    notes.emplace_back("Crossings: within the tolerance here, but not for a reason.");
   for (const auto& [point, against] : advice.crossings) {
     const StoredChart::Point& place = advice.chart.points[point].place;
-    text += fmt::format("- {} on {} across: {}.\n", name_of(place.model), place.across,
-                        against);
+    notes.push_back(fmt::format("- {} on {} across: {}.", name_of(place.model),
+                                place.across, against));
   }
   if (advice.not_shown)
-    text += fmt::format(
-        "\nThe bound of the converged solution decides of {} on {} across: finer grids "
-        "(--converged-across) may show that it is accurate enough.\n",
+    notes.push_back(fmt::format(
+        "The bound of the converged solution decides of {} on {} across: finer grids "
+        "(--converged-across) may show that it is accurate enough.",
         name_of(advice.chart.points[*advice.not_shown].place.model),
-        advice.chart.points[*advice.not_shown].place.across);
-  return text;
+        advice.chart.points[*advice.not_shown].place.across));
+  return notes;
 }
 
 std::string failure_text(const Advice& advice, const Wish& wish) {
-  return fmt::format("Nothing that was tried within {:g} s per solution meets it.\n{}{}",
+  return fmt::format("Nothing that was tried within {:g} s per solution meets it.{}{}",
                      wish.budget, words_of_bar(advice, wish),
                      wish.frame && advice.nearest
                          ? words_of_frame(advice.chart.points[*advice.nearest])

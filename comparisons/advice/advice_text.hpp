@@ -4,6 +4,7 @@
 
 #include "comparisons/advice/advice.hpp"
 #include "comparisons/advice/wish.hpp"
+#include "comparisons/formats/table.hpp"
 
 namespace springcheck {
 
@@ -13,9 +14,12 @@ std::string question(const Advice& advice, const Wish& wish);
 /// What the errors are of.
 std::string truth_text(const Advice& advice);
 
-/// The points that the advice stands on, a line each with all errors that are known, and
-/// what is against the crossings.
-std::string evidence_text(const Advice& advice, const Wish& wish);
+/// The points that the advice stands on, a row each with all errors that are known. JSON
+/// tells besides which of them were asked for.
+Table evidence_table(const Advice& advice, const Wish& wish);
+
+/// What is against those points that were not chosen.
+std::vector<std::string> notes_on_evidence(const Advice& advice);
 
 /// Where nothing meets the wish: what that is due to.
 std::string failure_text(const Advice& advice, const Wish& wish);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "comparisons/cases/named.hpp"
+#include "comparisons/names/named.hpp"
 #include "meshing/generators/generate_block.hpp"
 
 namespace springcheck {

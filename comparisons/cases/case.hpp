@@ -5,8 +5,8 @@
 
 #include "comparisons/cases/body.hpp"
 #include "comparisons/cases/method.hpp"
-#include "comparisons/cases/named.hpp"
 #include "comparisons/cases/test.hpp"
+#include "comparisons/names/named.hpp"
 #include "mss/motion/dynamics.hpp"
 #include "statics/search.hpp"
 #include "tissue/bipower_law.hpp"

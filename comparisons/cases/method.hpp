@@ -10,8 +10,8 @@
 
 #include "comparisons/cases/element.hpp"
 #include "comparisons/cases/model.hpp"
-#include "comparisons/cases/named.hpp"
 #include "comparisons/cases/solver.hpp"
+#include "comparisons/names/named.hpp"
 #include "dynamics/blocks/instruction_set.hpp"
 #include "dynamics/marching/march.hpp"
 #include "dynamics/motion.hpp"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "comparisons/cases/named.hpp"
+#include "comparisons/names/named.hpp"
 #include "dynamics/precision.hpp"
 #include "meshing/cell_type.hpp"
 

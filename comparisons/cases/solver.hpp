@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "comparisons/cases/named.hpp"
+#include "comparisons/names/named.hpp"
 
 namespace springcheck {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparisons/cases/named.hpp"
+#include "comparisons/names/named.hpp"
 
 namespace springcheck {
 

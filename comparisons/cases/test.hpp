@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "comparisons/cases/named.hpp"
+#include "comparisons/names/named.hpp"
 
 namespace springcheck {
 

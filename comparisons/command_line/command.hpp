@@ -6,13 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#include "comparisons/cases/exit_status.hpp"
+#include "comparisons/command_line/exit_status.hpp"
 
 namespace springcheck {
 
 struct Example {
-  std::string_view words;  // "springcheck run compression"
-  std::string_view what;
+  std::string words;  // "springcheck run compression"
+  std::string what;
 };
 
 /// What a command does, once its options have been read.
@@ -25,9 +25,8 @@ struct Command {
   std::string_view summary;      // a line of the list of commands, without a full stop
   std::string_view description;  // further sentences of its help; may be empty
   std::vector<Example> examples;
-  bool simulates;  // it takes the kernels of OpenBLAS that fit the processor
   /// Adds its options to the parser. What they are read into belongs to the action.
-  Action (*declare)(CLI::App& parser);
+  std::function<Action(CLI::App& parser)> declare;
 };
 
 /// "springcheck 0.2.0 (commit)".

@@ -5,34 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <nlohmann/json.hpp>
 
 #include "comparisons/formats/capitals.hpp"
-#include "comparisons/settings/setting.hpp"
-#include "comparisons/vocabulary/vocabulary.hpp"
 
 namespace springcheck {
 namespace {
 
 const std::string without_group = "Options";  // CLI11's word
-
-OptionText text_of(const CLI::Option& option) {
-  OptionText text{.names = {},
-                  .type = option.get_items_expected() == 0 ? "" : option.get_type_name(),
-                  .description = option.get_description(),
-                  .group = capitalised(option.get_group()),
-                  .is_positional = option.get_positional(),
-                  .is_required = option.get_required(),
-                  .may_be_repeated = option.get_items_expected_max() > 1};
-  if (text.is_positional)
-    text.names = {in_capitals(option.get_single_name())};
-  else {
-    for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
-    for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
-  }
-  if (const std::string usual = option.get_default_str(); !usual.empty())
-    text.description += fmt::format(" (default {})", usual);
-  return text;
-}
 
 std::vector<std::string> parts_of(const std::string& type) {
   std::vector<std::string> parts;
@@ -49,20 +29,42 @@ bool names_a_list(const std::string& part) {
   return part.size() > 1 && std::isupper(static_cast<unsigned char>(part.front())) != 0;
 }
 
-/// METHOD: the names that the setting `method` takes, or those of the list `methods`.
-std::vector<std::string> words_behind(const std::string& capitals) {
-  const std::string name = in_small_letters(capitals);
-  const Setting* const setting = find_setting(name);
-  if (setting != nullptr && setting->access.type.names != nullptr) {
-    const auto names = setting->access.type.names();
-    return {names.begin(), names.end()};
+std::vector<std::string> words_of_type(const std::string& type,
+                                       const NamesBehind& names_behind) {
+  std::vector<std::string> words;
+  for (const std::string& part : parts_of(type)) {
+    if (names_a_list(part))
+      std::ranges::copy(names_behind(part), std::back_inserter(words));
+    else if (!part.empty())
+      words.push_back(part);
   }
-  return names_in_list(name + (name.ends_with("s") ? "es" : "s"));
+  return words;
+}
+
+OptionText text_of(const CLI::Option& option, const NamesBehind& names_behind) {
+  OptionText text{.names = {},
+                  .type = option.get_items_expected() == 0 ? "" : option.get_type_name(),
+                  .words = {},
+                  .description = option.get_description(),
+                  .group = capitalised(option.get_group()),
+                  .is_positional = option.get_positional(),
+                  .is_required = option.get_required(),
+                  .may_be_repeated = option.get_items_expected_max() > 1};
+  if (text.is_positional)
+    text.names = {in_capitals(option.get_single_name())};
+  else {
+    for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
+  }
+  text.words = words_of_type(text.type, names_behind);
+  if (const std::string usual = option.get_default_str(); !usual.empty())
+    text.description += fmt::format(" (default {})", usual);
+  return text;
 }
 
 }  // namespace
 
-CommandText text_of(const Command& command) {
+CommandText text_of(const Command& command, const NamesBehind& names_behind) {
   const DeclaredCommand declared(command);
   CommandText text{.name = std::string(command.name),
                    .summary = std::string(command.summary),
@@ -71,9 +73,24 @@ CommandText text_of(const Command& command) {
                    .options = {},
                    .footer = declared.parser.get_footer()};
   for (const CLI::Option* option : declared.parser.get_options())
-    text.options.push_back(text_of(*option));
+    text.options.push_back(text_of(*option, names_behind));
   std::ranges::stable_partition(text.options, &OptionText::is_positional);
   return text;
+}
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Example, words, what)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OptionText, names, type, words, description, group,
+                                   is_positional, is_required, may_be_repeated)
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CommandText, name, summary, description, examples,
+                                   options, footer)
+
+nlohmann::json json_of(const CommandText& command) {
+  return command;
+}
+
+CommandText command_text_from(const nlohmann::json& json) {
+  return json.get<CommandText>();
 }
 
 std::string usage_of(const CommandText& command) {
@@ -98,17 +115,6 @@ std::vector<std::string> groups_of(const CommandText& command) {
   std::ranges::stable_partition(
       groups, [](const std::string& group) { return group != without_group; });
   return groups;
-}
-
-std::vector<std::string> words_of_type(const std::string& type) {
-  std::vector<std::string> words;
-  for (const std::string& part : parts_of(type)) {
-    if (names_a_list(part))
-      std::ranges::copy(words_behind(part), std::back_inserter(words));
-    else if (!part.empty())
-      words.push_back(part);
-  }
-  return words;
 }
 
 bool takes_files(const std::string& type) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@ namespace springcheck {
 struct OptionText {
   std::vector<std::string> names;  // "-h", "--help"; of a positional one "SCENE"
   std::string type;                // see options.hpp; empty of a flag
+  std::vector<std::string> words;  // that complete a value; none where it is any text
   std::string description;         // with its default
   std::string group;               // the heading of help
   bool is_positional;
@@ -25,7 +28,15 @@ struct CommandText {
   std::string footer;               // what holds of several options
 };
 
-CommandText text_of(const Command& command);
+/// The names of the list that capitals in an option's type stand for: of METHOD those of
+/// methods; none where they stand for any text.
+using NamesBehind = std::function<std::vector<std::string>(const std::string& capitals)>;
+
+CommandText text_of(const Command& command, const NamesBehind& names_behind);
+
+/// The text as JSON, and from what that made.
+nlohmann::json json_of(const CommandText& command);
+CommandText command_text_from(const nlohmann::json& json);
 
 /// "springcheck sweep SWEEP --out FILE [OPTIONS]".
 std::string usage_of(const CommandText& command);
@@ -34,10 +45,6 @@ std::string usage_of(const CommandText& command);
 /// first option of each, those without a group of their own last, of whom there are some
 /// in every command.
 std::vector<std::string> groups_of(const CommandText& command);
-
-/// The words that complete a value of the type, with those of the lists that it names;
-/// nothing where it is any text.
-std::vector<std::string> words_of_type(const std::string& type);
 
 /// Whether files, or folders alone, complete it.
 bool takes_files(const std::string& type);

@@ -31,12 +31,25 @@ Words options_of(const CommandText& command) {
   return names;
 }
 
-/// The type of its positional values: those of several, one after the other.
-std::string type_of_positional(const CommandText& command) {
+/// What completes a value.
+struct Values {
   std::string type;
+  Words words;
+};
+
+Values values_of(const OptionText& option) {
+  return {option.type, option.words};
+}
+
+/// Of its positional values: those of several, one after the other.
+Values positional_values(const CommandText& command) {
+  Values values;
   for (const OptionText& option : command.options)
-    if (option.is_positional) type += (type.empty() ? "" : "|") + option.type;
-  return type;
+    if (option.is_positional) {
+      values.type += (values.type.empty() ? "" : "|") + option.type;
+      values.words.insert(values.words.end(), option.words.begin(), option.words.end());
+    }
+  return values;
 }
 
 /// The first clause, as people read it beside a name.
@@ -68,11 +81,11 @@ std::string in_quotes(std::string_view text) {
 }
 
 /// `values='...'; files=yes` of bash.
-std::string bash_values(const std::string& type) {
-  std::string values = fmt::format("values={}", in_quotes(joined(words_of_type(type))));
-  if (takes_files(type)) values += "; files=-f";
-  if (takes_folders(type)) values += "; files=-d";
-  return values;
+std::string bash_values(const Values& values) {
+  std::string text = fmt::format("values={}", in_quotes(joined(values.words)));
+  if (takes_files(values.type)) text += "; files=-f";
+  if (takes_folders(values.type)) text += "; files=-d";
+  return text;
 }
 
 /// The cases of options that have a value, or several.
@@ -82,12 +95,12 @@ std::string bash_cases(const CommandText& command, bool several) {
     if (!option.is_positional && !option.type.empty() &&
         (!several || option.may_be_repeated))
       text += fmt::format("        {}) {} ;;\n", fmt::join(option.names, "|"),
-                          bash_values(option.type));
+                          bash_values(values_of(option)));
   return text;
 }
 
 std::string bash_case(const CommandText& command) {
-  const std::string otherwise = bash_values(type_of_positional(command)),
+  const std::string otherwise = bash_values(positional_values(command)),
                     of_several = bash_cases(command, true);
   std::string text =
       fmt::format("    {})\n      options={}\n      case $previous in\n{}", command.name,
@@ -151,8 +164,8 @@ complete -F _springcheck springcheck
 }
 
 /// What zsh completes a value by: `:NAME:ACTION` of its _arguments.
-std::string zsh_action(const std::string& type) {
-  const Words words = words_of_type(type);
+std::string zsh_action(const Values& values) {
+  const auto& [type, words] = values;
   const std::string name = escaped(type, ":[]");
   const char* const files = takes_folders(type) ? "_files -/" : "_files";
   const bool has_files = takes_files(type) || takes_folders(type);
@@ -169,15 +182,16 @@ std::string zsh_case(const CommandText& command) {
   for (const OptionText& option : command.options) {
     if (option.is_positional) {
       const std::string which = option.may_be_repeated ? "*" : fmt::to_string(++place);
-      text += " \\\n        " + in_quotes(which + zsh_action(option.type));
+      text += " \\\n        " + in_quotes(which + zsh_action(values_of(option)));
       continue;
     }
     const std::string description = escaped(short_text(option.description), ":[]");
     for (const std::string& name : option.names)
       text += " \\\n        " +
-              in_quotes(fmt::format("{}{}{}[{}]{}", option.may_be_repeated ? "*" : "",
-                                    name, option.type.empty() ? "" : "=", description,
-                                    option.type.empty() ? "" : zsh_action(option.type)));
+              in_quotes(
+                  fmt::format("{}{}{}[{}]{}", option.may_be_repeated ? "*" : "", name,
+                              option.type.empty() ? "" : "=", description,
+                              option.type.empty() ? "" : zsh_action(values_of(option))));
   }
   return text + " ;;\n";
 }
@@ -217,8 +231,8 @@ fi
 }
 
 /// The values of an option, or of what has no option's name, for fish's `complete`.
-std::string fish_values(const std::string& type, bool is_option) {
-  const Words words = words_of_type(type);
+std::string fish_values(const Values& values, bool is_option) {
+  const auto& [type, words] = values;
   std::string flags;
   if (takes_files(type))
     flags = is_option ? " -r -F" : " -F";
@@ -237,8 +251,8 @@ std::string fish_lines(const CommandText& command) {
   std::string lines =
       fmt::format("complete -c springcheck -n __springcheck_has -f -a {} -d {}\n",
                   command.name, in_quotes(command.summary));
-  if (const std::string type = type_of_positional(command); !type.empty())
-    lines += of_command + fish_values(type, false) + "\n";
+  if (const Values values = positional_values(command); !values.type.empty())
+    lines += of_command + fish_values(values, false) + "\n";
   else
     lines += of_command + " -f\n";
   for (const OptionText& option : command.options) {
@@ -247,7 +261,7 @@ std::string fish_lines(const CommandText& command) {
     for (const std::string& name : option.names)
       lines += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
     lines += " -d " + in_quotes(short_text(option.description));
-    lines += option.type.empty() ? " -f" : fish_values(option.type, true);
+    lines += option.type.empty() ? " -f" : fish_values(values_of(option), true);
     lines += "\n";
   }
   return lines;

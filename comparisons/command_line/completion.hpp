@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
-#include "comparisons/cases/named.hpp"
 #include "comparisons/command_line/command_text.hpp"
+#include "comparisons/names/named.hpp"
 
 namespace springcheck {
 

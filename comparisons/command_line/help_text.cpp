@@ -2,37 +2,22 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cstdlib>
 #include <string_view>
 
 #include "comparisons/formats/wrapped_text.hpp"
+#include "comparisons/system/terminal.hpp"
 
 namespace springcheck {
 namespace {
 
 constexpr std::size_t margin = 2;
 
-constexpr Example to_try[] = {
+const Example to_try[] = {
     {"springcheck run compression", "one test by several methods"},
     {"springcheck table 5.1", "a table of the thesis beside ours"},
     {"springcheck reproduce --quick --out page", "five tests and their page"}};
-
-/// "  --out FILE   HDF5 file ...", the text in a column of its own; below the name where
-/// that is too long.
-std::string entry(const std::string& name, std::string_view text, std::size_t column,
-                  std::size_t width) {
-  std::string line = std::string(margin, ' ') + wrapped(name, width, 6, margin);
-  if (line.size() + margin > column)
-    line += "\n" + std::string(column, ' ');
-  else
-    line.resize(column, ' ');
-  return line + wrapped(text, width, column, column) + "\n";
-}
 
 std::string text_of_examples(std::span<const Example> examples, std::size_t width) {
   constexpr std::size_t indent = 6;
@@ -55,14 +40,6 @@ std::string description_of(const OptionText& option) {
   return option.description + (is_told ? " (needed)" : "");
 }
 
-/// 0 of any other text.
-int positive_number_in(std::string_view text) {
-  int number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc{} && stop == end ? std::max(0, number) : 0;
-}
-
 }  // namespace
 
 std::string help_text(const CommandText& command, std::size_t width) {
@@ -73,18 +50,18 @@ std::string help_text(const CommandText& command, std::size_t width) {
   if (command.options.front().is_positional) text += "\n";
   for (const OptionText& option : command.options)
     if (option.is_positional)
-      text += entry(name_of(option), description_of(option), column, width);
+      text += wrapped_entry(name_of(option), description_of(option), column, width);
   for (const std::string& group : groups_of(command)) {
     text += "\n" + group + ":\n";
     for (const OptionText& option : command.options)
       if (!option.is_positional && option.group == group)
-        text += entry(name_of(option), description_of(option), column, width);
+        text += wrapped_entry(name_of(option), description_of(option), column, width);
   }
   if (!command.footer.empty()) text += "\n" + wrapped(command.footer, width) + "\n";
   return text;
 }
 
-std::string overview_text(std::span<const Command> commands, std::size_t width) {
+std::string overview_text(std::span<const CommandText> commands, std::size_t width) {
   std::string text =
       wrapped(
           "springcheck compares mass-spring models of soft tissue with finite "
@@ -92,10 +69,10 @@ std::string overview_text(std::span<const Command> commands, std::size_t width) 
           width) +
       "\n\nThree commands to try:\n";
   for (const auto& [words, what] : to_try)
-    text += entry(std::string(words), what, width < 80 ? 6 : 45, width);
+    text += wrapped_entry(words, what, width < 80 ? 6 : 45, width);
   text += "\nCommands:\n";
-  for (const Command& command : commands)
-    text += entry(std::string(command.name), command.summary, 14, width);
+  for (const CommandText& command : commands)
+    text += wrapped_entry(command.name, command.summary, 14, width);
   return text + "\n" +
          wrapped(
              "'springcheck help COMMAND' tells a command's options, with examples. "
@@ -105,17 +82,10 @@ std::string overview_text(std::span<const Command> commands, std::size_t width) 
          "\n";
 }
 
-std::size_t width_of_output() {
-  constexpr int least = 40, usual = 80, most = 100;
-  int width = usual;
-  winsize size{};
-  const char* const variable = std::getenv("COLUMNS");
-  if (const int columns = variable == nullptr ? 0 : positive_number_in(variable))
-    width = columns;
-  else if (isatty(STDOUT_FILENO) != 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 &&
-           size.ws_col > 0)
-    width = size.ws_col;
-  return static_cast<std::size_t>(std::clamp(width, least, most));
+std::optional<std::size_t> width_of_lines() {
+  constexpr std::size_t least = 40, most = 100;
+  const auto columns = columns_of_output();
+  return columns ? std::optional(std::clamp(*columns, least, most)) : std::nullopt;
 }
 
 }  // namespace springcheck

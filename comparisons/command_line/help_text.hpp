@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -13,10 +14,10 @@ namespace springcheck {
 std::string help_text(const CommandText& command, std::size_t width);
 
 /// What the program can do: the commands, and three to try.
-std::string overview_text(std::span<const Command> commands, std::size_t width);
+std::string overview_text(std::span<const CommandText> commands, std::size_t width);
 
-/// The characters of a line of standard output: as COLUMNS says, or the terminal; 80
-/// elsewhere. From 40 to 100, since longer lines are hard to read.
-std::size_t width_of_output();
+/// The characters of a line of text on standard output, as COLUMNS or the terminal says,
+/// from 40 to 100, since longer lines are hard to read; nothing where it is no terminal.
+std::optional<std::size_t> width_of_lines();
 
 }  // namespace springcheck

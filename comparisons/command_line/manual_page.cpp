@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "comparisons/build_info/build_info.hpp"
-#include "comparisons/cases/exit_status.hpp"
+#include "comparisons/command_line/exit_status.hpp"
 #include "comparisons/formats/capitals.hpp"
 
 namespace springcheck {
@@ -84,14 +84,15 @@ std::string manual_page(const CommandText& command) {
   return page + text_of_exit_statuses() + ".SH SEE ALSO\n.BR springcheck (1)\n";
 }
 
-std::string manual_page(std::span<const Command> commands) {
+std::string manual_page(std::span<const CommandText> commands) {
   std::string page = head(
       "springcheck", "compares mass-spring models of soft tissue with finite elements");
   page +=
       ".SH SYNOPSIS\n.B springcheck\n[\\-\\-verbose] COMMAND [OPTIONS]\n.SH COMMANDS\n";
-  for (const Command& command : commands) page += entry(command.name, command.summary);
+  for (const CommandText& command : commands)
+    page += entry(command.name, command.summary);
   page += text_of_exit_statuses() + ".SH SEE ALSO\n";
-  for (const Command& command : commands)
+  for (const CommandText& command : commands)
     page += fmt::format(".BR {} (1){}\n", escaped(name_of_page(command.name)),
                         &command == &commands.back() ? "" : ",");
   return page;

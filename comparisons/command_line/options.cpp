@@ -44,16 +44,6 @@ std::string refusal_of_path(const std::string& text) {
   return text.empty() ? "expected a path, got ''" : "";
 }
 
-CLI::Option* add_scene(CLI::App& parser, std::string& scene) {
-  return parser.add_option("scene", scene, "name of a shipped scene, or a .toml file")
-      ->required()
-      ->type_name("SCENE|FILE");
-}
-
-CLI::Option* add_results(CLI::App& parser, std::filesystem::path& results) {
-  return add_path(parser, "results", results, "FILE", "HDF5 file of results")->required();
-}
-
 CLI::Option* add_format(CLI::App& parser, std::optional<TableFormat>& format,
                         const std::string& otherwise) {
   return add_choice<TableFormat>(parser, "--format", format,
@@ -61,11 +51,14 @@ CLI::Option* add_format(CLI::App& parser, std::optional<TableFormat>& format,
       ->group(of_output);
 }
 
-CLI::Option* add_json(CLI::App& parser, Output& output) {
-  return parser
+void add_formats(CLI::App& parser, std::optional<TableFormat>& format) {
+  CLI::Option* const asked = add_format(parser, format, "text for people");
+  parser
       .add_flag_callback(
-          "--json", [&output] { output = Output::json; }, "print one JSON document")
-      ->group(of_output);
+          "--json", [&format] { format = TableFormat::json; },
+          "print one JSON document, as --format json does")
+      ->group(of_output)
+      ->excludes(asked);
 }
 
 CLI::Option* add_threads(CLI::App& parser, int& threads) {
@@ -76,15 +69,6 @@ CLI::Option* add_threads(CLI::App& parser, int& threads) {
 CLI::Option* add_jobs(CLI::App& parser, int& jobs, const std::string& what) {
   return add_count(parser, "--jobs", jobs, 1, most_threads,
                    what + " at once, at most (default: all cores)");
-}
-
-CLI::Option* add_revisions(CLI::App& parser, Revisions& revisions,
-                           const std::string& taken) {
-  return parser.add_flag_callback(
-      "--accept-other-revisions", [&revisions] { revisions = Revisions::all; },
-      taken +
-          " of other revisions of the numerics are taken, where there are none of this "
-          "program's, and what is made of them says so");
 }
 
 CLI::Option* add_seconds(CLI::App& parser, const std::string& option, double& seconds,

@@ -6,10 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "comparisons/cases/named.hpp"
 #include "comparisons/formats/table_format.hpp"
-#include "comparisons/running/case_result.hpp"
-#include "comparisons/settings/named_values.hpp"
+#include "comparisons/names/named.hpp"
+#include "comparisons/names/suggestion.hpp"
 
 namespace springcheck {
 
@@ -22,15 +21,12 @@ inline constexpr std::array value_names<TableFormat>{
     Named{TableFormat::markdown, "md"}, Named{TableFormat::csv, "csv"},
     Named{TableFormat::json, "json"}, Named{TableFormat::latex, "latex"}};
 
-/// What a command prints: text for people, or one JSON document.
-enum class Output { text, json };
-
 inline constexpr auto of_output = "output";  // the group of options that say what is kept
 
 /// "md|csv|json|latex".
 std::string alternatives(const std::vector<std::string_view>& names);
 
-/// An option that takes one of the names of an enumeration.
+/// An option that takes one of the names of an enumeration; InputError of another.
 template <class Enumeration, class Variable>
 CLI::Option* add_choice(CLI::App& parser, const std::string& option, Variable& variable,
                         const std::string& help) {
@@ -38,10 +34,12 @@ CLI::Option* add_choice(CLI::App& parser, const std::string& option, Variable& v
                                 ? option
                                 : "springcheck " + parser.get_name() + ": " + option;
   const auto read = [place, &variable](const std::string& text) {
-    variable = named<Enumeration>(Given::from_text(place, text));
+    const auto* const found = find_value<Enumeration>(text);
+    if (found == nullptr) refuse_name(place, "value", text, names_of<Enumeration>());
+    variable = found->value;
   };
   return parser.add_option_function<std::string>(option, read, help)
-      ->type_name(alternatives(all_names<Enumeration>()));
+      ->type_name(alternatives(names_of<Enumeration>()));
 }
 
 /// Refuses an empty name, for add_path.
@@ -54,21 +52,15 @@ CLI::Option* add_path(CLI::App& parser, const std::string& option, Path& path,
   return parser.add_option(option, path, help)->check(refusal_of_path)->type_name(type);
 }
 
-CLI::Option* add_scene(CLI::App& parser, std::string& scene);
-/// A result file that is read.
-CLI::Option* add_results(CLI::App& parser, std::filesystem::path& results);
-
 CLI::Option* add_format(CLI::App& parser, std::optional<TableFormat>& format,
                         const std::string& otherwise);
-CLI::Option* add_json(CLI::App& parser, Output& output);
+/// The same with `--json`, short for `--format json`, of a command that prints text for
+/// people otherwise.
+void add_formats(CLI::App& parser, std::optional<TableFormat>& format);
 CLI::Option* add_threads(CLI::App& parser, int& threads);
 
 /// Of `what` that run at the same time.
 CLI::Option* add_jobs(CLI::App& parser, int& jobs, const std::string& what);
-
-/// `taken`: what of other revisions is taken.
-CLI::Option* add_revisions(CLI::App& parser, Revisions& revisions,
-                           const std::string& taken);
 
 /// Seconds above 0, or 0 and more.
 CLI::Option* add_seconds(CLI::App& parser, const std::string& option, double& seconds,

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,12 +11,14 @@
 #include "comparisons/advice/advice_text.hpp"
 #include "comparisons/advice/advise.hpp"
 #include "comparisons/advice/chart_measurements.hpp"
-#include "comparisons/command_line/computing.hpp"
-#include "comparisons/command_line/interrupted.hpp"
 #include "comparisons/command_line/options.hpp"
-#include "comparisons/command_line/setting_options.hpp"
+#include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/chart_options.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/computing.hpp"
+#include "comparisons/commands/input_options.hpp"
+#include "comparisons/commands/interrupted.hpp"
+#include "comparisons/commands/setting_options.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/settings/named_values.hpp"
 #include "comparisons/settings/scene_file.hpp"
@@ -40,7 +43,8 @@ struct AdviseOptions {
   std::filesystem::path out{};          // result file; empty: none is kept
   std::filesystem::path scene_file{};   // empty: NAME-advised.toml
   std::optional<int> truth_across{};    // see truth_grids
-  int jobs = all_cores();               // truths at once, at most
+  std::optional<TableFormat> format{};
+  int jobs = all_cores();  // truths at once, at most
 };
 
 /// Those that are asked for, or all that bodies of this kind have.
@@ -159,13 +163,79 @@ ChartPlan plan_of(const AdviseOptions& options, const std::vector<GivenSetting>&
           .truths_file = users_truths_file()};
 }
 
-void print_advice(const Advice& advice, const Wish& wish, const ChartPlan& plan) {
-  fmt::print("{}\n{}\n{}", question(advice, wish), truth_text(advice),
-             evidence_text(advice, wish));
-  std::vector<std::string> cautions = advice.cautions;
-  if (const std::string of_law = caution_of_truth(plan); !of_law.empty())
-    cautions.push_back(of_law + " Another is taken by --converged-law.");
-  for (const std::string& caution : cautions) fmt::print("\nCaution: {}\n", caution);
+/// What is said beside the evidence.
+struct Said {
+  std::vector<std::string> cautions{};
+  std::vector<std::string> left_out{};
+  std::string failure{};               // where nothing is advised
+  std::filesystem::path scene_file{};  // else
+};
+
+void print_text(const Advice& advice, const Wish& wish, const Said& said) {
+  const Screen screen = screen_of_output();
+  const auto print = [&](const std::string& text) {
+    fmt::print("{}\n", in_lines(text, screen));
+  };
+  Table table = evidence_table(advice, wish);
+  table.columns.push_back({.key = "case", .heading = "case"});
+  for (TableRow& row : table.rows)
+    row.cells.emplace_back(row.cases.front().substr(0, 12));
+  print(question(advice, wish));
+  print(truth_text(advice));
+  fmt::print("\n{}", table_in_columns(table, screen));
+  const std::vector<std::string> notes = notes_on_evidence(advice);
+  if (!notes.empty()) fmt::print("\n");
+  for (const std::string& note : notes) print(note);
+  for (const std::string& caution : said.cautions) {
+    fmt::print("\n");
+    print("Caution: " + caution);
+  }
+  if (!said.failure.empty()) {
+    fmt::print("\n");
+    print(said.failure);
+    return;
+  }
+  fmt::print("\nLeft out\n");
+  for (const std::string& words : said.left_out) print("- " + words);
+  fmt::print("\nRun it: springcheck run {}{}\n",
+             said.scene_file.has_parent_path() ? "" : "./", said.scene_file.string());
+}
+
+void print_formatted(const Advice& advice, const Wish& wish, const Said& said,
+                     TableFormat format) {
+  Table table = evidence_table(advice, wish);
+  table.in_json.update({{"cautions", said.cautions},
+                        {"left_out", said.left_out},
+                        {"scene_file", said.scene_file.string()}});
+  table.notes = notes_on_evidence(advice);
+  table.notes.insert(table.notes.begin(), truth_text(advice));
+  for (const std::string& caution : said.cautions)
+    table.notes.push_back("Caution: " + caution);
+  for (const std::string& words : said.left_out)
+    table.notes.push_back("Left out: " + words);
+  if (!said.failure.empty()) table.notes.push_back(said.failure);
+  fmt::print("{}", format_table(table, format));
+}
+
+/// Writes the scene of the chosen point, and says what is to be known of it.
+void write_advised_scene(const AdviseOptions& options, const Advice& advice,
+                         const Wish& wish, const ChartPlan& plan,
+                         const std::filesystem::path& scene_file, Said& said) {
+  const ChartPoint& chosen = advice.chart.points[*advice.chosen];
+  std::string time_step;
+  if (wish.frame) {
+    const Frame frame = frame_of(chosen, *wish.frame).value();
+    time_step = fmt::format("{}", frame.dt);
+    if (const std::string caution = caution_of_steps(plan, chosen, frame);
+        !caution.empty())
+      said.cautions.push_back(caution);
+  }
+  said.left_out = advice.left_out;
+  said.scene_file = scene_file;
+  const std::string text =
+      scene_text(options.scene, options.settings.given(), chosen, advice.chart.stored.law,
+                 time_step, question(advice, wish));
+  write_whole_stream(scene_file, [&](std::ostream& out) { out << text; });
 }
 
 /// The cheapest model of a scene that meets a tolerance, with its neighbours and a scene
@@ -189,29 +259,18 @@ ExitStatus advise_scene(const AdviseOptions& options) {
   ChartMeasurements measurements(
       plan, temporary ? temporary->path() / "advise.h5" : options.out);
   const Advice advice = advise(wish, plan, measurements);
-  print_advice(advice, wish, plan);
-  if (!advice.chosen) {
-    fmt::print("\n{}", failure_text(advice, wish));
-    return ExitStatus::fell_short;
-  }
-  const ChartPoint& chosen = advice.chart.points[*advice.chosen];
-  std::string time_step;
-  if (wish.frame) {
-    const Frame frame = frame_of(chosen, *wish.frame).value();
-    time_step = fmt::format("{}", frame.dt);
-    if (const std::string caution = caution_of_steps(plan, chosen, frame);
-        !caution.empty())
-      fmt::print("\nCaution: {}\n", caution);
-  }
-  fmt::print("\nLeft out\n");
-  for (const std::string& words : advice.left_out) fmt::print("- {}\n", words);
-  const std::string text =
-      scene_text(options.scene, settings, chosen, advice.chart.stored.law, time_step,
-                 question(advice, wish));
-  write_whole_stream(scene_file, [&](std::ostream& out) { out << text; });
-  fmt::print("\nRun it: springcheck run {}{}\n", scene_file.has_parent_path() ? "" : "./",
-             scene_file.string());
-  return ExitStatus::done;
+  Said said{.cautions = advice.cautions};
+  if (const std::string of_law = caution_of_truth(plan); !of_law.empty())
+    said.cautions.push_back(of_law + " Another is taken by --converged-law.");
+  if (advice.chosen)
+    write_advised_scene(options, advice, wish, plan, scene_file, said);
+  else
+    said.failure = failure_text(advice, wish);
+  if (options.format)
+    print_formatted(advice, wish, said, *options.format);
+  else
+    print_text(advice, wish, said);
+  return advice.chosen ? ExitStatus::done : ExitStatus::fell_short;
 }
 
 Action declare_advise(CLI::App& parser) {
@@ -249,6 +308,7 @@ Action declare_advise(CLI::App& parser) {
   add_path(parser, "--scene-file", options->scene_file, "FILE",
            "the scene file to write (default SCENE-advised.toml)")
       ->group(of_output);
+  add_format(parser, options->format, "text for people");
   add_jobs(parser, options->jobs, "converged solutions' grids");
   return [options] { return advise_scene(*options); };
 }
@@ -264,7 +324,6 @@ Command advise_command() {
                        {"springcheck advise shearing --tolerance 8% --measure force "
                         "--real-time 0.02",
                         "what follows 50 frames a second, if anything does"}},
-          .simulates = true,
           .declare = declare_advise};
 }
 

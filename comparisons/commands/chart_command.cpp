@@ -8,12 +8,13 @@
 #include "comparisons/chart/chart_run.hpp"
 #include "comparisons/chart/chart_tables.hpp"
 #include "comparisons/chart/claims.hpp"
-#include "comparisons/command_line/computing.hpp"
-#include "comparisons/command_line/interrupted.hpp"
 #include "comparisons/command_line/options.hpp"
-#include "comparisons/command_line/setting_options.hpp"
+#include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/chart_options.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/computing.hpp"
+#include "comparisons/commands/interrupted.hpp"
+#include "comparisons/commands/setting_options.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -74,9 +75,11 @@ Table own_front(const Chart& chart) {
 }
 
 std::string chart_text(const Chart& chart, const std::string& caution) {
-  std::string text = fmt::format("{}\n\n{}\nFronts, law {}\n\n{}\n", chart.stored.scene,
-                                 table_in_columns(truths_table({chart})),
-                                 chart.stored.law, table_in_columns(own_front(chart)));
+  const Screen screen = screen_of_output();
+  std::string text =
+      fmt::format("{}\n\n{}\nFronts, law {}\n\n{}\n", chart.stored.scene,
+                  table_in_columns(truths_table({chart}), screen), chart.stored.law,
+                  table_in_columns(own_front(chart), screen));
   if (!caution.empty()) text += fmt::format("Caution: {}\n\n", caution);
   for (const Claim& claim : claims(chart))
     text += fmt::format("{}, {}: {}\n", name_of(claim.kind), name_of(claim.measure),
@@ -201,7 +204,6 @@ Command chart_command() {
                         "the models that people want to see first, in about a minute"},
                        {"springcheck chart all --out charts.h5",
                         "every model on the thesis's five scenes, in hours"}},
-          .simulates = true,
           .declare = declare_chart};
 }
 

@@ -2,7 +2,7 @@
 
 namespace springcheck {
 
-/// The program: runs the command that the arguments name. Returns its exit status.
+/// Runs the command that the arguments name, one of this room. Returns its exit status.
 int command_line(int argc, char** argv);
 
 }  // namespace springcheck

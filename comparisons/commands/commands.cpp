@@ -1,25 +1,43 @@
 #include "comparisons/commands/commands.hpp"
 
-#include "comparisons/settings/suggestion.hpp"
+#include <nlohmann/json.hpp>
+
+#include "comparisons/formats/capitals.hpp"
+#include "comparisons/names/suggestion.hpp"
+#include "comparisons/settings/setting.hpp"
+#include "comparisons/vocabulary/vocabulary.hpp"
 
 namespace springcheck {
+namespace {
 
-std::vector<Command> all_commands() {
-  std::vector<Command> commands;
-  for (const auto& make : every_command) commands.push_back(make());
-  return commands;
+/// METHOD: the names that the setting `method` takes, or those of the list `methods`.
+std::vector<std::string> names_behind(const std::string& capitals) {
+  const std::string name = in_small_letters(capitals);
+  const Setting* const setting = find_setting(name);
+  if (setting != nullptr && setting->access.type.names != nullptr) {
+    const auto names = setting->access.type.names();
+    return {names.begin(), names.end()};
+  }
+  return names_in_list(name + (name.ends_with("s") ? "es" : "s"));
 }
 
-std::vector<std::string_view> command_names() {
-  std::vector<std::string_view> names;
-  for (const auto& make : every_command) names.push_back(make().name);
-  return names;
+}  // namespace
+
+Declarations declarations() {
+  Declarations all{.commands = {}, .lists = list_json({})};
+  for (const auto& make : every_command)
+    all.commands.push_back(text_of(make(), names_behind));
+  return all;
 }
 
 Command command_named(std::string_view name) {
-  for (const auto& make : every_command)
-    if (Command command = make(); command.name == name) return command;
-  refuse_name("springcheck", "command", name, command_names());
+  std::vector<std::string_view> names;
+  for (const auto& make : every_command) {
+    Command command = make();
+    if (command.name == name) return command;
+    names.push_back(command.name);
+  }
+  refuse_name("springcheck", "command", name, names);
 }
 
 }  // namespace springcheck

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
 #include "comparisons/command_line/command.hpp"
+#include "comparisons/command_line/declarations.hpp"
 
 namespace springcheck {
 
-// The commands, each in the file of its name.
+// The commands that read, compute or write, each in the file of its name.
 Command run_command();
 Command table_command();
 Command reproduce_command();
@@ -21,27 +21,18 @@ Command export_command();
 Command merge_command();
 Command measure_command();
 Command mesh_command();
-Command list_command();
 Command schema_command();
-Command help_command();
-Command completion_command();
-Command manual_command();
 
 /// In the order in which help tells them.
 inline constexpr Command (*every_command[])() = {
-    run_command,        table_command,     reproduce_command, sweep_command,
-    chart_command,      stability_command, advise_command,    gate_command,
-    report_command,     export_command,    merge_command,     measure_command,
-    mesh_command,       list_command,      schema_command,    help_command,
-    completion_command, manual_command};
+    run_command,       table_command,   reproduce_command, sweep_command,  chart_command,
+    stability_command, advise_command,  gate_command,      report_command, export_command,
+    merge_command,     measure_command, mesh_command,      schema_command};
 
-std::vector<Command> all_commands();
-std::vector<std::string_view> command_names();
+/// Their texts, and the lists of the names that they take.
+Declarations declarations();
 
 /// Throws InputError for another name, with the nearest.
 Command command_named(std::string_view name);
-
-/// What `springcheck help NAME` prints; of no name what there is. Throws InputError.
-void print_help(std::string_view name);
 
 }  // namespace springcheck

@@ -8,6 +8,7 @@
 
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/input_options.hpp"
 #include "comparisons/formats/parquet.hpp"
 #include "comparisons/formats/text_table.hpp"
 #include "comparisons/results/case_table.hpp"
@@ -146,7 +147,6 @@ Command export_command() {
                        {"springcheck export results.h5 --out cases.parquet --columns "
                         "method,nu,volume_error",
                         "some columns, for pandas or R"}},
-          .simulates = false,
           .declare = declare_export};
 }
 

@@ -5,8 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/command_line/options.hpp"
+#include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/commands.hpp"
-
+#include "comparisons/commands/input_options.hpp"
 #include "comparisons/gates/gate_check.hpp"
 #include "comparisons/gates/gate_file.hpp"
 #include "comparisons/gates/gate_output.hpp"
@@ -19,6 +20,15 @@ namespace springcheck {
 namespace {
 
 using namespace gates;
+
+Colour colour_of_verdicts(std::string_view head, std::string_view cell) {
+  if (head != "verdict") return Colour::usual;
+  const auto* const verdict = find_value<Judgement>(cell);
+  if (verdict == nullptr) return Colour::usual;
+  return verdict->value == Judgement::pass      ? Colour::good
+         : verdict->value == Judgement::no_case ? Colour::doubtful
+                                                : Colour::bad;
+}
 
 std::vector<Outcome> judged(const std::vector<Gate>& gates, const Columns& cases,
                             const std::string& results) {
@@ -42,7 +52,7 @@ struct GateOptions {
   std::string gates{};  // a file's name, or that of a shipped one
   std::filesystem::path results{};
   std::optional<std::filesystem::path> junit{};
-  Output output = Output::text;
+  std::optional<TableFormat> format{};
   bool blesses = false;
   Revisions revisions = Revisions::own;
 };
@@ -52,7 +62,7 @@ ExitStatus judge(const GateOptions& options) {
   if (options.blesses && !is_toml_path(options.gates))
     throw InputError("--bless", "", "a path to a gate file",
                      "'" + options.gates + "', which is part of the program");
-  const TomlFile toml = toml_file(options.gates, "gate", shipped_gates());
+  const TomlFile toml = toml_file(options.gates, a_gate_file);
   const std::vector<Gate> parsed = parse_gates(toml.text, toml.file);
   if (options.blesses) check_writable(toml.file);
   if (options.junit) {
@@ -81,11 +91,13 @@ ExitStatus judge(const GateOptions& options) {
   if (options.junit)
     write_whole_stream(*options.junit,
                        [&](std::ostream& out) { write_junit(out, report); });
-  if (options.output == Output::json)
+  if (options.format == TableFormat::json)
     fmt::print("{}\n", report_json(report).dump(
                            2, ' ', false, nlohmann::json::error_handler_t::replace));
+  else if (options.format)
+    fmt::print("{}", format_table(report_table(report), *options.format));
   else
-    fmt::print("{}", report_text(report));
+    fmt::print("{}", report_text(report, screen_of_output(colour_of_verdicts)));
 
   if (count(report, Judgement::no_case) > 0) return ExitStatus::bad_input;
   return count(report, Judgement::falls_short) > 0 ? ExitStatus::fell_short
@@ -101,7 +113,7 @@ Action declare_gate(CLI::App& parser) {
   add_results(parser, options->results);
   add_path(parser, "--junit", options->junit, "FILE", "JUnit XML file to write")
       ->group(of_output);
-  add_json(parser, options->output);
+  add_formats(parser, options->format);
   parser.add_flag("--bless", options->blesses,
                   "replace stored values that are outside their bands in the gate file");
   add_revisions(parser, options->revisions, "cases in the file");
@@ -118,7 +130,6 @@ Command gate_command() {
                         "whether the figures are those of the thesis"},
                        {"springcheck gate bands.toml results.h5 --junit gates.xml",
                         "by bands of your own, for a CI that reads JUnit"}},
-          .simulates = false,
           .declare = declare_gate};
 }
 

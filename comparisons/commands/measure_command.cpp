@@ -7,13 +7,15 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/cases/mechanical_scene.hpp"
-#include "comparisons/command_line/computing.hpp"
-#include "comparisons/command_line/interrupted.hpp"
 #include "comparisons/command_line/options.hpp"
-#include "comparisons/command_line/setting_options.hpp"
+#include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/computing.hpp"
+#include "comparisons/commands/input_options.hpp"
+#include "comparisons/commands/interrupted.hpp"
 #include "comparisons/commands/result_json.hpp"
 #include "comparisons/commands/result_text.hpp"
+#include "comparisons/commands/setting_options.hpp"
 #include "comparisons/measured/measured_case.hpp"
 #include "comparisons/measured/nodal_csv.hpp"
 #include "comparisons/measured/vtu_file.hpp"
@@ -45,7 +47,7 @@ struct MeasureOptions {
   std::optional<std::filesystem::path> forces{};  // .csv
   std::string label{};                            // stands for the method
   std::optional<std::filesystem::path> out{};     // result file
-  Output output = Output::text;
+  std::optional<TableFormat> format{};
   int threads = all_cores();
 };
 
@@ -103,11 +105,7 @@ ExitStatus measure(const MeasureOptions& options) {
         [&](std::size_t done, std::size_t of) { progress.show(done, of); }));
   }
   if (options.out) write_results(*options.out, results, meshes);
-  if (options.output == Output::json)
-    fmt::print("{}\n",
-               run_json(run.common.scene, results, {std::nullopt}, meshes).dump(2));
-  else
-    fmt::print("{}", results_text(results));
+  print_results(run.common.scene, results, {std::nullopt}, options.format, meshes);
   return std::ranges::count(run.expect, results.front().status) > 0
              ? ExitStatus::done
              : ExitStatus::unexpected_status;
@@ -130,7 +128,7 @@ Action declare_measure(CLI::App& parser) {
   options->settings.add_to(parser, is_no_method);
   add_path(parser, "--out", options->out, "FILE", "HDF5 file for measures and fields")
       ->group(of_output);
-  add_json(parser, options->output);
+  add_formats(parser, options->format);
   add_threads(parser, options->threads);
   return [options] { return measure(*options); };
 }
@@ -146,7 +144,6 @@ Command measure_command() {
           .examples = {{"springcheck measure compression --displacements nodes.csv "
                         "--label their-solver",
                         "its volume error and distance from the reference"}},
-          .simulates = true,
           .declare = declare_measure};
 }
 

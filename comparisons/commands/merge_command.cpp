@@ -52,7 +52,6 @@ Command merge_command() {
           .description = "It may be repeated: what is there already stays as it is.",
           .examples = {{"springcheck merge all.h5 first.h5 second.h5",
                         "brings the parts of a sweep together"}},
-          .simulates = false,
           .declare = declare_merge};
 }
 

@@ -5,9 +5,11 @@
 #include <memory>
 
 #include "comparisons/command_line/options.hpp"
-#include "comparisons/command_line/setting_options.hpp"
+#include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/input_options.hpp"
 #include "comparisons/commands/quality_text.hpp"
+#include "comparisons/commands/setting_options.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "meshing/files/mesh_files.hpp"
@@ -31,7 +33,20 @@ struct MeshOptions {
   SettingOptions settings{};
   std::optional<std::filesystem::path> file{};
   bool quality = false;
+  std::optional<TableFormat> format{};
 };
+
+/// The mesh in a line or two: cells, volume, hash.
+std::vector<std::string> notes_on(const Mesh& mesh, const std::string& name) {
+  std::vector<std::string> notes{fmt::format("{}: {} nodes, {}, {:.6g} m^3, SHA-256 {}",
+                                             name, mesh.nodes().size(), cell_counts(mesh),
+                                             mesh.volume(), mesh.sha256())};
+  if (!mesh.surfaces_elsewhere().empty())
+    notes.push_back(
+        fmt::format("surfaces that are not on the boundary, and hold nothing: {}",
+                    fmt::join(mesh.surfaces_elsewhere(), ", ")));
+  return notes;
+}
 
 ExitStatus write_scene_mesh(const MeshOptions& options) {
   const auto& file = options.file;
@@ -43,13 +58,20 @@ ExitStatus write_scene_mesh(const MeshOptions& options) {
   if (file) check_writable(*file);
   const Mesh mesh = build_mesh(run.common.body);
   if (file) write_mesh(mesh, *file);
-  fmt::print("{}: {} nodes, {}, {:.6g} m^3, SHA-256 {}\n",
-             file ? file->string() : mesh.source(), mesh.nodes().size(),
-             cell_counts(mesh), mesh.volume(), mesh.sha256());
-  if (!mesh.surfaces_elsewhere().empty())
-    fmt::print("surfaces that are not on the boundary, and hold nothing: {}\n",
-               fmt::join(mesh.surfaces_elsewhere(), ", "));
-  if (options.quality) fmt::print("\n{}", quality_text(quality_of(mesh)));
+  const std::vector<std::string> notes =
+      notes_on(mesh, file ? file->string() : mesh.source());
+  if (options.format) {
+    Table table = quality_table(quality_of(mesh));
+    table.notes = notes;
+    fmt::print("{}", format_table(table, *options.format));
+    return ExitStatus::done;
+  }
+  for (const std::string& note : notes) fmt::print("{}\n", note);
+  if (options.quality) {
+    const Quality quality = quality_of(mesh);
+    fmt::print("\n{}\n{}", table_in_columns(quality_table(quality), screen_of_output()),
+               histogram_text(quality));
+  }
   return ExitStatus::done;
 }
 
@@ -59,10 +81,12 @@ Action declare_mesh(CLI::App& parser) {
   options->settings.add_to(parser, is_any);
   add_path(parser, "--out", options->file, "FILE", "a .msh, .vtu or .inp file")
       ->group(of_output);
-  parser
-      .add_flag("--quality", options->quality,
-                "print volumes, scaled Jacobians and edge ratios of the cells")
-      ->group(of_output);
+  CLI::Option* const quality =
+      parser
+          .add_flag("--quality", options->quality,
+                    "print volumes, scaled Jacobians and edge ratios of the cells")
+          ->group(of_output);
+  add_format(parser, options->format, "text for people")->needs(quality);
   return [options] { return write_scene_mesh(*options); };
 }
 
@@ -76,7 +100,6 @@ Command mesh_command() {
                         "the scene's block for gmsh"},
                        {"springcheck mesh compression --mesh body.msh --quality",
                         "how good the cells of a mesh of yours are"}},
-          .simulates = false,
           .declare = declare_mesh};
 }
 

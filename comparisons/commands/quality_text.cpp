@@ -3,36 +3,45 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
-
-#include "comparisons/formats/text_table.hpp"
+#include <string>
 
 namespace springcheck {
 namespace {
 
-std::vector<std::string> row(std::string_view name, const CellQuality& cells) {
-  return {std::string(name),
-          fmt::format("{}", cells.cells),
-          fmt::format("{:.6g}", cells.volume),
-          fmt::format("{:.3g}", cells.smallest_volume),
-          fmt::format("{:.3g}", cells.mean_volume),
-          fmt::format("{:.3g}", cells.largest_volume),
-          fmt::format("{:.3f}", cells.smallest_scaled_jacobian),
-          fmt::format("{:.3f}", cells.mean_scaled_jacobian),
-          fmt::format("{:.2f}", cells.largest_edge_ratio),
-          fmt::format("{:.2f}", cells.mean_edge_ratio)};
+TableRow row_of(std::string_view name, const CellQuality& cells) {
+  return {.cells = {name, cells.cells, cells.volume, cells.smallest_volume,
+                    cells.mean_volume, cells.largest_volume,
+                    cells.smallest_scaled_jacobian, cells.mean_scaled_jacobian,
+                    cells.largest_edge_ratio, cells.mean_edge_ratio},
+          .in_json = {{"histogram", cells.histogram}}};
 }
 
 }  // namespace
 
-std::string quality_text(const Quality& quality) {
-  std::vector<std::vector<std::string>> rows{{"cells", "number", "volume m^3", "smallest",
-                                              "mean", "largest", "scaled Jacobian min",
-                                              "mean", "edge ratio max", "mean"}};
+Table quality_table(const Quality& quality) {
+  const auto column = [](const char* key, const char* heading, const char* format) {
+    return Column{.key = key, .heading = heading, .format = format};
+  };
+  Table table{
+      .name = "quality",
+      .title = "Cells of the mesh",
+      .columns = {column("cells", "cells", ""), column("number", "number", "{:.0f}"),
+                  column("volume", "volume m^3", "{:.6g}"),
+                  column("volume_min", "smallest m^3", "{:.3g}"),
+                  column("volume_mean", "mean m^3", "{:.3g}"),
+                  column("volume_max", "largest m^3", "{:.3g}"),
+                  column("scaled_jacobian_min", "scaled Jacobian min", "{:.3f}"),
+                  column("scaled_jacobian_mean", "scaled Jacobian mean", "{:.3f}"),
+                  column("edge_ratio_max", "edge ratio max", "{:.2f}"),
+                  column("edge_ratio_mean", "edge ratio mean", "{:.2f}")}};
   for (const auto& [type, cells] : quality.by_type)
-    rows.push_back(row(name_of(type), cells));
-  if (quality.by_type.size() > 1) rows.push_back(row("all", quality.all));
-  std::string text = in_columns(rows) + "\nscaled Jacobian   cells\n";
+    table.rows.push_back(row_of(name_of(type), cells));
+  if (quality.by_type.size() > 1) table.rows.push_back(row_of("all", quality.all));
+  return table;
+}
+
+std::string histogram_text(const Quality& quality) {
+  std::string text = "scaled Jacobian   cells\n";
   constexpr std::size_t longest_bar = 50;
   const auto& histogram = quality.all.histogram;
   const std::size_t most = std::max<std::size_t>(1, *std::ranges::max_element(histogram));

@@ -6,6 +6,7 @@
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/input_options.hpp"
 #include "comparisons/report/report.hpp"
 #include "comparisons/results/known_results.hpp"
 #include "meshing/input_error.hpp"
@@ -49,7 +50,6 @@ Command report_command() {
           .description = "Computes nothing. index.html in the folder is where to start.",
           .examples = {{"springcheck report results.h5 --out page",
                         "page/index.html, with figures and tables beside it"}},
-          .simulates = false,
           .declare = declare_report};
 }
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "comparisons/cases/exit_status.hpp"
+#include "comparisons/command_line/exit_status.hpp"
 
 namespace springcheck {
 

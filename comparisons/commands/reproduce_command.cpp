@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "comparisons/command_line/computing.hpp"
-#include "comparisons/command_line/interrupted.hpp"
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/computing.hpp"
+#include "comparisons/commands/interrupted.hpp"
 #include "comparisons/commands/reproduce.hpp"
 
 namespace springcheck {
@@ -49,7 +49,6 @@ Command reproduce_command() {
                        {"springcheck reproduce --out everything",
                         "tables, sweeps, charts, a map and the page, in a quarter of an "
                         "hour on two cores"}},
-          .simulates = true,
           .declare = declare_reproduce};
 }
 

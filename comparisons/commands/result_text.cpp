@@ -3,18 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
-#include <utility>
 
-#include "comparisons/formats/text_table.hpp"
+#include "comparisons/command_line/screen.hpp"
+#include "comparisons/commands/result_json.hpp"
 #include "comparisons/measures/measures.hpp"
 #include "comparisons/settings/setting.hpp"
 
 namespace springcheck {
 namespace {
 
-/// A measure as a column: before and behind the components of vectors and matrices.
+/// A measure as a column, in the unit that people read.
 struct Shown {
   std::string_view measure, format;
 };
@@ -27,48 +28,75 @@ constexpr Shown first_measures[] = {{"volume_change", "{:.4f}"},
                                    {"deviation_l2_relative", "{:.3f}"},
                                    {"solve_wall_s", "{:.2f}"}};
 
-std::vector<std::string> heads() {
-  std::vector<std::string> heads{"method", "status"};
+/// A component of the mean stress.
+struct StressComponent {
+  int row, column;
+  const char *key, *heading;
+};
+constexpr StressComponent stress_components[] = {
+    {0, 0, "stress_xx", "stress xx Pa"}, {1, 1, "stress_yy", "stress yy Pa"},
+    {2, 2, "stress_zz", "stress zz Pa"}, {1, 2, "stress_yz", "stress yz Pa"},
+    {0, 2, "stress_xz", "stress xz Pa"}, {0, 1, "stress_xy", "stress xy Pa"}};
+
+std::vector<Column> columns() {
+  std::vector<Column> all{{.key = "method", .heading = "method"},
+                          {.key = "status", .heading = "status"}};
   const auto add = [&](std::span<const Shown> shown) {
     for (const auto& [name, format] : shown) {
       const Measure& measure = *find_measure(name);
-      heads.push_back(fmt::format("{} {}", measure.label, shown_unit(measure)));
+      all.push_back({.key = std::string(name),
+                     .heading = fmt::format("{} {}", measure.label, shown_unit(measure)),
+                     .format = std::string(format)});
     }
   };
   add(first_measures);
-  for (const char* component :
-       {"face z m", "stress xx Pa", "yy Pa", "zz Pa", "yz Pa", "xz Pa", "xy Pa"})
-    heads.emplace_back(component);
+  all.push_back({.key = "face_z", .heading = "face z m", .format = "{:.6g}"});
+  for (const StressComponent& component : stress_components)
+    all.push_back(
+        {.key = component.key, .heading = component.heading, .format = "{:.6g}"});
   add(last_measures);
-  return heads;
+  return all;
 }
 
-std::vector<std::string> row_of(const CaseResult& result) {
+std::vector<Cell> cells_of(const CaseResult& result) {
   const Measures& m = result.measures;
-  std::vector<std::string> row{variant_label(result.request.settings),
-                               status_words(result)};
-  const auto number = [](const Measures::Value& value, std::string_view format) {
-    return value ? fmt::format(fmt::runtime(format), *value) : "-";
-  };
+  std::vector<Cell> cells{variant_label(result.request.settings), status_words(result)};
   const auto add = [&](std::span<const Shown> shown) {
     for (const auto& [name, format] : shown) {
       Measures::Value value = measure_of(m, name);
       if (value) *value *= shown_factor(*find_measure(name));
-      row.push_back(number(value, format));
+      cells.emplace_back(value);
     }
   };
   add(first_measures);
-  row.push_back(number(
-      m.face_displacement ? Measures::Value(m.face_displacement->z()) : std::nullopt,
-      "{:.6g}"));
-  constexpr std::pair<int, int> components[] = {{0, 0}, {1, 1}, {2, 2},
-                                                {1, 2}, {0, 2}, {0, 1}};
-  for (const auto& [i, j] : components)
-    row.push_back(
-        number(m.mean_stress ? Measures::Value((*m.mean_stress)(i, j)) : std::nullopt,
-               "{:.6g}"));
+  cells.emplace_back(m.face_displacement ? Measures::Value(m.face_displacement->z())
+                                         : std::nullopt);
+  for (const auto& [i, j, key, heading] : stress_components)
+    cells.emplace_back(m.mean_stress ? Measures::Value((*m.mean_stress)(i, j))
+                                     : std::nullopt);
   add(last_measures);
-  return row;
+  return cells;
+}
+
+/// Without the columns that no row has anything in.
+void drop_empty_columns(Table& table) {
+  for (std::size_t i = table.columns.size(); i-- > 0;) {
+    const auto is_empty = [i](const TableRow& row) {
+      return !row.cells[i].number && row.cells[i].text.empty();
+    };
+    if (!std::ranges::all_of(table.rows, is_empty)) continue;
+    const auto place = static_cast<std::ptrdiff_t>(i);
+    table.columns.erase(table.columns.begin() + place);
+    for (TableRow& row : table.rows) row.cells.erase(row.cells.begin() + place);
+  }
+}
+
+Colour colour_of_statuses(std::string_view head, std::string_view cell) {
+  if (head != "status") return Colour::usual;
+  const auto is = [&](Status status) { return cell == name_of(status); };
+  if (is(Status::ok)) return Colour::good;
+  const bool is_held = cell.starts_with(name_of(Status::ok)) || is(Status::wrinkled);
+  return is_held ? Colour::doubtful : Colour::bad;
 }
 
 std::string stable_up_to(const Solution& solution) {
@@ -101,7 +129,7 @@ std::string dynamics_text(const CaseResult& result) {
       m.strain_energy ? fmt::format("kinetic energy {:.2g} of the strain energy",
                                     *m.kinetic_energy / *m.strain_energy)
                       : "strain energy infinite";
-  return fmt::format("{}: {} {} of {:.4g} s to {:g} s{}, {}{}{}.\n",
+  return fmt::format("{}: {} {} of {:.4g} s to {:g} s{}, {}{}{}.",
                      variant_label(settings), solution.steps,
                      solution.steps == 1 ? "step" : "steps", *solution.dt,
                      settings.dynamics.duration, stable_up_to(solution), inertia,
@@ -119,45 +147,78 @@ std::string last_load_text(const std::vector<CaseResult>& results) {
     const double last = last_load(result.request.settings.dynamics);
     if (has_history(result.request.settings) && last != 1 && last != 0)
       return fmt::format(
-          "The load ends at {:g} % of the whole one: bodies at rest are held at that.\n",
+          "The load ends at {:g} % of the whole one: bodies at rest are held at that.",
           100 * last);
   }
   return {};
 }
 
+/// What deviations are from, and what is to be known of it; nothing without a reference.
+std::vector<std::string> notes_on_reference(const std::vector<CaseResult>& results) {
+  const auto has_deviation = [](const CaseResult& result) {
+    return result.request.reference &&
+           result.measures.mean_deviation;  // or the reason tells
+  };
+  const auto found = std::ranges::find_if(results, has_deviation);
+  if (found == results.end()) return {};
+  const std::string reference = reference_label(found->request);
+  const Measures& m = found->measures;
+  std::vector<std::string> notes{fmt::format(
+      "Deviations are from {}{}{}{}.", reference,
+      reference.find('@') == std::string::npos ? " on the same mesh" : "",
+      m.reference_bar ? fmt::format(", mean error bound {:.2g} m", *m.reference_bar) : "",
+      m.reference_order ? fmt::format(", order {:.2f}", *m.reference_order) : "")};
+  const CaseSettings& by = *found->request.reference;
+  if (const std::string caution = caution_near_half(by.method, by); !caution.empty())
+    notes.push_back("Caution: " + caution);
+  return notes;
+}
+
+/// The table's notes, and before them those of its rows behind the methods' names.
+std::string text_of_notes(const Table& table, const Screen& screen) {
+  std::string text;
+  for (const TableRow& row : table.rows)
+    for (const std::string& note : row.notes)
+      text += in_lines(row.cells.front().text + ": " + note, screen) + "\n";
+  for (const std::string& note : table.notes) text += in_lines(note, screen) + "\n";
+  return text;
+}
+
 }  // namespace
 
-std::string results_text(const std::vector<CaseResult>& results) {
-  std::vector<std::vector<std::string>> rows{heads()};
-  for (const CaseResult& result : results) rows.push_back(row_of(result));
-  std::string text = in_columns(without_empty_columns(std::move(rows), "-"));
-  for (const CaseResult& result : results)
-    if (!result.reason.empty())
-      text +=
-          fmt::format("{}: {}\n", variant_label(result.request.settings), result.reason);
-  for (const CaseResult& result : results) text += dynamics_text(result);
+Table results_table(const std::string& scene, const std::vector<CaseResult>& results) {
+  Table table{.name = "run", .title = scene, .columns = columns()};
+  const auto note = [&](const std::string& text) {
+    if (!text.empty()) table.notes.push_back(text);
+  };
+  for (const CaseResult& result : results) {
+    table.rows.push_back({.cells = cells_of(result)});
+    if (!result.reason.empty()) table.rows.back().notes = {result.reason};
+  }
+  for (const CaseResult& result : results) note(dynamics_text(result));
   for (const CaseResult& result : results)
     if (!result.revision.empty())
-      text += fmt::format("{}: computed by revisions {} of the numerics, as accepted.\n",
-                          variant_label(result.request.settings), result.revision);
-  text += last_load_text(results);
-  for (const CaseResult& result : results)
-    if (result.request.reference) {
-      const std::string reference = reference_label(result.request);
-      const Measures& m = result.measures;
-      if (!m.mean_deviation) continue;  // the reason tells
-      text += fmt::format(
-          "Deviations are from {}{}{}{}.\n", reference,
-          reference.find('@') == std::string::npos ? " on the same mesh" : "",
-          m.reference_bar ? fmt::format(", mean error bound {:.2g} m", *m.reference_bar)
-                          : "",
-          m.reference_order ? fmt::format(", order {:.2f}", *m.reference_order) : "");
-      const CaseSettings& by = *result.request.reference;
-      if (const std::string caution = caution_near_half(by.method, by); !caution.empty())
-        text += fmt::format("Caution: {}\n", caution);
-      break;
-    }
-  return text;
+      note(fmt::format("{}: computed by revisions {} of the numerics, as accepted.",
+                       variant_label(result.request.settings), result.revision));
+  note(last_load_text(results));
+  for (const std::string& text : notes_on_reference(results)) note(text);
+  drop_empty_columns(table);
+  return table;
+}
+
+void print_results(const std::string& scene, const std::vector<CaseResult>& results,
+                   const std::vector<std::optional<Split>>& splits,
+                   const std::optional<TableFormat>& format, MeshStore& meshes) {
+  if (format == TableFormat::json) {
+    fmt::print("{}\n", run_json(scene, results, splits, meshes).dump(2));
+    return;
+  }
+  const Table table = results_table(scene, results);
+  const Screen screen = screen_of_output(colour_of_statuses);
+  if (format)
+    fmt::print("{}", format_table(table, *format));
+  else
+    fmt::print("{}{}", table_in_columns(table, screen), text_of_notes(table, screen));
 }
 
 }  // namespace springcheck

@@ -8,14 +8,16 @@
 #include <span>
 #include <stdexcept>
 
-#include "comparisons/command_line/computing.hpp"
-#include "comparisons/command_line/interrupted.hpp"
 #include "comparisons/command_line/options.hpp"
-#include "comparisons/command_line/setting_options.hpp"
+#include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/computing.hpp"
+#include "comparisons/commands/input_options.hpp"
+#include "comparisons/commands/interrupted.hpp"
 #include "comparisons/commands/result_json.hpp"
 #include "comparisons/commands/result_text.hpp"
 #include "comparisons/commands/run_splits.hpp"
+#include "comparisons/commands/setting_options.hpp"
 #include "comparisons/results/kept_results.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
@@ -41,7 +43,7 @@ struct RunOptions {
   std::string scene{};
   SettingOptions settings{};
   std::optional<std::filesystem::path> out{};  // result file
-  Output output = Output::text;
+  std::optional<TableFormat> format{};
   bool splits_errors = false;
   std::string fail_on{};
   Watch watch{.shows_progress = true};
@@ -67,14 +69,11 @@ void check_checkpoint(const RunSettings& run, const std::filesystem::path& file,
   check_writable(file);
 }
 
-void print_results(const RunSettings& run, Output output,
+void print_results(const RunSettings& run, const std::optional<TableFormat>& format,
                    const std::vector<CaseResult>& results,
                    const std::vector<std::optional<Split>>& splits, MeshStore& meshes) {
-  if (output == Output::json) {
-    fmt::print("{}\n", run_json(run.common.scene, results, splits, meshes).dump(2));
-    return;
-  }
-  fmt::print("{}", results_text(results));
+  print_results(run.common.scene, results, splits, format, meshes);
+  if (format) return;
   for (const auto& split : splits)
     if (split) fmt::print("\n{}", split_text(*split));
 }
@@ -204,13 +203,13 @@ ExitStatus run(const RunOptions& options) {
   compute(all, options, kept, meshes);
   if (all.failure) {
     const std::vector<std::optional<Split>> none(all.results.size());
-    print_results(settings, options.output, all.results, none, meshes);
+    print_results(settings, options.format, all.results, none, meshes);
   }
   if (kept) kept->finish(all.results, {});
   if (all.failure) std::rethrow_exception(all.failure);
   const std::vector<std::optional<Split>> splits = splits_of(all, meshes);
   all.results.resize(all.asked);
-  print_results(settings, options.output, all.results, splits, meshes);
+  print_results(settings, options.format, all.results, splits, meshes);
   return has_failed(all.results, settings.expect, failing) ? ExitStatus::unexpected_status
                                                            : ExitStatus::done;
 }
@@ -221,7 +220,7 @@ Action declare_run(CLI::App& parser) {
   options->settings.add_to(parser, is_any);
   add_path(parser, "--out", options->out, "FILE", "HDF5 file for measures and fields")
       ->group(of_output);
-  add_json(parser, options->output);
+  add_formats(parser, options->format);
   parser
       .add_option(
           "--fail-on", options->fail_on,
@@ -268,7 +267,6 @@ Command run_command() {
                     "two methods on a mesh and a material of your own"},
                    {"springcheck run torsion --deformation 45deg --out results.h5",
                     "keeps measures and fields for tables, gates and the page"}},
-      .simulates = true,
       .declare = declare_run};
 }
 

@@ -11,8 +11,8 @@
 #include "comparisons/commands/result_json.hpp"
 #include "comparisons/gates/gate_keys.hpp"
 #include "comparisons/gates/gate_output.hpp"
+#include "comparisons/names/suggestion.hpp"
 #include "comparisons/settings/setting_schema.hpp"
-#include "comparisons/settings/suggestion.hpp"
 #include "comparisons/sweeps/sweep_schema.hpp"
 #include "comparisons/vocabulary/vocabulary.hpp"
 
@@ -73,7 +73,6 @@ Command schema_command() {
           .examples = {{"springcheck schema scene", "the keys of scene files"},
                        {"springcheck schema result",
                         "what run, gate and list print with --json"}},
-          .simulates = false,
           .declare = declare_schema};
 }
 

@@ -3,11 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "comparisons/command_line/computing.hpp"
-#include "comparisons/command_line/interrupted.hpp"
 #include "comparisons/command_line/options.hpp"
-#include "comparisons/command_line/setting_options.hpp"
+#include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/computing.hpp"
+#include "comparisons/commands/input_options.hpp"
+#include "comparisons/commands/interrupted.hpp"
+#include "comparisons/commands/setting_options.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/stability/atlas_tables.hpp"
 #include "meshing/input_error.hpp"
@@ -52,7 +54,8 @@ ExitStatus map_failures(const StabilityOptions& stability) {
   } else {
     fmt::print("{}", maps_text(atlas, plan));
     if (!atlas.limits.empty())
-      fmt::print("\n{}", table_in_columns(limits_table(atlas, plan), {"reason"}));
+      fmt::print("\n{}", table_in_columns(limits_table(atlas, plan), screen_of_output(),
+                                          {"reason"}));
     fmt::print("\n{} simulations computed, {} points.\n", runner.computed(),
                atlas.points.size());
     if (!others.empty()) fmt::print("{}\n", note_of_taken(others));
@@ -91,7 +94,6 @@ Command stability_command() {
                        {"springcheck stability compression --over deformation=5%:60%:12 "
                         "--over nu --method mss-cf,mss-affine --out map.h5",
                         "a map over two settings, kept for the page"}},
-          .simulates = true,
           .declare = declare_stability};
 }
 

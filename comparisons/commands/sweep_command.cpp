@@ -7,10 +7,11 @@
 #include <map>
 #include <memory>
 
-#include "comparisons/command_line/computing.hpp"
-#include "comparisons/command_line/interrupted.hpp"
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/computing.hpp"
+#include "comparisons/commands/input_options.hpp"
+#include "comparisons/commands/interrupted.hpp"
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/running/cost.hpp"
 #include "comparisons/running/memory.hpp"
@@ -193,7 +194,6 @@ Command sweep_command() {
                         "how many cases that is, and how long it takes"},
                        {"springcheck sweep mine.toml --out part1.h5 --shard 1/2",
                         "half of a sweep of your own, on one of two machines"}},
-          .simulates = true,
           .declare = declare_sweep};
 }
 

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
-#include "comparisons/command_line/computing.hpp"
-#include "comparisons/command_line/interrupted.hpp"
 #include "comparisons/command_line/options.hpp"
+#include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/commands/computing.hpp"
+#include "comparisons/commands/input_options.hpp"
+#include "comparisons/commands/interrupted.hpp"
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/results/kept_results.hpp"
 #include "comparisons/results/known_results.hpp"
@@ -28,13 +31,28 @@ struct TableOptions {
   int threads = all_cores();
 };
 
+/// The files that cases are taken from: what `--out` keeps from before, too.
+std::vector<std::filesystem::path> files_of_cases(const TableOptions& options) {
+  std::vector<std::filesystem::path> files = options.from;
+  const auto& out = options.out;
+  if (!out || !std::filesystem::exists(*out)) return files;
+  const auto is_out = [&](const std::filesystem::path& file) {
+    std::error_code none;
+    return std::filesystem::equivalent(file, *out, none);
+  };
+  if (std::ranges::none_of(files, is_out)) files.push_back(*out);
+  return files;
+}
+
 ExitStatus print_table(const TableOptions& options) {
-  const auto& [name, from, out, revisions, reference, format, lists, parallel] = options;
+  const auto& [name, of_from, out, revisions, reference, format, lists, parallel] =
+      options;
   if (name.empty())
     throw InputError("springcheck table", "name", "the name of a table, or --list",
                      "neither");
   const Computing computing(parallel);
   const CatalogueEntry* const entry = &table_named(name);
+  const std::vector<std::filesystem::path> from = files_of_cases(options);
   const StoredCases stored = stored_cases(from, revisions);
   for (const std::filesystem::path& file : from)
     warn_of_other_revisions(file, stored_keys(file), revisions);
@@ -47,8 +65,7 @@ ExitStatus print_table(const TableOptions& options) {
   MeshStore meshes;
   std::optional<KeptResults> kept;
   if (out) kept.emplace(*out, meshes);
-  const BeforeInterruption told = tell_what_is_kept(
-      out, "With the same file in --from, too, the same command goes on from there.");
+  const BeforeInterruption told = tell_that_it_goes_on(out);
   const ComputedTables computed = compute_tables(
       {&entry, 1}, chosen, meshes, parallel, known_from(stored, meshes),
       [&](const CaseResult& result) {
@@ -63,9 +80,9 @@ ExitStatus print_table(const TableOptions& options) {
 
 ExitStatus list_tables(const std::optional<TableFormat>& format) {
   const Table tables = table_of_tables();
-  fmt::print(
-      "{}", format ? format_table(tables, *format)
-                   : table_in_columns(tables, {"section"}) + tables.notes.front() + "\n");
+  fmt::print("{}", format ? format_table(tables, *format)
+                          : table_in_columns(tables, screen_of_output(), {"section"}) +
+                                tables.notes.front() + "\n");
   return ExitStatus::done;
 }
 
@@ -80,7 +97,8 @@ Action declare_table(CLI::App& parser) {
       add_path(parser, "--from", options->from, "FILE",
                "result files to take cases from; computes the rest");
   CLI::Option* const out = add_path(parser, "--out", options->out, "FILE",
-                                    "HDF5 file for the cases behind the table")
+                                    "HDF5 file for the cases behind the table; those "
+                                    "that it has are not computed again")
                                ->group(of_output);
   CLI::Option* const reference =
       parser
@@ -104,14 +122,13 @@ Command table_command() {
   return {.name = "table",
           .summary = "Print one of the thesis's tables beside ours, or one of our own",
           .description =
-              "Cases that no file of --from has are computed. With --out they "
-              "are kept; the same file in --from takes them from there again.",
+              "Cases that no file of --from has are computed. --out keeps them, and the "
+              "next time takes them from there.",
           .examples = {{"springcheck table --list", "what tables there are"},
                        {"springcheck table 5.1",
                         "volume errors of the thesis's methods beside ours"},
                        {"springcheck table 5.3 --from results.h5 --format latex",
                         "for a paper, from cases that are computed already"}},
-          .simulates = true,
           .declare = declare_table};
 }
 

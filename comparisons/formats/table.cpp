@@ -142,7 +142,7 @@ std::string format_tables(const std::vector<Table>& tables, TableFormat format) 
   return text + (is_json ? "]\n" : "");
 }
 
-std::string table_in_columns(const Table& table,
+std::string table_in_columns(const Table& table, const Screen& screen,
                              const std::vector<std::string>& without) {
   TextLines lines(table.rows.size() + 1);
   std::vector<Align> alignment;
@@ -158,12 +158,13 @@ std::string table_in_columns(const Table& table,
     if (std::ranges::count(without, column.key) > 0 ||
         std::ranges::all_of(cells, &std::string::empty))
       continue;
+    if (!column.format.empty()) std::ranges::replace(cells, "", "-");
     alignment.push_back(column.format.empty() ? Align::left : Align::right);
     lines[0].push_back(column.heading);
     for (std::size_t row = 0; row < cells.size(); ++row)
       lines[row + 1].push_back(std::move(cells[row]));
   }
-  return in_columns(lines, alignment);
+  return in_columns(lines, alignment, screen);
 }
 
 }  // namespace springcheck

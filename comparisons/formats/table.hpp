@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "comparisons/formats/table_format.hpp"
+#include "comparisons/formats/text_table.hpp"
 
 namespace springcheck {
 
@@ -68,9 +69,9 @@ std::string format_table(const Table& table, TableFormat format);
 /// One after the other; as JSON one array.
 std::string format_tables(const std::vector<Table>& tables, TableFormat format);
 
-/// Rounded rows for a terminal, texts from the left, without columns that are empty
-/// throughout or named in `without`.
-std::string table_in_columns(const Table& table,
+/// Rounded rows for a terminal, texts from the left, "-" for lacking numbers, without
+/// columns that are empty throughout or named in `without`.
+std::string table_in_columns(const Table& table, const Screen& screen = {},
                              const std::vector<std::string>& without = {});
 
 }  // namespace springcheck

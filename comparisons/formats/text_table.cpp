@@ -1,13 +1,20 @@
 #include "comparisons/formats/text_table.hpp"
 
+#include <fmt/color.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "comparisons/formats/wrapped_text.hpp"
 
 namespace springcheck {
 namespace {
+
+constexpr std::size_t gap = 2;  // blanks between columns
 
 std::string quoted(const std::string& cell) {
   if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
@@ -26,6 +33,93 @@ std::string markdown_cell(const std::string& cell) {
   return text;
 }
 
+std::vector<std::size_t> widths_of(const TextLines& lines) {
+  std::vector<std::size_t> widths(lines.front().size(), 0);
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i)
+      widths[i] = std::max(widths[i], line[i].size());
+  return widths;
+}
+
+/// Of the lines in columns.
+std::size_t width_of(const TextLines& lines) {
+  const std::vector<std::size_t> widths = widths_of(lines);
+  return std::accumulate(widths.begin(), widths.end(), gap * (widths.size() - 1));
+}
+
+Colour colour_on(const Screen& screen, const std::string& head, const std::string& cell) {
+  return screen.colour_of ? screen.colour_of(head, cell) : Colour::usual;
+}
+
+std::string coloured(const std::string& text, Colour colour) {
+  switch (colour) {
+    case Colour::usual:
+      return text;
+    case Colour::good:
+      return fmt::format(fg(fmt::terminal_color::green), "{}", text);
+    case Colour::doubtful:
+      return fmt::format(fg(fmt::terminal_color::yellow), "{}", text);
+    case Colour::bad:
+      return fmt::format(fg(fmt::terminal_color::red), "{}", text);
+  }
+  throw std::logic_error("a colour that is none");
+}
+
+/// A line with blanks that fill its columns, aligned(column) and coloured by
+/// colour_of(column); none at its end.
+template <class Aligned, class ColourOf>
+std::string row_text(const std::vector<std::string>& line,
+                     const std::vector<std::size_t>& widths, Aligned&& aligned,
+                     ColourOf&& colour_of) {
+  std::string text;
+  std::size_t blanks = 0;  // that only come before another cell
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const std::size_t fill = widths[i] - line[i].size();
+    const bool is_left = aligned(i) == Align::left;
+    if (i > 0) blanks += gap;
+    if (!is_left) blanks += fill;
+    if (!line[i].empty()) {
+      text += std::string(blanks, ' ') + coloured(line[i], colour_of(i));
+      blanks = 0;
+    }
+    if (is_left) blanks += fill;
+  }
+  return text + "\n";
+}
+
+/// Heads and the lines from `first` to `last`, each a column.
+TextLines turned(const TextLines& lines, std::size_t first, std::size_t last) {
+  TextLines columns;
+  for (std::size_t i = 0; i < lines.front().size(); ++i) {
+    columns.push_back({lines.front()[i]});
+    for (std::size_t line = first; line < last; ++line)
+      columns.back().push_back(lines[line][i]);
+  }
+  return columns;
+}
+
+std::string in_turned_columns(const TextLines& lines, const Screen& screen) {
+  std::string text;
+  for (std::size_t first = 1; first < lines.size();) {
+    std::size_t last = first + 1;
+    while (last < lines.size() &&
+           width_of(turned(lines, first, last + 1)) <= *screen.width)
+      ++last;
+    const TextLines part = turned(lines, first, last);
+    const std::vector<std::size_t> widths = widths_of(part);
+    if (first > 1) text += "\n";
+    for (const auto& line : part)
+      text += row_text(
+          line, widths, [](std::size_t) { return Align::left; },
+          [&](std::size_t column) {
+            return column == 0 ? Colour::usual
+                               : colour_on(screen, line.front(), line[column]);
+          });
+    first = last;
+  }
+  return text;
+}
+
 }  // namespace
 
 TextLines without_empty_columns(TextLines lines, const std::string& empty) {
@@ -39,24 +133,30 @@ TextLines without_empty_columns(TextLines lines, const std::string& empty) {
   return lines;
 }
 
-std::string in_columns(const TextLines& lines, const std::vector<Align>& alignment) {
-  std::vector<std::size_t> widths(lines.front().size(), 0);
-  for (const auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i)
-      widths[i] = std::max(widths[i], line[i].size());
-  std::string text;
-  for (const auto& line : lines) {
-    std::string row;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const bool is_left = i < alignment.size() ? alignment[i] == Align::left : i == 0;
-      row += i == 0 ? "" : "  ";
-      row += is_left ? fmt::format("{:<{}}", line[i], widths[i])
-                     : fmt::format("{:>{}}", line[i], widths[i]);
+std::string in_columns(const TextLines& lines, const std::vector<Align>& alignment,
+                       const Screen& screen) {
+  const auto aligned = [&](std::size_t column) {
+    return column < alignment.size() ? alignment[column]
+           : column == 0             ? Align::left
+                                     : Align::right;
+  };
+  if (!screen.width || lines.size() < 2 || width_of(lines) <= *screen.width) {
+    std::string text;
+    const std::vector<std::size_t> widths = widths_of(lines);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto colour_of = [&](std::size_t column) {
+        return i == 0 ? Colour::usual
+                      : colour_on(screen, lines[0][column], lines[i][column]);
+      };
+      text += row_text(lines[i], widths, aligned, colour_of);
     }
-    row.erase(row.find_last_not_of(' ') + 1);
-    text += row + "\n";
+    return text;
   }
-  return text;
+  return in_turned_columns(lines, screen);
+}
+
+std::string in_lines(std::string_view text, const Screen& screen) {
+  return screen.width ? wrapped(text, *screen.width) : std::string(text);
 }
 
 std::string markdown_text(const TextLines& lines, const TableText& text) {

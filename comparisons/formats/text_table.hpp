@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace springcheck {
@@ -18,10 +22,27 @@ struct TableText {
 /// The lines without the columns that hold nothing but `empty` in every row.
 TextLines without_empty_columns(TextLines lines, const std::string& empty = {});
 
-/// Lines in columns, two blanks between. Where nothing else is said, the first stands to
-/// the left and the others to the right.
 enum class Align { left, right };
-std::string in_columns(const TextLines& lines, const std::vector<Align>& alignment = {});
+
+/// Green, yellow and red on a terminal.
+enum class Colour { usual, good, doubtful, bad };
+
+/// Where lines are shown.
+struct Screen {
+  std::optional<std::size_t> width{};  // of its lines; they may have any without
+  /// The colour of a cell below a head, where there are colours.
+  std::function<Colour(std::string_view head, std::string_view cell)> colour_of{};
+};
+
+/// Lines in columns, two blanks between. Where nothing else is said, the first stands to
+/// the left and the others to the right. What is wider than the screen is turned: heads
+/// to the left, and beside them as many lines as there is room for, one at least; the
+/// others below in the same way.
+std::string in_columns(const TextLines& lines, const std::vector<Align>& alignment = {},
+                       const Screen& screen = {});
+
+/// A text in lines that are as wide as the screen, without a line end after the last one.
+std::string in_lines(std::string_view text, const Screen& screen);
 
 std::string markdown_text(const TextLines& lines, const TableText& text);
 

@@ -38,4 +38,16 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
   return lines;
 }
 
+std::string wrapped_entry(std::string_view name, std::string_view text,
+                          std::size_t column, std::size_t width) {
+  constexpr std::size_t margin = 2, indent_of_names = 6;
+  std::string line(margin, ' ');
+  line += wrapped(name, width, indent_of_names, margin);
+  if (line.size() + margin > column)
+    line += "\n" + std::string(column, ' ');
+  else
+    line.resize(column, ' ');
+  return line + wrapped(text, width, column, column) + "\n";
+}
+
 }  // namespace springcheck

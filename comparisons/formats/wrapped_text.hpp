@@ -13,4 +13,9 @@ namespace springcheck {
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0,
                     std::size_t first = 0);
 
+/// A line of a list, "  --out FILE   HDF5 file ...", whose text stands in a column of its
+/// own, and below the name where that is too long. With a line end.
+std::string wrapped_entry(std::string_view name, std::string_view text,
+                          std::size_t column, std::size_t width);
+
 }  // namespace springcheck

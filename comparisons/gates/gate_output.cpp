@@ -57,7 +57,34 @@ std::size_t count(const Report& report, Judgement verdict) {
       std::ranges::count(report.outcomes, verdict, &Outcome::verdict));
 }
 
-std::string report_text(const Report& report) {
+Table report_table(const Report& report) {
+  Table table{
+      .name = "gates",
+      .title = fmt::format("Gates of {} on {}", report.gates_file, report.results_file),
+      .columns = {{.key = "gate", .heading = "gate"},
+                  {.key = "got", .heading = "got"},
+                  {.key = "band", .heading = "band"},
+                  {.key = "margin", .heading = "margin", .format = "{:.2f}"},
+                  {.key = "verdict", .heading = "verdict"}}};
+  for (std::size_t i = 0; i < report.gates.size(); ++i) {
+    const Gate& gate = report.gates[i];
+    const Outcome& outcome = report.outcomes[i];
+    TableRow row{.cells = {gate.name, outcome.got_text, outcome.band_text,
+                           Cell(outcome.margin, "-"), name_of(outcome.verdict)},
+                 .cases = outcome.keys};
+    if (outcome.verdict != Judgement::pass)
+      row.notes.push_back(fmt::format("{}: {}", gate.place, outcome.explanation));
+    if (outcome.verdict == Judgement::falls_short)
+      row.notes.push_back(fmt::format("Reason of the band: {}", gate.reason));
+    table.rows.push_back(std::move(row));
+  }
+  if (!report.note.empty())
+    table.notes.push_back(fmt::format("{}: {}", report.results_file, report.note));
+  table.notes.push_back(fmt::format("Margin: {}.", margin_definition));
+  return table;
+}
+
+std::string report_text(const Report& report, const Screen& screen) {
   std::string text, below;
   for (const Blessed& value : report.blessed) {
     const Gate& gate = report.gates[value.gate];
@@ -66,19 +93,15 @@ std::string report_text(const Report& report) {
                     described(value.new_value), gate.place);
   }
   if (!text.empty()) text += "\n";
-  TextLines lines{{"gate", "got", "band", "margin", "verdict"}};
   for (std::size_t i = 0; i < report.gates.size(); ++i) {
     const Gate& gate = report.gates[i];
     const Outcome& outcome = report.outcomes[i];
-    lines.push_back({gate.name, outcome.got_text, outcome.band_text,
-                     outcome.margin ? rounded("{:.2f}", *outcome.margin) : "-",
-                     std::string(name_of(outcome.verdict))});
     if (outcome.verdict != Judgement::pass)
       below += fmt::format("{}: {}: {}\n", gate.place, gate.name, outcome.explanation);
     if (outcome.verdict == Judgement::falls_short)
       below += fmt::format("  reason of the band: {}\n", gate.reason);
   }
-  text += in_columns(lines);
+  text += table_in_columns(report_table(report), screen);
   if (!below.empty()) text += "\n" + below;
   if (!report.note.empty())
     text += fmt::format("\n{}: {}\n", report.results_file, report.note);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/formats/table.hpp"
 #include "comparisons/gates/bless.hpp"
 #include "comparisons/gates/gate.hpp"
 #include "comparisons/gates/outcome.hpp"
@@ -27,8 +28,11 @@ struct Report {
 
 std::size_t count(const Report& report, Judgement verdict);
 
-/// A table of all gates; below it, why some do not pass.
-std::string report_text(const Report& report);
+/// A row for each gate, with a note on why it does not pass.
+Table report_table(const Report& report);
+
+/// The same on a screen, and why some do not pass below.
+std::string report_text(const Report& report, const Screen& screen = {});
 
 /// One document; the README has its fields.
 nlohmann::ordered_json report_json(const Report& report);

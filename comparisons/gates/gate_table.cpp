@@ -7,7 +7,7 @@
 #include <array>
 
 #include "comparisons/gates/gate_keys.hpp"
-#include "comparisons/settings/suggestion.hpp"
+#include "comparisons/names/suggestion.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::gates {

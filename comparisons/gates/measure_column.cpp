@@ -9,7 +9,7 @@
 #include <ranges>
 
 #include "comparisons/measures/measure_list.hpp"
-#include "comparisons/settings/suggestion.hpp"
+#include "comparisons/names/suggestion.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::gates {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "comparisons/cases/named.hpp"
 #include "comparisons/gates/gate.hpp"
+#include "comparisons/names/named.hpp"
 
 namespace springcheck::gates {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/names/suggestion.hpp"
 #include "comparisons/settings/setting.hpp"
-#include "comparisons/settings/suggestion.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck::gates {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "comparisons/cases/exit_status.hpp"
+#include "comparisons/command_line/exit_status.hpp"
 #include "comparisons/formats/table.hpp"
 #include "comparisons/running/case_result.hpp"
 

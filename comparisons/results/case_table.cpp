@@ -14,9 +14,9 @@
 #include <string_view>
 
 #include "comparisons/measures/measure_list.hpp"
+#include "comparisons/names/suggestion.hpp"
 #include "comparisons/results/layout.hpp"
 #include "comparisons/settings/setting.hpp"
-#include "comparisons/settings/suggestion.hpp"
 
 namespace springcheck {
 namespace {

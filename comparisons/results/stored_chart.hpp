@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "comparisons/cases/model.hpp"
-#include "comparisons/cases/named.hpp"
+#include "comparisons/names/named.hpp"
 #include "comparisons/running/case_result.hpp"
 #include "comparisons/running/timing.hpp"
 #include "comparisons/studies/formal_order.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "comparisons/settings/suggestion.hpp"
+#include "comparisons/names/suggestion.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "comparisons/names/suggestion.hpp"
 #include "comparisons/settings/setting.hpp"
-#include "comparisons/settings/suggestion.hpp"
 #include "comparisons/settings/toml_values.hpp"
 #include "comparisons/shipped/shipped.hpp"
 #include "meshing/input_error.hpp"
@@ -27,11 +27,11 @@ SceneFile scene_of(const TomlFile& scene) {
 }  // namespace
 
 SceneFile read_scene(const std::string& name_or_path) {
-  return scene_of(toml_file(name_or_path, "scene", shipped_scenes()));
+  return scene_of(toml_file(name_or_path, a_scene));
 }
 
 SceneFile read_scene(const Given& name_or_path) {
-  return scene_of(toml_file(name_or_path, "scene", shipped_scenes()));
+  return scene_of(toml_file(name_or_path, a_scene));
 }
 
 RunSettings read_run(const std::string& scene, const std::vector<GivenSetting>& options) {

@@ -9,18 +9,37 @@
 #include <optional>
 #include <sstream>
 
-#include "comparisons/settings/suggestion.hpp"
+#include "comparisons/names/suggestion.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {
 
-std::string text_of_file(const std::string& file, const std::string& kind) {
+constexpr TomlKind every_kind[] = {a_scene, a_sweep, a_gate_file};
+
+[[noreturn]] void refuse_kind(const std::string& place, const TomlKind& kind,
+                              const std::string& got, const TomlKind& got_kind) {
+  throw InputError(place, "", fmt::format("a {}", kind.name),
+                   fmt::format("{}, which springcheck {} takes", got, got_kind.command));
+}
+
+/// Throws InputError where the text is of another kind; what is none stays.
+void check_kind(const std::string& text, const std::string& file, const TomlKind& kind) {
+  const toml::table table = parse_toml(text, file);
+  if (table.contains(kind.key)) return;
+  for (const TomlKind& other : every_kind)
+    if (const toml::node* const node = table.get(other.key))
+      refuse_kind(place(file, node->source()), kind, fmt::format("a {}", other.name),
+                  other);
+}
+
+std::string text_of_file(const std::string& file, const TomlKind& kind) {
   if (std::filesystem::is_directory(file))
-    throw InputError(file + ":1:1", "", "a " + kind + " file", "a directory");
+    throw InputError(file + ":1:1", "", fmt::format("a {} file", kind.name),
+                     "a directory");
   std::ifstream in(file, std::ios::binary);
   if (!in)
-    throw InputError(file + ":1:1", "", "a readable " + kind + " file",
+    throw InputError(file + ":1:1", "", fmt::format("a readable {} file", kind.name),
                      std::strerror(errno));
   std::ostringstream text;
   text << in.rdbuf();
@@ -52,15 +71,17 @@ std::optional<TomlFile> shipped_file(const std::string& name,
 }
 
 /// Names, of which the likely one is told, or a path.
-[[noreturn]] void refuse_toml(const std::string& place, const std::string& kind,
-                              const std::string& name,
-                              const std::vector<ShippedFile>& shipped) {
+[[noreturn]] void refuse_toml(const std::string& place, const TomlKind& kind,
+                              const std::string& name) {
+  for (const TomlKind& other : every_kind)
+    if (shipped_file(name, other.shipped()))
+      refuse_kind(place, kind, fmt::format("'{}', a {}", name, other.name), other);
   std::vector<std::string> names;
-  for (const ShippedFile& one : shipped)
+  for (const ShippedFile& one : kind.shipped())
     names.push_back(std::filesystem::path(one.name).stem().string());
   std::vector<std::string_view> known(names.begin(), names.end());
   known.push_back("a path to a .toml file");
-  refuse_name(place, kind, name, known);
+  refuse_name(place, kind.name, name, known);
 }
 
 }  // namespace
@@ -70,27 +91,29 @@ bool is_toml_path(const std::string& name_or_path) {
   return path.extension() == ".toml" || path.has_parent_path();
 }
 
-TomlFile toml_file(const std::string& name_or_path, const std::string& kind,
-                   const std::vector<ShippedFile>& shipped) {
-  if (is_toml_path(name_or_path))
-    return {.name = std::filesystem::path(name_or_path).stem().string(),
-            .file = name_or_path,
-            .text = text_of_file(name_or_path, kind)};
-  if (auto file = shipped_file(name_or_path, shipped)) return *std::move(file);
-  refuse_toml("springcheck", kind, name_or_path, shipped);
+TomlFile toml_file(const std::string& name_or_path, const TomlKind& kind) {
+  if (is_toml_path(name_or_path)) {
+    TomlFile file{.name = std::filesystem::path(name_or_path).stem().string(),
+                  .file = name_or_path,
+                  .text = text_of_file(name_or_path, kind)};
+    check_kind(file.text, file.file, kind);
+    return file;
+  }
+  if (auto file = shipped_file(name_or_path, kind.shipped())) return *std::move(file);
+  refuse_toml("springcheck", kind, name_or_path);
 }
 
-TomlFile toml_file(const Given& name_or_path, const std::string& kind,
-                   const std::vector<ShippedFile>& shipped) {
+TomlFile toml_file(const Given& name_or_path, const TomlKind& kind) {
   const std::string name = name_or_path.text();
   if (is_toml_path(name)) {
     if (!std::ifstream(name_or_path.path()))
-      throw InputError(name_or_path.place(), "", "a readable " + kind + " file",
+      throw InputError(name_or_path.place(), "",
+                       fmt::format("a readable {} file", kind.name),
                        "'" + name_or_path.path() + "': " + std::strerror(errno));
-    return toml_file(name_or_path.path(), kind, shipped);
+    return toml_file(name_or_path.path(), kind);
   }
-  if (auto file = shipped_file(name, shipped)) return *std::move(file);
-  refuse_toml(name_or_path.place(), kind, name, shipped);
+  if (auto file = shipped_file(name, kind.shipped())) return *std::move(file);
+  refuse_toml(name_or_path.place(), kind, name);
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file) {

@@ -18,16 +18,25 @@ struct TomlFile {
   std::string text;
 };
 
+/// What a TOML file may be.
+struct TomlKind {
+  std::string_view name;  // "scene"
+  std::string_view key;   // which its files have, and no others
+  std::string_view command;
+  const std::vector<ShippedFile>& (*shipped)();
+};
+inline constexpr TomlKind a_scene{"scene", "test", "run", shipped_scenes};
+inline constexpr TomlKind a_sweep{"sweep", "scene", "sweep", shipped_sweeps};
+inline constexpr TomlKind a_gate_file{"gate", "gate", "gate", shipped_gates};
+
 /// The shipped file of that name, or the one at that path (a name that ends in .toml or
-/// holds a slash). `kind` says what is wanted, "scene". Throws InputError when there is
-/// none, or it cannot be read.
-TomlFile toml_file(const std::string& name_or_path, const std::string& kind,
-                   const std::vector<ShippedFile>& shipped);
+/// holds a slash). Throws InputError when there is none, it cannot be read, or it is of
+/// another kind.
+TomlFile toml_file(const std::string& name_or_path, const TomlKind& kind);
 
 /// The same of a file that another names: a relative path stands beside that one, and
 /// messages say where it is named.
-TomlFile toml_file(const Given& name_or_path, const std::string& kind,
-                   const std::vector<ShippedFile>& shipped);
+TomlFile toml_file(const Given& name_or_path, const TomlKind& kind);
 
 /// Whether toml_file takes the name for a path.
 bool is_toml_path(const std::string& name_or_path);

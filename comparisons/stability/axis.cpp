@@ -8,8 +8,8 @@
 #include <optional>
 #include <sstream>
 
+#include "comparisons/names/suggestion.hpp"
 #include "comparisons/settings/setting.hpp"
-#include "comparisons/settings/suggestion.hpp"
 #include "comparisons/settings/value_range.hpp"
 #include "meshing/input_error.hpp"
 

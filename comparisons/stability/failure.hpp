@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "comparisons/cases/named.hpp"
+#include "comparisons/names/named.hpp"
 #include "comparisons/running/case_result.hpp"
 
 namespace springcheck {

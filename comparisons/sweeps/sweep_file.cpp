@@ -8,10 +8,10 @@
 #include <ranges>
 #include <tuple>
 
+#include "comparisons/names/suggestion.hpp"
 #include "comparisons/settings/run_settings.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/settings/setting.hpp"
-#include "comparisons/settings/suggestion.hpp"
 #include "comparisons/settings/toml_values.hpp"
 #include "comparisons/settings/value_range.hpp"
 #include "comparisons/shipped/shipped.hpp"
@@ -247,7 +247,7 @@ bool takes_usual_reference(const Sweep& sweep) {
 }
 
 Sweep read_sweep(const std::string& name_or_path, std::size_t most) {
-  const TomlFile file = toml_file(name_or_path, "sweep", shipped_sweeps());
+  const TomlFile file = toml_file(name_or_path, a_sweep);
   const toml::table table = parse_toml(file.text, file.file);
   Sweep sweep{.name = file.name, .file = file.file, .with_fields = false};
   if (const toml::node* fields = table.get("fields"))

@@ -34,23 +34,12 @@ const char* fitting_core() {
   return nullptr;
 }
 
-/// Returns where that fails, which is told with what it means.
-void start_again(char** arguments, const char* variable, const char* value,
-                 const char* otherwise) {
-  setenv(variable, value, 1);
-  execv("/proc/self/exe", arguments);
-  fmt::print(stderr, "springcheck: could not start again with {}={} ({}): {}\n", variable,
-             value, std::strerror(errno), otherwise);
-}
-
 }  // namespace
 
-void restart_with_fitting_blas(char** arguments) {
-  constexpr const char* variable = "OPENBLAS_CORETYPE";
+void choose_fitting_blas() {
   const char* core = fitting_core();
-  if (core != nullptr && std::getenv(variable) == nullptr &&
-      std::string_view(openblas_get_corename()) == "Prescott")
-    start_again(arguments, variable, core, "OpenBLAS takes half as long again");
+  if (core != nullptr && std::string_view(openblas_get_corename()) == "Prescott")
+    setenv("OPENBLAS_CORETYPE", core, 0);
 }
 
 void restart_with_one_blas_thread(char** arguments) {
@@ -59,8 +48,12 @@ void restart_with_one_blas_thread(char** arguments) {
   if (std::isinf(room_of_address_space()) ||
       (threads != nullptr && std::string_view(threads) == "1"))
     return;
-  start_again(arguments, variable, "1",
-              "in so little address space it may hang as it ends");
+  setenv(variable, "1", 1);
+  execv("/proc/self/exe", arguments);
+  fmt::print(stderr,
+             "springcheck: could not start again with {}=1 ({}): in so little address "
+             "space it may hang as it ends\n",
+             variable, std::strerror(errno));
 }
 
 void use_one_blas_thread() {

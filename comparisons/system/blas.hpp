@@ -6,10 +6,9 @@ namespace springcheck {
 
 /// OpenBLAS chooses its kernels as it is loaded, and on processors that are younger than
 /// itself those for any x86-64, which take half as long again. Where it did so though
-/// better ones would run, starts the program again with OPENBLAS_CORETYPE naming them,
-/// which costs the time of loading it; a user's own choice stays. Returns where there is
-/// nothing to gain; and with a warning on stderr where starting fails.
-void restart_with_fitting_blas(char** arguments);
+/// better ones would run, sets OPENBLAS_CORETYPE to name them, for the program that takes
+/// this one's place; a user's own choice stays.
+void choose_fitting_blas();
 
 /// Where the address space is limited (ulimit -v), starts the program again without the
 /// threads that OpenBLAS starts as it is loaded: each asks for its buffer again and

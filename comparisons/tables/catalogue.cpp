@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "comparisons/settings/suggestion.hpp"
+#include "comparisons/names/suggestion.hpp"
 #include "comparisons/tables/studies/convergence_table.hpp"
 #include "comparisons/tables/studies/dynamics_table.hpp"
 #include "comparisons/tables/studies/elements_table.hpp"

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "comparisons/cases/named.hpp"
+#include "comparisons/names/named.hpp"
 #include "comparisons/settings/reference_method.hpp"
 #include "comparisons/tables/plans/table_plan.hpp"
 #include "comparisons/tables/thesis/comparison.hpp"

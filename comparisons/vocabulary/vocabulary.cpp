@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "comparisons/cases/exit_status.hpp"
 #include "comparisons/chart/chart_tables.hpp"
+#include "comparisons/command_line/exit_status.hpp"
 #include "comparisons/gates/gate_keys.hpp"
 #include "comparisons/measures/measure_list.hpp"
 #include "comparisons/methods/methods.hpp"

@@ -40,9 +40,9 @@ std::optional<Advised> row(const std::string& first, const std::string& text) {
     std::istringstream words(line);
     std::vector<std::string> all;
     for (std::string word; words >> word;) all.push_back(word);
-    // "1.2 +- 0.3" of force, volume and deviation, the time, the case.
-    return Advised{.percent_off = std::stod(all.at(all.size() - 11)),
-                   .unsure = std::stod(all.at(all.size() - 9)),
+    // Errors and bounds of force, volume and deviation, the time, the case.
+    return Advised{.percent_off = std::stod(all.at(all.size() - 8)),
+                   .unsure = std::stod(all.at(all.size() - 7)),
                    .seconds = std::stod(all.at(all.size() - 2))};
   }
   return std::nullopt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <fmt/format.h>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -440,6 +441,28 @@ BOOST_AUTO_TEST_CASE(help_version_and_lists_work) {
   BOOST_TEST(run_springcheck("list elements").out.find("q1-sri") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(what_is_printed_has_a_format) {
+  const std::string run = "run compression --cells 2,2,2 --method mss-cf ";
+  const Run csv = run_springcheck(run + "--format csv"),
+            markdown = run_springcheck(run + "--format md");
+  BOOST_TEST(csv.out.starts_with("method,status,volume change %,plate force N,"), csv.out);
+  BOOST_TEST(lines(csv.out) == 2U, csv.out);
+  const double volume_change = json_of(run + "--json")["results"][0]["volume_change"];
+  BOOST_TEST(csv.out.find(fmt::format("mss-cf,ok,{},", 100 * volume_change)) !=
+                 std::string::npos,  // all digits
+             csv.out);
+  BOOST_TEST(markdown.out.find("| mss-cf | ok |") != std::string::npos, markdown.out);
+  BOOST_TEST(markdown.out.find("\nDeviations are from ") != std::string::npos);
+  BOOST_TEST((json_of(run + "--format json")["results"][0]["volume_change"] ==
+              volume_change));
+  BOOST_TEST((json_of("list tests --format json") == json_of("list tests --json")));
+  const Json quality = json_of("mesh compression --quality --format json");
+  BOOST_TEST(quality["rows"][0]["number"] == 1000);
+  BOOST_TEST(quality["rows"][0]["histogram"][9] == 1000);
+  expect_bad_input("mesh compression --format csv", "--format requires --quality");
+  expect_bad_input(run + "--json --format md", "excludes");
+}
+
 BOOST_AUTO_TEST_CASE(meshes_are_written_in_three_formats) {
   for (const char* file : {"mesh.msh", "mesh.vtu", "mesh.inp"}) {
     const Run run =
@@ -504,6 +527,12 @@ BOOST_AUTO_TEST_CASE(a_table_s_cases_can_be_written_and_taken_again) {
       run_springcheck("table orientation --from orientation.h5 --out two.h5");
   BOOST_TEST(again.out == first.out);
   BOOST_TEST(fs::file_size(folder / "two.h5") > 0U);
+  // Nothing is computed again: the solution times stay.
+  run_springcheck("export orientation.h5 --out before.csv");
+  BOOST_TEST(run_springcheck("table orientation --out orientation.h5").out == first.out);
+  run_springcheck("export orientation.h5 --out after.csv");
+  BOOST_TEST(!text_of(folder / "before.csv").empty());
+  BOOST_TEST(text_of(folder / "after.csv") == text_of(folder / "before.csv"));
 }
 
 // Frequencies of the cube at nu = .25 to the digits of the other tests' oracle, Rayleigh

@@ -12,6 +12,13 @@ import unittest
 PROGRAM = os.environ["SPRINGCHECK"]
 
 
+def catches(program, number):
+    """Whether it does something itself where the signal comes."""
+    status = pathlib.Path(f"/proc/{program.pid}/status").read_text(encoding="utf-8")
+    caught = next(line for line in status.splitlines() if line.startswith("SigCgt:"))
+    return bool(int(caught.split()[1], 16) >> (number - 1) & 1)
+
+
 class Interruption(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -26,6 +33,7 @@ class Interruption(unittest.TestCase):
     def interrupted(self, *words, when, by=signal.SIGINT):
         """What a command says on stderr when it is ended once `when` is true."""
         program = self.start(*words)
+        self.wait_until_it_catches(program, by)
         end = time.monotonic() + 120
         while not when() and program.poll() is None and time.monotonic() < end:
             time.sleep(0.01)
@@ -37,12 +45,15 @@ class Interruption(unittest.TestCase):
         self.assertFalse([name for name in left if name.startswith("springcheck-")], left)
         return errors
 
+    def wait_until_it_catches(self, program, number):
+        end = time.monotonic() + 120
+        while program.poll() is None and not catches(program, number):
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.01)
+        time.sleep(0.5)  # and has begun
+
     def there(self, name):
         return lambda: (self.folder / name).exists()
-
-    def after(self, seconds):
-        end = time.monotonic() + seconds
-        return lambda: time.monotonic() > end
 
     def test_a_sweep_goes_on(self):
         sweep = ("sweep", "refinement", "--out", "r.h5", "--jobs", "1")
@@ -60,11 +71,11 @@ class Interruption(unittest.TestCase):
 
     def test_what_is_kept_nowhere_is_said_so(self):
         errors = self.interrupted("run", "compression", "--cells", "60,60,60", "--method",
-                                  "mss-cf", when=self.after(1.5))
+                                  "mss-cf", when=lambda: True)
         self.assertIn("Nothing is kept: --out FILE keeps what is computed.", errors)
         errors = self.interrupted("run", "compression", "--cells", "60,60,60", "--solver",
                                   "verlet", "--method", "mss-cf", "--checkpoint", "c.h5",
-                                  when=self.after(1.5))
+                                  when=lambda: True)
         self.assertIn("Nothing was kept yet.", errors)
         errors = self.interrupted("sweep", "refinement", "--out", "r.h5", "--recompute",
                                   when=self.there("r.h5"))
@@ -100,7 +111,7 @@ class Interruption(unittest.TestCase):
         program = subprocess.Popen([PROGRAM, "run", "compression", "--cells", "60,60,60"],
                                    stdout=subprocess.DEVNULL, stderr=writing,
                                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-        time.sleep(1.5)
+        self.wait_until_it_catches(program, signal.SIGINT)
         program.send_signal(signal.SIGINT)
         time.sleep(0.5)
         self.assertIsNone(program.poll())

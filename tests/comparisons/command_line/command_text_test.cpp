@@ -8,6 +8,7 @@
 #include "comparisons/command_line/help_text.hpp"
 #include "comparisons/command_line/manual_page.hpp"
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/front/front_commands.hpp"
 #include "comparisons/settings/setting.hpp"
 
 using namespace springcheck;
@@ -23,10 +24,19 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-std::vector<CommandText> all_texts() {
-  std::vector<CommandText> texts;
-  for (const Command& command : all_commands()) texts.push_back(text_of(command));
-  return texts;
+const Declarations& all() {
+  static const Declarations told = [] {
+    Declarations declared = declarations();
+    add_front_commands(declared);
+    return declared;
+  }();
+  return told;
+}
+
+std::vector<Command> all_commands() {
+  std::vector<Command> commands = front_commands(all());
+  for (const auto& make : every_command) commands.push_back(make());
+  return commands;
 }
 
 /// Of "springcheck run compression | less", those of the first program.
@@ -69,18 +79,18 @@ BOOST_AUTO_TEST_CASE(the_examples_of_every_command_are_understood) {
 
 BOOST_AUTO_TEST_CASE(help_stays_within_narrow_terminals) {
   for (const std::size_t width : {40U, 60U, 100U}) {
-    for (const CommandText& text : all_texts())
+    for (const CommandText& text : all().commands)
       for (const std::string& line : lines_of(help_text(text, width)))
         BOOST_TEST(!is_too_long(line, width), text.name << ": " << line);
-    for (const std::string& line : lines_of(overview_text(all_commands(), width)))
+    for (const std::string& line : lines_of(overview_text(all().commands, width)))
       BOOST_TEST(!is_too_long(line, width), line);
   }
   // A screen has 30 lines or so.
-  BOOST_TEST(lines_of(overview_text(all_commands(), 80)).size() <= 30U);
+  BOOST_TEST(lines_of(overview_text(all().commands, 80)).size() <= 30U);
 }
 
 BOOST_AUTO_TEST_CASE(help_has_groups_defaults_and_what_is_needed) {
-  const std::string help = help_text(text_of(run_command()), 80);
+  const std::string help = help_text(command_named("run", all()), 80);
   std::vector<std::size_t> places;
   for (const char* heading :
        {"\nExamples:\n", "\nMethod:\n", "\nScene:\n", "\nMaterial:\n", "\nSolver:\n",
@@ -90,16 +100,16 @@ BOOST_AUTO_TEST_CASE(help_has_groups_defaults_and_what_is_needed) {
   BOOST_TEST(places.back() != help.npos);
   BOOST_TEST(help.starts_with("Usage: springcheck run SCENE [OPTIONS]\n"));
   BOOST_TEST(help.find("--fail-on") != help.npos);
-  const std::string chart = help_text(text_of(chart_command()), 80);
+  const std::string chart = help_text(command_named("chart", all()), 80);
   BOOST_TEST(chart.find("(default 4,6,10,16)") != chart.npos);
   BOOST_TEST(chart.find("HDF5 file to add the chart to (needed)") != chart.npos);
   BOOST_TEST(chart.find("INT in") == chart.npos);  // CLI11's word for a range
-  const std::string merge = help_text(text_of(merge_command()), 80);
+  const std::string merge = help_text(command_named("merge", all()), 80);
   BOOST_TEST(merge.starts_with("Usage: springcheck merge OUT FROM... [OPTIONS]\n"));
 }
 
 BOOST_AUTO_TEST_CASE(every_option_stands_in_help_manual_and_completion) {
-  const std::vector<CommandText> texts = all_texts();
+  const std::vector<CommandText>& texts = all().commands;
   for (const CommandText& text : texts) {
     const std::string help = help_text(text, 80),
                       page = without_backslashes(manual_page(text));
@@ -122,7 +132,7 @@ BOOST_AUTO_TEST_CASE(every_option_stands_in_help_manual_and_completion) {
 
 BOOST_AUTO_TEST_CASE(no_line_of_a_manual_page_is_an_unknown_macro) {
   std::set<std::string> macros;
-  for (const CommandText& text : all_texts())
+  for (const CommandText& text : all().commands)
     for (const std::string& line : lines_of(manual_page(text)))
       if (line.starts_with('.')) macros.insert(line.substr(0, line.find(' ')));
   const std::set<std::string> known{".TH", ".SH", ".SS", ".TP", ".B", ".BR", ".PP"};
@@ -134,15 +144,32 @@ BOOST_AUTO_TEST_CASE(types_in_capitals_are_known) {
   const std::set<std::string> free{"NUMBER",  "NUMBERS",    "COUNT",    "COUNTS",
                                    "SECONDS", "KEY=VALUES", "FRACTION", "NAME",
                                    "FILE",    "FOLDER",     "I/N"};
-  for (const CommandText& text : all_texts())
+  for (const CommandText& text : all().commands)
     for (const OptionText& option : text.options)
-      BOOST_TEST((option.type.empty() || free.contains(option.type) ||
-                  !words_of_type(option.type).empty()),
-                 text.name << " " << option.names.back() << " " << option.type);
-  BOOST_TEST(std::ranges::count(words_of_type("SCENE|FILE"), "compression") == 1);
+      BOOST_TEST(
+          (option.type.empty() || free.contains(option.type) || !option.words.empty()),
+          text.name << " " << option.names.back() << " " << option.type);
+  const auto words_of_option = [](const char* command, const std::string& name) {
+    for (const OptionText& option : command_named(command, all()).options)
+      if (option.names.back() == name) return option.words;
+    return std::vector<std::string>();
+  };
+  BOOST_TEST(std::ranges::count(words_of_option("run", "SCENE"), "compression") == 1);
+  BOOST_TEST(std::ranges::count(words_of_option("run", "--cell-type"), "prism") == 1);
+  BOOST_TEST(std::ranges::count(words_of_option("help", "COMMAND"), "manual") == 1);
   BOOST_TEST(takes_files("SCENE|FILE"));
   BOOST_TEST(!takes_files("SCENE"));
-  BOOST_TEST(std::ranges::count(words_of_type("CELL-TYPE"), "prism") == 1);
+}
+
+// The program that users start knows what the other one declares from its text alone.
+BOOST_AUTO_TEST_CASE(declarations_survive_their_text) {
+  const Declarations told = declarations(), read = declarations_from(text_of(told));
+  BOOST_TEST(read.lists.dump() == told.lists.dump());  // the order, too
+  BOOST_TEST_REQUIRE(read.commands.size() == told.commands.size());
+  for (std::size_t i = 0; i < read.commands.size(); ++i) {
+    BOOST_TEST(help_text(read.commands[i], 80) == help_text(told.commands[i], 80));
+    BOOST_TEST(json_of(read.commands[i]).dump() == json_of(told.commands[i]).dump());
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

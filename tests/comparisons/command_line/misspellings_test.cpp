@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "comparisons/commands/commands.hpp"
+#include "comparisons/front/front_commands.hpp"
+#include "comparisons/names/suggestion.hpp"
 #include "comparisons/settings/setting.hpp"
-#include "comparisons/settings/suggestion.hpp"
 #include "comparisons/vocabulary/vocabulary.hpp"
 
 using namespace springcheck;
@@ -53,7 +54,9 @@ std::vector<Names> all_lists() {
   for (const std::string_view list : list_names())
     if (list != "exit-statuses" && list != "result-file")
       lists.push_back(names_in_list(std::string(list)));
-  const auto commands = command_names();
+  Declarations all = declarations();
+  add_front_commands(all);
+  const auto commands = command_names(all);
   lists.emplace_back(commands.begin(), commands.end());
   const auto options = option_keys();
   lists.emplace_back(options.begin(), options.end());

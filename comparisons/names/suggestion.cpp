@@ -1,4 +1,4 @@
-#include "comparisons/settings/suggestion.hpp"
+#include "comparisons/names/suggestion.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "comparisons/command_line/interrupted.hpp"
+#include "comparisons/commands/interrupted.hpp"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 
 #include "comparisons/command_line/manual_page.hpp"
 #include "comparisons/command_line/options.hpp"
-#include "comparisons/commands/commands.hpp"
+#include "comparisons/front/front_commands.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
 
@@ -20,20 +20,19 @@ void write_page(const std::filesystem::path& file, const std::string& page) {
 }
 
 /// Every page, as springcheck.1 and springcheck-COMMAND.1.
-void write_all_pages(const std::filesystem::path& folder) {
+void write_all_pages(const std::filesystem::path& folder, const Declarations& all) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed)
     throw InputError(folder.string(), "", "a folder that can be created",
                      failed.message());
-  const std::vector<Command> commands = all_commands();
-  write_page(folder / "springcheck.1", manual_page(commands));
-  for (const Command& command : commands)
+  write_page(folder / "springcheck.1", manual_page(all.commands));
+  for (const CommandText& command : all.commands)
     write_page(folder / fmt::format("springcheck-{}.1", command.name),
-               manual_page(text_of(command)));
+               manual_page(command));
 }
 
-Action declare_manual(CLI::App& parser) {
+Action declare_manual(CLI::App& parser, const Declarations& all) {
   struct Options {
     std::string command{};
     std::optional<std::filesystem::path> out{};
@@ -42,30 +41,29 @@ Action declare_manual(CLI::App& parser) {
   CLI::Option* const command =
       parser
           .add_option("command", options->command, "whose page it is (default: of all)")
-          ->type_name(alternatives(command_names()));
+          ->type_name("COMMAND");
   add_path(parser, "--out", options->out, "FOLDER", "folder for all pages instead")
       ->excludes(command);
-  return [options] {
+  return [options, &all] {
     if (options->out)
-      write_all_pages(*options->out);
+      write_all_pages(*options->out, all);
     else
       fmt::print("{}", options->command.empty()
-                           ? manual_page(all_commands())
-                           : manual_page(text_of(command_named(options->command))));
+                           ? manual_page(all.commands)
+                           : manual_page(command_named(options->command, all)));
     return ExitStatus::done;
   };
 }
 
 }  // namespace
 
-Command manual_command() {
+Command manual_command(const Declarations& all) {
   return {.name = "manual",
           .summary = "Print manual pages for man",
           .description = "The installed package has them already.",
           .examples = {{"springcheck manual run | man -l -", "reads the page of run"},
                        {"springcheck manual --out man1", "writes every page"}},
-          .simulates = false,
-          .declare = declare_manual};
+          .declare = [&all](CLI::App& parser) { return declare_manual(parser, all); }};
 }
 
 }  // namespace springcheck

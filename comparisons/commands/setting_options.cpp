@@ -1,4 +1,4 @@
-#include "comparisons/command_line/setting_options.hpp"
+#include "comparisons/commands/setting_options.hpp"
 
 #include <CLI/CLI.hpp>
 

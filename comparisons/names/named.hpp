@@ -4,6 +4,7 @@
 #include <array>
 #include <ranges>
 #include <string_view>
+#include <vector>
 
 namespace springcheck {
 
@@ -29,6 +30,13 @@ template <class Value>
 auto all_values() {
   return value_names<Value> |
          std::views::transform([](const auto& one) { return one.value; });
+}
+
+template <class Value>
+std::vector<std::string_view> names_of() {
+  std::vector<std::string_view> names;
+  for (const auto& one : value_names<Value>) names.push_back(one.name);
+  return names;
 }
 
 /// The one of that name; nullptr without one.

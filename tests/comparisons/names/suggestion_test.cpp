@@ -1,4 +1,4 @@
-#include "comparisons/settings/suggestion.hpp"
+#include "comparisons/names/suggestion.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-#include "comparisons/command_line/computing.hpp"
+#include "comparisons/commands/computing.hpp"
 
 #include <fmt/format.h>
 

@@ -5,25 +5,19 @@
 
 #include "comparisons/command_line/completion.hpp"
 #include "comparisons/command_line/options.hpp"
-#include "comparisons/commands/commands.hpp"
+#include "comparisons/front/front_commands.hpp"
 
 namespace springcheck {
-namespace {
 
-Action declare_completion(CLI::App& parser) {
-  const auto shell = std::make_shared<Shell>();
-  add_choice<Shell>(parser, "shell", *shell, "whose script it is")->required();
-  return [shell] {
-    std::vector<CommandText> texts;
-    for (const Command& command : all_commands()) texts.push_back(text_of(command));
-    fmt::print("{}", completion_script(*shell, texts));
-    return ExitStatus::done;
+Command completion_command(const Declarations& all) {
+  const auto declare = [&all](CLI::App& parser) -> Action {
+    const auto shell = std::make_shared<Shell>();
+    add_choice<Shell>(parser, "shell", *shell, "whose script it is")->required();
+    return [shell, &all] {
+      fmt::print("{}", completion_script(*shell, all.commands));
+      return ExitStatus::done;
+    };
   };
-}
-
-}  // namespace
-
-Command completion_command() {
   return {.name = "completion",
           .summary = "Print a script by which a shell completes commands",
           .description =
@@ -33,8 +27,7 @@ Command completion_command() {
                         "in ~/.bashrc; the same for zsh, after compinit, in ~/.zshrc"},
                        {"springcheck completion fish | source",
                         "in ~/.config/fish/config.fish"}},
-          .simulates = false,
-          .declare = declare_completion};
+          .declare = declare};
 }
 
 }  // namespace springcheck
