@@ -26,7 +26,7 @@ std::optional<double> in_percent(const std::optional<double>& fraction) {
 }
 
 std::vector<Column> columns_of(const Wish& wish) {
-  std::vector<Column> columns{{.key = "role", .heading = ""},
+  std::vector<Column> columns{{.key = "role", .heading = "role"},
                               {.key = "model", .heading = "model"},
                               {.key = "across", .heading = "across", .format = "{:.0f}"},
                               {.key = "cells", .heading = "cells", .format = "{:.0f}"}};
@@ -55,9 +55,8 @@ TableRow row_of(const std::string& role, const Advice& advice, const Wish& wish,
   for (const ChartMeasure measure : all_measures) {
     const auto& error = point.errors[advice.truth].of(measure);
     row.cells.emplace_back(in_percent(error));
-    row.cells.emplace_back(
-        error ? in_percent(advice.chart.bar(i, measure, advice.truth))
-              : std::nullopt);
+    row.cells.emplace_back(error ? in_percent(advice.chart.bar(i, measure, advice.truth))
+                                 : std::nullopt);
   }
   row.cells.emplace_back(point.seconds());
   if (wish.frame) {
@@ -91,8 +90,7 @@ std::string words_of_bar(const Advice& advice, const Wish& wish) {
   for (std::size_t i = 0; i < advice.chart.points.size(); ++i)
     if (bar_is_narrower(i)) return {};
   return " Nothing could: the converged solution itself is not known so well. Finer "
-         "grids "
-         "(--converged-across) take longer.";
+         "grids (--converged-across) take longer.";
 }
 
 }  // namespace

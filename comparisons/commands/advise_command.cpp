@@ -171,6 +171,11 @@ struct Said {
   std::filesystem::path scene_file{};  // else
 };
 
+std::string run_it(const std::filesystem::path& scene_file) {
+  return fmt::format("Run it: springcheck run {}{}",
+                     scene_file.has_parent_path() ? "" : "./", scene_file.string());
+}
+
 void print_text(const Advice& advice, const Wish& wish, const Said& said) {
   const Screen screen = screen_of_output();
   const auto print = [&](const std::string& text) {
@@ -197,23 +202,22 @@ void print_text(const Advice& advice, const Wish& wish, const Said& said) {
   }
   fmt::print("\nLeft out\n");
   for (const std::string& words : said.left_out) print("- " + words);
-  fmt::print("\nRun it: springcheck run {}{}\n",
-             said.scene_file.has_parent_path() ? "" : "./", said.scene_file.string());
+  fmt::print("\n{}\n", run_it(said.scene_file));
 }
 
 void print_formatted(const Advice& advice, const Wish& wish, const Said& said,
                      TableFormat format) {
   Table table = evidence_table(advice, wish);
-  table.in_json.update({{"cautions", said.cautions},
-                        {"left_out", said.left_out},
-                        {"scene_file", said.scene_file.string()}});
+  table.in_json["cautions"] = said.cautions;
+  table.in_json["left_out"] = said.left_out;
+  if (advice.chosen) table.in_json["scene_file"] = said.scene_file.string();
   table.notes = notes_on_evidence(advice);
   table.notes.insert(table.notes.begin(), truth_text(advice));
   for (const std::string& caution : said.cautions)
     table.notes.push_back("Caution: " + caution);
   for (const std::string& words : said.left_out)
     table.notes.push_back("Left out: " + words);
-  if (!said.failure.empty()) table.notes.push_back(said.failure);
+  table.notes.push_back(said.failure.empty() ? run_it(said.scene_file) : said.failure);
   fmt::print("{}", format_table(table, format));
 }
 
@@ -308,7 +312,7 @@ Action declare_advise(CLI::App& parser) {
   add_path(parser, "--scene-file", options->scene_file, "FILE",
            "the scene file to write (default SCENE-advised.toml)")
       ->group(of_output);
-  add_format(parser, options->format, "text for people");
+  add_formats(parser, options->format);
   add_jobs(parser, options->jobs, "converged solutions' grids");
   return [options] { return advise_scene(*options); };
 }

@@ -80,10 +80,12 @@ std::string chart_text(const Chart& chart, const std::string& caution) {
       fmt::format("{}\n\n{}\nFronts, law {}\n\n{}\n", chart.stored.scene,
                   table_in_columns(truths_table({chart}), screen), chart.stored.law,
                   table_in_columns(own_front(chart), screen));
-  if (!caution.empty()) text += fmt::format("Caution: {}\n\n", caution);
+  if (!caution.empty()) text += in_lines("Caution: " + caution, screen) + "\n\n";
   for (const Claim& claim : claims(chart))
-    text += fmt::format("{}, {}: {}\n", name_of(claim.kind), name_of(claim.measure),
-                        claim_text(chart, claim));
+    text += in_lines(fmt::format("{}, {}: {}", name_of(claim.kind),
+                                 name_of(claim.measure), claim_text(chart, claim)),
+                     screen) +
+            "\n";
   const auto left_out = std::ranges::count_if(
       chart.points, [](const ChartPoint& point) { return !point.seconds(); });
   const auto failed = std::ranges::count_if(chart.points, [](const ChartPoint& point) {

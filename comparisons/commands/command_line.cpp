@@ -11,6 +11,7 @@
 #include "comparisons/studies/study.hpp"
 #include "comparisons/system/blas.hpp"
 #include "comparisons/system/interruption.hpp"
+#include "comparisons/system/terminal.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {
@@ -22,7 +23,9 @@ ExitStatus run_words(Words words) {
   DeclaredCommand command(command_named(words.front()));
   words.erase(words.begin());
   if (const auto ended = read_options(command, std::move(words))) return *ended;
-  spdlog::set_default_logger(spdlog::stderr_color_mt("springcheck"));
+  spdlog::set_default_logger(spdlog::stderr_color_mt(
+      "springcheck",
+      declines_colours() ? spdlog::color_mode::never : spdlog::color_mode::automatic));
   spdlog::set_level(verbose || command.verbose ? spdlog::level::debug
                                                : spdlog::level::warn);
   use_one_blas_thread();

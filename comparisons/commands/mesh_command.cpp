@@ -53,6 +53,8 @@ ExitStatus write_scene_mesh(const MeshOptions& options) {
   if (!file && !options.quality)
     throw InputError("--out", "", "a .msh, .vtu or .inp file, or --quality alone",
                      "neither");
+  if (options.format && !options.quality)
+    throw InputError("--format", "", "--quality with it", "none");
   const RunSettings run = read_run(options.scene, options.settings.given());
   check_mesh_memory(run.cells_place, run.common.body);
   if (file) check_writable(*file);
@@ -66,10 +68,11 @@ ExitStatus write_scene_mesh(const MeshOptions& options) {
     fmt::print("{}", format_table(table, *options.format));
     return ExitStatus::done;
   }
-  for (const std::string& note : notes) fmt::print("{}\n", note);
+  const Screen screen = screen_of_output();
+  for (const std::string& note : notes) fmt::print("{}\n", in_lines(note, screen));
   if (options.quality) {
     const Quality quality = quality_of(mesh);
-    fmt::print("\n{}\n{}", table_in_columns(quality_table(quality), screen_of_output()),
+    fmt::print("\n{}\n{}", table_in_columns(quality_table(quality), screen),
                histogram_text(quality));
   }
   return ExitStatus::done;
@@ -81,12 +84,11 @@ Action declare_mesh(CLI::App& parser) {
   options->settings.add_to(parser, is_any);
   add_path(parser, "--out", options->file, "FILE", "a .msh, .vtu or .inp file")
       ->group(of_output);
-  CLI::Option* const quality =
-      parser
-          .add_flag("--quality", options->quality,
-                    "print volumes, scaled Jacobians and edge ratios of the cells")
-          ->group(of_output);
-  add_format(parser, options->format, "text for people")->needs(quality);
+  parser
+      .add_flag("--quality", options->quality,
+                "print volumes, scaled Jacobians and edge ratios of the cells")
+      ->group(of_output);
+  add_formats(parser, options->format);
   return [options] { return write_scene_mesh(*options); };
 }
 

@@ -42,7 +42,7 @@ Table quality_table(const Quality& quality) {
 
 std::string histogram_text(const Quality& quality) {
   std::string text = "scaled Jacobian   cells\n";
-  constexpr std::size_t longest_bar = 50;
+  constexpr std::size_t longest_bar = 30;
   const auto& histogram = quality.all.histogram;
   const std::size_t most = std::max<std::size_t>(1, *std::ranges::max_element(histogram));
   for (std::size_t i = 0; i < histogram.size(); ++i) {

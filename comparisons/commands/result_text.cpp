@@ -192,7 +192,7 @@ Table results_table(const std::string& scene, const std::vector<CaseResult>& res
     if (!text.empty()) table.notes.push_back(text);
   };
   for (const CaseResult& result : results) {
-    table.rows.push_back({.cells = cells_of(result)});
+    table.rows.push_back({.cells = cells_of(result), .cases = {result.key}});
     if (!result.reason.empty()) table.rows.back().notes = {result.reason};
   }
   for (const CaseResult& result : results) note(dynamics_text(result));

@@ -186,6 +186,9 @@ std::vector<std::optional<Split>> splits_of(const Simulations& all, MeshStore& m
 }
 
 ExitStatus run(const RunOptions& options) {
+  if (options.splits_errors && options.format && options.format != TableFormat::json)
+    throw InputError("--split", "", "--format json, or text for people",
+                     fmt::format("--format {}", name_of(*options.format)));
   const Computing computing(options.threads);
   const RunSettings settings = read_run(options.scene, options.settings.given());
   const Failing failing = failing_statuses(options.fail_on, settings.methods.size());

@@ -35,7 +35,9 @@ struct TableOptions {
 std::vector<std::filesystem::path> files_of_cases(const TableOptions& options) {
   std::vector<std::filesystem::path> files = options.from;
   const auto& out = options.out;
-  if (!out || !std::filesystem::exists(*out)) return files;
+  if (!out) return files;
+  check_results_writable(*out);
+  if (!std::filesystem::exists(*out)) return files;
   const auto is_out = [&](const std::filesystem::path& file) {
     std::error_code none;
     return std::filesystem::equivalent(file, *out, none);
@@ -80,9 +82,10 @@ ExitStatus print_table(const TableOptions& options) {
 
 ExitStatus list_tables(const std::optional<TableFormat>& format) {
   const Table tables = table_of_tables();
-  fmt::print("{}", format ? format_table(tables, *format)
-                          : table_in_columns(tables, screen_of_output(), {"section"}) +
-                                tables.notes.front() + "\n");
+  fmt::print("{}", format
+                       ? format_table(tables, *format)
+                       : table_in_columns(tables, screen_of_output(), {"section"}) +
+                             in_lines(tables.notes.front(), screen_of_output()) + "\n");
   return ExitStatus::done;
 }
 
@@ -109,7 +112,7 @@ Action declare_table(CLI::App& parser) {
   CLI::Option* const list = parser.add_flag("--list", options->lists_tables,
                                             "print what tables there are instead");
   for (CLI::Option* other : {name, from, out, reference}) list->excludes(other);
-  add_revisions(parser, options->revisions, "cases of --from files");
+  add_revisions(parser, options->revisions, "cases of the files");
   add_threads(parser, options->threads);
   return [options] {
     return options->lists_tables ? list_tables(options->format) : print_table(*options);

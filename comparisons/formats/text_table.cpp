@@ -23,12 +23,18 @@ std::string quoted(const std::string& cell) {
   return text + "\"";
 }
 
+std::string in_one_line(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
 /// A bar ends a cell of GitHub's tables, and a line's end the table.
 std::string markdown_cell(const std::string& cell) {
   std::string text;
-  for (const char c : cell) {
+  for (const char c : in_one_line(cell)) {
     if (c == '|') text += '\\';
-    text += c == '\n' || c == '\r' ? ' ' : c;
+    text += c;
   }
   return text;
 }
@@ -37,7 +43,7 @@ std::vector<std::size_t> widths_of(const TextLines& lines) {
   std::vector<std::size_t> widths(lines.front().size(), 0);
   for (const auto& line : lines)
     for (std::size_t i = 0; i < line.size(); ++i)
-      widths[i] = std::max(widths[i], line[i].size());
+      widths[i] = std::max(widths[i], characters_in(line[i]));
   return widths;
 }
 
@@ -74,7 +80,8 @@ std::string row_text(const std::vector<std::string>& line,
   std::string text;
   std::size_t blanks = 0;  // that only come before another cell
   for (std::size_t i = 0; i < line.size(); ++i) {
-    const std::size_t fill = widths[i] - line[i].size();
+    const std::size_t length = std::min(widths[i], characters_in(line[i]));
+    const std::size_t fill = widths[i] - length;  // none behind one that has line ends
     const bool is_left = aligned(i) == Align::left;
     if (i > 0) blanks += gap;
     if (!is_left) blanks += fill;
@@ -105,8 +112,10 @@ std::string in_turned_columns(const TextLines& lines, const Screen& screen) {
     while (last < lines.size() &&
            width_of(turned(lines, first, last + 1)) <= *screen.width)
       ++last;
-    const TextLines part = turned(lines, first, last);
+    TextLines part = turned(lines, first, last);
     const std::vector<std::size_t> widths = widths_of(part);
+    if (const std::size_t indent = widths[0] + gap; last == first + 1)
+      for (auto& line : part) line[1] = wrapped(line[1], *screen.width, indent, indent);
     if (first > 1) text += "\n";
     for (const auto& line : part)
       text += row_text(
@@ -156,11 +165,13 @@ std::string in_columns(const TextLines& lines, const std::vector<Align>& alignme
 }
 
 std::string in_lines(std::string_view text, const Screen& screen) {
-  return screen.width ? wrapped(text, *screen.width) : std::string(text);
+  if (!screen.width) return std::string(text);
+  const std::size_t indent = std::min(text.find_first_not_of(' '), text.size());
+  return std::string(indent, ' ') + wrapped(text, *screen.width, indent, indent);
 }
 
 std::string markdown_text(const TextLines& lines, const TableText& text) {
-  std::string all = fmt::format("## {}\n\n", text.title);
+  std::string all = fmt::format("## {}\n\n", in_one_line(text.title));
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (const std::string& cell : lines[i])
       all += fmt::format("| {} ", markdown_cell(cell));

@@ -5,13 +5,23 @@
 namespace springcheck {
 namespace {
 
-/// Of UTF-8: all bytes but those that continue a character.
-std::size_t characters_in(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+std::size_t longest_word_in(std::string_view text) {
+  std::size_t longest = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    longest = std::max(longest, characters_in(text.substr(0, end)));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return longest;
 }
 
 }  // namespace
+
+std::size_t characters_in(std::string_view text) {
+  // All bytes but those that continue a character.
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
 
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent,
                     std::size_t first) {
@@ -41,13 +51,15 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
 std::string wrapped_entry(std::string_view name, std::string_view text,
                           std::size_t column, std::size_t width) {
   constexpr std::size_t margin = 2, indent_of_names = 6;
-  std::string line(margin, ' ');
-  line += wrapped(name, width, indent_of_names, margin);
-  if (line.size() + margin > column)
-    line += "\n" + std::string(column, ' ');
-  else
-    line.resize(column, ' ');
-  return line + wrapped(text, width, column, column) + "\n";
+  const std::string line =
+      std::string(margin, ' ') + wrapped(name, width, indent_of_names, margin);
+  const std::size_t longest = longest_word_in(text);
+  if (column + longest > width)  // below the name there is room, if anywhere
+    column = std::max(2 * margin, width - std::min(width, longest));
+  const std::size_t length = characters_in(line);
+  const std::string blanks = length + margin > column ? "\n" + std::string(column, ' ')
+                                                      : std::string(column - length, ' ');
+  return line + blanks + wrapped(text, width, column, column) + "\n";
 }
 
 }  // namespace springcheck

@@ -52,9 +52,10 @@ std::optional<ExitStatus> run_own(Words words, const Declarations& all) {
 
 }  // namespace
 
-int front(int argc, char** argv, Declarations declared, Core core) {
+int front(int argc, char** argv, std::string_view declarations_of_core, Core core) {
   bool is_of_core = false;
   const int status = exit_status_of([&] {
+    Declarations declared = declarations_from(declarations_of_core);
     add_front_commands(declared);
     const auto ended = run_own(words_of(argc, argv), declared);
     is_of_core = !ended;

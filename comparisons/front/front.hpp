@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparisons/command_line/declarations.hpp"
+#include <string_view>
 
 namespace springcheck {
 
@@ -8,8 +8,8 @@ namespace springcheck {
 using Core = int (*)(int argc, char** argv);
 
 /// The program as users know it: tells itself what is declared, all help among that, and
-/// leaves the commands of `core`, which `declared` are of, to it. Returns the exit
-/// status.
-int front(int argc, char** argv, Declarations declared, Core core);
+/// leaves the commands of `core` to it, whose declarations are given as text_of() writes
+/// them. Returns the exit status.
+int front(int argc, char** argv, std::string_view declarations_of_core, Core core);
 
 }  // namespace springcheck

@@ -20,9 +20,11 @@ void add_front_commands(Declarations& all) {
                             .options = {},
                             .footer = {}});
   // COMMAND stands for the names of all, those above among them.
-  const auto names_behind = [&all](const std::string&) {
-    const auto names = command_names(all);
-    return std::vector<std::string>(names.begin(), names.end());
+  const auto names_behind = [&all](const std::string& capitals) {
+    std::vector<std::string> names;
+    if (capitals == "COMMAND")
+      for (const std::string_view name : command_names(all)) names.emplace_back(name);
+    return names;
   };
   std::vector<CommandText> texts;
   for (const Command& command : commands) texts.push_back(text_of(command, names_behind));

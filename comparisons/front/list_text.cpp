@@ -55,7 +55,7 @@ std::string text_of_entries(const Json& entries, std::optional<std::size_t> widt
   const std::size_t most = width.value_or(std::numeric_limits<std::size_t>::max());
   std::size_t column = least, most_tests = 0;
   for (const auto& [name, entry] : entries.items()) {
-    column = std::max(column, heading_of(name, entry).size() + 2 * margin);
+    column = std::max(column, characters_in(heading_of(name, entry)) + 2 * margin);
     if (entry.contains("tests")) most_tests = std::max(most_tests, entry["tests"].size());
   }
   column = std::min(column, most / 3);
@@ -101,6 +101,11 @@ TextLines lines_of(const Json& lists) {
   return lines;
 }
 
+/// "methods", of several what they are together.
+std::string title_of(const Json& lists) {
+  return lists.size() == 1 ? lists.begin().key() : "What springcheck lists";
+}
+
 }  // namespace
 
 std::string list_text(const Json& lists, std::optional<std::size_t> width) {
@@ -116,9 +121,11 @@ std::string lists_as_table(const Json& lists, TableFormat format) {
     case TableFormat::csv:
       return csv_text(lines);
     case TableFormat::markdown:
-      return markdown_text(without_empty_columns(lines), {});
+      return markdown_text(without_empty_columns(lines),
+                           {.title = title_of(lists), .notes = {}, .footnotes = {}});
     case TableFormat::latex:
-      return latex_text(without_empty_columns(lines), {});
+      return latex_text(without_empty_columns(lines),
+                        {.title = title_of(lists), .notes = {}, .footnotes = {}});
     case TableFormat::json:
       break;
   }

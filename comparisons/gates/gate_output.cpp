@@ -73,9 +73,11 @@ Table report_table(const Report& report) {
                            Cell(outcome.margin, "-"), name_of(outcome.verdict)},
                  .cases = outcome.keys};
     if (outcome.verdict != Judgement::pass)
-      row.notes.push_back(fmt::format("{}: {}", gate.place, outcome.explanation));
-    if (outcome.verdict == Judgement::falls_short)
-      row.notes.push_back(fmt::format("Reason of the band: {}", gate.reason));
+      row.notes.push_back(
+          fmt::format("{}: {}.{}", gate.place, outcome.explanation,
+                      outcome.verdict == Judgement::falls_short
+                          ? fmt::format(" Reason of the band: {}.", gate.reason)
+                          : ""));
     table.rows.push_back(std::move(row));
   }
   if (!report.note.empty())
@@ -86,6 +88,9 @@ Table report_table(const Report& report) {
 
 std::string report_text(const Report& report, const Screen& screen) {
   std::string text, below;
+  const auto add = [&](const std::string& line) {
+    below += in_lines(line, screen) + "\n";
+  };
   for (const Blessed& value : report.blessed) {
     const Gate& gate = report.gates[value.gate];
     text +=
@@ -97,20 +102,24 @@ std::string report_text(const Report& report, const Screen& screen) {
     const Gate& gate = report.gates[i];
     const Outcome& outcome = report.outcomes[i];
     if (outcome.verdict != Judgement::pass)
-      below += fmt::format("{}: {}: {}\n", gate.place, gate.name, outcome.explanation);
+      add(fmt::format("{}: {}: {}", gate.place, gate.name, outcome.explanation));
     if (outcome.verdict == Judgement::falls_short)
-      below += fmt::format("  reason of the band: {}\n", gate.reason);
+      add(fmt::format("  reason of the band: {}", gate.reason));
   }
   text += table_in_columns(report_table(report), screen);
   if (!below.empty()) text += "\n" + below;
   if (!report.note.empty())
-    text += fmt::format("\n{}: {}\n", report.results_file, report.note);
-  return text + fmt::format(
-                    "\n{} gates of {}: {} pass, {} fall short, {} without a case\n"
-                    "margin: {}\n",
-                    report.gates.size(), report.gates_file,
-                    count(report, Judgement::pass), count(report, Judgement::falls_short),
-                    count(report, Judgement::no_case), margin_definition);
+    text += "\n" + in_lines(report.results_file + ": " + report.note, screen) + "\n";
+  return text +
+         fmt::format("\n{}\n{}\n",
+                     in_lines(fmt::format("{} gates of {}: {} pass, {} fall short, {} "
+                                          "without a case",
+                                          report.gates.size(), report.gates_file,
+                                          count(report, Judgement::pass),
+                                          count(report, Judgement::falls_short),
+                                          count(report, Judgement::no_case)),
+                              screen),
+                     in_lines(fmt::format("margin: {}", margin_definition), screen));
 }
 
 nlohmann::ordered_json report_json(const Report& report) {

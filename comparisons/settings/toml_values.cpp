@@ -19,7 +19,7 @@ constexpr TomlKind every_kind[] = {a_scene, a_sweep, a_gate_file};
 
 [[noreturn]] void refuse_kind(const std::string& place, const TomlKind& kind,
                               const std::string& got, const TomlKind& got_kind) {
-  throw InputError(place, "", fmt::format("a {}", kind.name),
+  throw InputError(place, "", fmt::format("a {} file", kind.name),
                    fmt::format("{}, which springcheck {} takes", got, got_kind.command));
 }
 
@@ -29,7 +29,7 @@ void check_kind(const std::string& text, const std::string& file, const TomlKind
   if (table.contains(kind.key)) return;
   for (const TomlKind& other : every_kind)
     if (const toml::node* const node = table.get(other.key))
-      refuse_kind(place(file, node->source()), kind, fmt::format("a {}", other.name),
+      refuse_kind(place(file, node->source()), kind, fmt::format("a {} file", other.name),
                   other);
 }
 

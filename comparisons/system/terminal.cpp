@@ -38,9 +38,14 @@ std::optional<std::size_t> columns_of_output() {
   return std::nullopt;
 }
 
+bool declines_colours() {
+  return !environment("NO_COLOR").empty();
+}
+
 bool shows_colours() {
-  return output_is_terminal() && environment("NO_COLOR").empty() &&
-         environment("TERM") != "dumb";
+  const std::string_view terminal = environment("TERM");
+  return output_is_terminal() && !terminal.empty() && terminal != "dumb" &&
+         !declines_colours();
 }
 
 }  // namespace springcheck

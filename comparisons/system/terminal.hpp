@@ -9,8 +9,10 @@ namespace springcheck {
 /// where it is none.
 std::optional<std::size_t> columns_of_output();
 
-/// Whether standard output is a terminal that shows colours and the user did not decline
-/// them by NO_COLOR, see no-color.org.
+/// Whether the user wants none, by NO_COLOR (see no-color.org).
+bool declines_colours();
+
+/// Whether standard output is a terminal that shows colours, and they are not declined.
 bool shows_colours();
 
 }  // namespace springcheck

@@ -459,7 +459,7 @@ BOOST_AUTO_TEST_CASE(what_is_printed_has_a_format) {
   const Json quality = json_of("mesh compression --quality --format json");
   BOOST_TEST(quality["rows"][0]["number"] == 1000);
   BOOST_TEST(quality["rows"][0]["histogram"][9] == 1000);
-  expect_bad_input("mesh compression --format csv", "--format requires --quality");
+  expect_bad_input("mesh compression --format csv", "--format: expected --quality with it, got none");
   expect_bad_input(run + "--json --format md", "excludes");
 }
 

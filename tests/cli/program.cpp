@@ -85,7 +85,8 @@ std::vector<std::string> split(const std::string& arguments) {
       std::freopen("out", "w", stdout) != nullptr &&
       std::freopen("err", "w", stderr) != nullptr)
     status = springcheck::front(static_cast<int>(words.size()), arguments.data(),
-                                springcheck::declarations(), springcheck::command_line);
+                                text_of(springcheck::declarations()),
+                                springcheck::command_line);
   std::cout.flush();
   std::fflush(nullptr);
   _exit(status);  // without the end of the tests

@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(gates_end_with_the_status_that_ci_reads) {
   expect_bad_input("gate pass.toml none.h5", "none.h5: expected a result file");
   expect_bad_input("gate speed gated.h5",
                    "unknown gate 'speed', expected one of accuracy, thesis");
-  expect_bad_input("gate nu kept.h5", "expected a gate, got 'nu', a sweep, which springcheck "
+  expect_bad_input("gate nu kept.h5", "expected a gate file, got 'nu', a sweep, which springcheck "
                                       "sweep takes");
   expect_bad_input("gate accuracy gated.h5 --bless", "part of the program");
   expect_bad_input("gate pass.toml gated.h5 --junit none/junit.xml", "none/junit.xml");
@@ -176,9 +176,9 @@ BOOST_AUTO_TEST_CASE(bad_sweeps_and_files_are_refused) {
                    "one of accuracy, beam-diagonal-ratio, deformation");
   expect_bad_input("sweep one.toml", "--out");
   expect_bad_input("sweep kidney --out a.h5",
-                   "expected a sweep, got 'kidney', a scene, which springcheck run takes");
+                   "expected a sweep file, got 'kidney', a scene, which springcheck run takes");
   expect_bad_input("run one.toml",
-                   ": expected a scene, got a sweep, which springcheck sweep takes");
+                   ": expected a scene file, got a sweep file, which springcheck sweep takes");
   expect_bad_input("sweep one.toml --out a.h5 --shard 3/2", "I/N with 1 <= I <= N");
   expect_bad_input("sweep one.toml --out nowhere/a.h5", "nowhere/a.h5");
   expect_bad_input("merge a.h5 text.h5", "text.h5");

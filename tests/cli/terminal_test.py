@@ -56,7 +56,8 @@ class Terminal(unittest.TestCase):
                 self.assertLessEqual(len(line), width, line)
 
     def test_sixty_columns(self):
-        for words in (RUN, ("list",), ("list", "measures"), ("help",), ("help", "run")):
+        for words in (RUN, ("list",), ("list", "measures"), ("help",), ("help", "run"),
+                      ("table", "--list"), ("mesh", "kidney", "--quality")):
             text = shown(*words, NO_COLOR="1")
             self.assertGreater(len(text), 200)
             self.is_within(text, 60)
@@ -85,6 +86,7 @@ class Terminal(unittest.TestCase):
                                            ("none", "mss-fd", 1)):
                     file.write(f'[[gate]]\nname = "{name}"\nwhere = {{method = "{method}"}}\n'
                                f'measure = "volume_error"\nat_most = {most}\nreason = "it is a test"\n')
+            self.is_within(shown("gate", gates, results, NO_COLOR="1"), 60)
             text = shown("gate", gates, results, width=200)
             for verdict in ("\x1b[32mpass", "\x1b[31mfalls short", "\x1b[33mno case"):
                 self.assertIn(verdict, text)

@@ -157,6 +157,7 @@ BOOST_AUTO_TEST_CASE(types_in_capitals_are_known) {
   BOOST_TEST(std::ranges::count(words_of_option("run", "SCENE"), "compression") == 1);
   BOOST_TEST(std::ranges::count(words_of_option("run", "--cell-type"), "prism") == 1);
   BOOST_TEST(std::ranges::count(words_of_option("help", "COMMAND"), "manual") == 1);
+  BOOST_TEST(words_of_option("manual", "--out").empty());
   BOOST_TEST(takes_files("SCENE|FILE"));
   BOOST_TEST(!takes_files("SCENE"));
 }

@@ -45,6 +45,18 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_turned) {
   BOOST_TEST(in_columns({{"method", "status"}}, {}, {.width = 5}) == "method  status\n");
 }
 
+BOOST_AUTO_TEST_CASE(letters_of_several_bytes_are_one_character) {
+  BOOST_TEST(in_columns({{"gate", "got"}, {"Größe", "1"}, {"ascii", "10"}}) ==
+             "gate   got\nGröße    1\nascii   10\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_line_that_is_too_wide_alone_has_line_ends) {
+  BOOST_TEST(in_columns({{"name", "title"}, {"a", "what it is of"}}, {}, {.width = 14}) ==
+             "name   a\n"
+             "title  what it\n"
+             "       is of\n");
+}
+
 BOOST_AUTO_TEST_CASE(colours_need_no_room) {
   const auto colour_of = [](std::string_view head, std::string_view cell) {
     return head != "status" ? Colour::usual : cell == "ok" ? Colour::good : Colour::bad;

@@ -23,4 +23,12 @@ BOOST_AUTO_TEST_CASE(characters_count_not_bytes) {
   BOOST_TEST(wrapped("κ₀ μν", 5) == "κ₀ μν");
 }
 
+BOOST_AUTO_TEST_CASE(an_entry_stands_below_its_name_where_a_word_is_too_long) {
+  BOOST_TEST(wrapped_entry("name", "short text", 10, 20) == "  name    short text\n");
+  BOOST_TEST(wrapped_entry("a longer name", "text", 10, 20) ==
+             "  a longer name\n          text\n");
+  BOOST_TEST(wrapped_entry("name", "METHOD@CELLS or so", 10, 18) ==
+             "  name\n      METHOD@CELLS\n      or so\n");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
