@@ -33,7 +33,8 @@ std::vector<Column> columns_of(const Wish& wish) {
   for (const ChartMeasure measure : all_measures) {
     const std::string name(name_of(measure));
     columns.push_back({.key = name, .heading = name + " off [%]", .format = "{:.3g}"});
-    columns.push_back({.key = name + "_bound", .heading = "+- [%]", .format = "{:.2g}"});
+    columns.push_back(
+        {.key = name + "_bound", .heading = name + " +- [%]", .format = "{:.2g}"});
   }
   columns.push_back({.key = "seconds",
                      .heading = wish.frame ? "real s per simulated s" : "time [s]",

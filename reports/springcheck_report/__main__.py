@@ -9,8 +9,6 @@ import importlib.util
 import sys
 from pathlib import Path
 
-import interruption
-
 # Import name and Debian package of what the report is made with.
 PACKAGES = {
     "h5py": "python3-h5py",
@@ -40,6 +38,8 @@ def main(arguments):
             file=sys.stderr,
         )
         return 1
+    import interruption
+
     interruption.watch()
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # springcheck_results
     try:

@@ -350,7 +350,7 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
   expect_bad_input("run compression --fail-on any,ok", "any, all or none alone");
   expect_bad_input("compare",
                    "one of run, table, reproduce, sweep, chart, stability, advise, gate, "
-                   "report, export, merge, measure, mesh, list, schema, help");
+                   "report, export, merge, measure, mesh, schema, list, help");
   expect_bad_input("help rnu", "did you mean 'run'?");
   expect_bad_input("run compression --celltype prism", "did you mean '--cell-type'?");
   expect_bad_input("run", "run: scene is required (see springcheck help run)");
@@ -459,7 +459,7 @@ BOOST_AUTO_TEST_CASE(what_is_printed_has_a_format) {
   const Json quality = json_of("mesh compression --quality --format json");
   BOOST_TEST(quality["rows"][0]["number"] == 1000);
   BOOST_TEST(quality["rows"][0]["histogram"][9] == 1000);
-  expect_bad_input("mesh compression --format csv", "--format: expected --quality with it, got none");
+  expect_bad_input("mesh compression --out m.msh --format csv", "--format: expected --quality with it, got none");
   expect_bad_input(run + "--json --format md", "excludes");
 }
 

@@ -50,7 +50,15 @@ class Interruption(unittest.TestCase):
         while program.poll() is None and not catches(program, number):
             self.assertLess(time.monotonic(), end)
             time.sleep(0.01)
-        time.sleep(0.5)  # and has begun
+
+    def after(self, seconds):
+        """So long after it was first asked."""
+        ends = []
+
+        def is_after():
+            ends.append(time.monotonic() + seconds)
+            return time.monotonic() > ends[0]
+        return is_after
 
     def there(self, name):
         return lambda: (self.folder / name).exists()
@@ -71,11 +79,11 @@ class Interruption(unittest.TestCase):
 
     def test_what_is_kept_nowhere_is_said_so(self):
         errors = self.interrupted("run", "compression", "--cells", "60,60,60", "--method",
-                                  "mss-cf", when=lambda: True)
+                                  "mss-cf", when=self.after(0.5))
         self.assertIn("Nothing is kept: --out FILE keeps what is computed.", errors)
         errors = self.interrupted("run", "compression", "--cells", "60,60,60", "--solver",
                                   "verlet", "--method", "mss-cf", "--checkpoint", "c.h5",
-                                  when=lambda: True)
+                                  when=self.after(0.5))
         self.assertIn("Nothing was kept yet.", errors)
         errors = self.interrupted("sweep", "refinement", "--out", "r.h5", "--recompute",
                                   when=self.there("r.h5"))
