@@ -86,7 +86,7 @@ class Interruption(unittest.TestCase):
                                   when=self.after(0.5))
         self.assertIn("Nothing was kept yet.", errors)
         errors = self.interrupted("sweep", "refinement", "--out", "r.h5", "--recompute",
-                                  when=self.there("r.h5"))
+                                  when=self.after(0.5))
         self.assertIn("Without --recompute and --only-failed", errors)
 
     def test_a_report_ends_with_its_program(self):
