@@ -11,22 +11,29 @@ namespace springcheck {
 namespace {
 
 /// METHOD: the names that the setting `method` takes, or those of the list `methods`.
-std::vector<std::string> names_behind(const std::string& capitals) {
+std::vector<std::string> names_behind(const std::string& capitals,
+                                      const nlohmann::ordered_json& lists) {
   const std::string name = in_small_letters(capitals);
   const Setting* const setting = find_setting(name);
   if (setting != nullptr && setting->access.type.names != nullptr) {
     const auto names = setting->access.type.names();
     return {names.begin(), names.end()};
   }
-  return names_in_list(name + (name.ends_with("s") ? "es" : "s"));
+  const auto list = lists.find(name + (name.ends_with("s") ? "es" : "s"));
+  std::vector<std::string> names;
+  if (list != lists.end())
+    for (const auto& entry : list->items()) names.push_back(entry.key());
+  return names;
 }
 
 }  // namespace
 
 Declarations declarations() {
-  Declarations all{.commands = {}, .lists = list_json({})};
+  Declarations all{.commands = {}, .lists = list_json()};
   for (const auto& make : every_command)
-    all.commands.push_back(text_of(make(), names_behind));
+    all.commands.push_back(text_of(make(), [&](const std::string& capitals) {
+      return names_behind(capitals, all.lists);
+    }));
   return all;
 }
 

@@ -72,7 +72,7 @@ ExitStatus make_report(const std::filesystem::path& file,
                                ? note_of_taken(taken)
                                : note_of_other_revisions(stored_keys(file), revisions);
   write_data(folder, "theory", theory_curves(read_cases(file, revisions)).dump());
-  write_data(folder, "vocabulary", list_json("").dump());
+  write_data(folder, "vocabulary", list_json().dump());
   write_data(folder, "revisions", nlohmann::json{{"note", note}}.dump());
   write_data(folder, "charts", charts_json(charts).dump());
   write_data(folder, "atlas", atlas_json(file, revisions).dump());

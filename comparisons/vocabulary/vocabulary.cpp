@@ -223,21 +223,6 @@ constexpr std::array lists{
 
 }  // namespace
 
-std::vector<std::string_view> list_names() {
-  std::vector<std::string_view> names;
-  for (const List& list : lists) names.emplace_back(list.name);
-  return names;
-}
-
-std::vector<std::string> names_in_list(const std::string& list) {
-  std::vector<std::string> names;
-  if (list.empty()) return names;
-  const Json all = list_json(list);
-  for (const Json& entries : all)
-    for (const auto& entry : entries.items()) names.push_back(entry.key());
-  return names;
-}
-
 Json list_schema() {
   const Json text{{"type", "string"}};
   const Json entry{{"anyOf",
@@ -253,10 +238,9 @@ Json list_schema() {
   return schema;
 }
 
-Json list_json(const std::string& what) {
+Json list_json() {
   Json all;
-  for (const List& list : lists)
-    if (what.empty() || what == list.name) all[list.name] = list.make();
+  for (const List& list : lists) all[list.name] = list.make();
   return all;
 }
 

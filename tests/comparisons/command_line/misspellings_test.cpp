@@ -7,7 +7,6 @@
 #include "comparisons/front/front_commands.hpp"
 #include "comparisons/names/suggestion.hpp"
 #include "comparisons/settings/setting.hpp"
-#include "comparisons/vocabulary/vocabulary.hpp"
 
 using namespace springcheck;
 
@@ -51,11 +50,13 @@ Names misspellings_of(const std::string& name, std::size_t place) {
 /// Every list of names that users write.
 std::vector<Names> all_lists() {
   std::vector<Names> lists;
-  for (const std::string_view list : list_names())
-    if (list != "exit-statuses" && list != "result-file")
-      lists.push_back(names_in_list(std::string(list)));
   Declarations all = declarations();
   add_front_commands(all);
+  for (const auto& [list, entries] : all.lists.items()) {
+    if (list == "exit-statuses" || list == "result-file") continue;
+    Names& names = lists.emplace_back();
+    for (const auto& entry : entries.items()) names.push_back(entry.key());
+  }
   const auto commands = command_names(all);
   lists.emplace_back(commands.begin(), commands.end());
   const auto options = option_keys();
