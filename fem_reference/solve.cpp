@@ -84,7 +84,7 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
   check(scene);
   if (const auto reason = reason_to_refuse(mesh, scene, settings))
     return refused(*reason);
-  const Stopwatch stopwatch;
+  const Stopwatch setup;
   const Discretisation body = discretise(mesh, settings.element);
   const Supports supports(mesh, scene, body);
   ElementsBody elements(body, {.constitution = constitution(scene.material, settings),
@@ -104,18 +104,16 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
             return !turns || shows_imposed_turn(mesh, scene, {finest, body.nodes},
                                                 statics::by_node(positions), s);
           }};
-  const double setup_wall_s = stopwatch.seconds();
   const statics::Equilibrium found =
       search.to_limit
           ? statics::last_stable_equilibrium(elements, loading, {mesh.cells(), finest},
-                                             search.linear_solver)
-          : statics::find_equilibrium(elements, loading, search);
+                                             search.linear_solver, setup)
+          : statics::find_equilibrium(elements, loading, search, setup);
 
   Solution solution = statics::solution_of(found);
   solution.displacements.resize(mesh.nodes().size());  // q2 has more
   solution.reactions = on_vertices(body, found.reactions);
   if (settings.law == Law::hooke) solution.lever_arms = LeverArms::undeformed;
-  solution.setup_wall_s += setup_wall_s;
   if (settings.element == Element::q2) {
     solution.cell_volumes = elements.cell_volumes(found.displacements);
     for (const Traction& traction : scene.tractions)

@@ -10,16 +10,14 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
                const dynamics::Observers& observers) {
   if (const auto reason = reason_to_refuse(mesh, scene.material, settings.network.method))
     return refused(*reason);
-  const Stopwatch stopwatch;
+  const Stopwatch setup;
   const Network network = build_network(mesh, scene.material, settings.network);
-  const double network_wall_s = stopwatch.seconds();
   const auto solved = [&] {
     if (settings.dynamics)
-      return run_dynamics(mesh, scene, network, *settings.dynamics, observers);
-    return find_equilibrium(mesh, scene, network, settings.search);
+      return run_dynamics(mesh, scene, network, *settings.dynamics, observers, setup);
+    return find_equilibrium(mesh, scene, network, settings.search, setup);
   };
   Solution solution = solved();
-  solution.setup_wall_s += network_wall_s;
   if (!solution.displacements.empty())
     solution.spring_strains = largest_spring_strains(network, solution.displacements);
   return solution;

@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "meshing/random_vector.hpp"
-#include "meshing/stopwatch.hpp"
 #include "statics/minimum.hpp"
 #include "statics/systems/nodal_vectors.hpp"
 
@@ -275,10 +274,9 @@ Solution solution_of(const Equilibrium& equilibrium) {
 }
 
 Equilibrium find_equilibrium(ElasticBody& body, const Loading& loading,
-                             const Search& search) {
-  const Stopwatch stopwatch;
+                             const Search& search, const Stopwatch& setup) {
   Landscape landscape(body, loading, search.linear_solver);
-  const double setup_wall_s = stopwatch.seconds();
+  const double setup_wall_s = setup.seconds();
   Follower path(landscape, loading, search.seed);
   path.run(search.noise);
   Equilibrium equilibrium = path.equilibrium();

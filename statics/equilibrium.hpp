@@ -3,6 +3,7 @@
 #include <string>
 
 #include "meshing/scene.hpp"
+#include "meshing/stopwatch.hpp"
 #include "statics/elastic_body.hpp"
 #include "statics/loading.hpp"
 #include "statics/search.hpp"
@@ -68,8 +69,8 @@ Solution solution_of(const Equilibrium& equilibrium);
 ///
 /// Converged: residual below 1e-10 of the norm of the nodal forces or of the load, or
 /// below what the rounding of the nodes' places does to them; or below 1e-9 where it has
-/// stopped falling.
+/// stopped falling. The set-up began with `setup`.
 Equilibrium find_equilibrium(ElasticBody& body, const Loading& loading,
-                             const Search& search);
+                             const Search& search, const Stopwatch& setup = {});
 
 }  // namespace springcheck::statics

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "meshing/cell_geometry.hpp"
-#include "meshing/stopwatch.hpp"
 #include "meshing/wavelength.hpp"
 #include "statics/path_limit.hpp"
 #include "statics/systems/nodal_vectors.hpp"
@@ -56,16 +55,16 @@ std::string reason_of(const PathLimit& limit, double wavelength) {
 }  // namespace
 
 Equilibrium last_stable_equilibrium(ElasticBody& body, const Loading& loading,
-                                    const MeshCells& cells, LinearSolver linear_solver) {
+                                    const MeshCells& cells, LinearSolver linear_solver,
+                                    const Stopwatch& setup) {
   bool lost_turn = false;  // what was tried last
   const Eigen::VectorXd rest = stacked(body.nodes());
   const auto is_whole = [&](const Eigen::VectorXd& u, double load_fraction) {
     lost_turn = !loading.follows_supports(u, load_fraction);
     return !lost_turn && !has_inverted_cell(cells.whole, by_node(rest + u));
   };
-  const Stopwatch stopwatch;
   Landscape landscape(body, loading, linear_solver);
-  const double setup_wall_s = stopwatch.seconds();
+  const double setup_wall_s = setup.seconds();
   const PathLimit limit = follow_to_limit(landscape, limit_resolution, is_whole);
   Equilibrium equilibrium{.status = status_of(limit.end),
                           .reason = "",

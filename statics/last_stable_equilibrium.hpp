@@ -21,6 +21,7 @@ inline constexpr double limit_resolution = 0.002;
 /// not_converged where the solver fails; but for that with definite_up_to, and
 /// critical_wavelength, in edges of the finest cells.
 Equilibrium last_stable_equilibrium(ElasticBody& body, const Loading& loading,
-                                    const MeshCells& cells, LinearSolver linear_solver);
+                                    const MeshCells& cells, LinearSolver linear_solver,
+                                    const Stopwatch& setup = {});
 
 }  // namespace springcheck::statics

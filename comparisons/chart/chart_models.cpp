@@ -21,8 +21,8 @@ ChartKind kind_of(const Model& model) {
 }
 
 /// What the model sets, as a scene would.
-Changes changes_of(const Model& model, const Method& method) {
-  Changes changes{{"method", model.method}};
+GivenSettings changes_of(const Model& model, const Method& method) {
+  GivenSettings changes{{"method", model.method}};
   if (!model.element.empty()) changes.emplace_back("element", model.element);
   if (model.cells != CellType::hexahedron)
     changes.emplace_back("cell-type", std::string(name_of(model.cells)));
@@ -54,20 +54,16 @@ std::vector<ChartModel> all_models() {
   return all;
 }
 
-CaseSettings case_with(const std::string& scene, const std::vector<GivenSetting>& options,
-                       const Changes& changes) {
+/// Of the scene, without what it says of settings that charts choose.
+CaseSettings case_with(const std::string& scene, const GivenSettings& changes) {
   SceneFile file = read_scene(scene);
   std::erase_if(file.settings, [](const GivenSetting& setting) {
     return is_chosen_by_charts(setting.key);
   });
-  file.settings.insert(file.settings.end(), options.begin(), options.end());
-  for (const auto& [key, value] : changes) file.settings.push_back({key, value});
-  return requests(make_run_settings(file.name, file.file, file.settings))
-      .front()
-      .settings;
+  return case_of_scene(file, changes);
 }
 
-Changes cells_of(const std::array<double, 3>& size, int across) {
+GivenSettings cells_of(const std::array<double, 3>& size, int across) {
   return {{"cells", cells_across(size, across)}};
 }
 
@@ -82,7 +78,7 @@ std::vector<ChartModel> models_of_kidney() {
   std::vector<ChartModel> all = all_models();
   std::erase_if(all, [](ChartModel& one) {
     const auto cells = kidney_cells(one.model.cells);
-    if (cells) one.changes = one.changes + Changes{{"cell-type", *cells}};
+    if (cells) one.changes = one.changes + GivenSettings{{"cell-type", *cells}};
     return !cells;
   });
   return all;
@@ -95,7 +91,7 @@ bool is_chosen_by_charts(std::string_view key) {
   return setting != nullptr && setting->in_charts == InCharts::chosen;
 }
 
-std::vector<GivenSetting> options_for(ChartKind kind, std::vector<GivenSetting> options) {
+GivenSettings options_for(ChartKind kind, GivenSettings options) {
   if (kind == ChartKind::equilibrium)
     std::erase_if(options, [](const GivenSetting& option) {
       return find_setting(option.key)->readers.unread == Unread::refused_as_option;
@@ -128,7 +124,7 @@ const ChartModel& chart_model(const Model& model, BodyShape shape) {
   return *found;
 }
 
-Body chart_body(const std::string& scene, const std::vector<GivenSetting>& options) {
+Body chart_body(const std::string& scene, const GivenSettings& options) {
   const Body body =
       read_run(scene, options_for(ChartKind::equilibrium, options)).common.body;
   if (body.shape != BodyShape::block && body.shape != BodyShape::kidney)
@@ -166,22 +162,21 @@ Cells cells_across(const std::array<double, 3>& size, int across) {
   return cells;
 }
 
-CaseSettings model_case(const std::string& scene,
-                        const std::vector<GivenSetting>& options, const ChartModel& model,
-                        int across) {
-  const std::vector<GivenSetting> own = options_for(model.kind, options);
-  return case_with(scene, own,
-                   cells_of(chart_body(scene, own).block.size, across) + model.changes);
+CaseSettings model_case(const std::string& scene, const GivenSettings& options,
+                        const ChartModel& model, int across) {
+  const GivenSettings own = options_for(model.kind, options);
+  return case_with(
+      scene, own + cells_of(chart_body(scene, own).block.size, across) + model.changes);
 }
 
 namespace {
 
-ThreeCases q2_grids(const std::string& scene, const std::vector<GivenSetting>& options,
+ThreeCases q2_grids(const std::string& scene, const GivenSettings& options,
                     const std::string& law, const std::optional<int>& across) {
   constexpr double most_nodes = 1e5;
-  const std::vector<GivenSetting> own = options_for(ChartKind::equilibrium, options);
+  const GivenSettings own = options_for(ChartKind::equilibrium, options);
   const Body body = chart_body(scene, own);
-  const Changes elements{{"method", law}, {"element", std::string(truth_element)}};
+  const GivenSettings elements{{"method", law}, {"element", std::string(truth_element)}};
   if (body.shape == BodyShape::kidney) {
     const int coarsest = across.value_or(4);
     if (coarsest < 2)
@@ -189,25 +184,25 @@ ThreeCases q2_grids(const std::string& scene, const std::vector<GivenSetting>& o
                        "at least 2 cells across a body whose meshes are not nested",
                        std::to_string(coarsest));
     const auto grid = [&](int cells_across) {
-      return case_with(
-          scene, own,
-          cells_of(body.block.size, cells_across) + elements +
-              Changes{{"cell-type", "free-hexahedron"}, {"linear-solver", "direct"}});
+      return case_with(scene, own + cells_of(body.block.size, cells_across) + elements +
+                                  GivenSettings{{"cell-type", "free-hexahedron"},
+                                                {"linear-solver", "direct"}});
     };
     return {grid(coarsest), grid(coarsest * 3 / 2), grid(2 * coarsest)};
   }
   double finest_nodes = 1;
   for (const int cells : cells_across(body.block.size, 16)) finest_nodes *= 2 * cells + 1;
   const bool is_beam = finest_nodes > most_nodes;
-  Changes changes = cells_of(body.block.size, across.value_or(is_beam ? 2 : 4)) +
-                    elements + Changes{{"cell-type", "hexahedron"}, {"distortion", 0}};
+  GivenSettings changes = cells_of(body.block.size, across.value_or(is_beam ? 2 : 4)) +
+                          elements +
+                          GivenSettings{{"cell-type", "hexahedron"}, {"distortion", 0}};
   if (is_beam) changes.emplace_back("linear-solver", "direct");
-  return convergence_grids(case_with(scene, own, changes));
+  return convergence_grids(case_with(scene, own + changes));
 }
 
 }  // namespace
 
-TruthGrids truth_grids(const std::string& scene, const std::vector<GivenSetting>& options,
+TruthGrids truth_grids(const std::string& scene, const GivenSettings& options,
                        const std::string& law, const std::optional<int>& across) {
   const ThreeCases grids = q2_grids(scene, options, law, across);
   ThreeCases check = grids;

@@ -16,7 +16,7 @@ namespace springcheck {
 /// A model, and what it changes.
 struct ChartModel {
   Model model;
-  Changes changes;  // of the scene's settings
+  GivenSettings changes;  // of the scene's settings
   ChartKind kind;
 };
 
@@ -52,11 +52,11 @@ const std::vector<std::string>& truth_laws();
 std::string truth_law_named(const std::string& name);
 
 /// Options for models of a kind: those of motion are for the ones that move.
-std::vector<GivenSetting> options_for(ChartKind kind, std::vector<GivenSetting> options);
+GivenSettings options_for(ChartKind kind, GivenSettings options);
 
 /// The scene's body, a block or a kidney, which can be cut as finely as wanted. Throws
 /// InputError for another.
-Body chart_body(const std::string& scene, const std::vector<GivenSetting>& options);
+Body chart_body(const std::string& scene, const GivenSettings& options);
 
 /// Whether all meshes of the body have its corners, edges and faces, so that a grid can
 /// refine them: a block's.
@@ -69,9 +69,8 @@ Cells cells_across(const std::array<double, 3>& size, int across);
 /// The scene's case of a model on so many cells across: the scene without
 /// what charts choose, the options, the model's changes. Throws InputError for options
 /// that the model's method does not take, and as chart_body.
-CaseSettings model_case(const std::string& scene,
-                        const std::vector<GivenSetting>& options, const ChartModel& model,
-                        int across);
+CaseSettings model_case(const std::string& scene, const GivenSettings& options,
+                        const ChartModel& model, int across);
 
 /// Elements of a truth's grids, and of those by which their limit is checked.
 inline constexpr std::string_view truth_element = "q2", check_element = "q1-sri";
@@ -92,7 +91,7 @@ struct TruthGrids {
 ///
 /// They are checked by q1-sri on twice as many cells along each axis: of a block on the
 /// same nodes.
-TruthGrids truth_grids(const std::string& scene, const std::vector<GivenSetting>& options,
+TruthGrids truth_grids(const std::string& scene, const GivenSettings& options,
                        const std::string& law, const std::optional<int>& across);
 
 }  // namespace springcheck

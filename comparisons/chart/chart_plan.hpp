@@ -15,9 +15,9 @@ namespace springcheck {
 /// What a chart is to measure.
 struct ChartPlan {
   std::string scene;
-  std::vector<GivenSetting> options;  // that replace the scene's
-  std::string law{};                  // the scene's, in place of its reference's; or none
-  std::vector<std::string> laws{};    // of truths, beside that of the scene
+  GivenSettings options;            // that replace the scene's
+  std::string law{};                // the scene's, in place of its reference's; or none
+  std::vector<std::string> laws{};  // of truths, beside that of the scene
   ChartModels models{};
   std::vector<int> across{};          // cells across the shortest edge
   std::vector<int> threads;           // of the timed runs

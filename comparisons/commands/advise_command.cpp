@@ -95,7 +95,7 @@ void check_scene_file(const std::filesystem::path& file) {
 }
 
 /// The scene with what the chosen point changes, beside the law that it is judged by.
-std::string scene_text(const std::string& scene, const std::vector<GivenSetting>& options,
+std::string scene_text(const std::string& scene, const GivenSettings& options,
                        const ChartPoint& chosen, const std::string& law,
                        const std::string& time_step, const std::string& why) {
   std::map<std::string, std::string> settings;
@@ -148,7 +148,7 @@ std::filesystem::path scene_file_of(const AdviseOptions& options) {
   return scene_file;
 }
 
-ChartPlan plan_of(const AdviseOptions& options, const std::vector<GivenSetting>& settings,
+ChartPlan plan_of(const AdviseOptions& options, const GivenSettings& settings,
                   int threads) {
   return {.scene = options.scene,
           .options = settings,
@@ -246,7 +246,7 @@ void write_advised_scene(const AdviseOptions& options, const Advice& advice,
 /// file that runs it; fell_short, and what comes closest, where none does.
 ExitStatus advise_scene(const AdviseOptions& options) {
   const Computing computing(std::max(options.jobs, all_cores()), options.jobs);
-  const std::vector<GivenSetting> settings = options.settings.given();
+  const GivenSettings settings = options.settings.given();
   const Wish wish = wish_of(options, chart_body(options.scene, settings));
   const std::filesystem::path scene_file = scene_file_of(options);
   std::optional<TemporaryFolder> temporary;

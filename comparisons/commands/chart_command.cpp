@@ -99,7 +99,7 @@ std::string chart_text(const Chart& chart, const std::string& caution) {
 
 /// Of a scene, or of the five scenes of the thesis ("all").
 std::vector<ChartPlan> plans_of(const ChartOptions& chart) {
-  const std::vector<GivenSetting> options = chart.settings.given();
+  const GivenSettings options = chart.settings.given();
   const std::vector<int> across = counts_in("--sizes", chart.sizes, 1000);
   const std::vector<int> threads = thread_counts(chart.threads);
   std::vector<std::string> scenes{chart.scene};

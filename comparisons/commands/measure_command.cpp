@@ -61,7 +61,7 @@ MeasuredFields read_fields(const MeasureOptions& files, const Mesh& mesh) {
 /// Refuses options that only the scene's own methods would read. On a path of load those
 /// stay that say how far it goes.
 void check_read(const RunSettings& run, const Method& measured,
-                const std::vector<GivenSetting>& options) {
+                const GivenSettings& options) {
   RunSettings of_measured = run;
   of_measured.methods = {{.method = measured}};
   const Request request = requests(of_measured).front();
@@ -83,7 +83,7 @@ void check_read(const RunSettings& run, const Method& measured,
 
 ExitStatus measure(const MeasureOptions& options) {
   const Computing computing(options.threads);
-  const std::vector<GivenSetting> given = options.settings.given();
+  const GivenSettings given = options.settings.given();
   const RunSettings run = read_run(options.scene, given);
   check_memory(run.cells_place, requests(run));
   if (options.out) check_results_writable(*options.out);

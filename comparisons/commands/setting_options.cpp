@@ -23,8 +23,8 @@ void SettingOptions::add_to(CLI::App& parser, bool (*is_taken)(const Setting&)) 
   }
 }
 
-std::vector<GivenSetting> SettingOptions::given() const {
-  std::vector<GivenSetting> settings;
+GivenSettings SettingOptions::given() const {
+  GivenSettings settings;
   for (const auto& [name, option] : options_)
     if (option->count() > 0)
       settings.push_back(

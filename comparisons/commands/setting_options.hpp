@@ -20,7 +20,7 @@ class SettingOptions {
   void add_to(CLI::App& parser, bool (*is_taken)(const Setting&));
 
   /// Those that were given, as text.
-  [[nodiscard]] std::vector<GivenSetting> given() const;
+  [[nodiscard]] GivenSettings given() const;
 
  private:
   std::map<std::string, CLI::Option*> options_;

@@ -120,15 +120,13 @@ std::string poor_path(const tissue::MaxwellFit& fit, const CaseSettings& setting
       100 * off / largest);
 }
 
-/// By a fit to the law: solve(tissue) is a solver's part.
+/// By a fit to the law: solve(tissue, setup) is a solver's part.
 template <class Solve>
 Solution solve_with_memory(const CaseSettings& settings, const Solve& solve) {
   if (asks_for_limit(settings)) return refused(no_limit);
-  const Stopwatch stopwatch;
+  const Stopwatch setup;
   const tissue::MaxwellFit fit = fit_of(settings);
-  const double fit_wall_s = stopwatch.seconds();
-  Solution solution = solve(settings_with(fit, settings));
-  solution.setup_wall_s += fit_wall_s;
+  Solution solution = solve(settings_with(fit, settings), setup);
   const bool has_end =
       solution.status == SolveStatus::ok || solution.status == SolveStatus::indefinite;
   if (!has_end) return solution;
@@ -143,21 +141,23 @@ Solution solve_with_memory(const CaseSettings& settings, const Solve& solve) {
 Solution solve_by_springs(const CaseSettings& settings, const Mesh& mesh,
                           const Scene& scene, int threads,
                           const dynamics::Observers& observers) {
-  return solve_with_memory(settings, [&](mss::TissueSettings tissue) {
-    tissue.threads = threads;
-    return mss::solve_tissue(mesh, scene, tissue, observers);
-  });
+  return solve_with_memory(
+      settings, [&](mss::TissueSettings tissue, const Stopwatch& setup) {
+        tissue.threads = threads;
+        return mss::solve_tissue(mesh, scene, tissue, observers, setup);
+      });
 }
 
 Solution solve_by_elements(const CaseSettings& settings, const Mesh& mesh,
                            const Scene& scene, int /*threads*/,
                            const dynamics::Observers& observers) {
-  return solve_with_memory(settings, [&](const mss::TissueSettings& tissue) {
-    if (tissue.protocol)
-      return refused("fem-tissue goes through equilibria; mss-tissue moves");
-    return fem_reference::solve_tissue(mesh, scene, tissue.solid, tissue.quasi_static,
-                                       observers);
-  });
+  return solve_with_memory(
+      settings, [&](const mss::TissueSettings& tissue, const Stopwatch& setup) {
+        if (tissue.protocol)
+          return refused("fem-tissue goes through equilibria; mss-tissue moves");
+        return fem_reference::solve_tissue(mesh, scene, tissue.solid, tissue.quasi_static,
+                                           observers, setup);
+      });
 }
 
 /// Table 4.2 has no limit but of the organs of Table 4.1.
@@ -190,11 +190,8 @@ MakeMotion stepping_of_springs(const CaseSettings& settings, const Mesh& mesh,
       mss::build_tissue_body(mesh, tissue.solid, scene.material.density));
   return [&mesh, &scene, body, integrator = protocol_of(settings).integrator](
              const SteppingOptions& options) -> std::unique_ptr<dynamics::Motion> {
-    std::vector<Vector3> load(body->masses.size());
-    for (std::size_t n = 0; n < load.size(); ++n)
-      load[n] = body->masses[n] * scene.gravity;
     return std::make_unique<mss::TissueMotion>(
-        mesh, scene, *body, load,
+        mesh, scene, *body,
         mss::TissueMotionSettings{.integrator = integrator, .threads = options.threads},
         options.instruction_set);
   };

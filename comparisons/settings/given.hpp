@@ -29,6 +29,20 @@ class Given {
   Given(std::string place, std::vector<Scalar> list)
       : place_(std::move(place)), values_(std::move(list)), is_list_(true) {}
 
+  /// What this program gives itself, where a user could have: a number, a name, a text as
+  /// users write it, "5%", or a list.
+  Given(double number) : Given(own, Scalar(number)) {}
+  Given(int number) : Given(own, Scalar(std::int64_t{number})) {}
+  Given(const char* text) : Given(own, Scalar(std::string(text))) {}
+  Given(std::string text) : Given(own, Scalar(std::move(text))) {}
+  Given(std::string_view text) : Given(own, Scalar(std::string(text))) {}
+  template <std::size_t N>
+  Given(const std::array<double, N>& numbers)
+      : Given(own, std::vector<Scalar>(numbers.begin(), numbers.end())) {}
+  Given(const std::array<int, 3>& counts)
+      : Given(own, std::vector<Scalar>{std::int64_t{counts[0]}, std::int64_t{counts[1]},
+                                       std::int64_t{counts[2]}}) {}
+
   /// From command-line text: commas separate the values of a list; each is read as a
   /// truth value, an integer, a number or else as text.
   static Given from_text(std::string place, std::string_view text);
@@ -83,6 +97,8 @@ class Given {
                                 const std::vector<std::string_view>& candidates) const;
 
  private:
+  static constexpr const char* own = "springcheck";  // the place of its own values
+
   [[nodiscard]] const Scalar& single(const std::string& expected) const;
 
   std::string place_;

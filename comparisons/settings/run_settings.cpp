@@ -188,7 +188,7 @@ bool runs(const RunSettings& run,
 }
 
 RunSettings make_run_settings(const std::string& name, const std::string& file,
-                              const std::vector<GivenSetting>& given) {
+                              const GivenSettings& given) {
   Settings settings;
   for (const auto& [key, value] : given) settings.insert_or_assign(key, value);
   take_what_stands_instead(settings, file);

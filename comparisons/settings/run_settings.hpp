@@ -31,12 +31,19 @@ struct GivenSetting {
   std::string key;
   Given value;
 };
+using GivenSettings = std::vector<GivenSetting>;
+
+/// Both lists, the second's values over the first's.
+inline GivenSettings operator+(GivenSettings all, const GivenSettings& more) {
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
 
 /// Builds the run of scene `name` from settings in order: a later one replaces an earlier
 /// one of the same key. Every key must be known. `file` names the scene file in messages
 /// about what is missing. Throws InputError.
 RunSettings make_run_settings(const std::string& name, const std::string& file,
-                              const std::vector<GivenSetting>& given);
+                              const GivenSettings& given);
 
 /// Whether what the run ends with is a deformation of .02 or less.
 bool deforms_little(const RunSettings& run);

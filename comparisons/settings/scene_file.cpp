@@ -15,7 +15,7 @@ SceneFile scene_of(const TomlFile& scene) {
   const toml::table table = parse_toml(scene.text, scene.file);
   if (table.empty())
     throw InputError(scene.file + ":1:1", "", "settings", "an empty scene");
-  std::vector<GivenSetting> settings;
+  GivenSettings settings;
   for (const auto& [key, node] : table) {
     if (find_setting(key.str()) == nullptr)
       refuse_name(place(scene.file, key.source()), "key", key.str(), setting_keys());
@@ -30,22 +30,24 @@ SceneFile read_scene(const std::string& name_or_path) {
   return scene_of(toml_file(name_or_path, a_scene));
 }
 
-SceneFile read_scene(const Given& name_or_path) {
+SceneFile read_scene_named(const Given& name_or_path) {
   return scene_of(toml_file(name_or_path, a_scene));
 }
 
-RunSettings read_run(const std::string& scene, const std::vector<GivenSetting>& options) {
-  SceneFile file = read_scene(scene);
-  file.settings.insert(file.settings.end(), options.begin(), options.end());
-  return make_run_settings(file.name, file.file, file.settings);
+RunSettings read_run(const SceneFile& scene, const GivenSettings& more) {
+  return make_run_settings(scene.name, scene.file, scene.settings + more);
 }
 
-CaseSettings case_of_scene(const std::string& scene, const Changes& changes) {
-  SceneFile file = read_scene(scene);
-  for (const auto& [key, value] : changes) file.settings.push_back({key, value});
-  return requests(make_run_settings(file.name, file.file, file.settings))
-      .front()
-      .settings;
+RunSettings read_run(const std::string& scene, const GivenSettings& more) {
+  return read_run(read_scene(scene), more);
+}
+
+CaseSettings case_of_scene(const SceneFile& scene, const GivenSettings& more) {
+  return requests(read_run(scene, more)).front().settings;
+}
+
+CaseSettings case_of_scene(const std::string& scene, const GivenSettings& more) {
+  return case_of_scene(read_scene(scene), more);
 }
 
 }  // namespace springcheck

@@ -22,8 +22,8 @@ constexpr double precision = 0.01;  // of limits
 /// The cases of all methods at some values of the axes.
 std::vector<CaseSettings> cases_at(const AtlasPlan& plan,
                                    const std::vector<std::string>& values,
-                                   const std::vector<GivenSetting>& further = {}) {
-  std::vector<GivenSetting> options = plan.options;
+                                   const GivenSettings& further = {}) {
+  GivenSettings options = plan.options;
   for (std::size_t i = 0; i < plan.axes.size(); ++i) {
     options.push_back(setting(plan.axes[i], values[i]));
     if (plan.axes[i].key ==

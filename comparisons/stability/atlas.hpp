@@ -13,9 +13,9 @@ namespace springcheck {
 /// What an atlas is of: a scene over one or two settings, for some methods.
 struct AtlasPlan {
   std::string scene;
-  std::vector<GivenSetting> options;  // that replace the scene's
-  std::vector<Axis> axes{};           // one or two; limits are along the first
-  bool judges_locking = false;        // of points, by a control for each
+  GivenSettings options;        // that replace the scene's
+  std::vector<Axis> axes{};     // one or two; limits are along the first
+  bool judges_locking = false;  // of points, by a control for each
 };
 
 struct AtlasPoint {

@@ -161,9 +161,8 @@ std::size_t size_of(const std::vector<Choices>& product) {
 }
 
 /// Combination `index` of the product; the last key varies fastest.
-std::vector<GivenSetting> combination(const std::vector<Choices>& product,
-                                      std::size_t index) {
-  std::vector<GivenSetting> settings;
+GivenSettings combination(const std::vector<Choices>& product, std::size_t index) {
+  GivenSettings settings;
   for (const auto& choices : product | std::views::reverse) {
     const std::size_t count = choices.values.size();
     settings.push_back({choices.key, choices.values[index % count]});
@@ -195,15 +194,16 @@ std::map<std::string, SceneFile> scenes_of(const Sweep& sweep) {
     if (named == product.end())
       throw InputError(sweep.file + ":1:1", "key 'scene'", "the name of a scene", "none");
     for (const Given& name : named->values)
-      if (!scenes.contains(name.text())) scenes.emplace(name.text(), read_scene(name));
+      if (!scenes.contains(name.text()))
+        scenes.emplace(name.text(), read_scene_named(name));
   }
   return scenes;
 }
 
-RunSettings run_of(const Sweep& sweep, const std::vector<GivenSetting>& settings) {
+RunSettings run_of(const Sweep& sweep, const GivenSettings& settings) {
   const auto named = std::ranges::find(settings, "scene", &GivenSetting::key);
   const SceneFile& scene = sweep.scenes.at(named->value.text());
-  std::vector<GivenSetting> all = scene.settings;
+  GivenSettings all = scene.settings;
   for (const GivenSetting& setting : settings)
     if (setting.key != "scene") all.push_back(setting);
   return make_run_settings(scene.name, scene.file, all);

@@ -10,7 +10,7 @@
 
 #include "dynamics/marching/march_checks.hpp"
 #include "meshing/breakdown.hpp"
-#include "meshing/stopwatch.hpp"
+#include "meshing/traction.hpp"
 
 namespace springcheck::dynamics {
 namespace {
@@ -40,8 +40,9 @@ class March {
         motion_(motion),
         protocol_(protocol),
         observers_(observers),
-        load_(protocol.load.empty() ? ramp(protocol.duration) : protocol.load),
-        turns_(turning_points(load_)),
+        path_(protocol.load.empty() ? ramp(protocol.duration) : protocol.load),
+        turns_(turning_points(path_)),
+        load_(load_forces(body.mesh, body.scene, body.masses)),
         prescribed_(prescribed_components(body.mesh, body.scene)),
         is_free_(free_components(body.mesh, prescribed_)),
         far_(lost * body_size(body.mesh.nodes())) {
@@ -128,7 +129,7 @@ class March {
   }
 
  private:
-  [[nodiscard]] double fraction() const { return load_fraction(load_, now_.time); }
+  [[nodiscard]] double fraction() const { return load_fraction(path_, now_.time); }
 
   /// Whether one of so many equal parts of a piece of the path ended in the step just
   /// made.
@@ -139,7 +140,7 @@ class March {
     return passed(now_.time) > passed(now_.time - now_.last_dt);
   }
   [[nodiscard]] bool is_time_of_sample() const {
-    return now_.steps_left == 0 || ended_part_of(load_, observers_.samples);
+    return now_.steps_left == 0 || ended_part_of(path_, observers_.samples);
   }
   [[nodiscard]] bool is_time_of_look() const {
     return protocol_.integrator != Integrator::implicit_euler &&
@@ -214,7 +215,7 @@ class March {
         .strain_energy = body_.forces.strain_energy(state.displacements)};
     std::vector<Vector3> forces = body_.forces.internal(state);
     for (std::size_t n = 0; n < forces.size(); ++n)
-      forces[n] += moment.load_fraction * body_.load[n];
+      forces[n] += moment.load_fraction * load_[n];
     for (const auto& [node, i, plate] : prescribed_)
       moment.reactions[node][i] = -forces[node][i];
     for (std::size_t n = 0; n < forces.size(); ++n) {
@@ -242,7 +243,8 @@ class March {
   Motion& motion_;
   const Protocol& protocol_;
   const Observers& observers_;
-  LoadPath load_, turns_;
+  LoadPath path_, turns_;
+  std::vector<Vector3> load_;  // [N] at the full load
   std::vector<PrescribedComponent> prescribed_;
   std::vector<bool> is_free_;
   double far_;
@@ -252,8 +254,7 @@ class March {
 }  // namespace
 
 Solution march(const MarchedBody& body, Motion& motion, const Protocol& protocol,
-               const Observers& observers) {
-  const Stopwatch stopwatch;
+               const Observers& observers, const Stopwatch& setup) {
   StableStep at_rest{.limit = 0};
   if (!observers.from) {
     at_rest = body.stable_step(std::nullopt, nullptr);
@@ -269,7 +270,7 @@ Solution march(const MarchedBody& body, Motion& motion, const Protocol& protocol
       return solution;
     }
   }
-  const double setup_wall_s = stopwatch.seconds();
+  const double setup_wall_s = setup.seconds();
   Solution solution = March(body, motion, protocol, observers, at_rest).run();
   solution.setup_wall_s = setup_wall_s;
   return solution;

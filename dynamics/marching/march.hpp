@@ -9,6 +9,7 @@
 #include "dynamics/marching/load_path.hpp"
 #include "dynamics/marching/stable_step.hpp"
 #include "dynamics/motion.hpp"
+#include "meshing/stopwatch.hpp"
 
 namespace springcheck::dynamics {
 
@@ -75,12 +76,11 @@ struct PlainForces {
   std::function<double(std::span<const Vector3> displacements)> strain_energy;  // [J]
 };
 
-/// What march needs of the body. Lists hold one entry per node.
+/// What march needs of the body, which bears the scene's loads (load_forces).
 struct MarchedBody {
   const Mesh& mesh;
   const Scene& scene;
-  std::span<const double> masses;  // [kg]
-  std::span<const Vector3> load;   // [N] at the full load
+  std::span<const double> masses;  // [kg] of each node
   PlainForces forces;
   // Largest stable step in a state, at rest where there is none, from what was found
   // near; see largest_stable_step. Leaves the motion in that state:
@@ -105,8 +105,8 @@ struct MarchedBody {
 /// positions are no longer finite or a hundred body sizes away; and where a step that was
 /// found above the limit has made a motion that turns round in every step the larger part
 /// of the kinetic energy (see alternation): of large amplitude it is held by what is not
-/// linear, and need not leave all bounds.
+/// linear, and need not leave all bounds. The solution's set-up began with `setup`.
 Solution march(const MarchedBody& body, Motion& motion, const Protocol& protocol,
-               const Observers& observers);
+               const Observers& observers, const Stopwatch& setup = {});
 
 }  // namespace springcheck::dynamics

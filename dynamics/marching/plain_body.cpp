@@ -15,12 +15,12 @@ SmallMotions small_motions(const PlainBody& body) {
 }  // namespace
 
 Solution march(const PlainBody& body, Motion& motion, Precision precision,
-               const Protocol& protocol, const Observers& observers) {
+               const Protocol& protocol, const Observers& observers,
+               const Stopwatch& setup) {
   const SmallMotions small = small_motions(body);
   return march({.mesh = body.mesh,
                 .scene = body.scene,
                 .masses = body.masses,
-                .load = body.load,
                 .forces = body.forces,
                 .stable_step =
                     [&](const std::optional<State>& state, const StableStep* near) {
@@ -33,7 +33,7 @@ Solution march(const PlainBody& body, Motion& motion, Precision precision,
                     body.damping_ratio),
                 .undamped = body.undamped,
                 .lever_arms = body.lever_arms},
-               motion, protocol, observers);
+               motion, protocol, observers, setup);
 }
 
 double largest_stable_step(const PlainBody& body, Integrator integrator) {

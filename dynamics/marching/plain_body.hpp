@@ -5,13 +5,11 @@
 
 namespace springcheck::dynamics {
 
-/// A body with its forces by plain loops, whatever moves it. Lists hold one entry per
-/// node.
+/// A body with its forces by plain loops, whatever moves it, under the scene's loads.
 struct PlainBody {
   const Mesh& mesh;
   const Scene& scene;
-  std::span<const double> masses;  // [kg]
-  std::span<const Vector3> load;   // [N] at the full load
+  std::span<const double> masses;  // [kg] of each node
   PlainForces forces;
   double damping_ratio;  // 0: without dashpots
   std::string undamped;  // what leaves motions undamped; MarchedBody
@@ -21,7 +19,8 @@ struct PlainBody {
 /// Marches the body by a motion of that precision, by whose own forces stable steps are
 /// found, about rest and in the states on the way; see march of a MarchedBody.
 Solution march(const PlainBody& body, Motion& motion, Precision precision,
-               const Protocol& protocol, const Observers& observers);
+               const Protocol& protocol, const Observers& observers,
+               const Stopwatch& setup);
 
 /// Largest stable step about rest, by the plain loops.
 double largest_stable_step(const PlainBody& body, Integrator integrator);

@@ -1,12 +1,10 @@
 #include "fem_reference/explicit/explicit_dynamics.hpp"
 
-#include "dynamics/blocks/explicit_motion.hpp"
+#include "dynamics/blocks/mesh_motion.hpp"
 #include "dynamics/marching/plain_body.hpp"
 #include "fem_reference/explicit/explicit_kernel.hpp"
 #include "fem_reference/explicit/plain_forces.hpp"
 #include "fem_reference/motion/drag.hpp"
-#include "meshing/stopwatch.hpp"
-#include "meshing/traction.hpp"
 
 namespace springcheck::fem_reference {
 namespace {
@@ -23,32 +21,23 @@ std::unique_ptr<dynamics::Motion> motion_in(const Mesh& mesh, const Scene& scene
   auto forces =
       explicit_kernel<Real>(mesh, scene.material, settings.element, blocks,
                             drag_rate(mesh, scene.material, settings.damping_ratio), set);
-  const std::vector<double> masses = lumped_masses(mesh, scene.material.density);
-  const std::vector<Vector3> load = load_forces(mesh, scene, masses);
-  return dynamics::explicit_motion<Real>(
-      {.rest = mesh.nodes(),
-       .masses = masses,
-       .load = load,
-       .supports = dynamics::supports(scene, prescribed_components(mesh, scene)),
-       .blocks = std::move(blocks),
-       .forces = std::move(forces)},
-      {.integrator = settings.protocol.integrator,
-       .instruction_set = set,
-       .threads = settings.threads});
+  return dynamics::mesh_motion(mesh, scene, lumped_masses(mesh, scene.material.density),
+                               std::move(blocks), std::move(forces),
+                               {.integrator = settings.protocol.integrator,
+                                .instruction_set = set,
+                                .threads = settings.threads});
 }
 
 /// The body by plain loops. Refers to all that it is made of.
 dynamics::PlainBody plain_body(const Mesh& mesh, const Scene& scene,
                                const ExplicitSettings& settings,
-                               std::span<const double> masses,
-                               std::span<const Vector3> load) {
+                               std::span<const double> masses) {
   const LameConstants lame = lame_constants(scene.material);
   const double rate = drag_rate(mesh, scene.material, settings.damping_ratio);
   return {
       .mesh = mesh,
       .scene = scene,
       .masses = masses,
-      .load = load,
       .forces = {.internal =
                      [&mesh, &settings, lame, rate, masses](const State& state) {
                        return with_drag(plain_forces(mesh, lame, settings.element,
@@ -87,7 +76,7 @@ std::unique_ptr<dynamics::Motion> motion_of(const Mesh& mesh, const Scene& scene
 double largest_stable_step(const Mesh& mesh, const Scene& scene,
                            const ExplicitSettings& settings) {
   const std::vector<double> masses = lumped_masses(mesh, scene.material.density);
-  return dynamics::largest_stable_step(plain_body(mesh, scene, settings, masses, {}),
+  return dynamics::largest_stable_step(plain_body(mesh, scene, settings, masses),
                                        settings.protocol.integrator);
 }
 
@@ -95,16 +84,11 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene,
                       const ExplicitSettings& settings,
                       const dynamics::Observers& observers) {
   if (const auto reason = reason_to_refuse(mesh, settings)) return refused(*reason);
-  const Stopwatch stopwatch;
+  const Stopwatch setup;
   const auto motion = motion_of(mesh, scene, settings);
-  const double motion_wall_s = stopwatch.seconds();
   const std::vector<double> masses = lumped_masses(mesh, scene.material.density);
-  const std::vector<Vector3> load = load_forces(mesh, scene, masses);
-  Solution solution =
-      dynamics::march(plain_body(mesh, scene, settings, masses, load), *motion,
-                      settings.precision, settings.protocol, observers);
-  solution.setup_wall_s += motion_wall_s;
-  return solution;
+  return dynamics::march(plain_body(mesh, scene, settings, masses), *motion,
+                         settings.precision, settings.protocol, observers, setup);
 }
 
 }  // namespace springcheck::fem_reference

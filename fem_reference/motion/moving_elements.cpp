@@ -2,15 +2,13 @@
 
 #include <tbb/task_arena.h>
 
-#include "dynamics/blocks/plain_motion.hpp"
+#include "dynamics/blocks/mesh_motion.hpp"
 #include "dynamics/marching/plain_body.hpp"
 #include "fem_reference/cells/discretisation.hpp"
 #include "fem_reference/motion/drag.hpp"
 #include "fem_reference/statics/coverage.hpp"
 #include "fem_reference/statics/elements_body.hpp"
 #include "fem_reference/statics/loads.hpp"
-#include "meshing/stopwatch.hpp"
-#include "meshing/traction.hpp"
 #include "statics/systems/nodal_vectors.hpp"
 
 namespace springcheck::fem_reference {
@@ -41,7 +39,6 @@ class MovingElements {
         elements_(body_, {.constitution = constitution(scene.material, settings.elements),
                           .dilatation = dilatation_taken(settings.elements)}),
         masses_(lumped_masses_of(body_, scene.material.density)),
-        load_(load_forces(mesh, scene, masses_)),
         arena_(settings.threads) {}
   MovingElements(const MovingElements&) = delete;
   MovingElements& operator=(const MovingElements&) = delete;
@@ -57,7 +54,6 @@ class MovingElements {
         .mesh = mesh_,
         .scene = scene_,
         .masses = masses_,
-        .load = load_,
         .forces = {
             .internal = [this](const State& state) { return forces(state); },
             .strain_energy =
@@ -77,7 +73,6 @@ class MovingElements {
   Discretisation body_;
   ElementsBody elements_;
   std::vector<double> masses_;
-  std::vector<Vector3> load_;
   tbb::task_arena arena_;
 };
 
@@ -86,7 +81,7 @@ std::unique_ptr<dynamics::Motion> motion_by(
     const MotionSettings& settings, dynamics::InstructionSet set) {
   const dynamics::PlainBody body = elements->plain_body();
   return dynamics::plain_motion(
-      mesh, scene, body.masses, body.load,
+      mesh, scene, body.masses,
       [elements](const State& state) { return elements->forces(state); },
       settings.protocol.integrator, set);
 }
@@ -115,16 +110,13 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene,
                       const dynamics::Observers& observers) {
   if (const auto reason = reason_to_refuse(mesh, scene, settings))
     return refused(*reason);
-  const Stopwatch stopwatch;
+  const Stopwatch setup;
   const auto elements = std::make_shared<MovingElements>(mesh, scene, settings);
   const auto motion =
       motion_by(elements, mesh, scene, settings, dynamics::best_instruction_set());
-  const double setup_wall_s = stopwatch.seconds();
-  Solution solution = dynamics::march(elements->plain_body(), *motion,
-                                      dynamics::Precision::double_precision,
-                                      settings.protocol, observers);
-  solution.setup_wall_s += setup_wall_s;
-  return solution;
+  return dynamics::march(elements->plain_body(), *motion,
+                         dynamics::Precision::double_precision, settings.protocol,
+                         observers, setup);
 }
 
 double largest_stable_step(const Mesh& mesh, const Scene& scene,

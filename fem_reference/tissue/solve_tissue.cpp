@@ -4,11 +4,8 @@
 
 #include "fem_reference/laws/settings.hpp"
 #include "fem_reference/statics/loads.hpp"
-#include "fem_reference/statics/supports.hpp"
 #include "fem_reference/tissue/tissue_cell.hpp"
-#include "meshing/stopwatch.hpp"
 #include "statics/systems/nodal_vectors.hpp"
-#include "statics/systems/system.hpp"
 
 namespace springcheck::fem_reference {
 namespace {
@@ -18,11 +15,7 @@ using Eigen::Index;
 class RememberingElements final : public dynamics::RememberingBody {
  public:
   RememberingElements(const Mesh& mesh, const Scene& scene, const tissue::Solid& solid)
-      : rest_(mesh.nodes()),
-        solid_(solid),
-        body_(discretise(mesh, Element::q1_sri)),
-        system_(body_.nodes, patches(body_), Supports(mesh, scene, body_).is_free(),
-                statics::LinearSolver::direct) {
+      : rest_(mesh.nodes()), solid_(solid), body_(discretise(mesh, Element::q1_sri)) {
     const Vector3 weight = scene.material.density * scene.gravity;
     load_ = body_load(body_, [&](const Vector3&) { return weight; });
     for (const Traction& traction : scene.tractions)
@@ -41,8 +34,12 @@ class RememberingElements final : public dynamics::RememberingBody {
     return statics::by_node(load_);
   }
 
-  [[nodiscard]] std::vector<Vector3> forces_after(
-      double dt, std::span<const Vector3> positions) override {
+  [[nodiscard]] statics::Patches patches() const override {
+    return fem_reference::patches(body_);
+  }
+
+  [[nodiscard]] Forces forces_after(double dt,
+                                    std::span<const Vector3> positions) override {
     const Eigen::VectorXd u = displacements(positions);
     const tissue::MemoryStep& step = step_of(dt);
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(u.size());
@@ -57,31 +54,19 @@ class RememberingElements final : public dynamics::RememberingBody {
             of.forces.col(static_cast<Index>(a));
       squares += of.strand_square;
     }
-    force_scale_ = std::sqrt(squares);
-    return statics::by_node(forces);
+    return {.on_nodes = statics::by_node(forces), .scale = std::sqrt(squares)};
   }
 
-  [[nodiscard]] double force_scale() const override { return force_scale_; }
-
-  bool linearise(double dt, std::span<const Vector3> positions) override {
+  void assemble_tangent(double dt, std::span<const Vector3> positions,
+                        statics::BlockMatrix& sum) override {
     const Eigen::VectorXd u = displacements(positions);
     const tissue::MemoryStep& step = step_of(dt);
-    system_.matrix().assemble([&](std::size_t c) {
+    sum.assemble([&](std::size_t c) {
       const Cell& cell = body_.cells[c];
       return tangent_after(
           {.solid = solid_, .step = step, .shape = *cell.shape, .states = states(c)},
           of_cell(u, cell));
     });
-    return prepare_shifted(system_);
-  }
-
-  [[nodiscard]] std::vector<Vector3> stiffness_times(
-      std::span<const Vector3> moves) const override {
-    return product(system_.matrix(), moves);
-  }
-
-  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& forces) override {
-    return system_.solve(forces, 0).value();
   }
 
   void advance(double dt, std::span<const Vector3> positions) override {
@@ -111,10 +96,6 @@ class RememberingElements final : public dynamics::RememberingBody {
     return largest;
   }
 
-  [[nodiscard]] int factorisations() const override {
-    return system_.factorisations().value();
-  }
-
  private:
   [[nodiscard]] std::span<const double> states(std::size_t cell) const {
     return std::span(states_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
@@ -132,26 +113,19 @@ class RememberingElements final : public dynamics::RememberingBody {
   std::vector<Vector3> rest_;
   tissue::Solid solid_;
   Discretisation body_;
-  statics::System system_;
   Eigen::VectorXd load_;            // [N] at the full load
   std::vector<double> states_;      // of all Gauss points, cell by cell
   std::vector<std::size_t> first_;  // of each cell, and the end
   tissue::MemoryStep step_{.duration = 0};
-  double force_scale_ = 0;
 };
 
 }  // namespace
 
 Solution solve_tissue(const Mesh& mesh, const Scene& scene, const tissue::Solid& solid,
                       const dynamics::QuasiStaticSettings& settings,
-                      const dynamics::Observers& observers) {
-  const Stopwatch stopwatch;
+                      const dynamics::Observers& observers, const Stopwatch& setup) {
   RememberingElements elements(mesh, scene, solid);
-  const double setup_wall_s = stopwatch.seconds();
-  Solution solution =
-      dynamics::find_quasi_static(mesh, scene, elements, settings, observers);
-  solution.setup_wall_s += setup_wall_s;
-  return solution;
+  return dynamics::find_quasi_static(mesh, scene, elements, settings, observers, setup);
 }
 
 }  // namespace springcheck::fem_reference

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/marching/quasi_static.hpp"
+#include "dynamics/quasi_static/quasi_static.hpp"
 #include "tissue/solid.hpp"
 
 namespace springcheck::fem_reference {
@@ -11,6 +11,7 @@ namespace springcheck::fem_reference {
 /// Linear systems by a Cholesky factor, the tangent shifted where there is none.
 Solution solve_tissue(const Mesh& mesh, const Scene& scene, const tissue::Solid& solid,
                       const dynamics::QuasiStaticSettings& settings,
-                      const dynamics::Observers& observers = {});
+                      const dynamics::Observers& observers = {},
+                      const Stopwatch& setup = {});
 
 }  // namespace springcheck::fem_reference

@@ -4,11 +4,8 @@
 
 #include <cmath>
 
-#include "dynamics/blocks/explicit_motion.hpp"
-#include "dynamics/blocks/plain_motion.hpp"
+#include "dynamics/blocks/mesh_motion.hpp"
 #include "dynamics/marching/plain_body.hpp"
-#include "meshing/stopwatch.hpp"
-#include "meshing/traction.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/kernels/affine_kernel.hpp"
 #include "mss/kernels/lattice_kernel.hpp"
@@ -65,17 +62,11 @@ std::unique_ptr<dynamics::Motion> by_kernel(const Mesh& mesh, const Scene& scene
   auto forces = takes_affine_kernel(network)
                     ? affine_kernel<Real>(network, blocks, settings.damping_ratio, set)
                     : lattice_kernel<Real>(network, blocks, settings.damping_ratio, set);
-  const std::vector<Vector3> load = load_forces(mesh, scene, network.masses);
-  return dynamics::explicit_motion<Real>(
-      {.rest = network.rest_positions,
-       .masses = network.masses,
-       .load = load,
-       .supports = dynamics::supports(scene, prescribed_components(mesh, scene)),
-       .blocks = std::move(blocks),
-       .forces = std::move(forces)},
-      {.integrator = settings.protocol.integrator,
-       .instruction_set = set,
-       .threads = settings.threads});
+  return dynamics::mesh_motion(mesh, scene, network.masses, std::move(blocks),
+                               std::move(forces),
+                               {.integrator = settings.protocol.integrator,
+                                .instruction_set = set,
+                                .threads = settings.threads});
 }
 
 /// Why explicit Euler may find a motion that swings undamped.
@@ -84,8 +75,7 @@ std::string what_is_undamped(const Network& network, double damping_ratio) {
     return "without dashpots (--damping) every motion is undamped";
   if (network.spring_modulus != 0)
     return "virtual springs have their dashpots along the cells' edges, which leave "
-           "their "
-           "shear undamped";
+           "their shear undamped";
   return "a motion that stretches no dashpot is undamped";
 }
 
@@ -98,8 +88,8 @@ std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Network& net
     return "implicit Euler's equations are solved in double precision";
   if (!blocks_for_kernel(mesh, network))
     return "single precision is for hexahedra with springs by engineering strain "
-           "(virtual "
-           "ones along 6 axes) or by Green's";
+           "(virtual ones "
+           "along 6 axes) or by Green's";
   return std::nullopt;
 }
 
@@ -115,8 +105,7 @@ std::unique_ptr<dynamics::Motion> motion_of(const Mesh& mesh, const Scene& scene
     return by_kernel<float>(mesh, scene, network, settings, std::move(*blocks), set);
   if (blocks)
     return by_kernel<double>(mesh, scene, network, settings, std::move(*blocks), set);
-  const std::vector<Vector3> load = load_forces(mesh, scene, network.masses);
-  return dynamics::plain_motion(mesh, scene, network.masses, load,
+  return dynamics::plain_motion(mesh, scene, network.masses,
                                 plain_forces(network, settings.damping_ratio),
                                 settings.protocol.integrator, set);
 }
@@ -132,18 +121,14 @@ double largest_stable_step(const Network& network, double damping_ratio,
 
 Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& network,
                       const DynamicsSettings& settings,
-                      const dynamics::Observers& observers) {
+                      const dynamics::Observers& observers, const Stopwatch& setup) {
   if (const auto reason = reason_to_refuse(mesh, network, settings))
     return refused(*reason);
-  const Stopwatch stopwatch;
   const auto motion = motion_of(mesh, scene, network, settings);
-  const double motion_wall_s = stopwatch.seconds();
-  const std::vector<Vector3> load = load_forces(mesh, scene, network.masses);
-  Solution solution = dynamics::march(
+  return dynamics::march(
       {.mesh = mesh,
        .scene = scene,
        .masses = network.masses,
-       .load = load,
        .forces = {.internal = plain_forces(network, settings.damping_ratio),
                   .strain_energy =
                       [&](std::span<const Vector3> displacements) {
@@ -152,9 +137,7 @@ Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& netwo
                       }},
        .damping_ratio = settings.damping_ratio,
        .undamped = what_is_undamped(network, settings.damping_ratio)},
-      *motion, settings.precision, settings.protocol, observers);
-  solution.setup_wall_s += motion_wall_s;
-  return solution;
+      *motion, settings.precision, settings.protocol, observers, setup);
 }
 
 }  // namespace springcheck::mss

@@ -38,7 +38,8 @@ std::unique_ptr<dynamics::Motion> motion_of(
 /// correction, dashpots, gravity and tractions; see dynamics::march.
 Solution run_dynamics(const Mesh& mesh, const Scene& scene, const Network& network,
                       const DynamicsSettings& settings,
-                      const dynamics::Observers& observers = {});
+                      const dynamics::Observers& observers = {},
+                      const Stopwatch& setup = {});
 
 /// dynamics::largest_stable_step of the network in a state, by plain loops. is_free: one
 /// entry per component, 3 node + component.

@@ -6,14 +6,14 @@
 namespace springcheck::mss {
 
 Solution find_equilibrium(const Mesh& mesh, const Scene& scene, const Network& network,
-                          const statics::Search& search) {
+                          const statics::Search& search, const Stopwatch& setup) {
   NetworkBody body(network);
   const statics::Loading drive = loading(mesh, scene, network);
   return statics::solution_of(
       search.to_limit
           ? statics::last_stable_equilibrium(body, drive, {mesh.cells(), mesh.cells()},
-                                             search.linear_solver)
-          : statics::find_equilibrium(body, drive, search));
+                                             search.linear_solver, setup)
+          : statics::find_equilibrium(body, drive, search, setup));
 }
 
 }  // namespace springcheck::mss

@@ -2,36 +2,30 @@
 
 #include <cmath>
 
-#include "meshing/stopwatch.hpp"
 #include "meshing/traction.hpp"
-#include "statics/systems/system.hpp"
 
 namespace springcheck::mss {
 namespace {
-
-using Eigen::Index;
-
-statics::Patches patches_of(const TissueBody& body) {
-  statics::Patches patches;
-  for (const CellNodes& cell : body.cells) patches.emplace_back(cell.begin(), cell.end());
-  return patches;
-}
 
 class RememberingTissue final : public dynamics::RememberingBody {
  public:
   RememberingTissue(const Mesh& mesh, const Scene& scene, const TissueBody& body)
       : body_(body),
         load_(load_forces(mesh, scene, body.masses)),
-        system_(body.rest_positions, patches_of(body),
-                free_components(mesh, prescribed_components(mesh, scene)),
-                statics::LinearSolver::direct),
         memories_(memories_at_rest(body)),
         stresses_(body.cells.size()) {}
 
   [[nodiscard]] std::vector<Vector3> load() const override { return load_; }
 
-  [[nodiscard]] std::vector<Vector3> forces_after(
-      double dt, std::span<const Vector3> positions) override {
+  [[nodiscard]] statics::Patches patches() const override {
+    statics::Patches patches;
+    for (const CellNodes& cell : body_.cells)
+      patches.emplace_back(cell.begin(), cell.end());
+    return patches;
+  }
+
+  [[nodiscard]] Forces forces_after(double dt,
+                                    std::span<const Vector3> positions) override {
     stresses_after(body_, step_of(dt), memories_, positions, stresses_);
     std::vector<Vector3> forces(positions.size());
     nodal_forces(body_, stresses_, positions, forces);
@@ -40,16 +34,14 @@ class RememberingTissue final : public dynamics::RememberingBody {
       squares += tissue_forces(body_.shape(c), positions_of(body_, c, positions),
                                {stresses_[c].strands, 0})
                      .squaredNorm();
-    force_scale_ = std::sqrt(squares);
-    return forces;
+    return {.on_nodes = std::move(forces), .scale = std::sqrt(squares)};
   }
 
-  [[nodiscard]] double force_scale() const override { return force_scale_; }
-
-  bool linearise(double dt, std::span<const Vector3> positions) override {
+  void assemble_tangent(double dt, std::span<const Vector3> positions,
+                        statics::BlockMatrix& sum) override {
     const tissue::MemoryStep& step = step_of(dt);
     const std::size_t size = tissue::state_size(body_.solid.shear.branches.size());
-    system_.matrix().assemble([&](std::size_t c) -> Eigen::MatrixXd {
+    sum.assemble([&](std::size_t c) -> Eigen::MatrixXd {
       const CornerPositions at = positions_of(body_, c, positions);
       const tissue::PointTangent tangent = tissue::tangent_after(
           body_.solid, step, std::span(memories_).subspan(c * size, size),
@@ -58,16 +50,6 @@ class RememberingTissue final : public dynamics::RememberingBody {
           tissue_stiffness(body_.shape(c), at, stresses_[c], tangent);
       return (K + K.transpose()) / 2;
     });
-    return prepare_shifted(system_);
-  }
-
-  [[nodiscard]] std::vector<Vector3> stiffness_times(
-      std::span<const Vector3> displacements) const override {
-    return product(system_.matrix(), displacements);
-  }
-
-  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& forces) override {
-    return system_.solve(forces, 0).value();
   }
 
   void advance(double dt, std::span<const Vector3> positions) override {
@@ -83,10 +65,6 @@ class RememberingTissue final : public dynamics::RememberingBody {
     return mss::largest_shear_strain(body_, positions);
   }
 
-  [[nodiscard]] int factorisations() const override {
-    return system_.factorisations().value();
-  }
-
  private:
   const tissue::MemoryStep& step_of(double dt) {
     if (step_.duration != dt) step_ = tissue::memory_step(body_.solid, dt);
@@ -95,25 +73,18 @@ class RememberingTissue final : public dynamics::RememberingBody {
 
   const TissueBody& body_;
   std::vector<Vector3> load_;  // [N] at the full load
-  statics::System system_;
   std::vector<double> memories_;
   std::vector<tissue::PointStress> stresses_;
   tissue::MemoryStep step_{.duration = 0};
-  double force_scale_ = 0;
 };
 
 }  // namespace
 
 Solution find_quasi_static(const Mesh& mesh, const Scene& scene, const TissueBody& body,
                            const dynamics::QuasiStaticSettings& settings,
-                           const dynamics::Observers& observers) {
-  const Stopwatch stopwatch;
+                           const dynamics::Observers& observers, const Stopwatch& setup) {
   RememberingTissue tissue(mesh, scene, body);
-  const double setup_wall_s = stopwatch.seconds();
-  Solution solution =
-      dynamics::find_quasi_static(mesh, scene, tissue, settings, observers);
-  solution.setup_wall_s += setup_wall_s;
-  return solution;
+  return dynamics::find_quasi_static(mesh, scene, tissue, settings, observers, setup);
 }
 
 }  // namespace springcheck::mss

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/marching/quasi_static.hpp"
+#include "dynamics/quasi_static/quasi_static.hpp"
 #include "mss/tissue/tissue_body.hpp"
 
 namespace springcheck::mss {
@@ -11,6 +11,7 @@ namespace springcheck::mss {
 /// the volume forces balance at rest.
 Solution find_quasi_static(const Mesh& mesh, const Scene& scene, const TissueBody& body,
                            const dynamics::QuasiStaticSettings& settings,
-                           const dynamics::Observers& observers = {});
+                           const dynamics::Observers& observers = {},
+                           const Stopwatch& setup = {});
 
 }  // namespace springcheck::mss

@@ -17,6 +17,7 @@ struct TissueSettings {
 /// read. A failed simulation is a Solution with the status that says so.
 Solution solve_tissue(const Mesh& mesh, const Scene& scene,
                       const TissueSettings& settings,
-                      const dynamics::Observers& observers = {});
+                      const dynamics::Observers& observers = {},
+                      const Stopwatch& setup = {});
 
 }  // namespace springcheck::mss

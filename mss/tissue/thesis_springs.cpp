@@ -7,7 +7,6 @@
 #include "meshing/traction.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/forces/tangent.hpp"
-#include "statics/systems/system.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -30,15 +29,17 @@ class ThesisSprings final : public dynamics::RememberingBody {
       : network_(std::move(network)),
         volumes_(without_springs(network_)),
         spring_(spring),
-        load_(load_forces(mesh, scene, network_.masses)),
-        system_(volumes_.rest_positions, patches(volumes_),
-                free_components(mesh, prescribed_components(mesh, scene)),
-                statics::LinearSolver::direct) {}
+        load_(load_forces(mesh, scene, network_.masses)) {}
 
   [[nodiscard]] std::vector<Vector3> load() const override { return load_; }
 
-  [[nodiscard]] std::vector<Vector3> forces_after(
-      double, std::span<const Vector3> positions) override {
+  [[nodiscard]] statics::Patches patches() const override {
+    return mss::patches(volumes_);
+  }
+
+  /// Measured by the largest tensions in an equilibrium so far: they all vanish where the
+  /// body comes back to rest.
+  [[nodiscard]] Forces forces_after(double, std::span<const Vector3> positions) override {
     std::vector<Vector3> forces(positions.size());
     nodal_forces(volumes_, positions, forces);
     double squares = 0;
@@ -51,37 +52,22 @@ class ThesisSprings final : public dynamics::RememberingBody {
       forces[spring.a] += pull / length * d;
       forces[spring.b] -= pull / length * d;
     }
-    forces_norm_ = std::sqrt(squares);
-    return forces;
+    tensions_ = std::sqrt(squares);
+    return {.on_nodes = std::move(forces), .scale = std::max(largest_, tensions_)};
   }
 
-  /// Of the largest tensions in an equilibrium so far: they all vanish where the body
-  /// comes back to rest.
-  [[nodiscard]] double force_scale() const override {
-    return std::max(largest_norm_, forces_norm_);
-  }
-
-  bool linearise(double, std::span<const Vector3> positions) override {
+  void assemble_tangent(double, std::span<const Vector3> positions,
+                        statics::BlockMatrix& sum) override {
     const Tangent tangent = tangent_at(volumes_, positions);
-    system_.matrix().assemble([&](std::size_t cell) {
+    sum.assemble([&](std::size_t cell) {
       Eigen::MatrixXd matrix = part(tangent, cell);
       add_springs(cell, positions, matrix);
       return matrix;
     });
-    return prepare_shifted(system_);
-  }
-
-  [[nodiscard]] std::vector<Vector3> stiffness_times(
-      std::span<const Vector3> displacements) const override {
-    return product(system_.matrix(), displacements);
-  }
-
-  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& forces) override {
-    return system_.solve(forces, 0).value();
   }
 
   void advance(double, std::span<const Vector3>) override {
-    largest_norm_ = force_scale();
+    largest_ = std::max(largest_, tensions_);
   }
 
   [[nodiscard]] double free_energy(std::span<const Vector3> positions) const override {
@@ -107,10 +93,6 @@ class ThesisSprings final : public dynamics::RememberingBody {
     return std::sqrt(std::max(largest, 0.));
   }
 
-  [[nodiscard]] int factorisations() const override {
-    return system_.factorisations().value();
-  }
-
  private:
   /// T' n n^T + T/|d| (I - n n^T) of a cell's springs.
   void add_springs(std::size_t cell, std::span<const Vector3> positions,
@@ -131,9 +113,8 @@ class ThesisSprings final : public dynamics::RememberingBody {
 
   Network network_, volumes_;
   tissue::ThesisSpring spring_;
-  std::vector<Vector3> load_;  // [N] at the full load
-  statics::System system_;
-  double forces_norm_ = 0, largest_norm_ = 0;  // [N] of the tensions
+  std::vector<Vector3> load_;          // [N] at the full load
+  double tensions_ = 0, largest_ = 0;  // [N], their norm, and in equilibria so far
 };
 
 }  // namespace
@@ -146,18 +127,14 @@ Solution move_thesis_springs(const Mesh& mesh, const Scene& scene,
   material.young_modulus = spring.law.consistency;
   if (const auto reason = reason_to_refuse(mesh, material, Method::cf))
     return refused(*reason);
-  const Stopwatch stopwatch;
+  const Stopwatch setup;
   ThesisSprings springs(mesh, scene,
                         build_network(mesh, material,
                                       {.method = Method::cf,
                                        .stiffness_form = StiffnessForm::shear_modulus,
                                        .diagonal_ratio = 1}),
                         spring);
-  const double setup_wall_s = stopwatch.seconds();
-  Solution solution =
-      dynamics::find_quasi_static(mesh, scene, springs, settings, observers);
-  solution.setup_wall_s += setup_wall_s;
-  return solution;
+  return dynamics::find_quasi_static(mesh, scene, springs, settings, observers, setup);
 }
 
 }  // namespace springcheck::mss

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/marching/quasi_static.hpp"
+#include "dynamics/quasi_static/quasi_static.hpp"
 #include "mss/networks/network.hpp"
 #include "tissue/thesis_spring.hpp"
 

@@ -7,8 +7,6 @@
 
 #include "dynamics/marching/small_motions.hpp"
 #include "dynamics/marching/stable_step.hpp"
-#include "meshing/stopwatch.hpp"
-#include "meshing/traction.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -35,14 +33,12 @@ std::optional<std::string> reason_to_refuse_tissue(const dynamics::Protocol& pro
 
 Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueBody& body,
                              const dynamics::Protocol& protocol, int threads,
-                             const dynamics::Observers& observers) {
+                             const dynamics::Observers& observers,
+                             const Stopwatch& setup) {
   if (const auto reason = reason_to_refuse_tissue(protocol, observers))
     return refused(*reason);
-  const Stopwatch stopwatch;
-  const Vectors load = load_forces(mesh, scene, body.masses);
-  TissueMotion motion(mesh, scene, body, load,
+  TissueMotion motion(mesh, scene, body,
                       {.integrator = protocol.integrator, .threads = threads});
-  const double motion_wall_s = stopwatch.seconds();
   const double edge =
       std::cbrt(std::ranges::min_element(body.shapes, {}, &TissueShape::volume)->volume);
   const dynamics::SmallMotions small = dynamics::about_rest(
@@ -58,7 +54,6 @@ Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueB
       {.mesh = mesh,
        .scene = scene,
        .masses = body.masses,
-       .load = load,
        // March asks for both in the state of the motion alone, and goes on from there:
        // the look restores that very state.
        .forces = {.internal = [&](const State& state) { return motion.forces_at(state); },
@@ -80,9 +75,8 @@ Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueB
            "cells of {:.3g} m",
            body.solid.bulk_ratio * tissue::instantaneous_modulus(body.solid.shear), edge),
        .undamped = "without a viscosity the elastic branch swings undamped"},
-      motion, protocol, observers);
+      motion, protocol, observers, setup);
   if (solution.status == SolveStatus::refused) return solution;
-  solution.setup_wall_s += motion_wall_s;
   look_at_strain();
   solution.largest_shear_strain = largest_strain;
   return solution;

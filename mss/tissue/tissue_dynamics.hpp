@@ -16,6 +16,7 @@ std::optional<std::string> reason_to_refuse_tissue(const dynamics::Protocol& pro
 /// march looks at that limit, the ends of the load's pieces among them.
 Solution run_tissue_dynamics(const Mesh& mesh, const Scene& scene, const TissueBody& body,
                              const dynamics::Protocol& protocol, int threads = 1,
-                             const dynamics::Observers& observers = {});
+                             const dynamics::Observers& observers = {},
+                             const Stopwatch& setup = {});
 
 }  // namespace springcheck::mss

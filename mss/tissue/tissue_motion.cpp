@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "dynamics/blocks/explicit_motion.hpp"
+#include "dynamics/blocks/mesh_motion.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -20,22 +20,17 @@ std::optional<std::vector<Block>> blocks_for_kernel(const Mesh& mesh) {
 }  // namespace
 
 TissueMotion::TissueMotion(const Mesh& mesh, const Scene& scene, const TissueBody& body,
-                           std::span<const Vector3> load,
                            const TissueMotionSettings& settings,
                            dynamics::InstructionSet set)
     : mesh_(mesh), body_(body) {
   auto blocks = settings.kernel == Kernel::fast ? blocks_for_kernel(mesh) : std::nullopt;
   forces_ = blocks ? tissue_kernel(body, *blocks, set) : plain_tissue_forces(body);
-  motion_ = dynamics::explicit_motion<double>(
-      {.rest = body.rest_positions,
-       .masses = body.masses,
-       .load = load,
-       .supports = dynamics::supports(scene, prescribed_components(mesh, scene)),
-       .blocks = blocks ? std::move(*blocks) : std::vector{dynamics::whole_mesh(mesh)},
-       .forces = forces_.forces},
-      {.integrator = settings.integrator,
-       .instruction_set = set,
-       .threads = blocks ? settings.threads : 1});
+  const int threads = blocks ? settings.threads : 1;
+  motion_ = dynamics::mesh_motion(
+      mesh, scene, body.masses,
+      blocks ? std::move(*blocks) : std::vector{dynamics::whole_mesh(mesh)},
+      forces_.forces,
+      {.integrator = settings.integrator, .instruction_set = set, .threads = threads});
 }
 
 std::vector<double> TissueMotion::memories() const {

@@ -20,9 +20,9 @@ struct TissueMotionSettings {
 /// rate is that of the nodes' velocities.
 class TissueMotion final : public dynamics::Motion {
  public:
-  /// load: one entry per node [N], at the full load. Mesh and body outlive the motion.
+  /// Mesh and body outlive the motion.
   TissueMotion(const Mesh& mesh, const Scene& scene, const TissueBody& body,
-               std::span<const Vector3> load, const TissueMotionSettings& settings,
+               const TissueMotionSettings& settings,
                dynamics::InstructionSet set = dynamics::best_instruction_set());
 
   void advance(const dynamics::StepTo& step) override;

@@ -11,14 +11,13 @@ namespace springcheck {
 /// A run of a shipped scene with settings changed, each "key=value".
 inline RunSettings run_of(const std::string& scene,
                           const std::vector<std::string>& changes) {
-  SceneFile file = read_scene(scene);
+  GivenSettings given;
   for (const std::string& change : changes) {
     const std::size_t equals = change.find('=');
     const std::string key = change.substr(0, equals);
-    file.settings.push_back(
-        {key, Given::from_text("--" + key, change.substr(equals + 1))});
+    given.push_back({key, Given::from_text("--" + key, change.substr(equals + 1))});
   }
-  return make_run_settings(file.name, file.file, file.settings);
+  return read_run(scene, given);
 }
 
 /// Settings of its only method.

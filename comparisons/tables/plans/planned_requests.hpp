@@ -11,7 +11,7 @@ namespace springcheck {
 /// What small deformations are held against on finer and finer cubes. Of a linear law one
 /// factor is all: at nu = .499 9 s on 16 cells across, where multigrid takes 64 and
 /// conjugate gradients more.
-inline const Changes exact_elements{
+inline const GivenSettings exact_elements{
     {"method", "fem-hooke"}, {"element", "q2"}, {"linear-solver", "direct"}};
 
 /// The simulations of a table while it is planned: each is known by its place.
@@ -21,7 +21,7 @@ class PlannedRequests {
     requests_.push_back({.settings = settings});
     return requests_.size() - 1;
   }
-  std::size_t add(const std::string& scene, const Changes& changes) {
+  std::size_t add(const std::string& scene, const GivenSettings& changes) {
     return add(case_of_scene(scene, changes));
   }
 

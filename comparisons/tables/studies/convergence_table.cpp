@@ -17,12 +17,12 @@ const std::array<double, 2> ratios{0.25, 0.45};
 
 /// A method on one type of cells.
 struct Series {
-  Changes method;
+  GivenSettings method;
   std::string cell_type;
 };
 
 std::vector<Series> all_series() {
-  const Changes affine{{"method", "mss-affine"}},
+  const GivenSettings affine{{"method", "mss-affine"}},
       hooke{{"method", "fem-hooke"}, {"element", "q1"}};
   std::vector<Series> all{
       {{{"method", "mss-cf"}}, "hexahedron"},
@@ -31,15 +31,16 @@ std::vector<Series> all_series() {
       {{{"method", "mss-lloyd"}}, "free-tetrahedron"}};
   for (const char* type :
        {"hexahedron", "tetrahedron", "prism", "pyramid", "mixed", "free-tetrahedron"})
-    for (const Changes& method : {affine, hooke}) all.push_back({method, type});
+    for (const GivenSettings& method : {affine, hooke}) all.push_back({method, type});
   return all;
 }
 
-CaseSettings settings_of(double nu, int cells, const Changes& changes) {
-  return case_of_scene("shearing", Changes{{"deformation", 1e-5},
-                                           {"nu", nu},
-                                           {"cells", std::array{cells, cells, cells}}} +
-                                       changes);
+CaseSettings settings_of(double nu, int cells, const GivenSettings& changes) {
+  return case_of_scene(
+      "shearing",
+      GivenSettings{
+          {"deformation", 1e-5}, {"nu", nu}, {"cells", std::array{cells, cells, cells}}} +
+          changes);
 }
 
 struct PlannedSeries {
@@ -119,7 +120,8 @@ TablePlan plan_convergence_table() {
       for (const int cells : divisions)
         requests.push_back(
             {.settings = settings_of(
-                 nu, cells, series.method + Changes{{"cell-type", series.cell_type}}),
+                 nu, cells,
+                 series.method + GivenSettings{{"cell-type", series.cell_type}}),
              .reference = finest});
     }
   }

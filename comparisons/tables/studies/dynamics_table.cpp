@@ -35,11 +35,11 @@ std::vector<std::pair<Printed, PrintedFigure>> figures() {
 
 /// Static, dynamic in SI units, dynamic in raw ones.
 std::vector<CaseSettings> cases_of(const PrintedFigure& figure) {
-  const Changes common{{"method", std::string(thesis_method)},
-                       {"nu", figure.nu},
-                       {"deformation", figure.deformation}};
-  const Changes raw = common + Changes{{"history", 200}};
-  const Changes dynamic = raw + Changes{{"solver", "semi-implicit"}};
+  const GivenSettings common{{"method", std::string(thesis_method)},
+                             {"nu", figure.nu},
+                             {"deformation", figure.deformation}};
+  const GivenSettings raw = common + GivenSettings{{"history", 200}};
+  const GivenSettings dynamic = raw + GivenSettings{{"solver", "semi-implicit"}};
   const std::string scene(name_of(figure.test));
   return {case_of_scene(scene, common), case_of_scene(scene, dynamic),
           case_of_scene(scene + "-thesis-raw", raw)};

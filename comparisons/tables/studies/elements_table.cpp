@@ -18,10 +18,10 @@ namespace {
 /// A deformation test, at a deformation so small that all laws are one, and at 5 %.
 struct LoadCase {
   std::string scene;
-  Change small;
-  Change finite;
+  GivenSetting small;
+  GivenSetting finite;
 };
-const Change tiny{"deformation", 1e-5};
+const GivenSetting tiny{"deformation", 1e-5};
 const std::array<LoadCase, 3> tests{{{"compression", tiny, {"deformation", "5%"}},
                                      {"shearing", tiny, {"deformation", "5%"}},
                                      {"torsion", tiny, {"deformation", "1deg"}}}};
@@ -29,11 +29,11 @@ const std::array<double, 4> ratios{0, 0.25, 0.45, 0.499};
 
 struct MethodRow {
   std::string label;
-  Changes changes;
+  GivenSettings changes;
   std::string law;  // in `laws`; empty: none is known
 };
 
-const std::map<std::string, Changes> laws{
+const std::map<std::string, GivenSettings> laws{
     {"Hooke", {{"method", "fem-hooke"}}},
     {"springs of mss-cf", {{"method", "fem-cauchy-born"}, {"lattice", "mss-cf"}}},
     {"virtual springs", {{"method", "fem-cauchy-born"}, {"lattice", "mss-affine"}}},
@@ -44,15 +44,15 @@ const MethodRow mss_cf{"mss-cf", {{"method", "mss-cf"}}, "springs of mss-cf"};
 const MethodRow mss_affine{"mss-affine", {{"method", "mss-affine"}}, "virtual springs"};
 const MethodRow van_gelder{"mss-vangelder", {{"method", "mss-vangelder"}}, ""};
 const MethodRow lloyd{"mss-lloyd", {{"method", "mss-lloyd"}}, ""};
-const Changes uncorrected{{"correction", "off"}};
+const GivenSettings uncorrected{{"correction", "off"}};
 const MethodRow bare_van_gelder{"mss-vangelder, correction off",
                                 van_gelder.changes + uncorrected, ""};
 const MethodRow bare_lloyd{"mss-lloyd, correction off", lloyd.changes + uncorrected, ""};
 
 MethodRow finite_elements(const std::string& law, const std::string& element) {
-  const Changes& changes = laws.at(law);
+  const GivenSettings& changes = laws.at(law);
   return {fmt::format("{}:{} ({})", changes.front().value.text(), element, law),
-          changes + Changes{{"element", element}}, law};
+          changes + GivenSettings{{"element", element}}, law};
 }
 
 /// Springs on such cells that follow a law of finite elements.
@@ -67,7 +67,7 @@ std::vector<MethodRow> springs_of_laws(CellType cell_type) {
 
 struct MeshRows {
   std::string label;
-  Changes changes;
+  GivenSettings changes;
   std::vector<MethodRow> methods;
 };
 
@@ -111,28 +111,31 @@ struct PlannedElementsRow {
   std::optional<OfTests> same_law{};  // q2 on 5^3 cubes
 };
 
-const Changes five_cells{{"cells", std::array{5, 5, 5}}};
+const GivenSettings five_cells{{"cells", std::array{5, 5, 5}}};
 
-OfTests add_tests(PlannedRequests& requests, const Changes& changes, bool is_small) {
+OfTests add_tests(PlannedRequests& requests, const GivenSettings& changes,
+                  bool is_small) {
   OfTests places{};
   for (std::size_t t = 0; t < tests.size(); ++t)
     places[t] = requests.add(
-        tests[t].scene, changes + Changes{is_small ? tests[t].small : tests[t].finite});
+        tests[t].scene,
+        changes + GivenSettings{is_small ? tests[t].small : tests[t].finite});
   return places;
 }
 
 std::vector<PlannedElementsRow> plan_rows(PlannedRequests& requests) {
   std::vector<PlannedElementsRow> rows;
   for (const double nu : ratios) {
-    const Changes material{{"nu", nu}};
-    const Changes q2 = material + Changes{{"element", "q2"}};
-    const Changes hooke = q2 + laws.at("Hooke");
+    const GivenSettings material{{"nu", nu}};
+    const GivenSettings q2 = material + GivenSettings{{"element", "q2"}};
+    const GivenSettings hooke = q2 + laws.at("Hooke");
     const OfTests reference = add_tests(requests, hooke + five_cells, true);
     std::array<OfTests, 3> truth{};
     for (std::size_t grid = 0; grid < 3; ++grid) {
       const int n = 4 << grid;
       truth[grid] = add_tests(
-          requests, material + exact_elements + Changes{{"cells", std::array{n, n, n}}},
+          requests,
+          material + exact_elements + GivenSettings{{"cells", std::array{n, n, n}}},
           true);
     }
     std::map<std::string, OfTests> same_law;
@@ -140,7 +143,8 @@ std::vector<PlannedElementsRow> plan_rows(PlannedRequests& requests) {
       same_law[law] = add_tests(requests, q2 + changes + five_cells, false);
     for (const MeshRows& mesh : meshes_and_methods())
       for (const MethodRow& method : mesh.methods) {
-        const Changes changes = material + five_cells + mesh.changes + method.changes;
+        const GivenSettings changes =
+            material + five_cells + mesh.changes + method.changes;
         rows.push_back({.mesh = mesh.label,
                         .method = method,
                         .nu = nu,

@@ -34,7 +34,7 @@ struct Growing {
   std::function<double(int across)> expected_bytes;
 };
 
-Changes cells_of(int n) {
+GivenSettings cells_of(int n) {
   return {{"cells", std::array{n, n, n}}};
 }
 
@@ -86,7 +86,8 @@ std::vector<Growing> all_growing(const std::vector<int>& wide,
       const auto settings = [=](int n) {
         return case_of_scene(
             "compression",
-            Changes{{"method", method}, {"linear-solver", linear_solver}} + cells_of(n));
+            GivenSettings{{"method", method}, {"linear-solver", linear_solver}} +
+                cells_of(n));
       };
       all.push_back(
           {.model = label(settings(narrow.front())),

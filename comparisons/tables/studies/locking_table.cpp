@@ -67,14 +67,14 @@ TablePlan plan_locking_table() {
         // Iterations of q2 grow as nu nears 1/2: at .4999 a factor takes a sixth of the
         // time.
         plan.requests.push_back(
-            {.settings =
-                 case_of_scene("compression",
-                               Changes{{"method", law},
-                                       {"nu", nu},
-                                       {"deformation", 0.05},
-                                       {"element", element}} +
-                                   (element == "q2" ? Changes{{"linear-solver", "direct"}}
-                                                    : Changes{}))});
+            {.settings = case_of_scene(
+                 "compression",
+                 GivenSettings{{"method", law},
+                               {"nu", nu},
+                               {"deformation", 0.05},
+                               {"element", element}} +
+                     (element == "q2" ? GivenSettings{{"linear-solver", "direct"}}
+                                      : GivenSettings{}))});
   return plan;
 }
 

@@ -17,7 +17,7 @@ namespace {
 /// The five tests of mss-cf at nu = 1/4, small and large, on the scenes' own cells.
 std::vector<SplitPlan> five_tests() {
   std::vector<SplitPlan> splits;
-  const auto add = [&](const std::string& scene, const Change& load) {
+  const auto add = [&](const std::string& scene, const GivenSetting& load) {
     splits.push_back(plan_split(
         case_of_scene(scene, {{"method", "mss-cf"}, {"nu", 0.25}, load}), thesis_law()));
   };
@@ -29,7 +29,7 @@ std::vector<SplitPlan> five_tests() {
 }
 
 struct Springs {
-  Changes changes;
+  GivenSettings changes;
   std::vector<const Method*> laws{&thesis_law()};  // to split their error against
 };
 
@@ -52,19 +52,20 @@ std::vector<Springs> springs_of_all_laws() {
 /// Large deformation of a cube of 5 x 5 x 5 cells by springs of all laws.
 std::vector<SplitPlan> large_deformation() {
   std::vector<SplitPlan> splits;
-  const std::array<std::pair<const char*, Change>, 4> tests{
+  const std::array<std::pair<const char*, GivenSetting>, 4> tests{
       {{"compression", {"deformation", "20%"}},
        {"tension", {"deformation", "20%"}},
        {"shearing", {"deformation", "20%"}},
        {"torsion", {"deformation", "45deg"}}}};
-  const Changes cube{{"size", std::array{0.05, 0.05, 0.05}},
-                     {"cells", std::array{5, 5, 5}}};
+  const GivenSettings cube{{"size", std::array{0.05, 0.05, 0.05}},
+                           {"cells", std::array{5, 5, 5}}};
   for (const auto& [scene, load] : tests)
     for (const double nu : {0.0, 0.25, 0.4})
       for (const Springs& springs : springs_of_all_laws())
         for (const Method* law : springs.laws)
           splits.push_back(plan_split(
-              case_of_scene(scene, cube + springs.changes + Changes{{"nu", nu}, load}),
+              case_of_scene(scene,
+                            cube + springs.changes + GivenSettings{{"nu", nu}, load}),
               *law));
   return splits;
 }

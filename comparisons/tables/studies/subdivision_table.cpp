@@ -12,21 +12,23 @@ namespace {
 struct Load {
   std::string test;
   std::string amount;
-  Changes changes;
+  GivenSettings changes;
 };
 
 /// Beams whose tips Euler and Bernoulli drop by 5 and 20 % of the length:
 /// 1.5552 m * 2 MPa/E of 2.4 m.
 std::vector<Load> loads() {
-  const Changes coarse_cube{{"cells", std::array{4, 4, 4}}};
+  const GivenSettings coarse_cube{{"cells", std::array{4, 4, 4}}};
   std::vector<Load> all;
   for (const char* test : {"compression", "tension", "shearing"})
     for (const char* amount : {"5%", "20%"})
-      all.push_back({test, amount,
-                     Changes{{"deformation", amount}} +
-                         (test == std::string("tension") ? Changes{} : coarse_cube)});
+      all.push_back(
+          {test, amount,
+           GivenSettings{{"deformation", amount}} +
+               (test == std::string("tension") ? GivenSettings{} : coarse_cube)});
   for (const char* amount : {"1deg", "45deg"})
-    all.push_back({"torsion", amount, Changes{{"deformation", amount}} + coarse_cube});
+    all.push_back(
+        {"torsion", amount, GivenSettings{{"deformation", amount}} + coarse_cube});
   all.push_back({"bending", "5% of the length", {{"young", 25.92e6}}});
   all.push_back({"bending", "20% of the length", {{"young", 6.48e6}}});
   return all;
@@ -41,7 +43,7 @@ const std::vector<Parent> parents{
      {"tetrahedron-5", "tetrahedron", "tetrahedron-12", "prism", "pyramid"}},
     {"prism", {"tetrahedron", "tetrahedron-12"}}};
 
-const std::vector<Changes> methods_compared{
+const std::vector<GivenSettings> methods_compared{
     {{"method", "mss-affine"}}, {{"method", "fem-hencky"}, {"element", "q1"}}};
 
 struct PlannedPair {
@@ -92,11 +94,11 @@ TableRow row_of(const PlannedPair& pair, std::span<const CaseResult> results) {
 TablePlan plan_subdivision_table() {
   PlannedRequests requests;
   std::vector<PlannedPair> pairs;
-  for (const Changes& method : methods_compared)
+  for (const GivenSettings& method : methods_compared)
     for (const Load& load : loads()) {
       const auto add = [&](const std::string& cell_type) {
-        return requests.add(load.test,
-                            load.changes + method + Changes{{"cell-type", cell_type}});
+        return requests.add(
+            load.test, load.changes + method + GivenSettings{{"cell-type", cell_type}});
       };
       for (const Parent& parent : parents) {
         const std::size_t place = add(parent.cell_type);

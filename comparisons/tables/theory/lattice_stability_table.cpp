@@ -33,11 +33,11 @@ struct Row {
 /// One cell of 1 m and 1 Pa: strains depend on neither.
 mss::Network cell_of(const Method& method, double diagonal_ratio, double poisson_ratio,
                      MeshStore& meshes) {
-  Changes changes{{"method", method.name},
-                  {"nu", poisson_ratio},
-                  {"young", 1.},
-                  {"size", std::array{1., 1., 1.}},
-                  {"cells", std::array{1, 1, 1}}};
+  GivenSettings changes{{"method", method.name},
+                        {"nu", poisson_ratio},
+                        {"young", 1.},
+                        {"size", std::array{1., 1., 1.}},
+                        {"cells", std::array{1, 1, 1}}};
   if (reads(method, "diagonal-ratio"))
     changes.push_back({"diagonal-ratio", diagonal_ratio});
   const CaseSettings settings = case_of_scene("compression", changes);

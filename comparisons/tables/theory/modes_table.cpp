@@ -26,7 +26,7 @@ struct SwingingBody {
   Hold hold;
   int computed;  // modes, among which other methods' counterparts are looked for
   std::array<double, 3> ratios{0, 0.25, 0.4};
-  Changes changes{};
+  GivenSettings changes{};
 };
 
 /// On the tetrahedra there is room for the weak modes of elements averaged around nodes.
@@ -121,7 +121,7 @@ std::vector<std::string> body_notes(const MethodModes& method,
 
 std::vector<TableRow> rows_of(const SwingingBody& body, double nu, MeshStore& meshes) {
   const CaseSettings settings = case_of_scene(
-      body.scene, body.changes + Changes{{"nu", nu}, {"method", "fem-hooke"}});
+      body.scene, body.changes + GivenSettings{{"nu", nu}, {"method", "fem-hooke"}});
   const Mesh& mesh = meshes.mesh(settings.body);
   const auto all = body_modes(settings, mesh, body.hold, body.computed);
   const NaturalModes& reference = all.front().modes.value();  // Hooke's law is stable

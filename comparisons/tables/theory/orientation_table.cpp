@@ -22,18 +22,18 @@ constexpr std::size_t columns = 4, lattice_continuum = 0, lattice_springs = 1;
 constexpr std::string_view uniaxial = "uniaxial stress", shear = "simple shear";
 
 /// mss-affine with so many directions.
-Changes virtual_springs(const char* method, const char* directions) {
+GivenSettings virtual_springs(const char* method, const char* directions) {
   return {{method, "mss-affine"}, {"directions", directions}};
 }
 
 /// A cube of a lattice's material under uniaxial stress, the lattice turned.
 CaseSettings continuum_case(double nu, double strain, const std::string& direction,
-                            Changes lattice) {
-  Changes changes{{"method", "fem-cauchy-born"},
-                  {"cells", std::array{1, 1, 1}},
-                  {"nu", nu},
-                  {"deformation", strain},
-                  {"lattice-direction", direction}};
+                            GivenSettings lattice) {
+  GivenSettings changes{{"method", "fem-cauchy-born"},
+                        {"cells", std::array{1, 1, 1}},
+                        {"nu", nu},
+                        {"deformation", strain},
+                        {"lattice-direction", direction}};
   changes.insert(changes.end(), lattice.begin(), lattice.end());
   return case_of_scene("uniaxial", changes);
 }
@@ -89,7 +89,8 @@ std::vector<Turn> turns() {
           {"50 degrees about 1,2,3", about({1, 2, 3}, 50)}};
 }
 
-CaseSettings sheared_case(double nu, double strain, const Turn& turn, Changes method) {
+CaseSettings sheared_case(double nu, double strain, const Turn& turn,
+                          GivenSettings method) {
   method.emplace_back("nu", nu);
   CaseSettings settings = case_of_scene("affine", method);
   const Eigen::Matrix3d H = strain * Vector3::UnitX() * Vector3::UnitZ().transpose();

@@ -99,27 +99,26 @@ bool is_last_of_load(const std::vector<PrintedFigure>& figures, std::size_t i) {
 
 }  // namespace
 
-Request request_of(const std::string& scene, const std::string& method,
-                   const Changes& changes, const Reference& reference) {
-  SceneFile file = read_scene(scene);
-  for (const auto& [key, value] : Changes{{"method", method}} + changes)
-    file.settings.push_back({key, value});
-  RunSettings run = make_run_settings(file.name, file.file, file.settings);
+Request printed_request(const std::string& scene, const std::string& method,
+                        const GivenSettings& changes, const Reference& reference) {
+  RunSettings run = read_run(scene, GivenSettings{{"method", method}} + changes);
   if (reference) run.reference = reference;
   return requests(run).front();
 }
 
 PlannedRow row_of(const PrintedFigure& figure, const std::string& method,
-                  const Changes& further, const Reference& reference) {
+                  const GivenSettings& further, const Reference& reference) {
   const std::string scene(name_of(figure.test));
-  Changes changes{{"nu", figure.nu}, {"deformation", figure.deformation}};
-  changes.insert(changes.end(), further.begin(), further.end());
-  PlannedRow row{.labels = {fmt::format("{:g}", figure.nu),
-                            deformation_text(figure.test, figure.deformation), method},
-                 .request = request_of(scene, method, changes, reference),
-                 .printed = figure.value,
-                 .printed_text = figure.text,
-                 .verdict = figure.verdict};
+  PlannedRow row{
+      .labels = {fmt::format("{:g}", figure.nu),
+                 deformation_text(figure.test, figure.deformation), method},
+      .request = printed_request(
+          scene, method,
+          GivenSettings{{"nu", figure.nu}, {"deformation", figure.deformation}} + further,
+          reference),
+      .printed = figure.value,
+      .printed_text = figure.text,
+      .verdict = figure.verdict};
   row.labels.back() = variant_label(row.request.settings);
   return row;
 }

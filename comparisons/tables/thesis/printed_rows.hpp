@@ -15,12 +15,12 @@ namespace springcheck {
 using Reference = std::optional<ReferenceMethod>;
 
 /// The only request of the scene with those changes.
-Request request_of(const std::string& scene, const std::string& method,
-                   const Changes& changes, const Reference& reference);
+Request printed_request(const std::string& scene, const std::string& method,
+                        const GivenSettings& changes, const Reference& reference);
 
 /// A row of our method beside a printed figure.
 PlannedRow row_of(const PrintedFigure& figure, const std::string& method,
-                  const Changes& further, const Reference& reference);
+                  const GivenSettings& further, const Reference& reference);
 
 /// Appends rows of the methods that are not in the thesis, under the load of the i-th
 /// figure of a table, where the figures print another load after it: those of one load

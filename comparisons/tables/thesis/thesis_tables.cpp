@@ -102,9 +102,9 @@ ComparisonPlan plan_bending(const Reference& reference) {
                        const std::string& verdict) {
     PlannedRow row{
         .labels = {},
-        .request = request_of(scene, method,
-                              {{"young", young}, {"cells", cells}, {"element", element}},
-                              reference),
+        .request = printed_request(
+            scene, method, {{"young", young}, {"cells", cells}, {"element", element}},
+            reference),
         .verdict = verdict};
     row.labels = {
         scene, fmt::format("{:g}", young / 1e6),

@@ -7,7 +7,6 @@
 
 #include "comparisons/advice/soundness.hpp"
 #include "tests/comparisons/chart/example_chart.hpp"
-#include "tests/comparisons/options.hpp"
 
 using namespace springcheck;
 
@@ -95,14 +94,14 @@ class Rehearsed : public Measurements {
 };
 
 Advice advice_of(Rehearsed& rehearsed, double tolerance = 0.3,
-                 const Changes& changes = {}) {
+                 const GivenSettings& changes = {}) {
   const Wish wish{.measures = {ChartMeasure::force},
                   .tolerance = tolerance,
                   .frame = std::nullopt,
                   .budget = 10,
                   .threads = 1};
   const ChartPlan plan{.scene = "compression",
-                       .options = options_of(changes),
+                       .options = changes,
                        .laws = {},
                        .across = {},
                        .threads = {1},

@@ -8,7 +8,6 @@
 
 #include "comparisons/advice/advise.hpp"
 #include "comparisons/advice/chart_measurements.hpp"
-#include "tests/comparisons/options.hpp"
 
 using namespace springcheck;
 
@@ -43,17 +42,16 @@ struct File {
 };
 
 ChartPlan plan_of(const Scene& scene, double poisson_ratio, int truth_across) {
-  return {
-      .scene = scene.name,
-      .options = options_of({{"nu", poisson_ratio}, {"deformation", scene.deformation}}),
-      .threads = {1},
-      .budget = 5,
-      .repeat_for = 0.3,
-      .jobs = 1,
-      .retime = false,
-      .least_models = 0,
-      .truth_across = truth_across,
-      .truths_file = users_truths_file()};
+  return {.scene = scene.name,
+          .options = {{"nu", poisson_ratio}, {"deformation", scene.deformation}},
+          .threads = {1},
+          .budget = 5,
+          .repeat_for = 0.3,
+          .jobs = 1,
+          .retime = false,
+          .least_models = 0,
+          .truth_across = truth_across,
+          .truths_file = users_truths_file()};
 }
 
 Wish wish_of(double tolerance) {

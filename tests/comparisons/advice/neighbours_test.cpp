@@ -3,7 +3,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include "comparisons/chart/chart_models.hpp"
-#include "tests/comparisons/options.hpp"
 
 using namespace springcheck;
 
@@ -13,11 +12,11 @@ namespace {
 
 const auto round_off = boost::test_tools::tolerance(1e-12);
 
-CaseSettings settings_of(const std::string& scene, const Changes& changes) {
-  return truth_grids(scene, options_of(changes), "fem-stvk", 1).grids.front();
+CaseSettings settings_of(const std::string& scene, const GivenSettings& changes) {
+  return truth_grids(scene, changes, "fem-stvk", 1).grids.front();
 }
 
-std::vector<std::string> names(const std::string& scene, const Changes& changes) {
+std::vector<std::string> names(const std::string& scene, const GivenSettings& changes) {
   std::vector<std::string> all;
   for (const Neighbour& neighbour : neighbours_of(settings_of(scene, changes)))
     all.push_back(name_of(neighbour));
@@ -43,7 +42,7 @@ BOOST_AUTO_TEST_CASE(none_is_beyond_what_a_material_has) {
 }
 
 BOOST_AUTO_TEST_CASE(a_test_may_have_no_such_load) {
-  const auto has_more = [](const std::string& scene, const Changes& changes) {
+  const auto has_more = [](const std::string& scene, const GivenSettings& changes) {
     return moved(settings_of(scene, changes), {.load = 1.2, .poisson_ratio = 0.25})
         .has_value();
   };

@@ -6,7 +6,6 @@
 
 #include "comparisons/chart/chart_models.hpp"
 #include "comparisons/settings/case_json.hpp"
-#include "tests/comparisons/options.hpp"
 
 using namespace springcheck;
 
@@ -15,8 +14,8 @@ BOOST_AUTO_TEST_SUITE(chart_truth_test)
 namespace {
 
 TruthGrids grids_of_cube() {
-  const std::vector<GivenSetting> options =
-      options_of({{"size", std::array{0.1, 0.1, 0.1}}, {"deformation", 0.01}});
+  const GivenSettings options = {{"size", std::array{0.1, 0.1, 0.1}},
+                                 {"deformation", 0.01}};
   return truth_grids("compression", options, "fem-hooke", 2);
 }
 

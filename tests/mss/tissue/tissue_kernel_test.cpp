@@ -67,12 +67,12 @@ BOOST_AUTO_TEST_CASE(kernels_step_as_plain_loops_do) {
   for (const auto& [name, mesh] : meshes())
     for (const char* organ : {"spleen", "liver"}) {
       const TissueBody body = build_tissue_body(mesh, solid_of(organ, 0.45), density);
-      const Scene scene = between_glued_plates({0.1 * h, 0, 0.05 * h});
-      const std::vector<Vector3> load = random_field(mesh.nodes().size(), 1e-4, 1);
+      Scene scene = between_glued_plates({0.1 * h, 0, 0.05 * h});
+      scene.gravity = {3, -2, -9.81};
       const auto motion = [&](Kernel kernel, dynamics::InstructionSet set,
                               int threads = 1) {
         auto made = std::make_unique<TissueMotion>(
-            mesh, scene, body, load,
+            mesh, scene, body,
             TissueMotionSettings{.integrator = dynamics::Integrator::semi_implicit_euler,
                                  .threads = threads,
                                  .kernel = kernel},
@@ -121,9 +121,8 @@ BOOST_AUTO_TEST_CASE(a_look_changes_nothing) {
   for (const auto& [name, mesh] : meshes()) {
     const TissueBody body = build_tissue_body(mesh, solid_of("spleen", 0.45), density);
     const Scene scene = between_glued_plates({0, 0, 0});
-    const std::vector<Vector3> load(mesh.nodes().size(), Vector3::Zero());
     const auto end = [&](bool looks) {
-      TissueMotion motion(mesh, scene, body, load,
+      TissueMotion motion(mesh, scene, body,
                           {.integrator = dynamics::Integrator::semi_implicit_euler});
       motion.restore({.displacements = random_field(mesh.nodes().size(), 0.1 * h, 1),
                       .velocities = random_field(mesh.nodes().size(), 0., 1)});
@@ -158,12 +157,11 @@ BOOST_AUTO_TEST_CASE(
     tissue::Solid solid = solid_of("kidney", 0.3);
     solid.shear.viscosity = 0;
     const TissueBody body = build_tissue_body(mesh, solid, density);
-    const std::vector<Vector3> load(mesh.nodes().size(), Vector3::Zero());
     const auto forces = [&](Kernel kernel) {
       std::vector<Vector3> moves = random_field(mesh.nodes().size(), 0.05 * h, 2);
       for (std::size_t n = 0; n < moves.size(); ++n)
         moves[n].z() -= 1.7 * mesh.nodes()[n].z();
-      return TissueMotion(mesh, between_glued_plates({0, 0, 0}), body, load,
+      return TissueMotion(mesh, between_glued_plates({0, 0, 0}), body,
                           {.integrator = dynamics::Integrator::semi_implicit_euler,
                            .kernel = kernel})
           .forces_at({.displacements = moves,

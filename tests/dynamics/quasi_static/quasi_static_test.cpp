@@ -1,4 +1,4 @@
-#include "dynamics/marching/quasi_static.hpp"
+#include "dynamics/quasi_static/quasi_static.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -52,8 +52,12 @@ class Pitchfork final : public RememberingBody {
   [[nodiscard]] std::vector<Vector3> load() const override {
     return std::vector<Vector3>(rest_.size(), Vector3::Zero());
   }
-  [[nodiscard]] std::vector<Vector3> forces_after(
-      double, std::span<const Vector3> positions) override {
+  [[nodiscard]] statics::Patches patches() const override {
+    statics::Patches patches;
+    for (NodeIndex n = 0; n < rest_.size(); ++n) patches.push_back({n});
+    return patches;
+  }
+  [[nodiscard]] Forces forces_after(double, std::span<const Vector3> positions) override {
     std::vector<Vector3> forces = load();
     for (const NodeIndex n : free_) {
       const Vector3 u = positions[n] - rest_[n];
@@ -61,46 +65,22 @@ class Pitchfork final : public RememberingBody {
       forces[n].x() = -(1 - 2 * fraction(positions)) * u.x() - b_ * std::pow(u.x(), 3) -
                       c_ * std::pow(u.x(), 5);
     }
-    return forces;
+    return {.on_nodes = std::move(forces), .scale = 1};
   }
-  [[nodiscard]] double force_scale() const override { return 1; }
-  bool linearise(double, std::span<const Vector3> positions) override {
-    bool is_definite = true;
-    curvatures_.clear();
-    for (const NodeIndex n : free_) {
+  void assemble_tangent(double, std::span<const Vector3> positions,
+                        statics::BlockMatrix& tangent) override {
+    tangent.assemble([&](std::size_t n) -> Eigen::MatrixXd {
       const double x = positions[n].x() - rest_[n].x();
       const double along_x =
           1 - 2 * fraction(positions) + 3 * b_ * x * x + 5 * c_ * std::pow(x, 4);
-      is_definite = is_definite && along_x > 0;
-      curvatures_.insert(curvatures_.end(), {along_x, 1, 1});
-    }
-    shift_ = 0;
-    for (const double curvature : curvatures_)
-      shift_ = std::max(shift_, 1.1 * std::max(0., -curvature) + 1e-6);
-    if (is_definite) shift_ = 0;
-    return is_definite;
-  }
-  [[nodiscard]] std::vector<Vector3> stiffness_times(
-      std::span<const Vector3> displacements) const override {
-    std::vector<Vector3> forces = load();
-    for (std::size_t i = 0; i < free_.size(); ++i)
-      for (Eigen::Index c = 0; c < 3; ++c)
-        forces[free_[i]][c] =
-            curvatures_[3 * i + static_cast<std::size_t>(c)] * displacements[free_[i]][c];
-    return forces;
-  }
-  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& forces) override {
-    Eigen::VectorXd moves = forces;
-    for (Eigen::Index i = 0; i < moves.size(); ++i)
-      moves[i] /= curvatures_[static_cast<std::size_t>(i)] + shift_;
-    return moves;
+      return Vector3(along_x, 1, 1).asDiagonal();
+    });
   }
   void advance(double, std::span<const Vector3>) override {}
   [[nodiscard]] double free_energy(std::span<const Vector3>) const override { return 0; }
   [[nodiscard]] double largest_shear_strain(std::span<const Vector3>) const override {
     return 0;
   }
-  [[nodiscard]] int factorisations() const override { return 0; }
 
   [[nodiscard]] const std::vector<NodeIndex>& free() const { return free_; }
 
@@ -113,8 +93,6 @@ class Pitchfork final : public RememberingBody {
   double b_, c_;
   NodeIndex top_ = 0;
   std::vector<NodeIndex> free_;
-  std::vector<double> curvatures_;  // of the free components
-  double shift_ = 0;
 };
 
 Solution solution_of(Pitchfork& body, double load) {

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "meshing/vector3.hpp"
+#include "statics/systems/block_matrix.hpp"
+
+namespace springcheck::dynamics {
+
+/// A body whose forces depend on what it remembers. Vectors hold one entry per node.
+class RememberingBody {
+ public:
+  struct Forces {
+    std::vector<Vector3> on_nodes;  // internal ones [N]
+    // Norm of forces that cancel in them, in the body at rest as well: what a residual is
+    // measured by [N].
+    double scale;
+  };
+
+  RememberingBody() = default;
+  virtual ~RememberingBody() = default;
+  RememberingBody(const RememberingBody&) = delete;
+  RememberingBody& operator=(const RememberingBody&) = delete;
+
+  /// Load at the load fraction 1 [N].
+  [[nodiscard]] virtual std::vector<Vector3> load() const = 0;
+
+  /// Of the tangent: nodes of the cells.
+  [[nodiscard]] virtual statics::Patches patches() const = 0;
+
+  /// At the end of a step of dt [s] that leads to the positions [m]; the memories stay.
+  [[nodiscard]] virtual Forces forces_after(double dt,
+                                            std::span<const Vector3> positions) = 0;
+
+  /// The symmetric part of the tangent there, minus the forces' derivative by the
+  /// positions [N/m]. forces_after was called last with the same.
+  virtual void assemble_tangent(double dt, std::span<const Vector3> positions,
+                                statics::BlockMatrix& tangent) = 0;
+
+  /// The memories become those after the step. forces_after was called last with the
+  /// same.
+  virtual void advance(double dt, std::span<const Vector3> positions) = 0;
+
+  /// With the memories as they are [J].
+  [[nodiscard]] virtual double free_energy(std::span<const Vector3> positions) const = 0;
+
+  /// sqrt(tr C' - 3) where it is largest [-], C' = C/(det C)^(1/3): in simple shear the
+  /// strain.
+  [[nodiscard]] virtual double largest_shear_strain(
+      std::span<const Vector3> positions) const = 0;
+};
+
+}  // namespace springcheck::dynamics
