@@ -86,7 +86,7 @@ Vector3 cell_centroid(const CornerPositions& x) {
 
 double smallest_corner_jacobian(const CornerPositions& x) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& [corner, a, b, c] : corner_stars(type_of(x))) {
+  for (const auto& [corner, a, b, c] : corner_patches(type_of(x))) {
     const Vector3 o = x.col(corner), to_a = x.col(a) - o, to_b = x.col(b) - o,
                   to_c = x.col(c) - o;
     smallest = std::min(smallest, to_a.dot(to_b.cross(to_c)));

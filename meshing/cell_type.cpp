@@ -34,35 +34,35 @@ constexpr std::array<LocalFace, 5> prism_faces{
 constexpr std::array<LocalFace, 6> hexahedron_faces{
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 4, 7, 3}, {1, 2, 6, 5}}};
 
-constexpr std::array<CornerStar, 1> tetrahedron_stars{{{0, 1, 2, 3}}};
-constexpr std::array<CornerStar, 4> pyramid_stars{
+constexpr std::array<CornerPatch, 1> tetrahedron_patches{{{0, 1, 2, 3}}};
+constexpr std::array<CornerPatch, 4> pyramid_patches{
     {{0, 1, 3, 4}, {1, 2, 0, 4}, {2, 3, 1, 4}, {3, 0, 2, 4}}};
-constexpr std::array<CornerStar, 6> prism_stars{
+constexpr std::array<CornerPatch, 6> prism_patches{
     {{0, 1, 2, 3}, {1, 2, 0, 4}, {2, 0, 1, 5}, {3, 5, 4, 0}, {4, 3, 5, 1}, {5, 4, 3, 2}}};
-constexpr std::array<CornerStar, 8> hexahedron_stars{{{0, 1, 3, 4},
-                                                      {1, 2, 0, 5},
-                                                      {2, 3, 1, 6},
-                                                      {3, 0, 2, 7},
-                                                      {4, 7, 5, 0},
-                                                      {5, 4, 6, 1},
-                                                      {6, 5, 7, 2},
-                                                      {7, 6, 4, 3}}};
+constexpr std::array<CornerPatch, 8> hexahedron_patches{{{0, 1, 3, 4},
+                                                         {1, 2, 0, 5},
+                                                         {2, 3, 1, 6},
+                                                         {3, 0, 2, 7},
+                                                         {4, 7, 5, 0},
+                                                         {5, 4, 6, 1},
+                                                         {6, 5, 7, 2},
+                                                         {7, 6, 4, 3}}};
 
 struct Topology {
   std::string_view name, plural;
   std::size_t nodes;
   std::span<const LocalEdge> edges;
   std::span<const LocalFace> faces;
-  std::span<const CornerStar> stars;
+  std::span<const CornerPatch> corner_patches;
 };
 
 constexpr std::array<Topology, 4> topologies{
     {{"tetrahedron", "tetrahedra", 4, tetrahedron_edges, tetrahedron_faces,
-      tetrahedron_stars},
-     {"pyramid", "pyramids", 5, pyramid_edges, pyramid_faces, pyramid_stars},
-     {"prism", "prisms", 6, prism_edges, prism_faces, prism_stars},
+      tetrahedron_patches},
+     {"pyramid", "pyramids", 5, pyramid_edges, pyramid_faces, pyramid_patches},
+     {"prism", "prisms", 6, prism_edges, prism_faces, prism_patches},
      {"hexahedron", "hexahedra", 8, hexahedron_edges, hexahedron_faces,
-      hexahedron_stars}}};
+      hexahedron_patches}}};
 
 const Topology& of(CellType type) {
   return topologies[static_cast<std::size_t>(type)];
@@ -108,8 +108,8 @@ FaceNodes face_nodes(const CellNodes& cell, const LocalFace& face) {
   return nodes;
 }
 
-std::span<const CornerStar> corner_stars(CellType type) {
-  return of(type).stars;
+std::span<const CornerPatch> corner_patches(CellType type) {
+  return of(type).corner_patches;
 }
 
 }  // namespace springcheck

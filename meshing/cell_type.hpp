@@ -59,7 +59,7 @@ FaceNodes face_nodes(const CellNodes& cell, const LocalFace& face);
 
 /// Corners with the ends of their three edges, right-handed: all corners but a pyramid's
 /// apex, where four edges meet; of a tetrahedron one, as they all span the same volume.
-using CornerStar = std::array<std::uint8_t, 4>;
-std::span<const CornerStar> corner_stars(CellType type);
+using CornerPatch = std::array<std::uint8_t, 4>;
+std::span<const CornerPatch> corner_patches(CellType type);
 
 }  // namespace springcheck

@@ -1,10 +1,12 @@
 #include "meshing/mesh.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <ranges>
 #include <string_view>
 #include <unordered_map>
 
@@ -148,10 +150,8 @@ void check_region_name(const std::string& source, const std::string& name) {
 
 /// "3, 7, 8"
 std::string numbers_of(const FaceNodes& face) {
-  std::string text;
-  for (const NodeIndex node : face)
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", node + 1);
-  return text;
+  const auto number = [](NodeIndex node) { return node + 1; };
+  return fmt::format("{}", fmt::join(face | std::views::transform(number), ", "));
 }
 
 Region checked_region(const std::string& source, const std::string& name,

@@ -8,22 +8,22 @@
 namespace springcheck {
 namespace {
 
-constexpr std::array<CornerStar, 4> tetrahedron_corners{
+constexpr std::array<CornerPatch, 4> tetrahedron_corners{
     {{0, 1, 2, 3}, {1, 2, 0, 3}, {2, 0, 1, 3}, {3, 0, 2, 1}}};
-constexpr std::array<CornerStar, 8> pyramid_corners{{{0, 1, 3, 4},
-                                                     {1, 2, 0, 4},
-                                                     {2, 3, 1, 4},
-                                                     {3, 0, 2, 4},
-                                                     {4, 2, 1, 0},
-                                                     {4, 3, 2, 1},
-                                                     {4, 0, 3, 2},
-                                                     {4, 1, 0, 3}}};
+constexpr std::array<CornerPatch, 8> pyramid_corners{{{0, 1, 3, 4},
+                                                      {1, 2, 0, 4},
+                                                      {2, 3, 1, 4},
+                                                      {3, 0, 2, 4},
+                                                      {4, 2, 1, 0},
+                                                      {4, 3, 2, 1},
+                                                      {4, 0, 3, 2},
+                                                      {4, 1, 0, 3}}};
 
-/// Unlike corner_stars, which lists no corner whose determinant is another's.
-std::span<const CornerStar> all_corners(CellType type) {
+/// Unlike corner_patches, which lists no corner whose determinant is another's.
+std::span<const CornerPatch> all_corners(CellType type) {
   if (type == CellType::tetrahedron) return tetrahedron_corners;
   if (type == CellType::pyramid) return pyramid_corners;
-  return corner_stars(type);
+  return corner_patches(type);
 }
 
 double regular_corner(CellType type) {

@@ -22,6 +22,11 @@ Vector3 displacement(const RigidMotion& motion, const Vector3& point,
   return rotation * arm - arm + load_fraction * motion.translation;
 }
 
+void add_reason(std::string& reason, const std::string& more) {
+  if (more.empty()) return;
+  reason += (reason.empty() ? "" : "; ") + more;
+}
+
 Solution refused(const std::string& reason) {
   return {.status = SolveStatus::refused,
           .reason = reason,

@@ -133,6 +133,10 @@ struct Solution {
 /// The Solution of a method that does not cover the scene.
 Solution refused(const std::string& reason);
 
+/// Adds to what a reason says already, if anything, after a semicolon; an empty one adds
+/// nothing.
+void add_reason(std::string& reason, const std::string& more);
+
 /// A displacement component that the scene prescribes.
 struct PrescribedComponent {
   NodeIndex node;

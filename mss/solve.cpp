@@ -8,7 +8,7 @@ namespace springcheck::mss {
 
 Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
                const dynamics::Observers& observers) {
-  if (const auto reason = reason_to_refuse(mesh, scene.material, settings.network.method))
+  if (const auto reason = reason_to_refuse(mesh, scene.material, settings.network.model))
     return refused(*reason);
   const Stopwatch setup;
   const Network network = build_network(mesh, scene.material, settings.network);

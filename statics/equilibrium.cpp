@@ -24,12 +24,12 @@ constexpr double largest_gradient = 0.5;
 /// Follows the minimum from rest.
 class Follower {
  public:
-  Follower(Landscape& landscape, const Loading& loading, unsigned seed)
-      : landscape_(landscape),
+  Follower(PotentialEnergy& potential, const Loading& loading, unsigned seed)
+      : potential_(potential),
         loading_(loading),
         random_(seed),
         rest_(Eigen::VectorXd::Zero(loading.forces.size())),
-        now_(landscape.at(rest_)) {}
+        now_(potential.at(rest_)) {}
 
   void run(double noise) {
     follow();
@@ -46,25 +46,25 @@ class Follower {
     return {.status = status_,
             .reason = reason_,
             .displacements = now_.displacements,
-            .reactions = landscape_.reactions(now_),
+            .reactions = potential_.reactions(now_),
             .strain_energy = now_.strain_energy,
             .load_fraction = reached_,
             .definite_up_to = definite_up_to_,
             .critical_wavelength = std::nullopt,
             .steps = steps_,
-            .force_evaluations = landscape_.evaluations(),
-            .linear_iterations = landscape_.linear_iterations(),
-            .factorisations = landscape_.factorisations(),
+            .force_evaluations = potential_.evaluations(),
+            .linear_iterations = potential_.linear_iterations(),
+            .factorisations = potential_.factorisations(),
             .setup_wall_s = 0};
   }
 
  private:
   void follow() {
-    landscape_.linearise(rest_);
-    const Eigen::VectorXd whole = landscape_.predicted(rest_, 1);
-    if (landscape_.is_clamped()) definite_up_to_ = 0;
+    potential_.linearise(rest_);
+    const Eigen::VectorXd whole = potential_.predicted(rest_, 1);
+    if (potential_.is_clamped()) definite_up_to_ = 0;
     const double gradient =
-        landscape_.body().is_linear() ? 0 : landscape_.path_gradient(whole);
+        potential_.body().is_linear() ? 0 : potential_.path_gradient(whole);
     const auto step_of = [&](double part) {
       return gradient > part ? std::max(part / gradient, 2 * smallest_load_step) : 1;
     };
@@ -76,14 +76,14 @@ class Follower {
     while (reached_ < 1) {
       // The last step may be a little longer, not a sliver.
       const double to = reached_ + 1.05 * step > 1 ? 1 : reached_ + step;
-      if (!definite_ || landscape_.is_clamped()) landscape_.linearise(now_.displacements);
-      landscape_.set_load(reached_);
+      if (!definite_ || potential_.is_clamped()) potential_.linearise(now_.displacements);
+      potential_.set_load(reached_);
       Eigen::VectorXd start =
-          reached_ == 0 && to == 1 ? whole : landscape_.predicted(now_.displacements, to);
-      landscape_.set_load(to);
+          reached_ == 0 && to == 1 ? whole : potential_.predicted(now_.displacements, to);
+      potential_.set_load(to);
       left_to_ = {};
       was_unloaded_ = false;
-      Minimum minimum = minimise(landscape_, std::move(start), random_, tangents);
+      Minimum minimum = minimise(potential_, std::move(start), random_, tangents);
       spdlog::debug("load {:.5f}: {}, residual {:.2e}", to,
                     minimum.found ? (minimum.definite ? "minimum" : "saddle") : "none",
                     minimum.residual);
@@ -106,7 +106,7 @@ class Follower {
       // goes on.
       tangents = is_smallest || !definite_ ? Tangents::any : Tangents::definite;
       step = is_smallest ? gap : gap / 2;
-      landscape_.linearise(now_.displacements);
+      potential_.linearise(now_.displacements);
     }
   }
 
@@ -129,13 +129,13 @@ class Follower {
   /// went far.
   [[nodiscard]] bool is_doubtful(const Minimum& minimum) const {
     constexpr double far = 1.1 * first_gradient;
-    const ElasticBody& body = landscape_.body();
+    const ElasticBody& body = potential_.body();
     return minimum.crossed ||
            (!body.is_linear() &&
             body.mean_gradient(minimum.state.displacements - now_.displacements) > far);
   }
 
-  /// Whether unloading from the minimum found, where the landscape is linearised, leads
+  /// Whether unloading from the minimum found, where the energy is linearised, leads
   /// back to the path's last state. Measured on bodies of 3^3 to 6^3 cells: to first
   /// order steps on the path lead back to within .01 to .22 of their length, jumps to .96
   /// to 1; beside a bifurcation only a search tells.
@@ -143,13 +143,13 @@ class Follower {
     constexpr double clearly = 0.25, same = 1e-4;  // of the way between both states
     const Eigen::VectorXd& there = minimum.state.displacements;
     const auto from_last = [&](const Eigen::VectorXd& state) {
-      return landscape_.body().mean_gradient(state - now_.displacements);
+      return potential_.body().mean_gradient(state - now_.displacements);
     };
     const double way = from_last(there);
-    if (from_last(landscape_.predicted(there, reached_)) < clearly * way) return true;
+    if (from_last(potential_.predicted(there, reached_)) < clearly * way) return true;
     was_unloaded_ = true;
     const auto back = unloaded(there, to);
-    landscape_.linearise(there);
+    potential_.linearise(there);
     return back && from_last(*back) < same * way;
   }
 
@@ -161,11 +161,11 @@ class Follower {
       bool found = true;
       for (int part = 1; part <= parts && found; ++part) {
         const auto load = [&](int p) { return from + p * (reached_ - from) / parts; };
-        landscape_.set_load(load(part - 1));
-        landscape_.linearise(u);
-        Eigen::VectorXd start = landscape_.predicted(u, load(part));
-        landscape_.set_load(load(part));
-        Minimum back = minimise(landscape_, std::move(start), random_,
+        potential_.set_load(load(part - 1));
+        potential_.linearise(u);
+        Eigen::VectorXd start = potential_.predicted(u, load(part));
+        potential_.set_load(load(part));
+        Minimum back = minimise(potential_, std::move(start), random_,
                                 parts == 1 ? Tangents::any : Tangents::definite);
         found = back.found;
         u = std::move(back.state.displacements);
@@ -215,11 +215,11 @@ class Follower {
   }
 
   void shake(double noise) {
-    landscape_.set_load(reached_);
-    const Eigen::VectorXd shake = noise * landscape_.body().cell_edge() *
-                                  random_vector(landscape_.unknowns().count(), random_);
+    potential_.set_load(reached_);
+    const Eigen::VectorXd shake = noise * potential_.body().cell_edge() *
+                                  random_vector(potential_.unknowns().count(), random_);
     Minimum minimum =
-        minimise(landscape_, landscape_.moved(now_.displacements, shake), random_);
+        minimise(potential_, potential_.moved(now_.displacements, shake), random_);
     if (minimum.found && !minimum.undecided &&
         loading_.follows_supports(minimum.state.displacements, reached_)) {
       now_ = std::move(minimum.state);
@@ -231,11 +231,11 @@ class Follower {
         "a noise of {:g} cell edges leads away from the equilibrium, to none", noise);
   }
 
-  Landscape& landscape_;
+  PotentialEnergy& potential_;
   const Loading& loading_;
   std::mt19937_64 random_;
   Eigen::VectorXd rest_;
-  Landscape::State now_;  // at reached_, under its load
+  PotentialEnergy::State now_;  // at reached_, under its load
   double reached_ = 0;
   bool definite_ = true;
   SolveStatus status_ = SolveStatus::ok;
@@ -275,12 +275,12 @@ Solution solution_of(const Equilibrium& equilibrium) {
 
 Equilibrium find_equilibrium(ElasticBody& body, const Loading& loading,
                              const Search& search, const Stopwatch& setup) {
-  Landscape landscape(body, loading, search.linear_solver);
+  PotentialEnergy potential(body, loading, search.linear_solver);
   const double setup_wall_s = setup.seconds();
-  Follower path(landscape, loading, search.seed);
+  Follower path(potential, loading, search.seed);
   path.run(search.noise);
   Equilibrium equilibrium = path.equilibrium();
-  tell_truncated(equilibrium, landscape.truncated());
+  tell_truncated(equilibrium, potential.truncated());
   equilibrium.setup_wall_s = setup_wall_s;
   return equilibrium;
 }

@@ -27,7 +27,7 @@ struct Equilibrium {
 };
 
 /// Adds to a reason how many linear systems were solved less accurately than asked
-/// (Landscape::truncated).
+/// (PotentialEnergy::truncated).
 void tell_truncated(Equilibrium& equilibrium, int truncated);
 
 /// Its Solution on the body's nodes; lever arms deformed.

@@ -63,21 +63,21 @@ Equilibrium last_stable_equilibrium(ElasticBody& body, const Loading& loading,
     lost_turn = !loading.follows_supports(u, load_fraction);
     return !lost_turn && !has_inverted_cell(cells.whole, by_node(rest + u));
   };
-  Landscape landscape(body, loading, linear_solver);
+  PotentialEnergy potential(body, loading, linear_solver);
   const double setup_wall_s = setup.seconds();
-  const PathLimit limit = follow_to_limit(landscape, limit_resolution, is_whole);
+  const PathLimit limit = follow_to_limit(potential, limit_resolution, is_whole);
   Equilibrium equilibrium{.status = status_of(limit.end),
                           .reason = "",
                           .displacements = limit.state.displacements,
-                          .reactions = landscape.reactions(limit.state),
+                          .reactions = potential.reactions(limit.state),
                           .strain_energy = limit.state.strain_energy,
                           .load_fraction = limit.load_fraction,
                           .definite_up_to = std::nullopt,
                           .critical_wavelength = std::nullopt,
                           .steps = limit.steps,
-                          .force_evaluations = landscape.evaluations(),
-                          .linear_iterations = landscape.linear_iterations(),
-                          .factorisations = landscape.factorisations(),
+                          .force_evaluations = potential.evaluations(),
+                          .linear_iterations = potential.linear_iterations(),
+                          .factorisations = potential.factorisations(),
                           .setup_wall_s = setup_wall_s};
   if (limit.end == PathEnd::full_load) return equilibrium;
   const double wavelength =
@@ -90,7 +90,7 @@ Equilibrium last_stable_equilibrium(ElasticBody& body, const Loading& loading,
         "beyond {:.4g} % of the load the body is not turned as its plates are",
         100 * limit.load_fraction);
   }
-  tell_truncated(equilibrium, landscape.truncated());
+  tell_truncated(equilibrium, potential.truncated());
   if (limit.end != PathEnd::solver) equilibrium.definite_up_to = limit.load_fraction;
   return equilibrium;
 }

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "meshing/stopwatch.hpp"
 #include "statics/equilibrium.hpp"
 
 namespace springcheck::statics {

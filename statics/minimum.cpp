@@ -28,14 +28,14 @@ double solver_accuracy(double residual) {
 
 /// Moves along the direction of negative curvature, doubling the step while the energy
 /// falls. False when it falls nowhere: the curvature is zero to round-off.
-bool leave_saddle(Landscape& landscape, Landscape::State& now,
+bool leave_saddle(PotentialEnergy& potential, PotentialEnergy::State& now,
                   const Eigen::VectorXd& downhill, std::mt19937_64& random) {
-  Eigen::VectorXd direction = landscape.negative_curvature(downhill, random);
-  direction *= landscape.body().cell_edge() / landscape.longest_move(direction);
+  Eigen::VectorXd direction = potential.negative_curvature(downhill, random);
+  direction *= potential.body().cell_edge() / potential.longest_move(direction);
   bool fell = false;
   for (double step = first_escape; step <= largest_move; step *= 2) {
-    Landscape::State trial =
-        landscape.at(landscape.moved(now.displacements, step * direction));
+    PotentialEnergy::State trial =
+        potential.at(potential.moved(now.displacements, step * direction));
     if (!(trial.energy < now.energy)) break;
     now = std::move(trial);
     fell = true;
@@ -45,9 +45,9 @@ bool leave_saddle(Landscape& landscape, Landscape::State& now,
 
 }  // namespace
 
-Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& random,
-                 Tangents tangents) {
-  Minimum minimum{.state = landscape.at(std::move(start)),
+Minimum minimise(PotentialEnergy& potential, Eigen::VectorXd start,
+                 std::mt19937_64& random, Tangents tangents) {
+  Minimum minimum{.state = potential.at(std::move(start)),
                   .found = false,
                   .definite = false,
                   .undecided = false,
@@ -56,35 +56,35 @@ Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& r
                   .inverted = false,
                   .residual = INFINITY,
                   .iterations = 0};
-  const ElasticBody& body = landscape.body();
-  Landscape::State& now = minimum.state;
+  const ElasticBody& body = potential.body();
+  PotentialEnergy::State& now = minimum.state;
   const double runaway_ratio =
       runaway_growth * std::max(1., body.largest_volume_ratio(now.displacements));
   double lowest = INFINITY;  // residual
   int stalled = 0;           // iterations in which it has not fallen to half
   for (; minimum.iterations < newton_limit; ++minimum.iterations) {
     const Eigen::VectorXd& u = now.displacements;
-    const Eigen::VectorXd downhill = landscape.unknowns().in(now.forces);
-    const double scale = std::max({now.forces.norm(), landscape.load_norm(),
-                                   landscape.force_round_off(u) / relative_residual});
+    const Eigen::VectorXd downhill = potential.unknowns().in(now.forces);
+    const double scale = std::max({now.forces.norm(), potential.load_norm(),
+                                   potential.force_round_off(u) / relative_residual});
     const double residual = downhill.norm();
     minimum.residual = residual == 0 ? 0 : residual / scale;
     minimum.inverted = now.energy == INFINITY;
     if (!std::isfinite(minimum.residual) || !std::isfinite(now.energy)) return minimum;
     minimum.ran_away = body.largest_volume_ratio(u) > runaway_ratio;
     if (minimum.ran_away) return minimum;
-    landscape.linearise(u);
+    potential.linearise(u);
     stalled = minimum.residual < lowest / 2 ? 0 : stalled + 1;
     lowest = std::min(lowest, minimum.residual);
     minimum.found = minimum.residual < relative_residual ||
                     (minimum.residual < stalled_residual && stalled >= most_stalled);
     std::optional<Eigen::VectorXd> direction;
     if (minimum.found) {
-      const std::optional<bool> definite = landscape.is_definite(random);
+      const std::optional<bool> definite = potential.is_definite(random);
       minimum.undecided = !definite;
       minimum.definite = definite.value_or(false);
     } else {
-      direction = landscape.solve(downhill, solver_accuracy(minimum.residual));
+      direction = potential.solve(downhill, solver_accuracy(minimum.residual));
       minimum.definite = direction.has_value();
     }
     spdlog::debug("  newton {}: energy {:.9e}, residual {:.2e}{}", minimum.iterations,
@@ -98,28 +98,28 @@ Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& r
 
     // Near a saddle the clamped tangent hardly moves along the unstable direction.
     if (!minimum.definite && minimum.residual < near_saddle) {
-      if (leave_saddle(landscape, now, downhill, random)) continue;
+      if (leave_saddle(potential, now, downhill, random)) continue;
       if (minimum.found) return minimum;
     }
     if (!direction) {
-      landscape.clamp();
-      direction = landscape.solve(downhill, solver_accuracy(minimum.residual));
+      potential.clamp();
+      direction = potential.solve(downhill, solver_accuracy(minimum.residual));
     }
     if (!direction) return minimum;
     Eigen::VectorXd& step = *direction;
     if (!body.is_linear())
       step *=
-          std::min(1., largest_move * body.cell_edge() / landscape.longest_move(step));
+          std::min(1., largest_move * body.cell_edge() / potential.longest_move(step));
     const double slope = downhill.dot(step);
     // Energy differences below round-off cannot be judged; the residual then decides.
-    const double round_off = landscape.energy_round_off(u, now.energy);
+    const double round_off = potential.energy_round_off(u, now.energy);
     double factor = 1;
-    Landscape::State trial = landscape.at(landscape.moved(u, step));
+    PotentialEnergy::State trial = potential.at(potential.moved(u, step));
     while (!(trial.energy <= now.energy - 1e-4 * factor * slope + round_off)) {
       factor /= 2;
       minimum.inverted = trial.energy == INFINITY;
       if (factor < (minimum.inverted ? nearest_to_inversion : 1e-8)) return minimum;
-      trial = landscape.at(landscape.moved(u, factor * step));
+      trial = potential.at(potential.moved(u, factor * step));
     }
     now = std::move(trial);
     minimum.inverted = false;

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "statics/landscape.hpp"
+#include "statics/potential_energy.hpp"
 
 namespace springcheck::statics {
 
@@ -10,9 +10,9 @@ namespace springcheck::statics {
 enum class Tangents { definite, any };
 
 struct Minimum {
-  Landscape::State state;  // of the last iterate
+  PotentialEnergy::State state;  // of the last iterate
   bool found;
-  bool definite;    // the true tangent there; its factor is in the landscape
+  bool definite;    // the true tangent there; `potential` has its factor
   bool undecided;   // stationary; whether the tangent is definite could not be told
   bool crossed;     // an iterate before the last had an indefinite tangent
   bool ran_away;    // the energy fell without a minimum nearby
@@ -21,14 +21,14 @@ struct Minimum {
   int iterations;   // Newton's
 };
 
-/// Looks for a minimum of the energy from `start` at the landscape's load;
+/// Looks for a minimum of the energy from `start`, under the load that `potential` has;
 /// find_equilibrium describes the method. Asked for definite tangents it ends at the
 /// first one that is not. With `found` but not `definite` the state is
 /// stationary, its tangent is not positive definite, and no direction of negative
 /// curvature lowers the energy. The search ends without a minimum after 150 iterations,
 /// when the energy cannot be lowered, or when the largest cell has grown fourfold since
 /// the start: with a negative volume modulus the energy has no lower bound.
-Minimum minimise(Landscape& landscape, Eigen::VectorXd start, std::mt19937_64& random,
-                 Tangents tangents = Tangents::any);
+Minimum minimise(PotentialEnergy& potential, Eigen::VectorXd start,
+                 std::mt19937_64& random, Tangents tangents = Tangents::any);
 
 }  // namespace springcheck::statics

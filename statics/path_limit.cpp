@@ -7,7 +7,7 @@
 #include <random>
 
 #include "meshing/random_vector.hpp"
-#include "statics/landscape.hpp"
+#include "statics/potential_energy.hpp"
 
 namespace springcheck::statics {
 namespace {
@@ -22,26 +22,27 @@ constexpr double earlier = 1. / 32;     // of the load, in which a curvature cha
 constexpr unsigned seed = 1;  // of where iterations start that end at the same place
 
 /// Newton's method with the true tangent, as long as that is positive definite: an
-/// equilibrium whose tangent is so, which the landscape has then.
-std::optional<Landscape::State> corrected(Landscape& landscape, Eigen::VectorXd u,
-                                          std::mt19937_64& random) {
+/// equilibrium whose tangent is so, which `potential` has then.
+std::optional<PotentialEnergy::State> corrected(PotentialEnergy& potential,
+                                                Eigen::VectorXd u,
+                                                std::mt19937_64& random) {
   for (int i = 0; i < most_corrections; ++i) {
-    Landscape::State now = landscape.at(std::move(u));
-    const Eigen::VectorXd downhill = landscape.unknowns().in(now.forces);
+    PotentialEnergy::State now = potential.at(std::move(u));
+    const Eigen::VectorXd downhill = potential.unknowns().in(now.forces);
     const double scale = std::max(
-        now.forces.norm(), landscape.force_round_off(now.displacements) / path_residual);
+        now.forces.norm(), potential.force_round_off(now.displacements) / path_residual);
     const double residual = downhill.norm() / scale;
     if (!std::isfinite(residual)) return std::nullopt;
-    landscape.linearise(now.displacements);
+    potential.linearise(now.displacements);
     if (residual < path_residual) {
-      if (!landscape.is_definite(random).value_or(false)) return std::nullopt;
+      if (!potential.is_definite(random).value_or(false)) return std::nullopt;
       return now;
     }
-    const auto step = landscape.solve(downhill, std::min(1e-3, residual));
+    const auto step = potential.solve(downhill, std::min(1e-3, residual));
     if (!step ||
-        landscape.longest_move(*step) > longest_move * landscape.body().cell_edge())
+        potential.longest_move(*step) > longest_move * potential.body().cell_edge())
       return std::nullopt;
-    u = landscape.moved(now.displacements, *step);
+    u = potential.moved(now.displacements, *step);
   }
   return std::nullopt;
 }
@@ -53,12 +54,12 @@ struct Mode {
 
 /// The least curvature of the tangent taken last, positive definite, by inverse iteration
 /// until it changes by less than that part of itself.
-Mode least_curvature(Landscape& landscape, std::mt19937_64& random, double change) {
+Mode least_curvature(PotentialEnergy& potential, std::mt19937_64& random, double change) {
   constexpr int most_iterations = 200;
-  Mode mode{.shape = random_vector(landscape.unknowns().count(), random).normalized(),
+  Mode mode{.shape = random_vector(potential.unknowns().count(), random).normalized(),
             .curvature = 0};
   for (int i = 0; i < most_iterations; ++i) {
-    const Eigen::VectorXd image = landscape.solve(mode.shape, 1e-6).value();
+    const Eigen::VectorXd image = potential.solve(mode.shape, 1e-6).value();
     const double curvature = 1 / mode.shape.dot(image);
     const bool settled = std::abs(curvature - mode.curvature) < change * curvature;
     mode.curvature = curvature;
@@ -81,69 +82,70 @@ struct Along {
   double curvature;  // of the energy
 };
 
-Along along(Landscape& landscape, const Passed& state, const Eigen::VectorXd& mode) {
+Along along(PotentialEnergy& potential, const Passed& state,
+            const Eigen::VectorXd& mode) {
   constexpr double little = 1e-6;  // of the load
-  landscape.set_load(state.load_fraction);
-  landscape.linearise(state.displacements);
-  const Eigen::VectorXd way = landscape.unknowns().in(
-      landscape.predicted(state.displacements, state.load_fraction + little) -
+  potential.set_load(state.load_fraction);
+  potential.linearise(state.displacements);
+  const Eigen::VectorXd way = potential.unknowns().in(
+      potential.predicted(state.displacements, state.load_fraction + little) -
       state.displacements);
   const double amplitude = std::abs(mode.dot(way));
   return {.amplitude = amplitude / little,
           .part = amplitude / way.norm(),
-          .curvature = landscape.curvature_along(mode)};
+          .curvature = potential.curvature_along(mode)};
 }
 
 /// Whether du/ds grows along the mode as its curvature falls from an earlier state to the
 /// last: by more than the curvature's root does, which is half way between staying and
 /// growing like its inverse. A smaller part than a hundredth is an imperfection's, or
 /// round-off.
-bool turns_back(Landscape& landscape, const Passed& earlier, const Passed& last,
+bool turns_back(PotentialEnergy& potential, const Passed& earlier, const Passed& last,
                 const Eigen::VectorXd& mode) {
   constexpr double least_part = 0.01;
-  const Along before = along(landscape, earlier, mode),
-              now = along(landscape, last, mode);
+  const Along before = along(potential, earlier, mode),
+              now = along(potential, last, mode);
   return now.part > least_part && now.amplitude * std::sqrt(now.curvature) >
                                       before.amplitude * std::sqrt(before.curvature);
 }
 
 }  // namespace
 
-PathLimit follow_to_limit(Landscape& landscape, double resolution,
+PathLimit follow_to_limit(PotentialEnergy& potential, double resolution,
                           const AcceptState& accept) {
   std::mt19937_64 random(seed);
   const Eigen::VectorXd rest =
-      Eigen::VectorXd::Zero(3 * std::ssize(landscape.body().nodes()));
+      Eigen::VectorXd::Zero(3 * std::ssize(potential.body().nodes()));
   PathLimit limit{.end = PathEnd::full_load,
                   .load_fraction = 0,
                   .next_load_fraction = 1,
-                  .state = landscape.at(rest),
+                  .state = potential.at(rest),
                   .critical_mode = rest,
                   .curvature = 0,
                   .rest_curvature = 0,
                   .mode_rest_curvature = 0,
                   .steps = 0};
-  landscape.linearise(rest);
+  potential.linearise(rest);
   // Where conjugate gradients cannot tell, the path's first step shows it.
-  if (!landscape.is_definite(random).value_or(true)) {
+  if (!potential.is_definite(random).value_or(true)) {
     limit.end = PathEnd::bifurcation;
     limit.next_load_fraction = 0;
-    const Eigen::VectorXd downhill = Eigen::VectorXd::Ones(landscape.unknowns().count());
+    const Eigen::VectorXd downhill = Eigen::VectorXd::Ones(potential.unknowns().count());
     limit.critical_mode =
-        landscape.unknowns().spread(landscape.negative_curvature(downhill, random));
+        potential.unknowns().spread(potential.negative_curvature(downhill, random));
     return limit;
   }
-  const double whole = landscape.path_gradient(landscape.predicted(rest, 1));
+  const double whole = potential.path_gradient(potential.predicted(rest, 1));
   const double longest_step = std::min(first_step, first_gradient / whole);
   Mode mode;
   const auto find_mode = [&] {
     if (limit.rest_curvature == 0) {
-      landscape.linearise(rest);
-      limit.rest_curvature = least_curvature(landscape, random, 1e-3).curvature;
+      potential.linearise(rest);
+      limit.rest_curvature = least_curvature(potential, random, 1e-3).curvature;
     }
-    landscape.set_load(limit.load_fraction);
-    landscape.linearise(limit.state.displacements);
-    mode = least_curvature(landscape, random, 1e-6);
+    potential.set_load(limit.load_fraction);
+    potential.linearise(limit.state.displacements);
+    mode = least_curvature(potential, random, 1e-6);
   };
   bool was_rejected = false;
   std::deque<Passed> passed{{.load_fraction = 0, .displacements = rest}};
@@ -151,11 +153,11 @@ PathLimit follow_to_limit(Landscape& landscape, double resolution,
   double failed = none;  // the lowest load that was tried and not reached
   for (double step = longest_step; limit.load_fraction < 1;) {
     const double to = std::min(1., limit.load_fraction + step);
-    landscape.linearise(limit.state.displacements);
-    landscape.set_load(limit.load_fraction);
-    const Eigen::VectorXd start = landscape.predicted(limit.state.displacements, to);
-    landscape.set_load(to);
-    std::optional<Landscape::State> state = corrected(landscape, start, random);
+    potential.linearise(limit.state.displacements);
+    potential.set_load(limit.load_fraction);
+    const Eigen::VectorXd start = potential.predicted(limit.state.displacements, to);
+    potential.set_load(to);
+    std::optional<PotentialEnergy::State> state = corrected(potential, start, random);
     was_rejected = state && !accept(state->displacements, to);
     spdlog::debug("load {:.6f}: {}", to,
                   was_rejected ? "not accepted"
@@ -189,15 +191,15 @@ PathLimit follow_to_limit(Landscape& landscape, double resolution,
     return limit;
   }
   limit.curvature = mode.curvature;
-  limit.critical_mode = landscape.unknowns().spread(mode.shape);
-  landscape.linearise(rest);
-  limit.mode_rest_curvature = landscape.curvature_along(mode.shape);
+  limit.critical_mode = potential.unknowns().spread(mode.shape);
+  potential.linearise(rest);
+  limit.mode_rest_curvature = potential.curvature_along(mode.shape);
   if (was_rejected)
     limit.end = PathEnd::rejected;
   else if (mode.curvature > small * limit.mode_rest_curvature)
     limit.end = PathEnd::solver;
   else
-    limit.end = turns_back(landscape, passed.front(), passed.back(), mode.shape)
+    limit.end = turns_back(potential, passed.front(), passed.back(), mode.shape)
                     ? PathEnd::limit_point
                     : PathEnd::bifurcation;
   return limit;

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "statics/landscape.hpp"
+#include "statics/potential_energy.hpp"
 
 namespace springcheck::statics {
 
@@ -20,7 +20,7 @@ struct PathLimit {
   PathEnd end;
   double load_fraction;       // of that state
   double next_load_fraction;  // tried last, and not reached; that of the full load: 1
-  Landscape::State state;
+  PotentialEnergy::State state;
   // Short of the full load, a unit vector of least curvature of the energy there, as it
   // goes to zero where definiteness is lost; of all components, 0 where held:
   Eigen::VectorXd critical_mode;
@@ -50,7 +50,7 @@ using AcceptState =
 /// the other, imperfections aside. It is called a limit point where du/ds has more than a
 /// hundredth of the mode, and that has grown, since a state a thirty-second of the load
 /// or a little more before, by more than the curvature's root has fallen.
-PathLimit follow_to_limit(Landscape& landscape, double resolution,
+PathLimit follow_to_limit(PotentialEnergy& potential, double resolution,
                           const AcceptState& accept);
 
 }  // namespace springcheck::statics

@@ -1,11 +1,15 @@
 #include "tissue/bipower_law.hpp"
 
+#include <fmt/ranges.h>
 #include <array>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 #include <string>
+
+#include <algorithm>
+#include <ranges>
 
 #include "meshing/input_error.hpp"
 #include "tissue/checks.hpp"
@@ -50,12 +54,13 @@ std::span<const Organ> organs() {
 }
 
 BipowerLaw law_of_organ(std::string_view name) {
-  std::string known;
-  for (const Organ& organ : table_4_1) {
-    if (organ.name == name) return organ.law;
-    known += (known.empty() ? "" : ", ") + std::string(organ.name);
-  }
-  throw InputError("tissue", "organ", "one of " + known, "'" + std::string(name) + "'");
+  const auto found = std::ranges::find(table_4_1, name, &Organ::name);
+  if (found != std::end(table_4_1)) return found->law;
+  throw InputError(
+      "tissue", "organ",
+      fmt::format("one of {}",
+                  fmt::join(table_4_1 | std::views::transform(&Organ::name), ", ")),
+      fmt::format("'{}'", name));
 }
 
 double linear_relaxation_modulus(const BipowerLaw& law, double time) {

@@ -19,7 +19,7 @@ struct Advice {
                                          // of more memory
   std::optional<std::size_t> cheaper;    // most accurate of the cheaper ones
   std::optional<std::size_t> not_shown;  // cheapest of the sound cheaper ones, of which
-                                         // the truth's own bar decides
+                                         // the truth's own error bound decides
   std::optional<std::size_t> dearer;     // cheapest of the more accurate ones
   // What meets the wish by errors that cancel, and in words what is against it:
   std::vector<std::pair<std::size_t, std::string>> crossings;

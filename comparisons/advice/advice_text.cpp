@@ -56,8 +56,9 @@ TableRow row_of(const std::string& role, const Advice& advice, const Wish& wish,
   for (const ChartMeasure measure : all_measures) {
     const auto& error = point.errors[advice.truth].of(measure);
     row.cells.emplace_back(in_percent(error));
-    row.cells.emplace_back(error ? in_percent(advice.chart.bar(i, measure, advice.truth))
-                                 : std::nullopt);
+    row.cells.emplace_back(
+        error ? in_percent(advice.chart.error_bound(i, measure, advice.truth))
+              : std::nullopt);
   }
   row.cells.emplace_back(point.seconds());
   if (wish.frame) {
@@ -81,15 +82,15 @@ std::string words_of_frame(const ChartPoint& point) {
 }
 
 /// Where no model could be shown to meet the tolerance.
-std::string words_of_bar(const Advice& advice, const Wish& wish) {
-  const auto bar_is_narrower = [&](std::size_t point) {
+std::string words_of_error_bound(const Advice& advice, const Wish& wish) {
+  const auto bound_is_narrower = [&](std::size_t point) {
     return std::ranges::all_of(wish.measures, [&](ChartMeasure measure) {
-      return advice.chart.bar(point, measure, advice.truth).value_or(INFINITY) <
+      return advice.chart.error_bound(point, measure, advice.truth).value_or(INFINITY) <
              wish.tolerance;
     });
   };
   for (std::size_t i = 0; i < advice.chart.points.size(); ++i)
-    if (bar_is_narrower(i)) return {};
+    if (bound_is_narrower(i)) return {};
   return " Nothing could: the converged solution itself is not known so well. Finer "
          "grids (--converged-across) take longer.";
 }
@@ -110,8 +111,9 @@ std::string truth_text(const Advice& advice) {
   return fmt::format(
       "The converged solution has {} = {:.6g}, known to {:.2g} %, and a change of volume "
       "of {:.6g} of V0, known to {:.2g} % of V0 times the strain.{}",
-      advice.chart.stored.answer, truth.answer.value, 100 * truth.bars.force.value(),
-      truth.volume_change.value, 100 * truth.bars.volume.value(),
+      advice.chart.stored.answer, truth.answer.value,
+      100 * truth.error_bounds.force.value(), truth.volume_change.value,
+      100 * truth.error_bounds.volume.value(),
       is_resolved
           ? ""
           : " It is that unsure because two discretisations contradict each other: "
@@ -161,7 +163,7 @@ std::vector<std::string> notes_on_evidence(const Advice& advice) {
 
 std::string failure_text(const Advice& advice, const Wish& wish) {
   return fmt::format("Nothing that was tried within {:g} s per solution meets it.{}{}",
-                     wish.budget, words_of_bar(advice, wish),
+                     wish.budget, words_of_error_bound(advice, wish),
                      wish.frame && advice.nearest
                          ? words_of_frame(advice.chart.points[*advice.nearest])
                          : "");

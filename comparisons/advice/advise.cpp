@@ -83,10 +83,10 @@ class Search {
 
   /// Whether the truth is known well enough for any point to be within the tolerance.
   [[nodiscard]] bool can_be_shown() const {
-    const ChartErrors& bars = advice_.chart.truths[advice_.truth].bars;
+    const ChartErrors& error_bounds = advice_.chart.truths[advice_.truth].error_bounds;
     return std::ranges::all_of(wish_.measures, [&](ChartMeasure measure) {
       return measure == ChartMeasure::deviation ||  // that of each mesh is another
-             bars.of(measure).value_or(0) < wish_.tolerance;
+             error_bounds.of(measure).value_or(0) < wish_.tolerance;
     });
   }
 
@@ -225,7 +225,7 @@ class Search {
     if (nearest != candidates.end()) advice_.nearest = *nearest;
   }
 
-  /// What is not chosen for the truth's bar alone.
+  /// What is not chosen for the truth's error bound alone.
   void find_not_shown() {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < advice_.chart.points.size(); ++i)

@@ -14,8 +14,9 @@ namespace springcheck {
 /// its times. Models that have one Poisson's ratio, and not the scene's, are no
 /// candidates.
 ///
-/// Where the truth's bar decides of a point that would be the cheapest, the truth is
-/// refined, once; where the bar alone exceeds the tolerance then, the search ends.
+/// Where the truth's error bound decides of a point that would be the cheapest, the truth
+/// is refined, once; where the error bound alone exceeds the tolerance then, the search
+/// ends.
 ///
 /// Of points than which the cheapest one is not faster, as far as times can tell, it is
 /// the one that takes the least memory, then the first in chart_models, which go from

@@ -181,9 +181,9 @@ BesideScene ChartMeasurements::beside(std::size_t scene, const ChartModel& model
   const ChartTruth truth = truth_of(known);
   shown.has_truth = true;
   shown.status = status;
-  shown.errors = beyond_bars(
+  shown.errors = beyond_error_bounds(
       errors_of(run_.stored(), truth, measures, request.reference ? &measures : nullptr),
-      truth.bars);
+      truth.error_bounds);
   return shown;
 }
 

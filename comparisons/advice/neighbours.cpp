@@ -14,9 +14,9 @@ bool has_load(Test test, double deformation) {
 }
 
 std::optional<double> beyond(const std::optional<double>& error,
-                             const std::optional<double>& bar) {
+                             const std::optional<double>& error_bound) {
   if (!error) return std::nullopt;
-  return std::max(0., *error - bar.value_or(0));
+  return std::max(0., *error - error_bound.value_or(0));
 }
 
 }  // namespace
@@ -62,21 +62,22 @@ ChartTruth carried_truth(const ChartTruth& truth, const StoredChart& chart,
   };
   ChartTruth carried = by(1);
   const ChartTruth by_coarser = by(0);
-  const auto add = [](std::optional<double>& bar, double more) {
-    bar = bar.value_or(0) + std::abs(more);
+  const auto add = [](std::optional<double>& error_bound, double more) {
+    error_bound = error_bound.value_or(0) + std::abs(more);
   };
-  add(carried.bars.force, by_coarser.answer.value / carried.answer.value - 1);
-  add(carried.bars.volume,
+  add(carried.error_bounds.force, by_coarser.answer.value / carried.answer.value - 1);
+  add(carried.error_bounds.volume,
       (by_coarser.volume_change.value - carried.volume_change.value) /
           (carried.imposed / chart.height));
-  carried.bars.deviation = deviation;
+  carried.error_bounds.deviation = deviation;
   return carried;
 }
 
-ChartErrors beyond_bars(const ChartErrors& errors, const ChartErrors& bars) {
-  return {.force = beyond(errors.force, bars.force),
-          .volume = beyond(errors.volume, bars.volume),
-          .deviation = beyond(errors.deviation, bars.deviation)};
+ChartErrors beyond_error_bounds(const ChartErrors& errors,
+                                const ChartErrors& error_bounds) {
+  return {.force = beyond(errors.force, error_bounds.force),
+          .volume = beyond(errors.volume, error_bounds.volume),
+          .deviation = beyond(errors.deviation, error_bounds.deviation)};
 }
 
 }  // namespace springcheck

@@ -34,16 +34,17 @@ using TwoGrids = std::array<Measures, 2>;
 ///
 ///     a'* = a' a*/a,   V'* = V' + (V* - V) u'/u
 ///
-/// so that of the grid's own error only what changes with the scene is left. Its bars are
-/// those of the scene and what the same by the coarser grid differs by. `imposed`: u' in
-/// the neighbour; none where it is the answer. `deviation` is what the second grid is off
-/// in that.
+/// so that of the grid's own error only what changes with the scene is left. Its error
+/// bounds are those of the scene and what the same by the coarser grid differs by.
+/// `imposed`: u' in the neighbour; none where it is the answer. `deviation` is what the
+/// second grid is off in that.
 ChartTruth carried_truth(const ChartTruth& truth, const StoredChart& chart,
                          const TwoGrids& here, const TwoGrids& there,
                          const std::optional<double>& imposed,
                          const std::optional<double>& deviation);
 
 /// Errors without what the truth may be off; none below 0.
-ChartErrors beyond_bars(const ChartErrors& errors, const ChartErrors& bars);
+ChartErrors beyond_error_bounds(const ChartErrors& errors,
+                                const ChartErrors& error_bounds);
 
 }  // namespace springcheck

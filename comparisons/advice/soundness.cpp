@@ -55,14 +55,14 @@ std::optional<double> limit_error(const Chart& chart,
   switch (measure) {
     case ChartMeasure::force:
       return std::abs(limit.value / of.answer.value - 1) +
-             limit.bar / std::abs(of.answer.value);
+             limit.error_bound / std::abs(of.answer.value);
     case ChartMeasure::volume:
-      return (std::abs(limit.value - of.volume_change.value) + limit.bar) /
+      return (std::abs(limit.value - of.volume_change.value) + limit.error_bound) /
              (of.imposed / chart.stored.height);
     case ChartMeasure::deviation:
       break;
   }
-  return std::abs(limit.value) + limit.bar;
+  return std::abs(limit.value) + limit.error_bound;
 }
 
 Examiner::Examiner(const Wish& wish, BodyShape shape, Measurements& measurements,

@@ -39,7 +39,7 @@ class Examiner {
   ///   lets it be followed,
   /// - no error of what the model converges to exceeds the tolerance: by its law
   ///   (Measurements::law_errors), or where that is not known by three sizes, and then
-  ///   bar and error together, see limit_error; three sizes must be known,
+  ///   error bound and error together, see limit_error; three sizes must be known,
   /// - the model is ok on the next finer cells, with no error above the tolerance,
   /// - it is ok in the scenes beside, see Neighbour, and shown to be beyond the tolerance
   ///   in none.
@@ -74,8 +74,8 @@ class Examiner {
 };
 
 /// Error of what a model converges to, by its points on three sizes, from coarse to fine,
-/// with its bar: of force and volume by the limit of their values, of deviations by their
-/// own limit (converged_number). None where one lacks the figure.
+/// with its error bound: of force and volume by the limit of their values, of deviations
+/// by their own limit (converged_number). None where one lacks the figure.
 std::optional<double> limit_error(const Chart& chart,
                                   std::span<const std::size_t, 3> points,
                                   ChartMeasure measure, std::size_t truth);

@@ -32,7 +32,7 @@ bool Judge::is_candidate(std::size_t point) const {
          std::ranges::all_of(wish_.measures,
                              [&](ChartMeasure measure) {
                                return of.errors[truth_].of(measure) &&
-                                      chart_.bar(point, measure, truth_);
+                                      chart_.error_bound(point, measure, truth_);
                              }) &&
          (!wish_.frame || frame_of(of, *wish_.frame));
 }
@@ -48,7 +48,7 @@ double Judge::error(std::size_t point) const {
   double largest = 0;
   for (const ChartMeasure measure : wish_.measures)
     largest = std::max(largest, *chart_.points[point].errors[truth_].of(measure) +
-                                    chart_.bar(point, measure, truth_).value());
+                                    chart_.error_bound(point, measure, truth_).value());
   return largest;
 }
 
@@ -56,7 +56,7 @@ Proof Judge::proof(std::size_t point) const {
   if (error(point) <= wish_.tolerance) return Proof::within;
   const bool is_beyond = std::ranges::any_of(wish_.measures, [&](ChartMeasure measure) {
     return *chart_.points[point].errors[truth_].of(measure) -
-               *chart_.bar(point, measure, truth_) >
+               *chart_.error_bound(point, measure, truth_) >
            wish_.tolerance;
   });
   return is_beyond ? Proof::beyond : Proof::open;

@@ -35,7 +35,8 @@ struct Frame {
 /// Of a motion's point, by its times without set-up. None without a limit.
 std::optional<Frame> frame_of(const ChartPoint& point, double duration);
 
-/// What can be shown of a point beside a tolerance, where its truth is known to a bar.
+/// What can be shown of a point beside a tolerance, where its truth is known to an error
+/// bound.
 enum class Proof { within, open, beyond };
 
 /// The points of a chart, by their places, as a wish judges them.
@@ -52,8 +53,8 @@ class Judge {
   [[nodiscard]] double off(std::size_t point) const;
   [[nodiscard]] double error(std::size_t point) const;
 
-  /// Within: no error and bar exceed the tolerance together. Beyond: an error exceeds it
-  /// by more than its bar.
+  /// Within: no error and error bound exceed the tolerance together. Beyond: an error
+  /// exceeds it by more than its error bound.
   [[nodiscard]] Proof proof(std::size_t point) const;
   [[nodiscard]] bool meets_tolerance(std::size_t point) const;
 

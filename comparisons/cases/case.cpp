@@ -80,7 +80,7 @@ bool has_history(const CaseSettings& settings) {
 }
 
 mss::NetworkSettings springs_of(const CaseSettings& settings, const FixedSprings& fixed) {
-  const mss::NetworkSettings usual{.method = settings.springs.method};
+  const mss::NetworkSettings usual{.model = settings.springs.model};
   mss::NetworkSettings springs = settings.springs;
   if (!reads(settings, "spring-strain"))
     springs.strain_measure = fixed.strain.value_or(usual.strain_measure);

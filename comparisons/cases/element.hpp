@@ -7,7 +7,7 @@
 
 #include "fem_reference/laws/settings.hpp"
 #include "meshing/scene.hpp"
-#include "mss/networks/method.hpp"
+#include "mss/networks/spring_model.hpp"
 
 namespace springcheck {
 

@@ -24,7 +24,7 @@ Cost cost_of(const Chart& chart, std::size_t place, ChartKind kind, ChartMeasure
   const ChartPoint& point = chart.points[place];
   const auto& error = point.errors[truth].of(measure);
   if (point.place.kind != kind || !point.is_ok() || !error) return {};
-  return {.error = std::max(*error, chart.bar(place, measure, truth).value_or(0)),
+  return {.error = std::max(*error, chart.error_bound(place, measure, truth).value_or(0)),
           .seconds = point.seconds()};
 }
 
@@ -81,10 +81,10 @@ bool Chart::tells_truth(std::size_t point, std::size_t truth) const {
   });
 }
 
-std::optional<double> Chart::bar(std::size_t point, ChartMeasure measure,
-                                 std::size_t truth) const {
-  return measure == ChartMeasure::deviation ? points[point].deviation_bars[truth]
-                                            : truths[truth].bars.of(measure);
+std::optional<double> Chart::error_bound(std::size_t point, ChartMeasure measure,
+                                         std::size_t truth) const {
+  return measure == ChartMeasure::deviation ? points[point].deviation_error_bounds[truth]
+                                            : truths[truth].error_bounds.of(measure);
 }
 
 std::vector<std::size_t> Chart::front(ChartKind kind, ChartMeasure measure,
@@ -133,7 +133,7 @@ Chart evaluated(const StoredChart& stored, const Cases& cases) {
     ChartPoint point{
         .place = place,
         .errors = std::vector<ChartErrors>(chart.truths.size()),
-        .deviation_bars = std::vector<std::optional<double>>(chart.truths.size()),
+        .deviation_error_bounds = std::vector<std::optional<double>>(chart.truths.size()),
         .compared = std::vector<std::string>(chart.truths.size())};
     if (const StoredCase* found = find(cases, place.key)) point.found = *found;
     for (std::size_t i = 0; point.found && i < chart.truths.size(); ++i) {
@@ -145,11 +145,12 @@ Chart evaluated(const StoredChart& stored, const Cases& cases) {
       point.errors[i] = errors_of(stored, truth, point.found->measures,
                                   other == nullptr ? nullptr : &other->measures);
       if (other == nullptr) continue;
-      const auto bar = other->measures.reference_bar_l2_relative;
-      if (!bar) continue;
-      point.deviation_bars[i] = std::max(*bar, truth.grids.places_apart.value_or(0));
-      truth.bars.deviation =
-          std::max(truth.bars.deviation.value_or(0), *point.deviation_bars[i]);
+      const auto error_bound = other->measures.reference_bar_l2_relative;
+      if (!error_bound) continue;
+      point.deviation_error_bounds[i] =
+          std::max(*error_bound, truth.grids.places_apart.value_or(0));
+      truth.error_bounds.deviation = std::max(truth.error_bounds.deviation.value_or(0),
+                                              *point.deviation_error_bounds[i]);
     }
     chart.points.push_back(std::move(point));
   }

@@ -13,7 +13,8 @@ struct ChartPoint {
   StoredChart::Point place;
   std::optional<StoredCase> found{};  // none where it was not run
   std::vector<ChartErrors> errors;    // for each truth; none in failed cases
-  std::vector<std::optional<double>> deviation_bars;  // of each truth on this mesh
+  std::vector<std::optional<double>>
+      deviation_error_bounds;         // of each truth on this mesh
   std::vector<std::string> compared;  // keys of the cases that tell them, or ""
 
   /// Whether it is a state to rely on: an equilibrium, or end of a motion, with nothing
@@ -52,8 +53,8 @@ struct Chart {
   [[nodiscard]] bool tells_truth(std::size_t point, std::size_t truth) const;
 
   /// What the truth may be off, of a measure, beside a point: of deviations on its mesh.
-  [[nodiscard]] std::optional<double> bar(std::size_t point, ChartMeasure measure,
-                                          std::size_t truth) const;
+  [[nodiscard]] std::optional<double> error_bound(std::size_t point, ChartMeasure measure,
+                                                  std::size_t truth) const;
 
   /// Of one kind and one truth, the front over its points that are ok, see pareto_front;
   /// an error below what the truth may be off counts as that.

@@ -27,7 +27,7 @@ Json errors_json(const ChartErrors& errors) {
 
 Json number_json(const CheckedNumber& number) {
   return {{"value", number.value},
-          {"bar", number.bar},
+          {"bar", number.error_bound},
           {"order", value_or_null(number.order)},
           {"element", element_of(number)},
           {"disagreement", value_or_null(number.disagreement)},
@@ -78,7 +78,7 @@ Json fronts_json(const Chart& chart) {
         Json heights = Json::array();
         for (const std::size_t i : front)
           heights.push_back(std::max(*chart.points[i].errors[truth].of(measure),
-                                     chart.bar(i, measure, truth).value_or(0)));
+                                     chart.error_bound(i, measure, truth).value_or(0)));
         json.push_back({{"kind", std::string(name_of(kind))},
                         {"law", chart.truths[truth].grids.law},
                         {"measure", std::string(name_of(measure))},
@@ -110,7 +110,7 @@ Json chart_json(const Chart& chart) {
                               {"finest_cell_size", truth.grids.grids.cell_sizes.back()},
                               {"answer", number_json(truth.answer)},
                               {"volume_change", number_json(truth.volume_change)},
-                              {"bars", errors_json(truth.bars)}});
+                              {"bars", errors_json(truth.error_bounds)}});
   for (std::size_t i = 0; i < chart.points.size(); ++i)
     json["points"].push_back(point_json(chart, i));
   for (const Claim& claim : claims(chart))

@@ -23,15 +23,15 @@ ChartKind kind_of(const Model& model) {
 /// What the model sets, as a scene would.
 GivenSettings changes_of(const Model& model, const Method& method) {
   GivenSettings changes{{"method", model.method}};
-  if (!model.element.empty()) changes.emplace_back("element", model.element);
+  if (!model.element.empty()) changes.push_back({"element", model.element});
   if (model.cells != CellType::hexahedron)
-    changes.emplace_back("cell-type", std::string(name_of(model.cells)));
+    changes.push_back({"cell-type", std::string(name_of(model.cells))});
   if (!model.linear_solver.empty())
-    changes.emplace_back("linear-solver", model.linear_solver);
+    changes.push_back({"linear-solver", model.linear_solver});
   if (method.follows_solver)
-    changes.emplace_back("solver", model.precision ? "semi-implicit" : "static");
+    changes.push_back({"solver", model.precision ? "semi-implicit" : "static"});
   if (model.precision)
-    changes.emplace_back("precision", std::string(name_of(*model.precision)));
+    changes.push_back({"precision", std::string(name_of(*model.precision))});
   return changes;
 }
 
@@ -196,7 +196,7 @@ ThreeCases q2_grids(const std::string& scene, const GivenSettings& options,
   GivenSettings changes = cells_of(body.block.size, across.value_or(is_beam ? 2 : 4)) +
                           elements +
                           GivenSettings{{"cell-type", "hexahedron"}, {"distortion", 0}};
-  if (is_beam) changes.emplace_back("linear-solver", "direct");
+  if (is_beam) changes.push_back({"linear-solver", "direct"});
   return convergence_grids(case_with(scene, own + changes));
 }
 

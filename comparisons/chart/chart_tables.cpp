@@ -145,16 +145,16 @@ Table truths_table(const std::vector<Chart>& charts) {
                     of.law,
                     chart.stored.answer,
                     truth.answer.value,
-                    in_percent(truth.bars.force),
+                    in_percent(truth.error_bounds.force),
                     {truth.answer.order, "none"},
                     element_of(truth.answer),
                     apart(truth.answer, std::abs(truth.answer.value)),
                     100 * truth.volume_change.value,
-                    in_percent(truth.bars.volume),
+                    in_percent(truth.error_bounds.volume),
                     {truth.volume_change.order, "none"},
                     element_of(truth.volume_change),
                     apart(truth.volume_change, truth.imposed / chart.stored.height),
-                    in_percent(truth.bars.deviation),
+                    in_percent(truth.error_bounds.deviation),
                     in_percent(of.places_apart)},
           .cases = {of.grids.keys.rbegin(), of.grids.keys.rend()},
           .part = identity_of(chart.stored)};
@@ -293,8 +293,8 @@ Table front_table(const std::vector<Chart>& charts) {
                           point.place.threads, chart.rivals(i, measure, truth).size()},
                 .cases = {point.place.key},
                 .part = identity_of(chart.stored)};
-            const auto bar = chart.bar(i, measure, truth);
-            if (bar && *point.errors[truth].of(measure) < *bar)
+            const auto error_bound = chart.error_bound(i, measure, truth);
+            if (error_bound && *point.errors[truth].of(measure) < *error_bound)
               row.notes.emplace_back("Below the bound of the converged solution itself.");
             note_own_truth(row, chart, i, truth);
             table.rows.push_back(std::move(row));

@@ -40,7 +40,9 @@ CheckedNumber number_of(const StoredChart::Truth& truth,
                             grids.formal_order);
   };
   const ConvergedNumber number = limit(truth.grids, values);
-  if (!check) return {.value = number.value, .order = number.order, .bar = number.bar};
+  if (!check)
+    return {
+        .value = number.value, .order = number.order, .error_bound = number.error_bound};
   return checked_number(number, limit(*truth.check, *check));
 }
 
@@ -80,8 +82,9 @@ std::optional<ChartTruth> truth_of(const StoredChart& chart,
                                  check ? std::optional(check->volumes) : std::nullopt, 1),
       .imposed = 0};
   truth.imposed = chart.imposed.value_or(std::abs(truth.answer.value));
-  truth.bars.force = truth.answer.bar / std::abs(truth.answer.value);
-  truth.bars.volume = truth.volume_change.bar / (truth.imposed / chart.height);
+  truth.error_bounds.force = truth.answer.error_bound / std::abs(truth.answer.value);
+  truth.error_bounds.volume =
+      truth.volume_change.error_bound / (truth.imposed / chart.height);
   return truth;
 }
 
@@ -100,10 +103,10 @@ std::optional<double> apart_in_places(std::span<const CaseResult* const> grids,
   for (std::size_t n = 0; n < mesh.nodes().size(); ++n)
     distances.push_back(
         (one->solution.displacements[n] - other->solution.displacements[n]).norm());
-  const auto apart = relative(distances), own_bar = relative(one->node_bars),
-             other_bar = relative(other->node_bars);
+  const auto apart = relative(distances), own_bound = relative(one->node_error_bounds),
+             other_bound = relative(other->node_error_bounds);
   if (!apart) return std::nullopt;
-  return *apart <= *own_bar + *other_bar ? *apart : *apart + *other_bar;
+  return *apart <= *own_bound + *other_bound ? *apart : *apart + *other_bound;
 }
 
 }  // namespace springcheck

@@ -43,7 +43,7 @@ struct ChartTruth {
   CheckedNumber answer;         // [N], [N m] or [m]
   CheckedNumber volume_change;  // of V0
   double imposed;               // u [m]
-  ChartErrors bars{};           // deviation's: the largest of any mesh compared
+  ChartErrors error_bounds{};   // deviation's: the largest of any mesh compared
 };
 
 /// Of the grids that a number is told by.
@@ -56,9 +56,9 @@ std::optional<ChartTruth> truth_of(const StoredChart& chart,
                                    const std::map<std::string, StoredCase>& cases);
 
 /// How far the limits of two fields are apart, as deviation_l2_relative over the nodes of
-/// the first's coarsest grid, and where they are farther apart than the bars of both, the
-/// other's bar with it. Both have three results, with fields; none where one failed, or
-/// where all nodes are held.
+/// the first's coarsest grid, and where they are farther apart than the error bounds of
+/// both, the other's error bound with it. Both have three results, with fields; none
+/// where one failed, or where all nodes are held.
 std::optional<double> apart_in_places(std::span<const CaseResult* const> grids,
                                       std::span<const CaseResult* const> check,
                                       MeshStore& meshes);

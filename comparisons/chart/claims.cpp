@@ -45,14 +45,14 @@ std::optional<std::pair<std::size_t, std::size_t>> same_cells(
 /// Of a point, at least what the truth may be off: errors below tell nothing.
 struct KnownError {
   double value;
-  bool is_bar;
+  bool is_bound;
 };
 
 KnownError known_error(const Chart& chart, ChartMeasure measure, std::size_t i) {
   const std::size_t truth = *chart.truth_of(chart.stored.law);
-  const double bar = chart.bar(i, measure, truth).value_or(0);
+  const double error_bound = chart.error_bound(i, measure, truth).value_or(0);
   const double error = *chart.points[i].errors[truth].of(measure);
-  return {.value = std::max(error, bar), .is_bar = error < bar};
+  return {.value = std::max(error, error_bound), .is_bound = error < error_bound};
 }
 
 /// Whether a is closer to the truth than b, by a worthwhile gain and more than what the
@@ -61,8 +61,8 @@ Answer closer(const Chart& chart, ChartMeasure measure, std::size_t a, std::size
   const std::size_t truth = *chart.truth_of(chart.stored.law);
   const double one = known_error(chart, measure, a).value,
                other = known_error(chart, measure, b).value;
-  const double known_to = std::max({chart.bar(a, measure, truth).value_or(0),
-                                    chart.bar(b, measure, truth).value_or(0),
+  const double known_to = std::max({chart.error_bound(a, measure, truth).value_or(0),
+                                    chart.error_bound(b, measure, truth).value_or(0),
                                     worthwhile_gain * std::max(one, other)});
   if (std::abs(one - other) <= known_to) return Answer::undecided;
   return one < other ? Answer::yes : Answer::no;
@@ -102,7 +102,7 @@ std::string figures(const Chart& chart, const Claim& claim, std::size_t i) {
   const KnownError error = known_error(chart, claim.measure, i);
   return fmt::format("{} on {} across ({}, {}{:.3g} % off)", name_of(point.place.model),
                      point.place.across, time_text(point),
-                     error.is_bar ? "less than " : "", 100 * error.value);
+                     error.is_bound ? "less than " : "", 100 * error.value);
 }
 
 std::string times_as(double ratio, const char* more, const char* less) {

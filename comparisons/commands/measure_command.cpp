@@ -16,9 +16,9 @@
 #include "comparisons/commands/result_json.hpp"
 #include "comparisons/commands/result_text.hpp"
 #include "comparisons/commands/setting_options.hpp"
-#include "comparisons/measured/measured_case.hpp"
-#include "comparisons/measured/nodal_csv.hpp"
-#include "comparisons/measured/vtu_file.hpp"
+#include "comparisons/imported/imported_case.hpp"
+#include "comparisons/imported/nodal_csv.hpp"
+#include "comparisons/imported/vtu_file.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
@@ -51,8 +51,8 @@ struct MeasureOptions {
   int threads = all_cores();
 };
 
-MeasuredFields read_fields(const MeasureOptions& files, const Mesh& mesh) {
-  MeasuredFields fields{.displacements = read_displacements(files.displacements, mesh)};
+ImportedFields read_fields(const MeasureOptions& files, const Mesh& mesh) {
+  ImportedFields fields{.displacements = read_displacements(files.displacements, mesh)};
   if (files.forces)
     fields.forces = read_nodal_csv(*files.forces, mesh, NodalQuantity::force);
   return fields;
@@ -89,8 +89,8 @@ ExitStatus measure(const MeasureOptions& options) {
   if (options.out) check_results_writable(*options.out);
   MeshStore meshes;
   const Mesh& mesh = meshes.mesh(run.common.body);
-  const MeasuredFields fields = read_fields(options, mesh);
-  check_read(run, measured_method(options.label, fields), given);
+  const ImportedFields fields = read_fields(options, mesh);
+  check_read(run, imported_method(options.label, fields), given);
   const CaseSettings measured = at_load(run.common, last_load(run.common.dynamics));
   for (const std::string& words :
        contradictions(mesh, mechanical_scene(measured, mesh), fields))
@@ -100,7 +100,7 @@ ExitStatus measure(const MeasureOptions& options) {
   std::vector<CaseResult> results;
   {
     Progress progress("simulations");
-    results.push_back(measured_case(
+    results.push_back(imported_case(
         run, options.label, fields, meshes,
         [&](std::size_t done, std::size_t of) { progress.show(done, of); }));
   }

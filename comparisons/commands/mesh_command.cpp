@@ -21,11 +21,11 @@ namespace {
 
 /// "8 prisms, 20 hexahedra".
 std::string cell_counts(const Mesh& mesh) {
-  std::string text;
+  std::vector<std::string> counts;
   for (const CellType type : all_cell_types)
     if (const std::size_t count = mesh.count(type); count > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, plural_of(type));
-  return text;
+      counts.push_back(fmt::format("{} {}", count, plural_of(type)));
+  return fmt::format("{}", fmt::join(counts, ", "));
 }
 
 struct MeshOptions {

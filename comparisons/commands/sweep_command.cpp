@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -88,10 +89,10 @@ void print_estimate(const std::vector<PlannedCase>& missing, const Sweep& sweep,
 }
 
 std::string counts(const std::map<Status, int>& count) {
-  std::string text;
+  std::vector<std::string> all;
   for (const auto& [status, cases] : count)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", cases, name_of(status));
-  return text;
+    all.push_back(fmt::format("{} {}", cases, name_of(status)));
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
 /// Of "I/N". Throws InputError unless 1 <= I <= N.

@@ -1,4 +1,5 @@
 #include "comparisons/gates/outcome.hpp"
+#include "meshing/scene.hpp"
 
 #include <fmt/format.h>
 
@@ -43,7 +44,7 @@ std::string text_of(const Range& band) {
 
 void fall_short(Outcome& outcome, const std::string& why) {
   outcome.verdict = Judgement::falls_short;
-  outcome.explanation += (outcome.explanation.empty() ? "" : "; ") + why;
+  add_reason(outcome.explanation, why);
 }
 
 void compare(Outcome& outcome, const Range& band, const std::optional<double>& got) {

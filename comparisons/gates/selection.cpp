@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+#include <span>
 
 #include "comparisons/names/suggestion.hpp"
 #include "comparisons/settings/setting.hpp"
@@ -107,23 +109,20 @@ std::vector<std::vector<Scalar>> values_of(const Condition& condition,
 }
 
 std::string text_of(const Condition& condition) {
-  std::string text;
-  for (const auto& value : condition.values) {
-    std::string numbers;
-    for (const Scalar& number : value)
-      numbers += (numbers.empty() ? "" : ", ") + described(number);
+  const auto text_of_value = [&](const std::vector<Scalar>& value) {
+    const auto numbers =
+        fmt::format("{}", fmt::join(value | std::views::transform(described), ", "));
     const bool is_list = value.size() != 1 || condition.is_flat_list;
-    text += fmt::format(fmt::runtime(is_list ? "{}[{}]" : "{}{}"),
-                        text.empty() ? "" : " or ", numbers);
-  }
-  return condition.column + " = " + text;
+    return is_list ? "[" + numbers + "]" : numbers;
+  };
+  return fmt::format(
+      "{} = {}", condition.column,
+      fmt::join(condition.values | std::views::transform(text_of_value), " or "));
 }
 
 std::string text_of(const Selection& selection) {
-  std::string text;
-  for (const Condition& condition : selection)
-    text += (text.empty() ? "" : ", ") + text_of(condition);
-  return text;
+  const auto text = [](const Condition& condition) { return text_of(condition); };
+  return fmt::format("{}", fmt::join(selection | std::views::transform(text), ", "));
 }
 
 std::vector<std::size_t> matching(const Columns& cases, const Selection& selection) {
@@ -147,12 +146,11 @@ std::string cell_text(const Columns& cases, const std::string& column, std::size
   const auto numbers = cases.numbers.find(column);
   if (numbers == cases.numbers.end()) return "";
   const std::size_t width = numbers->second.width;
-  std::string text;
-  for (std::size_t i = row * width; i < (row + 1) * width; ++i)
-    if (!std::isnan(numbers->second.values[i]))
-      text +=
-          fmt::format("{}{:.12g}", text.empty() ? "" : ",", numbers->second.values[i]);
-  return text;
+  const auto is_there = [](double number) { return !std::isnan(number); };
+  return fmt::format(
+      "{:.12g}", fmt::join(std::span(numbers->second.values).subspan(row * width, width) |
+                               std::views::filter(is_there),
+                           ","));
 }
 
 std::set<std::string> differences(const Columns& cases,

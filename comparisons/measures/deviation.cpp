@@ -69,11 +69,11 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
 
 Measures::Value reference_bar_l2_relative(const CaseSettings& settings, const Mesh& mesh,
                                           const Solution& reference,
-                                          const std::vector<double>& node_bars) {
+                                          const std::vector<double>& node_error_bounds) {
   const Scene scene = mechanical_scene(settings, mesh);
   const auto length = imposed_length(settings, scene, mesh, reference);
   const auto free =
-      over_free_nodes(mesh, scene, [&](std::size_t n) { return node_bars[n]; });
+      over_free_nodes(mesh, scene, [&](std::size_t n) { return node_error_bounds[n]; });
   if (!length || *length <= 0 || !free) return std::nullopt;
   return free->root_mean_square / *length;
 }

@@ -35,6 +35,6 @@ void measure_deviation(Measures& measures, const CaseSettings& settings, const M
 /// off at each node [m], divided by what the settings' whole load imposes.
 Measures::Value reference_bar_l2_relative(const CaseSettings& settings, const Mesh& mesh,
                                           const Solution& reference,
-                                          const std::vector<double>& node_bars);
+                                          const std::vector<double>& node_error_bounds);
 
 }  // namespace springcheck

@@ -5,7 +5,7 @@
 
 #include "comparisons/cases/case.hpp"
 #include "comparisons/methods/protocol.hpp"
-#include "mss/networks/method_table.hpp"
+#include "mss/networks/spring_model_table.hpp"
 #include "mss/solve.hpp"
 
 namespace springcheck {
@@ -16,9 +16,10 @@ using fem_reference::Springs;
 const std::vector<CellType> any_cells{all_cell_types.begin(), all_cell_types.end()},
     hexahedra{CellType::hexahedron}, tetrahedra{CellType::tetrahedron};
 
-mss::NetworkSettings network_settings(const CaseSettings& settings, mss::Method method) {
+mss::NetworkSettings network_settings(const CaseSettings& settings,
+                                      mss::SpringModel model) {
   mss::NetworkSettings springs = springs_of(settings, settings.method.fixed);
-  springs.method = method;
+  springs.model = model;
   return springs;
 }
 
@@ -60,7 +61,7 @@ constexpr double multigrid_bytes = 20e3;
 
 /// A method with what all of springs have. Of a solution's systems the coupling is that
 /// above nu = 1/4.
-Method of_springs(mss::Method springs, Method own, double coupling = 1) {
+Method of_springs(mss::SpringModel springs, Method own, double coupling = 1) {
   own.family = Family::springs;
   if (own.lattice) {
     own.lattice->name = own.name;
@@ -173,7 +174,7 @@ std::string_view at_a_quarter(const Material& material) {
 }  // namespace
 
 std::vector<Method> spring_methods() {
-  using enum mss::Method;
+  using enum mss::SpringModel;
   return {
       of_springs(baudet, {.name = "mss-baudet",
                           .description = "edge and inner-diagonal springs after Baudet",
@@ -267,8 +268,8 @@ std::vector<Method> spring_methods() {
            .omits = {{no_correction, "mss-cf"}},
            .beside_printed = true}),
       // It couples a node with its neighbours' neighbours where its volume correction
-      // acts on node stars. Peaks at 10^3 and 20^3 cubes: 221 and 714 MB, mss-cf's 188
-      // and 432.
+      // acts on nodal patches. Peaks at 10^3 and 20^3 cubes: 221 and 714 MB,
+      // mss-cf's 188 and 432.
       of_springs(affine,
                  {.name = "mss-affine",
                   .description = "virtual springs, on any cells of any shape",

@@ -1,6 +1,7 @@
 #include "comparisons/methods/families.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "comparisons/methods/protocol.hpp"
 #include "fem_reference/tissue/solve_tissue.hpp"
+#include "meshing/scene.hpp"
 #include "meshing/stopwatch.hpp"
 #include "mss/tissue/solve_tissue.hpp"
 #include "mss/tissue/thesis_springs.hpp"
@@ -134,7 +136,7 @@ Solution solve_with_memory(const CaseSettings& settings, const Solve& solve) {
       extrapolation(fit.range, settings.dynamics, solution.largest_shear_strain.value());
   for (const std::string& poor :
        {poor_fit(fit), poor_path(fit, settings, solution.largest_shear_strain.value())})
-    if (!poor.empty()) solution.reason += (solution.reason.empty() ? "" : "; ") + poor;
+    add_reason(solution.reason, poor);
   return solution;
 }
 
@@ -276,9 +278,12 @@ std::vector<Method> tissue_methods() {
 
 std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamics,
                           double largest_strain) {
-  std::string text;
-  const auto say = [&](const std::string& what) {
-    text += (text.empty() ? "extrapolated beyond the fitted range: " : ", ") + what;
+  std::vector<std::string> said;
+  const auto say = [&](std::string what) { said.push_back(std::move(what)); };
+  const auto text = [&] {
+    return said.empty() ? ""
+                        : fmt::format("extrapolated beyond the fitted range: {}",
+                                      fmt::join(said, ", "));
   };
   if (largest_strain > range.strains.to * (1 + 1e-9))  // round-off
     say(fmt::format("shear strains of {:.4g} (fitted to {:g})", largest_strain,
@@ -290,7 +295,7 @@ std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamic
       say(fmt::format("{:g} rad/s (fitted from {:g} to {:g})",
                       dynamics.oscillation->angular_frequency,
                       range.angular_frequencies.from, range.angular_frequencies.to));
-    return text;
+    return text();
   }
   const Pace pace = pace_of(dynamics);
   if (pace.longest_hold > leeway * range.times_held.to)
@@ -301,7 +306,7 @@ std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamic
     if (pace.shortest_way * leeway < least)
       say(fmt::format("a small strain within {:.3g} s (fitted from {:g} s)",
                       pace.shortest_way, least));
-    return text;
+    return text();
   }
   const double of_load = largest_strain / pace.largest_fraction;
   for (const double rate : {pace.slowest * of_load, pace.fastest * of_load}) {
@@ -310,7 +315,7 @@ std::string extrapolation(const tissue::FitRange& range, const Dynamics& dynamic
                     range.rates.from, range.rates.to));
     break;
   }
-  return text;
+  return text();
 }
 
 }  // namespace springcheck

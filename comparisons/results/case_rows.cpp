@@ -1,10 +1,12 @@
 #include "comparisons/results/case_rows.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <ranges>
 
 #include "comparisons/settings/case_json.hpp"
 #include "meshing/input_error.hpp"
@@ -13,10 +15,8 @@ namespace springcheck {
 namespace {
 
 std::string joined(const std::vector<Status>& flags) {
-  std::string text;
-  for (const Status flag : flags)
-    text += fmt::format("{}{}", text.empty() ? "" : ",", name_of(flag));
-  return text;
+  const auto name = [](Status flag) { return name_of(flag); };
+  return fmt::format("{}", fmt::join(flags | std::views::transform(name), ","));
 }
 
 Row::mapped_type cell(const nlohmann::json& value) {

@@ -1,6 +1,7 @@
 #include "comparisons/results/known_results.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <set>
@@ -28,11 +29,11 @@ namespace {
 
 /// "3 of a1b2c3d4e5f6, 60 of an unknown one"
 std::string listed(const OtherRevisions& others) {
-  std::string text;
+  std::vector<std::string> all;
   for (const auto& [revision, cases] : others)
-    text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", cases,
-                        revision == unknown_revision ? "an unknown one" : revision);
-  return text;
+    all.push_back(fmt::format(
+        "{} of {}", cases, revision == unknown_revision ? "an unknown one" : revision));
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
 }  // namespace

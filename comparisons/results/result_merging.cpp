@@ -88,16 +88,13 @@ std::optional<Difference> difference(Row a, Row b) {
 std::string computed_with(const Columns& sessions, const Row& row) {
   const auto session = static_cast<std::size_t>(
       std::get<std::vector<double>>(row.at("provenance")).front());
-  std::string text;
-  for (const char* name : {"instructions", "BLAS"}) {
+  const auto told = [&](const char* name) {
     const auto column = sessions.texts.find(name);
     const bool is_told =
         column != sessions.texts.end() && !column->second.at(session).empty();
-    text +=
-        fmt::format("{}{}", text.empty() ? "" : ", ",
-                    is_told ? column->second[session] : fmt::format("unknown {}", name));
-  }
-  return text;
+    return is_told ? column->second[session] : fmt::format("unknown {}", name);
+  };
+  return told("instructions") + ", " + told("BLAS");
 }
 
 /// "compression, fem-stvk:q1".

@@ -271,11 +271,7 @@ void write_chart(hid_t charts, const StoredChart& chart) {
 std::vector<StoredChart> read_charts(const std::filesystem::path& file,
                                      Revisions revisions) {
   return reading(file, [&](hid_t root) {
-    std::vector<StoredChart> all;
-    if (!hdf5::has_link(root, "charts")) return all;
-    const auto charts = hdf5::open_group(root, "charts");
-    for (const std::string& name : hdf5::links(charts))
-      all.push_back(read_chart(hdf5::open_group(charts, name)));
+    auto all = read_groups(root, "charts", read_chart);
     if (revisions == Revisions::own)
       std::erase_if(all, [](const StoredChart& chart) {
         return chart.revision != build_info::revision;

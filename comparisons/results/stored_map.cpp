@@ -140,11 +140,7 @@ std::map<std::string, std::string> dates_of_revisions(hid_t root) {
 
 std::vector<StoredMap> read_maps(const std::filesystem::path& file, Revisions revisions) {
   return reading(file, [&](hid_t root) {
-    std::vector<StoredMap> all;
-    if (!hdf5::has_link(root, "maps")) return all;
-    const auto maps = hdf5::open_group(root, "maps");
-    for (const std::string& name : hdf5::links(maps))
-      all.push_back(read_map(hdf5::open_group(maps, name)));
+    auto all = read_groups(root, "maps", read_map);
     if (revisions == Revisions::own) {
       std::erase_if(all, [](const StoredMap& map) { return !is_own(map); });
       return all;

@@ -19,6 +19,7 @@
 #include "comparisons/store/lock_file.hpp"
 #include "meshing/breakdown.hpp"
 #include "meshing/output_file.hpp"
+#include "meshing/scene.hpp"
 #include "meshing/stopwatch.hpp"
 #include "meshing/turn.hpp"
 
@@ -70,11 +71,6 @@ std::string lost_turn(const CaseSettings& settings, const Mesh& mesh,
       "{:.4g}",
       *shown_turn(mesh, scene, positions, solution.load_fraction) / degree,
       scene.plates.back().motion.angle * solution.load_fraction / degree);
-}
-
-void add_reason(CaseResult& result, const std::string& reason) {
-  if (reason.empty()) return;
-  result.reason += (result.reason.empty() ? "" : "; ") + reason;
 }
 
 /// Writes checkpoints as long as they can be written: what was computed is worth more.
@@ -163,7 +159,7 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
       measures.hourglass_amplitude = seen->amplitude;
     }
     const std::string lost = lost_turn(settings, mesh, solution);
-    add_reason(result, lost);
+    add_reason(result.reason, lost);
     is_folded = *measures.corner_jacobian_ratio_min < 0;
     inverted = is_folded || !lost.empty();
     // Springs that take the logarithm of a cell's volume have no finite energy there.
@@ -180,12 +176,12 @@ CaseResult judged(const CaseSettings& settings, const Mesh& mesh, Solution found
   result.flags = verdict.flags;
   for (const Status flag : verdict.flags) {
     if (flag == Status::inverted && is_folded)
-      add_reason(result, "a cell is turned inside out at a corner");
+      add_reason(result.reason, "a cell is turned inside out at a corner");
     if (flag == Status::wrinkled)
-      add_reason(result, "a free face zigzags from cell to cell");
+      add_reason(result.reason, "a free face zigzags from cell to cell");
   }
   if (!solution.extrapolation.empty()) result.flags.push_back(Status::extrapolated);
-  add_reason(result, solution.extrapolation);
+  add_reason(result.reason, solution.extrapolation);
   return result;
 }
 

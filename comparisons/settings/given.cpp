@@ -1,10 +1,12 @@
 #include "comparisons/settings/given.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <ranges>
 
 #include "comparisons/names/suggestion.hpp"
 #include "meshing/input_error.hpp"
@@ -81,9 +83,9 @@ Given Given::from_text(std::string place, std::string_view text) {
 }
 
 void Given::refuse(const std::string& expected) const {
-  std::string got;
-  for (const Scalar& value : written_.empty() ? values_ : written_)
-    got += fmt::format("{}{}", got.empty() ? "" : ", ", described(value));
+  std::string got = fmt::format("{}", fmt::join((written_.empty() ? values_ : written_) |
+                                                    std::views::transform(described),
+                                                ", "));
   if (is_list_) got = fmt::format("[{}]", got);
   throw InputError(place_, "", expected, got);
 }
@@ -153,22 +155,21 @@ std::vector<std::string> Given::texts() const {
 }
 
 std::string Given::toml() const {
-  std::string all;
-  for (const Scalar& value : values_) {
+  const auto of_value = [](const Scalar& value) {
     const auto* text = std::get_if<std::string>(&value);
-    all += (all.empty() ? "" : ", ") +
-           (text == nullptr ? described(value) : toml_text(*text));
-  }
+    return text == nullptr ? described(value) : toml_text(*text);
+  };
+  const auto all =
+      fmt::format("{}", fmt::join(values_ | std::views::transform(of_value), ", "));
   return values_.size() == 1 && !is_list_ ? all : "[" + all + "]";
 }
 
 std::string Given::joined() const {
-  std::string all;
-  for (const Scalar& value : values_) {
+  const auto of_value = [](const Scalar& value) {
     const auto* text = std::get_if<std::string>(&value);
-    all += (all.empty() ? "" : ",") + (text != nullptr ? *text : described(value));
-  }
-  return all;
+    return text != nullptr ? *text : described(value);
+  };
+  return fmt::format("{}", fmt::join(values_ | std::views::transform(of_value), ","));
 }
 
 std::vector<double> Given::any_numbers(const std::string& expected) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -42,6 +43,10 @@ class Given {
   Given(const std::array<int, 3>& counts)
       : Given(own, std::vector<Scalar>{std::int64_t{counts[0]}, std::int64_t{counts[1]},
                                        std::int64_t{counts[2]}}) {}
+
+  Given(bool) = delete;  // would be the integer 1
+  Given(char) = delete;
+  Given(std::nullptr_t) = delete;
 
   /// From command-line text: commas separate the values of a list; each is read as a
   /// truth value, an integer, a number or else as text.

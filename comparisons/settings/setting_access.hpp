@@ -3,9 +3,11 @@
 // How settings are read and told: for setting_table.cpp alone.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <ranges>
 
 #include "comparisons/settings/reference_method.hpp"
 #include "comparisons/settings/setting.hpp"
@@ -43,10 +45,9 @@ nlohmann::json json_of(const std::optional<Value>& value) {
 /// lists of one length.
 template <auto number>
 nlohmann::json load_points(const CaseSettings& c) {
-  std::string text;
-  for (const dynamics::LoadPoint& point : c.dynamics.load)
-    text += fmt::format("{}{}", text.empty() ? "" : ",", point.*number);
-  return text;
+  const auto of_point = [](const dynamics::LoadPoint& point) { return point.*number; };
+  return fmt::format("{}",
+                     fmt::join(c.dynamics.load | std::views::transform(of_point), ","));
 }
 
 template <auto member, auto... members>

@@ -1,6 +1,7 @@
 #include "comparisons/settings/toml_values.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cerrno>
 #include <cstring>
@@ -51,10 +52,9 @@ std::string written(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (const auto number = node.value_exact<double>()) return fmt::to_string(*number);
   if (const toml::array* list = node.as_array()) {
-    std::string items;
-    for (const toml::node& item : *list)
-      items += (items.empty() ? "" : ", ") + written(item);
-    return "[" + items + "]";
+    std::vector<std::string> items;
+    for (const toml::node& item : *list) items.push_back(written(item));
+    return fmt::format("[{}]", fmt::join(items, ", "));
   }
   std::ostringstream text;
   text << toml::toml_formatter(node);

@@ -1,10 +1,12 @@
 #include "comparisons/stability/atlas.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 #include <set>
 
 #include "comparisons/build_info/build_info.hpp"
@@ -317,8 +319,7 @@ void check_axes(const Atlas& atlas, const AtlasPlan& plan) {
 StoredMap stored_map(const Atlas& atlas, const AtlasPlan& plan,
                      const OtherRevisions& others, MapState state) {
   StoredMap map{.scene = plan.scene, .revision = build_info::revision, .state = state};
-  for (const auto& [revision, cases] : others)
-    map.other_revisions += (map.other_revisions.empty() ? "" : ",") + revision;
+  map.other_revisions = fmt::format("{}", fmt::join(others | std::views::keys, ","));
   for (const Axis& axis : plan.axes) map.axes.push_back(axis.key);
   for (const AtlasPoint& point : atlas.points)
     map.points.push_back({.method = point.method,

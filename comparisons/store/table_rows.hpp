@@ -25,6 +25,17 @@ void write_rows(hid_t group, const char* name, const std::vector<Part>& parts,
   append_rows(hdf5::create_group(group, name), rows);
 }
 
+/// What read(group) makes of each group in the one of that name; nothing without it.
+template <class Read>
+auto read_groups(hid_t root, const std::string& name, const Read& read) {
+  std::vector<decltype(read(root))> all;
+  if (!hdf5::has_link(root, name)) return all;
+  const auto groups = hdf5::open_group(root, name);
+  for (const std::string& link : hdf5::links(groups))
+    all.push_back(read(hdf5::open_group(groups, link)));
+  return all;
+}
+
 /// A table that is read row by row; columns that none of its rows has need not be there.
 class TableRows {
  public:

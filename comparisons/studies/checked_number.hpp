@@ -6,17 +6,17 @@
 
 namespace springcheck {
 
-/// What a number converges to, told by two discretisations a and b with their bars, of
-/// which a's is the narrower:
+/// What a number converges to, told by two discretisations a and b with their error
+/// bounds, of which a's is the narrower:
 ///
-///     resolved:    |a - b| <= bar a + bar b,   bar = max(bar a, |a - b|)
-///     unresolved:  else,                       bar = |a - b| + bar b
+///     resolved:    |a - b| <= bound a + bound b,   bound = max(bound a, |a - b|)
+///     unresolved:  else,                           bound = |a - b| + bound b
 ///
 /// about a, so that b, and where they contradict each other all that b allows, is within.
 struct CheckedNumber {
   double value;
   std::optional<double> order;
-  double bar;
+  double error_bound;
   bool is_of_check = false;              // the value is b's
   std::optional<double> disagreement{};  // |a - b|; none where it is not checked
 

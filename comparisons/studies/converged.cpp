@@ -63,8 +63,8 @@ constexpr double order_of_interpolation = 1.5;
 /// The finest run's field. Its own error is known at the middle grid's nodes, by the
 /// order and safety that the coarsest's show; between its nodes there is that of the
 /// interpolation, known from what every other node would give.
-ConvergedField finest_with_bars(std::span<const CaseResult* const> runs, const Body& body,
-                                MeshStore& meshes) {
+ConvergedField finest_with_error_bounds(std::span<const CaseResult* const> runs,
+                                        const Body& body, MeshStore& meshes) {
   const GridSizes sizes = sizes_of(runs);
   const double ratio = sizes[1] / sizes[2];
   const Body& middle = runs[1]->request.settings.body;
@@ -78,24 +78,25 @@ ConvergedField finest_with_bars(std::span<const CaseResult* const> runs, const B
   if (shown.index) field.index = shown.index;
   const std::vector<Vector3> thinned = displacements_on(middle, *runs[2], meshes);
   const std::vector<Vector3>& coarser = runs[1]->solution.displacements;
-  std::vector<Vector3> own_bars;
+  std::vector<Vector3> own_bounds;
   for (std::size_t n = 0; n < thinned.size(); ++n)
-    own_bars.emplace_back(*field.index * (thinned[n] - coarser[n]).norm(), 0, 0);
-  const auto own_bars_here = interpolated(own_bars, middle.block, nodes),
+    own_bounds.emplace_back(*field.index * (thinned[n] - coarser[n]).norm(), 0, 0);
+  const auto own_bounds_here = interpolated(own_bounds, middle.block, nodes),
              thinned_here = interpolated(thinned, middle.block, nodes);
   const double part_between =
       asymptotic_safety * rest_by_order(ratio, order_of_interpolation);
   const double noise =
       solver_noise * matrix_of(field.displacements).colwise().norm().maxCoeff();
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    // Quadratic, and so below 0 beside a node of a large bar.
-    field.node_bars[n] = std::max(std::abs(own_bars_here[n].x()), noise);
+    // Quadratic, and so below 0 beside a node of a large error bound.
+    field.node_error_bounds[n] = std::max(std::abs(own_bounds_here[n].x()), noise);
     if (!are_nodes_of(finest.block, std::span(&nodes[n], 1)))
-      field.node_bars[n] +=
+      field.node_error_bounds[n] +=
           part_between * (thinned_here[n] - field.displacements[n]).norm();
   }
-  field.bar = std::accumulate(field.node_bars.begin(), field.node_bars.end(), 0.) /
-              static_cast<double>(nodes.size());
+  field.error_bound = std::accumulate(field.node_error_bounds.begin(),
+                                      field.node_error_bounds.end(), 0.) /
+                      static_cast<double>(nodes.size());
   return field;
 }
 
@@ -136,8 +137,9 @@ ConvergedField converged_field(std::span<const CaseResult* const> runs, const Bo
                        cell_volumes.value.data() + cell_volumes.value.size()},
       .order = field.order,
       .index = field.index,
-      .bar = field.bar.colwise().norm().mean()};
-  for (const auto& bar : field.bar.colwise()) converged.node_bars.push_back(bar.norm());
+      .error_bound = field.error_bound.colwise().norm().mean()};
+  for (const auto& error_bound : field.error_bound.colwise())
+    converged.node_error_bounds.push_back(error_bound.norm());
   for (const auto& u : field.value.colwise()) converged.displacements.emplace_back(u);
   return converged;
 }
@@ -148,7 +150,7 @@ ConvergedField finest_field(std::span<const CaseResult* const> runs, const Body&
   const CaseResult& finest = *runs.back();
   ConvergedField field{.displacements = displacements_on(body, finest, meshes),
                        .cell_volumes = cell_volumes_on(body, finest, meshes),
-                       .bar = 0};
+                       .error_bound = 0};
   const Eigen::MatrixXd u = matrix_of(field.displacements);
   const Eigen::MatrixXd change =
       u - matrix_of(displacements_on(body, *runs[runs.size() - 2], meshes));
@@ -159,8 +161,8 @@ ConvergedField finest_field(std::span<const CaseResult* const> runs, const Body&
   field.index =
       cautious_safety * rest_by_order(ratio, formal_order(finest.request.settings));
   for (const auto& of_node : change.colwise())
-    field.node_bars.push_back(std::max(*field.index * of_node.norm(), noise));
-  field.bar = std::max(*field.index * change.colwise().norm().mean(), noise);
+    field.node_error_bounds.push_back(std::max(*field.index * of_node.norm(), noise));
+  field.error_bound = std::max(*field.index * change.colwise().norm().mean(), noise);
   return field;
 }
 
@@ -182,12 +184,12 @@ std::optional<ReferenceField> reference_field(const Request& request,
   const Body& coarsest = runs[0]->request.settings.body;
   ConvergedField converged = are_nodes_of(coarsest.block, meshes.mesh(body).nodes())
                                  ? converged_field(runs, body, meshes)
-                                 : finest_with_bars(runs, body, meshes);
+                                 : finest_with_error_bounds(runs, body, meshes);
   field.solution.displacements = std::move(converged.displacements);
   field.solution.cell_volumes = std::move(converged.cell_volumes);
   field.order = converged.order;
-  field.bar = converged.bar;
-  field.node_bars = std::move(converged.node_bars);
+  field.error_bound = converged.error_bound;
+  field.node_error_bounds = std::move(converged.node_error_bounds);
   return field;
 }
 

@@ -23,8 +23,8 @@ struct ConvergedField {
   std::vector<double> cell_volumes;  // [m^3] deformed, of its cells
   std::optional<double> order{};     // of the displacements, and
   std::optional<double> index{};     // likewise: see Extrapolated
-  double bar;                        // mean over the nodes of the distance it bounds [m]
-  std::vector<double> node_bars{};   // that distance at each
+  double error_bound;                // mean over the nodes of the distance it bounds [m]
+  std::vector<double> node_error_bounds{};  // that distance at each
 };
 
 /// A run's displacements at the nodes of a body's mesh: its own ones, or interpolated
@@ -37,25 +37,25 @@ std::vector<Vector3> displacements_on(const Body& body, const CaseResult& run,
 ConvergedField converged_field(std::span<const CaseResult* const> runs, const Body& body,
                                MeshStore& meshes);
 
-/// The field of the finest of the runs, from coarse to fine, with bars by its distance
-/// from the next, the formal order and a safety factor of 3 (extrapolation.hpp).
+/// The field of the finest of the runs, from coarse to fine, with error bounds by its
+/// distance from the next, the formal order and a safety factor of 3 (extrapolation.hpp).
 ConvergedField finest_field(std::span<const CaseResult* const> runs, const Body& body,
                             MeshStore& meshes);
 
 /// What deviations are measured against.
 struct ReferenceField {
   Solution solution;  // displacements and cell volumes, on the case's mesh
-  std::optional<double> order{}, bar{};  // as ConvergedField's, of three grids
-  std::vector<double> node_bars{};       // likewise
+  std::optional<double> order{}, error_bound{};  // as ConvergedField's, of three grids
+  std::vector<double> node_error_bounds{};       // likewise
 };
 
 /// The request's, from the runs of reference_cases(request); none when one of them
 /// failed. Of three grids it is converged_field where the case's nodes are nodes of the
 /// coarsest. Elsewhere what interpolation adds to a coarse grid's errors does not
-/// converge as they do: there it is the finest run's field, with bars of what it may be
-/// off itself, by the order and safety that the coarsest's nodes show, or as finest_field
-/// where they show none, and of the interpolation
-/// between its nodes, 1.25/(2^(3/2) - 1) times what leaving out every other node changes.
+/// converge as they do: there it is the finest run's field, with error bounds of what it
+/// may be off itself, by the order and safety that the coarsest's nodes show, or as
+/// finest_field where they show none, and of the interpolation between its nodes,
+/// 1.25/(2^(3/2) - 1) times what leaving out every other node changes.
 std::optional<ReferenceField> reference_field(const Request& request,
                                               std::span<const CaseResult* const> runs,
                                               MeshStore& meshes);

@@ -14,7 +14,8 @@ ConvergedNumber converged_number(const GridSizes& sizes,
   for (std::size_t i = 0; i < 3; ++i)
     on_grids[i] = Eigen::MatrixXd::Constant(1, 1, values[i]);
   const Extrapolated limit = extrapolate(sizes, on_grids, noise, formal_order);
-  return {.value = limit.value(0), .order = limit.order, .bar = limit.bar(0)};
+  return {
+      .value = limit.value(0), .order = limit.order, .error_bound = limit.error_bound(0)};
 }
 
 ConvergedNumber converged_number(const ThreeCases& cases,
@@ -30,7 +31,7 @@ ConvergedNumber converged_difference(const ThreeCases& cases,
   const auto [q1, q2, q3] = differences;
   const double coarse_change = q1 - q2, fine_change = q2 - q3;
   if (std::max(std::abs(coarse_change), std::abs(fine_change)) <= noise)
-    return {.value = q3, .order = std::nullopt, .bar = noise};
+    return {.value = q3, .order = std::nullopt, .error_bound = noise};
   const BelievedOrder believed =
       believed_order(sizes, coarse_change, fine_change, formal_order(cases[0]));
   const double p = believed.order, rest = fine_change * rest_by_order(h2 / h3, p);
@@ -40,10 +41,10 @@ ConvergedNumber converged_difference(const ThreeCases& cases,
   if (!believed.is_monotone)
     return {.value = q3,
             .order = believed.observed,
-            .bar = std::max(cautious_safety * left, noise)};
+            .error_bound = std::max(cautious_safety * left, noise)};
   return {.value = q3 - rest,
           .order = believed.observed,
-          .bar = std::max((cautious_safety + 1) * left, noise)};
+          .error_bound = std::max((cautious_safety + 1) * left, noise)};
 }
 
 ConvergedNumber converged_number(const ThreeCases& cases,

@@ -6,11 +6,11 @@
 
 namespace springcheck {
 
-/// What one number of a case converges to on three grids, with its order and bar.
+/// What one number of a case converges to on three grids, with its order and error bound.
 struct ConvergedNumber {
   double value;
   std::optional<double> order;
-  double bar;
+  double error_bound;
 };
 
 /// Extrapolates `values` on three grids, from coarse to fine, as extrapolate does;
@@ -29,14 +29,14 @@ ConvergedNumber converged_number(const ThreeCases& cases,
 /// factor is always 3, and the last change counts for no less than what the one before
 /// it leaves:
 ///
-///     q* = q3 + (q3 - q2)/((h2/h3)^p - 1),   bar = 4 e
-///     q* = q3,                               bar = 3 e   (changes grow or turn back)
+///     q* = q3 + (q3 - q2)/((h2/h3)^p - 1),   bound = 4 e
+///     q* = q3,                               bound = 3 e   (changes grow or turn back)
 ///     e = max(|q3 - q2|/((h2/h3)^p - 1), |q2 - q1| (h3/h2)^p/((h1/h2)^p - 1))
 ///
-/// p is BelievedOrder's; changes of at most `noise` are the solvers', and no bar is
-/// smaller. Source: as believed_order; of chance our own. It is one part of what bounds a
-/// law part (ErrorPart), which law_parts_test.cpp holds against finer grids; by itself it
-/// misses 1 of 74 there.
+/// p is BelievedOrder's; changes of at most `noise` are the solvers', and no error bound
+/// is smaller. Source: as believed_order; of chance our own. It is one part of what
+/// bounds a law part (ErrorPart), which law_parts_test.cpp holds against finer grids; by
+/// itself it misses 1 of 74 there.
 ConvergedNumber converged_difference(const ThreeCases& cases,
                                      const std::array<double, 3>& differences,
                                      double noise);

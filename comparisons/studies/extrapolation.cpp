@@ -72,9 +72,9 @@ Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values, dou
   const Eigen::MatrixXd coarse = q1 - q2, fine = q2 - q3;
   const double coarse_change = root_mean_square(coarse);
   const double fine_change = root_mean_square(fine);
-  Extrapolated limit{.value = q3, .bar = fine};
+  Extrapolated limit{.value = q3, .error_bound = fine};
   if (coarse_change <= noise && fine_change <= noise) {
-    limit.bar.setZero();
+    limit.error_bound.setZero();
   } else {
     const double sign = coarse.cwiseProduct(fine).sum() < 0 ? -1 : 1;
     const BelievedOrder believed =
@@ -83,13 +83,13 @@ Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values, dou
     limit.order = believed.observed;
     limit.index = believed.safety_factor * rest;
 
-    limit.bar *= *limit.index;
+    limit.error_bound *= *limit.index;
     if (believed.is_monotone) {
       limit.value -= rest * fine;
-      limit.bar += rest * fine;
+      limit.error_bound += rest * fine;
     }
   }
-  limit.bar = limit.bar.cwiseAbs().cwiseMax(noise);
+  limit.error_bound = limit.error_bound.cwiseAbs().cwiseMax(noise);
   return limit;
 }
 

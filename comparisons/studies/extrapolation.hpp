@@ -69,23 +69,23 @@ inline constexpr double asymptotic_safety = 1.25, cautious_safety = 3;
 struct Extrapolated {
   Eigen::MatrixXd value;          // q*
   std::optional<double> order{};  // observed
-  Eigen::MatrixXd bar;            // half width about q*, entry by entry, not negative
+  Eigen::MatrixXd error_bound;    // half width about q*, entry by entry, not negative
   // F/((h2/h3)^p - 1); none where all has converged:
   std::optional<double> index{};
 };
 
 /// Richardson's extrapolation by the order p that is believed, one for all entries, and
 /// the grid convergence index F e, e = |q3 - q2|/((h2/h3)^p - 1), which its source
-/// centres at the finest grid's value. The bar holds that whole interval:
+/// centres at the finest grid's value. The error bound holds that whole interval:
 ///
-///     q* = q3 + (q3 - q2)/((h2/h3)^p - 1),   bar = (F + 1) e
-///     q* = q3,                               bar = F e   (they grow or turn back)
-///     q* = q3,                               bar = noise   (all has converged)
+///     q* = q3 + (q3 - q2)/((h2/h3)^p - 1),   bound = (F + 1) e
+///     q* = q3,                               bound = F e   (they grow or turn back)
+///     q* = q3,                               bound = noise   (all has converged)
 ///
 /// The changes whose ratio gives the order are the root mean squares over the entries of
 /// q1 - q2 and q2 - q3, with the sign of their product: with one entry, the changes
 /// themselves. Changes of at most `noise` (root mean square, in the unit of the values)
-/// are what solvers leave, not the grid; no bar is smaller.
+/// are what solvers leave, not the grid; no error bound is smaller.
 ///
 /// Source: as believed_order.
 Extrapolated extrapolate(const GridSizes& sizes, const OnThreeGrids& values, double noise,

@@ -64,7 +64,7 @@ ConvergedValue converged_measure(Runs runs, const SplitMeasure& measure,
       cases_of(runs), *values, solver_noise * unit.value_or(std::abs((*values)[2])));
   value.value = limit.value;
   value.order = limit.order;
-  value.bar = limit.bar;
+  value.error_bound = limit.error_bound;
   return value;
 }
 
@@ -81,9 +81,10 @@ ContinuumValue checked(ConvergedValue converged, ConvergedValue check,
                       .disagreement = disagreement,
                       .is_resolved = false};
   if (!disagreement) return both;
-  double& bar = both.converged.bar.value();
-  both.is_resolved = all_ok && *disagreement <= bar + both.check.bar.value();
-  bar = std::max(bar, *disagreement);
+  double& error_bound = both.converged.error_bound.value();
+  both.is_resolved =
+      all_ok && *disagreement <= error_bound + both.check.error_bound.value();
+  error_bound = std::max(error_bound, *disagreement);
   return both;
 }
 
@@ -152,7 +153,7 @@ ConvergedValue converged_distance(Runs runs, const std::optional<ConvergedField>
       .value = mean_distance(field, origin)};
   if (field) {
     value.order = field->order;
-    value.bar = field->bar;
+    value.error_bound = field->error_bound;
   }
   return value;
 }
@@ -173,7 +174,7 @@ std::optional<ConvergedNumber> between_continua(const ConvergedValue& lattice,
                               solver_noise * unit.value_or(std::abs((*elements)[2])));
 }
 
-/// The law part with its bar (ErrorPart).
+/// The law part with its error bound (ErrorPart).
 ErrorPart law_part(const SplitQuantity& quantity, const ContinuumRuns& reference,
                    const std::optional<double>& unit) {
   const auto of = [&](auto which, Runs runs) {
@@ -185,8 +186,9 @@ ErrorPart law_part(const SplitQuantity& quantity, const ContinuumRuns& reference
   const auto by_grids = of(&ContinuumValue::converged, reference.runs),
              by_check = of(&ContinuumValue::check, reference.check);
   if (part.value && by_grids && by_check)
-    part.bar = std::max(by_grids->bar + std::abs(by_grids->value - *part.value),
-                        std::abs(by_check->value - *part.value));
+    part.error_bound =
+        std::max(by_grids->error_bound + std::abs(by_grids->value - *part.value),
+                 std::abs(by_check->value - *part.value));
   return part;
 }
 
@@ -202,7 +204,8 @@ SplitQuantity split_measure(const SplitMeasure& measure,
       .reference = continuum_measure(reference.runs, reference.check, measure, unit)};
   const ConvergedValue& lattice = quantity.cauchy_born.converged;
   quantity.law = law_part(quantity, reference, unit);
-  quantity.discretisation = {difference(quantity.springs, lattice.value), lattice.bar};
+  quantity.discretisation = {difference(quantity.springs, lattice.value),
+                             lattice.error_bound};
   return quantity;
 }
 
@@ -228,10 +231,10 @@ SplitQuantity split_field(const CaseResult& springs, const ContinuumRuns& cauchy
           converged_distance(reference.runs, law, law, body, meshes),
           converged_distance(reference.check, law_check, law, body, meshes),
           mean_distance(law, law_check), all_ok(reference.runs, reference.check))};
-  const auto& lattice_bar = quantity.cauchy_born.converged.bar;
+  const auto& lattice_error_bound = quantity.cauchy_born.converged.error_bound;
   quantity.law = {mean_distance(lattice, law),
-                  sum(lattice_bar, quantity.reference.converged.bar)};
-  quantity.discretisation = {mean_distance(own, lattice), lattice_bar};
+                  sum(lattice_error_bound, quantity.reference.converged.error_bound)};
+  quantity.discretisation = {mean_distance(own, lattice), lattice_error_bound};
   return quantity;
 }
 

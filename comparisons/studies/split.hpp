@@ -47,26 +47,27 @@ struct GridValue {
 /// A quantity on three grids, from coarse to fine, and what it converges to.
 struct ConvergedValue {
   std::vector<GridValue> grids;
-  std::optional<double> value{}, order{}, bar{};  // no order: none was observed
+  std::optional<double> value{}, order{}, error_bound{};  // no order: none was observed
 };
 
 /// A quantity of one continuum by both discretisations.
 struct ContinuumValue {
-  ConvergedValue converged;  // q1-sri; its bar is at least the disagreement
+  ConvergedValue converged;  // q1-sri; its error bound is at least the disagreement
   ConvergedValue check;      // q2
   // Between the two: |value - value|, or the mean distance of the fields.
   std::optional<double> disagreement{};
-  // Whether the two agree within the sum of the bars of their grids, and all runs are ok.
+  // Whether the two agree within the sum of the error bounds of their grids, and all runs
+  // are ok.
   bool is_resolved;
 };
 
-/// A part of the error, and its bar. The discretisation part's is Cauchy-Born's. Both
-/// continua err nearly alike on equal grids: the bar of a law part is that of their
-/// difference, extrapolated grid by grid (converged_difference), and its distance from
-/// the part; at least the part's distance from the one that q2's grids give. (Of fields,
-/// the sum of both bars.)
+/// A part of the error, and its error bound. The discretisation part's is Cauchy-Born's.
+/// Both continua err nearly alike on equal grids: the error bound of a law part is that
+/// of their difference, extrapolated grid by grid (converged_difference), and its
+/// distance from the part; at least the part's distance from the one that q2's grids
+/// give. (Of fields, the sum of both error bounds.)
 struct ErrorPart {
-  std::optional<double> value{}, bar{};
+  std::optional<double> value{}, error_bound{};
 };
 
 /// One quantity, split. Of fields ("mean_deviation") the numbers are mean distances over

@@ -17,6 +17,7 @@
 #include "comparisons/studies/converged.hpp"
 #include "comparisons/system/memory.hpp"
 #include "meshing/input_error.hpp"
+#include "meshing/scene.hpp"
 
 namespace springcheck {
 namespace {
@@ -86,10 +87,11 @@ std::string why_no_deviation(const Request& request,
   return request.no_reference;
 }
 
-class Study {
+/// Runs the simulations of a study, many at a time, and hands over what they make.
+class StudyRun {
  public:
-  Study(const std::vector<Request>& requests, MeshStore& meshes, const KnownResult& known,
-        const Deliver& deliver, const Watch& watch)
+  StudyRun(const std::vector<Request>& requests, MeshStore& meshes,
+           const KnownResult& known, const Deliver& deliver, const Watch& watch)
       : requests_(requests),
         meshes_(meshes),
         known_(known),
@@ -273,15 +275,14 @@ class Study {
       result.deviation =
           difference(result.solution.displacements, reference->solution.displacements);
       result.measures.reference_order = reference->order;
-      result.measures.reference_bar = reference->bar;
-      if (reference->bar)
+      result.measures.reference_bar = reference->error_bound;
+      if (reference->error_bound)
         result.measures.reference_bar_l2_relative = reference_bar_l2_relative(
             at_largest_load(request.settings, result.solution.load_fraction), *own.mesh,
-            reference->solution, reference->node_bars);
+            reference->solution, reference->node_error_bounds);
     }
     if (result.measures.volume_error && !result.measures.mean_deviation)
-      if (const std::string why = why_no_deviation(request, runs); !why.empty())
-        result.reason += (result.reason.empty() ? "" : "; ") + why;
+      add_reason(result.reason, why_no_deviation(request, runs));
     result.request = request;
     result.key = key_of_identity(case_identity(request, *own.mesh), result.revision);
     hand_over(i, std::move(result));
@@ -323,7 +324,7 @@ class Study {
 void run_study(const std::vector<Request>& requests, MeshStore& meshes, int parallel,
                const Finished& finished, const KnownResult& known, const Deliver& deliver,
                const Watch& watch) {
-  Study(requests, meshes, known, deliver, watch).run(parallel, finished);
+  StudyRun(requests, meshes, known, deliver, watch).run(parallel, finished);
 }
 
 std::vector<CaseResult> run_study(const std::vector<Request>& requests, MeshStore& meshes,

@@ -2,6 +2,7 @@
 
 #include "dynamics/marching/march.hpp"
 #include "dynamics/precision.hpp"
+#include "meshing/stopwatch.hpp"
 
 namespace springcheck::dynamics {
 

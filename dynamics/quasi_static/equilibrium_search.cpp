@@ -171,6 +171,7 @@ double EquilibriumSearch::largest_gradient(const Positions& from,
 }
 
 std::optional<FoundEquilibrium> EquilibriumSearch::find(const SoughtEquilibrium& sought) {
+  jumped_ = false;
   const Positions start = predicted(sought);
   Positions there = start;
   Field residual = on_free(forces(sought.dt, there, sought.load_fraction));

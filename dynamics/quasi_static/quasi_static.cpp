@@ -10,6 +10,7 @@
 #include <string>
 
 #include "dynamics/quasi_static/equilibrium_search.hpp"
+#include "meshing/scene.hpp"
 
 namespace springcheck::dynamics {
 namespace {
@@ -189,7 +190,8 @@ Solution find_quasi_static(const Mesh& mesh, const Scene& scene, RememberingBody
   if (!reason.empty()) {
     solution.status =
         path.jumped() ? SolveStatus::no_equilibrium : SolveStatus::not_converged;
-    solution.reason = reason + (solution.reason.empty() ? "" : "; ") + solution.reason;
+    add_reason(reason, solution.reason);
+    solution.reason = reason;
   }
   return solution;
 }

@@ -31,7 +31,7 @@ int main() {
   const double k = 19.0 / 144 * material.young_modulus * side / cells;  // [N/m], of a cell
   const mss::LatticeConstants constants{{4 * k, 2 * k, k}, 0};  // four cells share an edge
   const Solution springs = mss::solve(
-      mesh, scene, {.network = {.method = mss::Method::custom, .constants = constants}});
+      mesh, scene, {.network = {.model = mss::SpringModel::custom, .constants = constants}});
   const Solution elements = fem_reference::solve(
       mesh, scene,
       {.law = fem_reference::Law::hencky, .element = fem_reference::Element::q1_sri});

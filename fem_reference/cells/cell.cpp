@@ -20,15 +20,16 @@ double mean_of_points(const Law& law, const Shape& shape, const CellVectors& u) 
 /// U of the whole cell's dilatation; nothing where it is taken at the points.
 template <class Law>
 VolumetricEnergy of_whole_cell(const Law& law, DilatationTaken taken, const Shape& shape,
-                               const CellVectors& u, const FromStars& stars) {
+                               const CellVectors& u,
+                               const FromNodalPatches& nodal_patches) {
   switch (taken) {
     case DilatationTaken::cell_mean:
       return law.volumetric_energy(mean_of_points(law, shape, u));
     case DilatationTaken::of_mean_gradient:
       return law.volumetric_energy(
           law.dilatation(displacement_gradient(shape, u, shape.weights.size())).value);
-    case DilatationTaken::star_mean:  // the energy is the stars' own
-      return {.value = 0, .first = stars.pressure, .second = 0};
+    case DilatationTaken::patch_mean:  // the energy is the nodal patches' own
+      return {.value = 0, .first = nodal_patches.pressure, .second = 0};
     case DilatationTaken::at_points:
       break;
   }
@@ -37,13 +38,13 @@ VolumetricEnergy of_whole_cell(const Law& law, DilatationTaken taken, const Shap
 
 /// Whether each point takes part in the whole cell's dilatation.
 bool is_mean_of_points(DilatationTaken taken) {
-  return taken == DilatationTaken::cell_mean || taken == DilatationTaken::star_mean;
+  return taken == DilatationTaken::cell_mean || taken == DilatationTaken::patch_mean;
 }
 
 template <class Law>
 CellState state(const Law& law, DilatationTaken taken, const Shape& shape,
-                const CellVectors& u, const FromStars& stars) {
-  const VolumetricEnergy whole = of_whole_cell(law, taken, shape, u, stars);
+                const CellVectors& u, const FromNodalPatches& nodal_patches) {
+  const VolumetricEnergy whole = of_whole_cell(law, taken, shape, u, nodal_patches);
   CellState sum{.energy = 0,
                 .forces = CellVectors::Zero(3, u.cols()),
                 .smallest_jacobian = std::numeric_limits<double>::infinity()};
@@ -51,8 +52,8 @@ CellState state(const Law& law, DilatationTaken taken, const Shape& shape,
     const Matrix3 H = displacement_gradient(shape, u, q);
     const double w = shape.weights[q];
     const ShapeState shape_part = shape_state(law, H);
-    double psi = stars.own_part * shape_part.energy;
-    Matrix3 P = stars.own_part * shape_part.stress + stars.stress;
+    double psi = nodal_patches.own_part * shape_part.energy;
+    Matrix3 P = nodal_patches.own_part * shape_part.stress + nodal_patches.stress;
     if (taken == DilatationTaken::at_points) {
       const Dilatation t = law.dilatation(H);
       const VolumetricEnergy U = law.volumetric_energy(t.value);
@@ -78,14 +79,14 @@ CellState state(const Law& law, DilatationTaken taken, const Shape& shape,
 
 template <class Law>
 CellMatrix stiffness(const Law& law, DilatationTaken taken, const Shape& shape,
-                     const CellVectors& u, const FromStars& stars) {
-  const VolumetricEnergy whole = of_whole_cell(law, taken, shape, u, stars);
+                     const CellVectors& u, const FromNodalPatches& nodal_patches) {
+  const VolumetricEnergy whole = of_whole_cell(law, taken, shape, u, nodal_patches);
   CellVectors c = CellVectors::Zero(3, u.cols());  // V dt/du
   CellMatrix K = CellMatrix::Zero(3 * u.cols(), 3 * u.cols());
   for (Eigen::Index q = 0; q < shape.weights.size(); ++q) {
     const Matrix3 H = displacement_gradient(shape, u, q);
     const double w = shape.weights[q];
-    Matrix9 A = stars.own_part * law.tangent(H);
+    Matrix9 A = nodal_patches.own_part * law.tangent(H);
     if (taken != DilatationTaken::of_mean_gradient) {
       const Dilatation t = law.dilatation(H);
       if (is_mean_of_points(taken)) {
@@ -99,7 +100,7 @@ CellMatrix stiffness(const Law& law, DilatationTaken taken, const Shape& shape,
     }
     add_stiffness(K, w * A, shape.gradients_at(q));
   }
-  if (taken == DilatationTaken::at_points || taken == DilatationTaken::star_mean)
+  if (taken == DilatationTaken::at_points || taken == DilatationTaken::patch_mean)
     return K;
   if (taken == DilatationTaken::of_mean_gradient) {
     const Dilatation t =
@@ -114,7 +115,7 @@ CellMatrix stiffness(const Law& law, DilatationTaken taken, const Shape& shape,
 }  // namespace
 
 DilatationTaken dilatation_taken(const Settings& settings) {
-  if (settings.element == Element::q1_nodal) return DilatationTaken::star_mean;
+  if (settings.element == Element::q1_nodal) return DilatationTaken::patch_mean;
   if (settings.element != Element::q1_sri) return DilatationTaken::at_points;
   const bool has_shape_part_apart =  // as with the other laws
       settings.law != Law::cauchy_born ||
@@ -126,9 +127,11 @@ DilatationTaken dilatation_taken(const Settings& settings) {
 }
 
 CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u,
-                     const FromStars& stars) {
+                     const FromNodalPatches& nodal_patches) {
   return std::visit(
-      [&](const auto& part) { return state(part, law.dilatation, shape, u, stars); },
+      [&](const auto& part) {
+        return state(part, law.dilatation, shape, u, nodal_patches);
+      },
       law.constitution);
 }
 
@@ -173,9 +176,11 @@ double deformed_volume(const Shape& shape, const CellVectors& u) {
 }
 
 CellMatrix cell_tangent(const CellLaw& law, const Shape& shape, const CellVectors& u,
-                        const FromStars& stars) {
+                        const FromNodalPatches& nodal_patches) {
   return std::visit(
-      [&](const auto& part) { return stiffness(part, law.dilatation, shape, u, stars); },
+      [&](const auto& part) {
+        return stiffness(part, law.dilatation, shape, u, nodal_patches);
+      },
       law.constitution);
 }
 

@@ -38,7 +38,7 @@ struct Cell {
 ///     at_points        W = int psi dV
 ///     cell_mean        W = int shape part dV + V U(t),   t = (1/V) int t(F) dV
 ///     of_mean_gradient W = int shape part dV + V U(t(F_mean)),  F_mean = (1/V) int F dV
-///     star_mean        W of the cells and of the stars around nodes: node_stars.hpp
+///     patch_mean       W of the cells and of nodal patches, see nodal_patch_state.hpp
 ///
 /// St-Venant's q1_sri is also described as mu E:E at the points and lambda/2 (tr E)^2 at
 /// the centroid. That is another element: 13.871 and 6.375 % volume error in compression
@@ -51,12 +51,12 @@ struct Cell {
 /// the dilatation fails the patch test; both means pass it.
 /// Source: Nagtegaal, Parks and Rice, Comput. Methods Appl. Mech. Eng. 4 (1974) 153;
 /// Hughes, The Finite Element Method (1987), section 4.5.
-enum class DilatationTaken { at_points, cell_mean, of_mean_gradient, star_mean };
+enum class DilatationTaken { at_points, cell_mean, of_mean_gradient, patch_mean };
 
-/// q1 and q2: at the points. q1_nodal: star mean. q1_sri: cell mean, for Cauchy-Born of
-/// the mean gradient, which is how the springs' volume correction sees a cell (Golec
-/// 2018, Eq. 5.19), but with green and for isochoric springs, as the laws that they
-/// follow have it, the cell mean.
+/// q1 and q2: at the points. q1_nodal: nodal patch mean. q1_sri: cell mean, for
+/// Cauchy-Born of the mean gradient, which is how the springs' volume correction sees a
+/// cell (Golec 2018, Eq. 5.19), but with green and for isochoric springs, as the laws
+/// that they follow have it, the cell mean.
 DilatationTaken dilatation_taken(const Settings& settings);
 
 /// A law as the cells integrate it.
@@ -65,11 +65,12 @@ struct CellLaw {
   DilatationTaken dilatation;
 };
 
-/// What a cell has of the stars of its nodes with star_mean; of other elements nothing.
-struct FromStars {
+/// What a cell has of the nodal patches of its nodes with patch_mean; of other elements
+/// nothing.
+struct FromNodalPatches {
   double own_part = 1;               // of the shape part, at the cell's own points
-  Matrix3 stress = Matrix3::Zero();  // of a tetrahedron, by the stars' F_n [Pa]
-  double pressure = 0;               // U' of another cell, by the stars' t_n [Pa]
+  Matrix3 stress = Matrix3::Zero();  // of a tetrahedron, by the nodal patches' F_n [Pa]
+  double pressure = 0;               // U' of another cell, by the nodal patches' t_n [Pa]
 };
 
 struct CellState {
@@ -78,7 +79,7 @@ struct CellState {
   double smallest_jacobian;  // of det F over the Gauss points
 };
 CellState cell_state(const CellLaw& law, const Shape& shape, const CellVectors& u,
-                     const FromStars& stars = {});
+                     const FromNodalPatches& nodal_patches = {});
 
 /// t(F) at a point, (1/V) int t(F) dV of a cell, and the gradient of int t(F) dV by u,
 /// one column per node.
@@ -97,6 +98,6 @@ double deformed_volume(const Shape& shape, const CellVectors& u);  // int det F 
 /// the second term for a cell's mean dilatation only; P is the stress of the shape part
 /// and of U'(t) dt/dF at constant U'(t).
 CellMatrix cell_tangent(const CellLaw& law, const Shape& shape, const CellVectors& u,
-                        const FromStars& stars = {});
+                        const FromNodalPatches& nodal_patches = {});
 
 }  // namespace springcheck::fem_reference

@@ -94,8 +94,8 @@ Discretisation discretise(const Mesh& mesh, Element element) {
     body.regions = area_shares(mesh);
   }
   if (element == Element::q1_nodal) {
-    body.stars = stars(mesh, StarCells::all);
-    body.tetrahedron_stars = stars(mesh, StarCells::tetrahedra);
+    body.nodal_patches = nodal_patches(mesh, NodalPatchCells::all);
+    body.tetrahedron_patches = nodal_patches(mesh, NodalPatchCells::tetrahedra);
   }
   return body;
 }

@@ -6,7 +6,7 @@
 
 #include "fem_reference/cells/cell.hpp"
 #include "meshing/mesh.hpp"
-#include "meshing/stars.hpp"
+#include "meshing/nodal_patches.hpp"
 
 namespace springcheck::fem_reference {
 
@@ -26,7 +26,8 @@ struct Discretisation {
   std::vector<std::vector<NodeIndex>> parents{};
   std::vector<Cell> cells;
   std::map<std::string, std::vector<AreaShare>> regions{};
-  Stars stars{}, tetrahedron_stars{};  // of q1_nodal: of all cells, of tetrahedra alone
+  NodalPatches nodal_patches{},
+      tetrahedron_patches{};  // of q1_nodal: of all cells, of tetrahedra alone
 };
 
 /// q2 is for meshes of hexahedra only.

@@ -13,7 +13,7 @@ enum class Law { hooke, st_venant_kirchhoff, hencky, cauchy_born };
 ///             (cell.hpp): does not lock on hexahedra; on tetrahedra the same as q1
 ///     q1_nodal  the same, the volumetric part from the mean dilatation around each node,
 ///             on tetrahedra the rest of the law from the mean gradient around each node
-///             (node_stars.hpp): does not lock on cells of any type
+///             (nodal_patch_state.hpp): does not lock on cells of any type
 ///     q2      triquadratic (27 nodes), 3x3x3 Gauss points; hexahedra only
 enum class Element { q1, q1_sri, q1_nodal, q2 };
 

@@ -26,14 +26,14 @@ bool ElementsBody::is_linear() const {
 }
 
 statics::ElasticBody::State ElementsBody::state(const VectorXd& displacements) {
-  const StarsState stars = stars_state(law_, body_, displacements);
-  State sum{.strain_energy = stars.energy,
+  const NodalPatchState nodal_patches = nodal_patch_state(law_, body_, displacements);
+  State sum{.strain_energy = nodal_patches.energy,
             .forces = VectorXd::Zero(displacements.size())};
   std::vector<CellState> states(body_.cells.size());
   tbb::parallel_for(std::size_t{0}, states.size(), [&](std::size_t c) {
     const Cell& cell = body_.cells[c];
-    states[c] =
-        cell_state(law_, *cell.shape, of_cell(displacements, cell), from_stars(stars, c));
+    states[c] = cell_state(law_, *cell.shape, of_cell(displacements, cell),
+                           from_patches(nodal_patches, c));
   });
   for (std::size_t c = 0; c < states.size(); ++c) {
     const std::vector<NodeIndex>& nodes = body_.cells[c].nodes;
@@ -49,33 +49,34 @@ statics::ElasticBody::State ElementsBody::state(const VectorXd& displacements) {
 
 statics::Patches ElementsBody::patches() const {
   statics::Patches all = fem_reference::patches(body_);
-  for (NodeIndex node = 0; node < body_.stars.size(); ++node)
-    all.push_back(star_nodes(body_, node));
+  for (NodeIndex node = 0; node < body_.nodal_patches.size(); ++node)
+    all.push_back(patch_nodes(body_, node));
   return all;
 }
 
 void ElementsBody::linearise(const VectorXd& displacements) {
   at_ = displacements;
-  stars_ = stars_state(law_, body_, displacements);
+  nodal_patches_ = nodal_patch_state(law_, body_, displacements);
 }
 
 Eigen::MatrixXd ElementsBody::part(std::size_t patch) const {
-  if (patch >= body_.cells.size()) return matrix(star(patch));
+  if (patch >= body_.cells.size()) return matrix(nodal_patch(patch));
   const Cell& cell = body_.cells[patch];
-  return cell_tangent(law_, *cell.shape, of_cell(at_, cell), from_stars(stars_, patch));
+  return cell_tangent(law_, *cell.shape, of_cell(at_, cell),
+                      from_patches(nodal_patches_, patch));
 }
 
 Eigen::MatrixXd ElementsBody::positive_part(std::size_t patch) const {
   if (patch < body_.cells.size()) return statics::positive_part(part(patch));
-  StarTangent tangent = star(patch);
+  NodalPatchTangent tangent = nodal_patch(patch);
   tangent.shape = statics::positive_part(tangent.shape);
   tangent.volumetric = std::max(tangent.volumetric, 0.);
   return matrix(tangent);
 }
 
-StarTangent ElementsBody::star(std::size_t patch) const {
-  return star_tangent(law_, body_, at_, stars_,
-                      static_cast<NodeIndex>(patch - body_.cells.size()));
+NodalPatchTangent ElementsBody::nodal_patch(std::size_t patch) const {
+  return patch_tangent(law_, body_, at_, nodal_patches_,
+                       static_cast<NodeIndex>(patch - body_.cells.size()));
 }
 
 double ElementsBody::mean_gradient(const VectorXd& field) const {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem_reference/cells/discretisation.hpp"
-#include "fem_reference/cells/node_stars.hpp"
+#include "fem_reference/cells/nodal_patch_state.hpp"
 #include "statics/elastic_body.hpp"
 
 namespace springcheck::fem_reference {
@@ -22,7 +22,7 @@ class ElementsBody final : public statics::ElasticBody {
   /// around a node: infinite there.
   State state(const Eigen::VectorXd& displacements) override;
 
-  /// The cells, and of q1_nodal behind them the stars.
+  /// The cells, and of q1_nodal behind them the nodal patches.
   [[nodiscard]] statics::Patches patches() const override;
   void linearise(const Eigen::VectorXd& displacements) override;
   [[nodiscard]] Eigen::MatrixXd part(std::size_t patch) const override;
@@ -42,15 +42,17 @@ class ElementsBody final : public statics::ElasticBody {
       const Eigen::VectorXd& displacements) const;
 
  private:
-  [[nodiscard]] FromStars from_stars(const StarsState& stars, std::size_t cell) const {
-    return body_.stars.size() == 0 ? FromStars{} : stars.on_cells[cell];
+  [[nodiscard]] FromNodalPatches from_patches(const NodalPatchState& nodal_patches,
+                                              std::size_t cell) const {
+    return body_.nodal_patches.size() == 0 ? FromNodalPatches{}
+                                           : nodal_patches.on_cells[cell];
   }
-  [[nodiscard]] StarTangent star(std::size_t patch) const;
+  [[nodiscard]] NodalPatchTangent nodal_patch(std::size_t patch) const;
 
   const Discretisation& body_;
   CellLaw law_;
-  Eigen::VectorXd at_;  // where the tangent is taken
-  StarsState stars_{};  // there
+  Eigen::VectorXd at_;               // where the tangent is taken
+  NodalPatchState nodal_patches_{};  // there
 };
 
 }  // namespace springcheck::fem_reference

@@ -8,7 +8,7 @@ bool cells_act(const Network& network) {
 }
 
 VirtualSprings law_of(const Network& network) {
-  const bool corrects_cells = network.volume_stars.size() == 0;
+  const bool corrects_cells = network.volume_patches.size() == 0;
   return {.shear_modulus = network.spring_modulus,
           .volume_moduli = corrects_cells ? network.volume_moduli : VolumeModuli{},
           .measure = network.strain_measure,
@@ -17,8 +17,8 @@ VirtualSprings law_of(const Network& network) {
 
 double own_part(const Network& network, std::size_t cell) {
   const bool shares =
-      network.shape_stars.size() > 0 && network.cells.is_tetrahedron(cell);
-  return shares ? 1 - star_part : 1;
+      network.shape_patches.size() > 0 && network.cells.is_tetrahedron(cell);
+  return shares ? 1 - patch_part : 1;
 }
 
 void update_deformations(const Network& network, std::span<const Vector3> positions,
@@ -32,35 +32,36 @@ void update_deformations(const Network& network, std::span<const Vector3> positi
     states.displacement_gradients[c] =
         cells.displacement_gradient(c, states.displacements);
 
-  states.star_gradients.resize(network.shape_stars.size());
-  for (std::size_t n = 0; n < states.star_gradients.size(); ++n) {
+  states.patch_gradients.resize(network.shape_patches.size());
+  for (std::size_t n = 0; n < states.patch_gradients.size(); ++n) {
     Matrix3 mean = Matrix3::Zero();
-    for (const auto& [cell, weight] : network.shape_stars[n])
+    for (const auto& [cell, weight] : network.shape_patches[n])
       mean += weight * states.displacement_gradients[cell];
-    states.star_gradients[n] = mean;
+    states.patch_gradients[n] = mean;
   }
-  states.star_pressures.resize(network.volume_stars.size());
-  if (states.star_pressures.empty()) return;
+  states.patch_pressures.resize(network.volume_patches.size());
+  if (states.patch_pressures.empty()) return;
   states.volume_changes.resize(cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
     states.volume_changes[c] =
         volume_change(network.strain_measure, states.displacement_gradients[c]);
-  states.star_volume_changes.resize(states.star_pressures.size());
-  for (std::size_t n = 0; n < states.star_pressures.size(); ++n) {
+  states.patch_volume_changes.resize(states.patch_pressures.size());
+  for (std::size_t n = 0; n < states.patch_pressures.size(); ++n) {
     double mean = 0;
-    for (const auto& [cell, weight] : network.volume_stars[n])
+    for (const auto& [cell, weight] : network.volume_patches[n])
       mean += weight * states.volume_changes[cell];
-    states.star_volume_changes[n] = mean;
+    states.patch_volume_changes[n] = mean;
     const VolumePull pull =
         volume_pull(network.strain_measure, network.volume_moduli, mean);
-    states.star_pressures[n] = pull.modulus * pull.first;
+    states.patch_pressures[n] = pull.modulus * pull.first;
   }
 }
 
-double star_pressure(const Network& network, const CellStates& states, std::size_t cell) {
+double patch_pressure(const Network& network, const CellStates& states,
+                      std::size_t cell) {
   const auto nodes = network.cells.nodes(cell);
   double sum = 0;
-  for (const NodeIndex node : nodes) sum += states.star_pressures[node];
+  for (const NodeIndex node : nodes) sum += states.patch_pressures[node];
   return sum / static_cast<double>(nodes.size());
 }
 
@@ -76,13 +77,13 @@ double cells_energy(const Network& network, const CellStates& states) {
             energy += spring.stiffness / 2 * now.elongation * now.elongation;
           });
   }
-  for (std::size_t n = 0; n < states.star_gradients.size(); ++n)
-    energy +=
-        star_part * network.shape_stars.volumes[n] * law.energy(states.star_gradients[n]);
-  for (std::size_t n = 0; n < states.star_volume_changes.size(); ++n)
-    energy += network.volume_stars.volumes[n] *
+  for (std::size_t n = 0; n < states.patch_gradients.size(); ++n)
+    energy += patch_part * network.shape_patches.volumes[n] *
+              law.energy(states.patch_gradients[n]);
+  for (std::size_t n = 0; n < states.patch_volume_changes.size(); ++n)
+    energy += network.volume_patches.volumes[n] *
               volume_energy(network.strain_measure, network.volume_moduli,
-                            states.star_volume_changes[n]);
+                            states.patch_volume_changes[n]);
   return energy;
 }
 
@@ -90,10 +91,10 @@ void add_cell_forces(const Network& network, std::span<const Vector3> positions,
                      CellStates& states, std::span<Vector3> forces) {
   update_deformations(network, positions, states);
   const VirtualSprings law = law_of(network);
-  states.star_stresses.resize(states.star_gradients.size());
-  for (std::size_t n = 0; n < states.star_stresses.size(); ++n)
-    if (!network.shape_stars[n].empty())
-      states.star_stresses[n] = law.stress(states.star_gradients[n]);
+  states.patch_stresses.resize(states.patch_gradients.size());
+  for (std::size_t n = 0; n < states.patch_stresses.size(); ++n)
+    if (!network.shape_patches[n].empty())
+      states.patch_stresses[n] = law.stress(states.patch_gradients[n]);
 
   for (std::size_t c = 0; c < network.cells.size(); ++c) {
     const auto nodes = network.cells.nodes(c);
@@ -103,9 +104,9 @@ void add_cell_forces(const Network& network, std::span<const Vector3> positions,
     Matrix3 stress = own * V * law.stress(H);
     if (own != 1)
       for (const NodeIndex node : nodes)
-        stress += star_part * V / 4 * states.star_stresses[node];
-    if (!states.star_pressures.empty())
-      stress += V * star_pressure(network, states, c) *
+        stress += patch_part * V / 4 * states.patch_stresses[node];
+    if (!states.patch_pressures.empty())
+      stress += V * patch_pressure(network, states, c) *
                 volume_gradient(network.strain_measure, H);
     if (network.cell_springs == RestLength::affine)
       for_each_affine_spring(

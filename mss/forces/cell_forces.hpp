@@ -13,10 +13,10 @@ struct CellStates {
   std::vector<Vector3> displacements;           // u of the nodes [m]
   std::vector<Matrix3> displacement_gradients;  // H = F - I of the cells
   std::vector<double> volume_changes;           // t of the cells
-  std::vector<Matrix3> star_gradients;          // H_n, mean of H over the shape star
-  std::vector<Matrix3> star_stresses;           // P(F_n) [Pa]
-  std::vector<double> star_volume_changes;      // t_n, mean of t over the star
-  std::vector<double> star_pressures;           // p_n = U'(t_n) [Pa]
+  std::vector<Matrix3> patch_gradients;         // H_n, mean of H over the patch of shape
+  std::vector<Matrix3> patch_stresses;          // P(F_n) [Pa]
+  std::vector<double> patch_volume_changes;     // t_n, mean of t over that of volume
+  std::vector<double> patch_pressures;          // p_n = U'(t_n) [Pa]
 };
 
 /// Whether the cells do anything beyond springs of constant rest length.
@@ -26,17 +26,17 @@ bool cells_act(const Network& network);
 /// acts there too.
 VirtualSprings law_of(const Network& network);
 
-/// How much of a cell's energy follows its own F: a quarter in a tetrahedron with shape
-/// stars, which have the rest.
+/// How much of a cell's energy follows its own F: a quarter in a tetrahedron with patches
+/// of shape, which have the rest.
 double own_part(const Network& network, std::size_t cell);
-inline constexpr double star_part = 0.75;
+inline constexpr double patch_part = 0.75;
 
-/// Deformations of cells and stars; the stars' stresses are left as they are.
+/// Deformations of cells and nodal patches; the patches' stresses are left as they are.
 void update_deformations(const Network& network, std::span<const Vector3> positions,
                          CellStates& states);
 
-/// Pressure on a cell from the stars of its nodes [Pa]: the mean of their p_n.
-double star_pressure(const Network& network, const CellStates& states, std::size_t cell);
+/// Pressure on a cell from the nodal patches of its nodes [Pa]: the mean of their p_n.
+double patch_pressure(const Network& network, const CellStates& states, std::size_t cell);
 
 /// Of the network's energy the part of all cells [J], see strain_energy.
 double cells_energy(const Network& network, const CellStates& states);

@@ -22,12 +22,14 @@ namespace springcheck::mss {
 /// that one alone, in the second order. As nu goes to 1/2 it is the mean edges' volume
 /// that is kept (docs/explanation/limits.md has figures).
 ///
-/// With shape stars a tetrahedron has V/4 psi(F), and 3/4 V_n psi(F_n) is at each node;
-/// with volume stars psi is without kappa, and V_n U(t_n) is at each node. F_n and t_n
-/// are means of F and of the volume change over the star, V_n = sum V/n over its cells.
+/// With patches of shape a tetrahedron has V/4 psi(F), and 3/4 V_n psi(F_n) is at each
+/// node; with patches of volume psi is without kappa, and V_n U(t_n) is at each node. F_n
+/// and t_n are means of F and of the volume change over the node's patch, V_n = sum V/n
+/// over its cells.
 ///
 /// Source: Golec 2018, Eq. 3.1, 5.14 (V0 the cell's own) and 5.19; virtual springs as
-/// VirtualSprings; stars as Bonet and Burton, Commun. Numer. Meth. Eng. 14 (1998) 437.
+/// VirtualSprings; nodal patches as Bonet and Burton, Commun. Numer. Meth. Eng. 14 (1998)
+/// 437.
 double strain_energy(const Network& network, std::span<const Vector3> positions);
 
 /// Forces on the nodes [N], minus the gradient of strain_energy: T d/|d| along each

@@ -92,8 +92,8 @@ Eigen::MatrixXd cell_tangent(const Tangent& at, std::size_t cell) {
   const Matrix3& H = states.displacement_gradients[cell];
   const double V = network.cells.volume(cell);
   Matrix9 by_gradient = own_part(network, cell) * V * law_of(network).tangent(H);
-  if (!states.star_pressures.empty())
-    by_gradient += V * star_pressure(network, states, cell) *
+  if (!states.patch_pressures.empty())
+    by_gradient += V * patch_pressure(network, states, cell) *
                    volume_hessian(network.strain_measure, H);
   if (network.cell_springs == RestLength::affine)
     add_affine_springs(tangent, by_gradient, network, states, cell);
@@ -103,15 +103,15 @@ Eigen::MatrixXd cell_tangent(const Tangent& at, std::size_t cell) {
   return tangent;
 }
 
-std::vector<NodeIndex> star_nodes(const Network& network, std::size_t star) {
-  const Stars& all =  // volume stars have all cells
-      network.volume_stars.size() > 0 ? network.volume_stars : network.shape_stars;
-  return nodes_of_star(all[star],
-                       [&](NodeIndex cell) { return network.cells.nodes(cell); });
+std::vector<NodeIndex> patch_nodes(const Network& network, std::size_t nodal_patch) {
+  const NodalPatches& all =  // those of volume have all cells
+      network.volume_patches.size() > 0 ? network.volume_patches : network.shape_patches;
+  return nodes_of_patch(all[nodal_patch],
+                        [&](NodeIndex cell) { return network.cells.nodes(cell); });
 }
 
-/// What part() says of a star.
-struct StarTangent {
+/// What part() says of a nodal patch.
+struct NodalPatchTangent {
   std::vector<NodeIndex> nodes;
   Eigen::Matrix3Xd gradients{};         // G_a [1/m]
   Matrix9 shape;                        // 3/4 V_n dP/dF [J]
@@ -119,19 +119,22 @@ struct StarTangent {
   double volume;                        // V_n U''(t_n) [J]
 };
 
-Eigen::MatrixXd matrix(const StarTangent& star) {
+Eigen::MatrixXd matrix(const NodalPatchTangent& nodal_patch) {
   const auto D = gradient_matrix(
-      [&](std::size_t a) { return star.gradients.col(static_cast<Eigen::Index>(a)); },
-      star.nodes.size());
-  const auto v = star.volume_gradients.reshaped();
-  Eigen::MatrixXd sum = star.volume * v * v.transpose();
-  if (!star.shape.isZero(0)) sum += D.transpose() * star.shape * D;
+      [&](std::size_t a) {
+        return nodal_patch.gradients.col(static_cast<Eigen::Index>(a));
+      },
+      nodal_patch.nodes.size());
+  const auto v = nodal_patch.volume_gradients.reshaped();
+  Eigen::MatrixXd sum = nodal_patch.volume * v * v.transpose();
+  if (!nodal_patch.shape.isZero(0)) sum += D.transpose() * nodal_patch.shape * D;
   return sum;
 }
 
 /// Adds weight * (map G_a) to the column of each of a cell's nodes a.
 void add_gradients(Eigen::Matrix3Xd& columns, const std::vector<NodeIndex>& nodes,
-                   const Cells& cells, const Stars::Part& part, const Matrix3& map) {
+                   const Cells& cells, const NodalPatches::Part& part,
+                   const Matrix3& map) {
   const auto at = cells.nodes(part.cell);
   for (std::size_t a = 0; a < at.size(); ++a) {
     const auto column = std::ranges::lower_bound(nodes, at[a]) - nodes.begin();
@@ -139,35 +142,36 @@ void add_gradients(Eigen::Matrix3Xd& columns, const std::vector<NodeIndex>& node
   }
 }
 
-StarTangent star_tangent(const Tangent& at, std::size_t star) {
+NodalPatchTangent patch_tangent(const Tangent& at, std::size_t nodal_patch) {
   const Network& network = *at.network;
   const CellStates& states = at.states;
-  StarTangent tangent{
-      .nodes = star_nodes(network, star), .shape = Matrix9::Zero(), .volume = 0};
+  NodalPatchTangent tangent{
+      .nodes = patch_nodes(network, nodal_patch), .shape = Matrix9::Zero(), .volume = 0};
   const auto count = static_cast<Eigen::Index>(tangent.nodes.size());
   tangent.gradients.setZero(3, count);
   tangent.volume_gradients.setZero(3, count);
-  if (network.shape_stars.size() > 0 && !network.shape_stars[star].empty()) {
-    for (const Stars::Part& part : network.shape_stars[star])
+  if (network.shape_patches.size() > 0 && !network.shape_patches[nodal_patch].empty()) {
+    for (const NodalPatches::Part& part : network.shape_patches[nodal_patch])
       add_gradients(tangent.gradients, tangent.nodes, network.cells, part,
                     Matrix3::Identity());
-    tangent.shape = star_part * network.shape_stars.volumes[star] *
-                    law_of(network).tangent(states.star_gradients[star]);
+    tangent.shape = patch_part * network.shape_patches.volumes[nodal_patch] *
+                    law_of(network).tangent(states.patch_gradients[nodal_patch]);
   }
-  if (network.volume_stars.size() > 0) {
-    for (const Stars::Part& part : network.volume_stars[star])
+  if (network.volume_patches.size() > 0) {
+    for (const NodalPatches::Part& part : network.volume_patches[nodal_patch])
       add_gradients(tangent.volume_gradients, tangent.nodes, network.cells, part,
                     volume_gradient(network.strain_measure,
                                     states.displacement_gradients[part.cell]));
     const VolumePull pull = volume_pull(network.strain_measure, network.volume_moduli,
-                                        states.star_volume_changes[star]);
-    tangent.volume = pull.modulus * pull.second * network.volume_stars.volumes[star];
+                                        states.patch_volume_changes[nodal_patch]);
+    tangent.volume =
+        pull.modulus * pull.second * network.volume_patches.volumes[nodal_patch];
   }
   return tangent;
 }
 
-std::size_t star_count(const Network& network) {
-  return std::max(network.shape_stars.size(), network.volume_stars.size());
+std::size_t patch_count(const Network& network) {
+  return std::max(network.shape_patches.size(), network.volume_patches.size());
 }
 
 }  // namespace
@@ -194,24 +198,24 @@ std::vector<std::vector<NodeIndex>> patches(const Network& network) {
     const auto nodes = network.cells.nodes(c);
     all.emplace_back(nodes.begin(), nodes.end());
   }
-  for (std::size_t n = 0; n < star_count(network); ++n)
-    all.push_back(star_nodes(network, n));
+  for (std::size_t n = 0; n < patch_count(network); ++n)
+    all.push_back(patch_nodes(network, n));
   return all;
 }
 
 Eigen::MatrixXd part(const Tangent& tangent, std::size_t patch) {
   const std::size_t cells = tangent.network->cells.size();
   return patch < cells ? cell_tangent(tangent, patch)
-                       : matrix(star_tangent(tangent, patch - cells));
+                       : matrix(patch_tangent(tangent, patch - cells));
 }
 
 Eigen::MatrixXd positive_part(const Tangent& tangent, std::size_t patch) {
   const std::size_t cells = tangent.network->cells.size();
   if (patch < cells) return statics::positive_part(cell_tangent(tangent, patch));
-  StarTangent star = star_tangent(tangent, patch - cells);
-  star.shape = statics::positive_part(star.shape);
-  star.volume = std::max(star.volume, 0.);
-  return matrix(star);
+  NodalPatchTangent nodal_patch = patch_tangent(tangent, patch - cells);
+  nodal_patch.shape = statics::positive_part(nodal_patch.shape);
+  nodal_patch.volume = std::max(nodal_patch.volume, 0.);
+  return matrix(nodal_patch);
 }
 
 std::vector<Vector3> product(const Tangent& tangent, std::span<const Vector3> vectors) {

@@ -50,14 +50,15 @@ struct AffineBlock {
   // weight, see Axis; in squared lengths mu, and not read [Pa].
   Real axis_modulus, dual_axis_modulus;
   Real volume_modulus;  // kappa [Pa]
-  // With the volume correction on stars, of each element: what makes of the nodal sum of
-  // V (det F - 1) over cells the node's part, an eighth of p_n, of a cell's pressure.
+  // With the volume correction on nodal patches, of each element: what makes of the nodal
+  // sum of V (det F - 1) over cells the node's part, an eighth of p_n, of a cell's
+  // pressure.
   std::vector<Real> pressure_per_sum{};
   // With dashpots, of each cell and edge: c [kg/s], in the order of the springs.
   std::vector<Real> dashpots{};
 };
 
-enum class Correction { none, of_cells, of_stars };
+enum class Correction { none, of_cells, of_patches };
 
 /// What a kernel is compiled for, so that it does nothing a block has no need of.
 struct AffineKind {

@@ -320,7 +320,7 @@ class CellForces {
   /// Of what the cells read: displacements, velocities, pressures.
   static constexpr std::size_t velocity = 3, pressure = kind.dashpots ? 6 : 3,
                                read =
-                                   pressure + (kind.correction == Correction::of_stars);
+                                   pressure + (kind.correction == Correction::of_patches);
 
   template <class Cells>
   [[gnu::always_inline]] void operator()(std::size_t cell, Cells& cells) const {
@@ -340,7 +340,7 @@ class CellForces {
       const auto [cofactor, change] =
           kind.squared ? trace_of<Real>(h) : volume_of<Real>(h);
       P push{};
-      if constexpr (kind.correction == Correction::of_stars) {
+      if constexpr (kind.correction == Correction::of_patches) {
         for (const P part : cells.at_corners(pressure)) push += part;
       } else {
         push = block_.volume_modulus * change;
@@ -415,7 +415,7 @@ void forces(const AffineBlock<Real>& block, const dynamics::BlockArrays<Real>& a
     fields.from[i] = arrays.displacement[i];
     if constexpr (kind.dashpots) fields.from[Cells::velocity + i] = arrays.velocity[i];
   }
-  if constexpr (kind.correction == Correction::of_stars) {
+  if constexpr (kind.correction == Correction::of_patches) {
     for (std::size_t s = 0; s < arrays.rows * arrays.lanes; s += width<Real>)
       store(arrays.nodal_sum + s,
             load(arrays.nodal_sum + s) * load(block.pressure_per_sum.data() + s));
@@ -448,7 +448,7 @@ AffineFunctions<Real> chosen(bool dashpots) {
               dashpots
                   ? forces<Real, AffineKind{in_grid, alike, correction, squared, true}>
                   : forces<Real, AffineKind{in_grid, alike, correction, squared, false}>,
-          .volume_sums = correction == Correction::of_stars
+          .volume_sums = correction == Correction::of_patches
                              ? volume_sums<Real, in_grid, alike, squared>
                              : nullptr};
 }
@@ -466,10 +466,10 @@ AffineFunctions<Real> chosen(const AffineKind& kind) {
       return chosen<Real, in_grid, alike, Correction::none>(kind);
     case Correction::of_cells:
       return chosen<Real, in_grid, alike, Correction::of_cells>(kind);
-    case Correction::of_stars:
+    case Correction::of_patches:
       break;
   }
-  return chosen<Real, in_grid, alike, Correction::of_stars>(kind);
+  return chosen<Real, in_grid, alike, Correction::of_patches>(kind);
 }
 
 template <class Real>

@@ -102,7 +102,7 @@ void add_pressures(AffineBlock<Real>& affine, const Network& network, const Bloc
     if (block.nodes[slot] != dynamics::no_node)
       affine.pressure_per_sum[dynamics::element_of(block, slot, lanes)] =
           static_cast<Real>(network.volume_moduli.kappa / 64 /
-                            network.volume_stars.volumes[block.nodes[slot]]);
+                            network.volume_patches.volumes[block.nodes[slot]]);
 }
 
 /// Gives every damped edge to the first cell that has it.
@@ -153,7 +153,8 @@ struct AffineKernel {
 
 Correction correction_of(const Network& network) {
   if (network.volume_moduli.kappa == 0) return Correction::none;
-  return network.volume_stars.size() > 0 ? Correction::of_stars : Correction::of_cells;
+  return network.volume_patches.size() > 0 ? Correction::of_patches
+                                           : Correction::of_cells;
 }
 
 /// Of the icosahedron's axes and of the dodecahedron's, see AffineBlock.
@@ -194,7 +195,8 @@ dynamics::BlockForces<Real> affine_kernel(const Network& network,
         .volume_modulus = static_cast<Real>(network.volume_moduli.kappa)};
     const auto edges = dynamics::common_edges(block, network.rest_positions, rounding);
     add_constants(affine, network, block, edges, lanes);
-    if (correction == Correction::of_stars) add_pressures(affine, network, block, lanes);
+    if (correction == Correction::of_patches)
+      add_pressures(affine, network, block, lanes);
     if (damping_ratio > 0) dashpots.add_to(affine, block, lanes);
     const AffineKind kind{.in_grid = block.is_grid(),
                           .alike = edges.has_value(),
@@ -212,7 +214,7 @@ dynamics::BlockForces<Real> affine_kernel(const Network& network,
   };
   dynamics::BlockForces<Real> forces{.lanes = lanes,
                                      .add = on_block(&AffineFunctions<Real>::forces)};
-  if (correction == Correction::of_stars)
+  if (correction == Correction::of_patches)
     forces.add_nodal_sums = on_block(&AffineFunctions<Real>::volume_sums);
   return forces;
 }

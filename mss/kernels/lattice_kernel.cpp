@@ -149,7 +149,7 @@ struct LatticeKernel {
 bool takes_lattice_kernel(const Network& network) {
   return (network.strain_measure == StrainMeasure::engineering || is_squared(network)) &&
          network.cell_springs == RestLength::constant && network.spring_modulus == 0 &&
-         network.volume_stars.size() == 0;
+         network.volume_patches.size() == 0;
 }
 
 template <class Real>

@@ -12,8 +12,8 @@ namespace springcheck::mss {
 /// k L, times kappa/(50 mu) where that is above 1, from nu = .49 on. Springs that blocks
 /// share belong to the first of them.
 ///
-/// The network has engineering or Green's strain, and no virtual springs, affine springs or stars:
-/// takes_lattice_kernel.
+/// The network has engineering or Green's strain, and no virtual springs, affine springs
+/// or nodal patches: takes_lattice_kernel.
 template <class Real>
 dynamics::BlockForces<Real> lattice_kernel(const Network& network,
                                            const std::vector<dynamics::Block>& blocks,

@@ -88,8 +88,7 @@ std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Network& net
     return "implicit Euler's equations are solved in double precision";
   if (!blocks_for_kernel(mesh, network))
     return "single precision is for hexahedra with springs by engineering strain "
-           "(virtual ones "
-           "along 6 axes) or by Green's";
+           "(virtual ones along 6 axes) or by Green's";
   return std::nullopt;
 }
 

@@ -2,8 +2,8 @@
 
 #include "meshing/cell_geometry.hpp"
 #include "mss/networks/box_lattice.hpp"
-#include "mss/networks/method_table.hpp"
 #include "mss/networks/network.hpp"
+#include "mss/networks/spring_model_table.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -32,8 +32,8 @@ std::optional<std::string> reason_against(std::size_t index, const CornerPositio
 }  // namespace
 
 std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Material& material,
-                                            Method method) {
-  const MethodEntry& entry = entry_of(method);
+                                            SpringModel model) {
+  const SpringModelEntry& entry = entry_of(model);
   if (entry.refuses != nullptr)
     if (auto reason = entry.refuses(material)) return reason;
   if (entry.cells == CellShapes::any) return std::nullopt;

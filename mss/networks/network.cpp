@@ -6,7 +6,7 @@
 
 #include "meshing/cell_geometry.hpp"
 #include "mss/networks/masses.hpp"
-#include "mss/networks/method_table.hpp"
+#include "mss/networks/spring_model_table.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -48,8 +48,8 @@ double cubic_modulus(const Network& network) {
 
 Network build_network(const Mesh& mesh, const Material& material,
                       const NetworkSettings& settings) {
-  const MethodEntry& method = entry_of(settings.method);
-  const bool is_affine = method.has_virtual_springs;
+  const SpringModelEntry& model = entry_of(settings.model);
+  const bool is_affine = model.has_virtual_springs;
   const double mu = lame_constants(material).mu;
   Network network{.rest_positions = mesh.nodes(),
                   .cell_springs = is_affine ? RestLength::affine : RestLength::constant,
@@ -66,7 +66,7 @@ Network build_network(const Mesh& mesh, const Material& material,
     std::array<Vector3, 8> gradients;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       gradients[i] = area.col(static_cast<Eigen::Index>(i)) / volume;
-    const std::vector<CellSpring> own = method.springs({x, volume, material, settings});
+    const std::vector<CellSpring> own = model.springs({x, volume, material, settings});
     network.cells.add({nodes.begin(), nodes.size()},
                       std::span(gradients).first(nodes.size()), volume, own);
 
@@ -88,12 +88,12 @@ Network build_network(const Mesh& mesh, const Material& material,
   }
   network.springs = merged(std::move(springs));
   network.damped_edges = merged(std::move(damped_edges));
-  if (const auto kappa = method.volume_modulus(material, settings))
+  if (const auto kappa = model.volume_modulus(material, settings))
     network.volume_moduli = {.kappa = *kappa, .cubic = cubic_modulus(network)};
   if (is_affine) {
-    network.shape_stars = stars(mesh, StarCells::tetrahedra);
+    network.shape_patches = nodal_patches(mesh, NodalPatchCells::tetrahedra);
     if (network.volume_moduli.kappa > 0)
-      network.volume_stars = stars(mesh, StarCells::all);
+      network.volume_patches = nodal_patches(mesh, NodalPatchCells::all);
   }
   return network;
 }

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "meshing/nodal_patches.hpp"
 #include "meshing/scene.hpp"
-#include "meshing/stars.hpp"
 #include "mss/networks/cells.hpp"
-#include "mss/networks/method.hpp"
+#include "mss/networks/spring_model.hpp"
 
 namespace springcheck::mss {
 
@@ -34,11 +34,11 @@ struct Network {
   RestLength cell_springs = RestLength::constant;
   StrainMeasure strain_measure = StrainMeasure::engineering;  // of springs and correction
   Axes axes = Axes::six;                                      // of the virtual springs
-  double spring_modulus = 0;     // mu of the virtual springs [Pa]; 0: there are none
-  VolumeModuli volume_moduli{};  // 0 without correction
-  Stars shape_stars{};           // means of F; none: virtual springs act on cells alone
-  Stars volume_stars{};          // means of volume change; none: correction on cells
-  std::vector<double> masses{};  // [kg] density times nodal_volumes
+  double spring_modulus = 0;      // mu of the virtual springs [Pa]; 0: there are none
+  VolumeModuli volume_moduli{};   // 0 without correction
+  NodalPatches shape_patches{};   // means of F; none: virtual springs act on cells alone
+  NodalPatches volume_patches{};  // means of volume change; none: correction on cells
+  std::vector<double> masses{};   // [kg] density times nodal_volumes
 };
 
 /// Why the method cannot treat this mesh and material, or nothing when it can:
@@ -55,7 +55,7 @@ struct Network {
 /// negative eigenvalue, and six of zero. With vangelder and lloyd a negative kappa, below
 /// nu = 1/4, may leave no stable rest state; the solver says so.
 std::optional<std::string> reason_to_refuse(const Mesh& mesh, const Material& material,
-                                            Method method);
+                                            SpringModel model);
 
 /// Springs and correction cells of the mesh. Every cube adds k_e/4 to its edges, k_f/2
 /// to its face diagonals, k_c to its inner diagonals, so that an edge of n cells gets

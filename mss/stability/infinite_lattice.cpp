@@ -96,7 +96,7 @@ LatticeWave softest_below(const Couplings& lattice, std::vector<LatticeWave> wav
 }  // namespace
 
 Couplings couplings(const Network& cell, const Matrix3& deformation_gradient) {
-  assert(cell.volume_stars.size() == 0 && cell.shape_stars.size() == 0);
+  assert(cell.volume_patches.size() == 0 && cell.shape_patches.size() == 0);
   std::vector<Vector3> positions;
   for (const Vector3& X : cell.rest_positions)
     positions.push_back(deformation_gradient * X);

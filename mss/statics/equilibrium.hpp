@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshing/stopwatch.hpp"
 #include "mss/networks/network.hpp"
 #include "statics/equilibrium.hpp"
 

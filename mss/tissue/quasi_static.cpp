@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "meshing/traction.hpp"
+#include "statics/systems/block_matrix.hpp"
 
 namespace springcheck::mss {
 namespace {

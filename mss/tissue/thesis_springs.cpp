@@ -7,6 +7,7 @@
 #include "meshing/traction.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/forces/tangent.hpp"
+#include "statics/systems/block_matrix.hpp"
 
 namespace springcheck::mss {
 namespace {
@@ -125,12 +126,12 @@ Solution move_thesis_springs(const Mesh& mesh, const Scene& scene,
                              const dynamics::Observers& observers) {
   Material material = scene.material;
   material.young_modulus = spring.law.consistency;
-  if (const auto reason = reason_to_refuse(mesh, material, Method::cf))
+  if (const auto reason = reason_to_refuse(mesh, material, SpringModel::cf))
     return refused(*reason);
   const Stopwatch setup;
   ThesisSprings springs(mesh, scene,
                         build_network(mesh, material,
-                                      {.method = Method::cf,
+                                      {.model = SpringModel::cf,
                                        .stiffness_form = StiffnessForm::shear_modulus,
                                        .diagonal_ratio = 1}),
                         spring);

@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(questions_are_recognised) {
         R"(  if (name == "mss-cf") return;)", R"(  return method.name != "fem-hooke";)",
         R"(  if (method == std::string_view("mss-affine")) return;)",
         R"(  if ("fem-stvk" == law) return;)",
-        R"(  std::get_if<mss::Method>(&settings.method.model))",
+        R"(  std::get_if<mss::SpringModel>(&settings.method.model))",
         R"(  std::holds_alternative<Law>(method.model))",
         R"(  model.name.starts_with("mss-"))", R"(    if method.startswith("fem-"):)",
         R"(constexpr std::string_view best = "mss-cf";)",

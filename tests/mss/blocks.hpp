@@ -17,8 +17,8 @@ inline Mesh cube(int n, double h) {
   return generate_block({.size = {n * h, n * h, n * h}, .cells = {n, n, n}});
 }
 
-inline NetworkSettings in_shear_modulus_form(Method method) {
-  return {.method = method,
+inline NetworkSettings in_shear_modulus_form(SpringModel model) {
+  return {.model = model,
           .stiffness_form = StiffnessForm::shear_modulus,
           .diagonal_ratio = 1};
 }
@@ -29,31 +29,32 @@ inline constexpr StrainMeasure all_measures[] = {
 
 inline constexpr Axes all_axes[] = {Axes::six, Axes::sixteen, Axes::twenty_five};
 
-inline NetworkSettings springs_in(StrainMeasure measure, Method method = Method::cf) {
-  NetworkSettings settings = in_shear_modulus_form(method);
+inline NetworkSettings springs_in(StrainMeasure measure,
+                                  SpringModel model = SpringModel::cf) {
+  NetworkSettings settings = in_shear_modulus_form(model);
   settings.strain_measure = measure;
   return settings;
 }
 
 /// Springs of these lattice values [N/m], and kappa [Pa].
 inline NetworkSettings custom(const LatticeStiffness& stiffness, double volume_modulus) {
-  NetworkSettings settings = in_shear_modulus_form(Method::custom);
+  NetworkSettings settings = in_shear_modulus_form(SpringModel::custom);
   settings.constants = {stiffness, volume_modulus};
   return settings;
 }
 
-struct NamedMethod {
+struct NamedModel {
   const char* name;
-  Method method;
+  SpringModel model;
 };
-inline constexpr NamedMethod methods[] = {{"mss-baudet", Method::baudet},
-                                          {"mss-nfd", Method::nfd},
-                                          {"mss-fd", Method::fd},
-                                          {"mss-cf", Method::cf}};
+inline constexpr NamedModel models[] = {{"mss-baudet", SpringModel::baudet},
+                                        {"mss-nfd", SpringModel::nfd},
+                                        {"mss-fd", SpringModel::fd},
+                                        {"mss-cf", SpringModel::cf}};
 
 /// Those and mss-affine.
-inline constexpr NamedMethod methods_on_cubes[] = {
-    methods[0], methods[1], methods[2], methods[3], {"mss-affine", Method::affine}};
+inline constexpr NamedModel models_on_cubes[] = {
+    models[0], models[1], models[2], models[3], {"mss-affine", SpringModel::affine}};
 
 /// One vector per node, components uniform in [-size, size].
 inline std::vector<Vector3> random_field(std::size_t nodes, double size, unsigned seed) {

@@ -13,8 +13,8 @@ inline statics::PathLimit limit_of(
     }) {
   NetworkBody body(network);
   const statics::Loading drive = loading(mesh, scene, network);
-  statics::Landscape landscape(body, drive, statics::LinearSolver::automatic);
-  return statics::follow_to_limit(landscape, resolution, accept);
+  statics::PotentialEnergy potential(body, drive, statics::LinearSolver::automatic);
+  return statics::follow_to_limit(potential, resolution, accept);
 }
 
 }  // namespace springcheck::mss

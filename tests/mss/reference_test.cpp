@@ -44,7 +44,7 @@ Measured measured(const Block& block, StiffnessForm form, double nu,
                  {"top", upper, all_components}},
       .gravity = Vector3::Zero()};
   const Settings settings{
-      .network = {.method = Method::cf, .stiffness_form = form, .diagonal_ratio = 1},
+      .network = {.model = SpringModel::cf, .stiffness_form = form, .diagonal_ratio = 1},
       .dynamics = {}};
   const Solution solution = solve(mesh, scene, settings);
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
@@ -117,20 +117,19 @@ const Row plate_rows[] = {{"compression", cube_of_5_cm, mu_form, 0, 0.05},
 /// Beams whose state is one of a kind: mss-nfd at 2 MPa, and on the finer cells,
 /// wrinkles, and which wrinkle is found moves the tip.
 struct Beam {
-  const char* method;
-  Method springs;
+  const char* model;
+  SpringModel springs;
   double young_modulus;
   int cells_across;
 };
 std::ostream& operator<<(std::ostream& out, const Beam& row) {
-  return out << row.cells_across << " across " << row.method << " E "
-             << row.young_modulus;
+  return out << row.cells_across << " across " << row.model << " E " << row.young_modulus;
 }
-const Beam coarse_beams[] = {{"mss-cf", Method::cf, 10e6, 4},
-                             {"mss-cf", Method::cf, 2e6, 4},
-                             {"mss-nfd", Method::nfd, 10e6, 4}};
-const Beam fine_beams[] = {{"mss-cf", Method::cf, 10e6, 8},
-                           {"mss-cf", Method::cf, 2e6, 8}};
+const Beam coarse_beams[] = {{"mss-cf", SpringModel::cf, 10e6, 4},
+                             {"mss-cf", SpringModel::cf, 2e6, 4},
+                             {"mss-nfd", SpringModel::nfd, 10e6, 4}};
+const Beam fine_beams[] = {{"mss-cf", SpringModel::cf, 10e6, 8},
+                           {"mss-cf", SpringModel::cf, 2e6, 8}};
 
 /// Tip drop of 0.4 x 0.4 x 2.4 m, clamped at z = 0, under its weight along -x, g = 10.
 double tip_drop(const Beam& beam) {

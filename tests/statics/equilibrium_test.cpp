@@ -23,8 +23,8 @@ const auto round_off = boost::test_tools::tolerance(1e-9);
 PathLimit limit_of(const Potential& potential, double force) {
   AnalyticBody body(potential);
   const Loading loading = pulled(force);
-  Landscape landscape(body, loading, LinearSolver::direct);
-  return follow_to_limit(landscape, 1e-4,
+  PotentialEnergy energy(body, loading, LinearSolver::direct);
+  return follow_to_limit(energy, 1e-4,
                          [](const Eigen::VectorXd&, double) { return true; });
 }
 

@@ -1,6 +1,7 @@
 #include "comparisons/tables/studies/elements_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -179,9 +180,9 @@ std::optional<ConvergedNumber> converged_load(std::span<const CaseResult> result
 }
 
 /// In percent of the value.
-Cell bar_cell(const std::optional<ConvergedNumber>& converged) {
+Cell error_bound_cell(const std::optional<ConvergedNumber>& converged) {
   if (!converged) return {};
-  return {100 * converged->bar / std::abs(converged->value)};
+  return {100 * converged->error_bound / std::abs(converged->value)};
 }
 
 Cell error_cell(const CaseResult& result, const std::optional<double>& exact) {
@@ -250,18 +251,17 @@ Table elements_table(const std::vector<PlannedElementsRow>& rows,
       row.cells.push_back(
           error_cell(results[planned.small[t]],
                      truths[t] ? std::optional(truths[t]->value) : std::nullopt));
-    for (const auto& truth : truths) row.cells.push_back(bar_cell(truth));
+    for (const auto& truth : truths) row.cells.push_back(error_bound_cell(truth));
     for (std::size_t t = 0; t < tests.size(); ++t)
       row.cells.push_back(planned.same_law ? volume_cell(results[planned.finite[t]],
                                                          results[(*planned.same_law)[t]])
                                            : Cell{});
-    std::string statuses;
-    for (const std::size_t place : planned.finite) {
-      const std::string name(name_of(results[place].status));
-      if (statuses.find(name) == std::string::npos)
-        statuses += (statuses.empty() ? "" : ", ") + name;
-    }
-    row.cells.push_back(statuses);
+    std::vector<std::string_view> statuses;
+    for (const std::size_t place : planned.finite)
+      if (const auto name = name_of(results[place].status);
+          std::ranges::count(statuses, name) == 0)
+        statuses.push_back(name);
+    row.cells.push_back(fmt::format("{}", fmt::join(statuses, ", ")));
     for (const OfTests& places : {planned.small, planned.finite, planned.reference,
                                   planned.truth[0], planned.truth[1], planned.truth[2]})
       for (const std::size_t place : places) row.cases.push_back(results[place].key);

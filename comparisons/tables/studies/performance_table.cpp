@@ -15,7 +15,7 @@ namespace {
 
 /// A scene of the thesis's performance study: how many steps its figure shows, and a time
 /// it prints for mss-cf on some body.
-struct Study {
+struct TimedScene {
   const char* name;
   const char* figures;
   SteppedLoad load;
@@ -26,8 +26,8 @@ struct Study {
 };
 
 /// Golec 2018, sections 5.7 to 5.9; bodies of table 5.5.
-const std::vector<Study>& studies() {
-  static const std::vector<Study> all{
+const std::vector<TimedScene>& timed_scenes() {
+  static const std::vector<TimedScene> all{
       {.name = "compression",
        .figures = "5.20, 5.22-5.25",
        .load = SteppedLoad::plates,
@@ -113,8 +113,8 @@ Table measured_table() {
           "time of mss-cf on as many threads, like mss-affine.",
           "The thesis's times are of an Intel i7-4790K with 8 threads; its figures 5.23 "
           "to 5.25 of another machine with up to 36."}};
-  for (const Study& study : studies())
-    for (const auto& cells : study.bodies) {
+  for (const TimedScene& scene : timed_scenes())
+    for (const auto& cells : scene.bodies) {
       const double count = double{1} * cells[0] * cells[1] * cells[2];
       std::optional<double> naive;
       std::map<int, double> thesis;  // its method's, by threads
@@ -125,8 +125,8 @@ Table measured_table() {
           const StepTime time =
               time_of_steps(stepping({.method = timed.method,
                                       .cells = cells,
-                                      .load = study.load,
-                                      .poisson_ratio = study.poisson_ratio,
+                                      .load = scene.load,
+                                      .poisson_ratio = scene.poisson_ratio,
                                       .damping_ratio = 0,
                                       .precision = timed.precision,
                                       .instruction_set = dynamics::best_instruction_set(),
@@ -135,21 +135,21 @@ Table measured_table() {
                                 .advance);
           if (is_naive) naive = time.real;
           if (timed.is_thesis) thesis[threads] = time.real;
-          const bool is_printed = timed.is_thesis && cells == study.bodies.front();
+          const bool is_printed = timed.is_thesis && cells == scene.bodies.front();
           const auto if_printed = [&](double value) {
             return Cell{is_printed ? std::optional(value) : std::nullopt};
           };
           table.rows.push_back(
-              {.cells = {study.name, study.figures, count,
+              {.cells = {scene.name, scene.figures, count,
                          is_naive ? "plain loops" : timed.method,
                          name_of(timed.precision), threads, 1e9 * time.real / count,
                          timed.over_naive ? std::optional(naive.value() / time.real)
                                           : std::nullopt,
                          timed.over_kernel ? std::optional(time.real / thesis.at(threads))
                                            : std::nullopt,
-                         time.user_over_real, study.steps_shown,
-                         study.steps_shown * time.real, if_printed(study.printed_seconds),
-                         if_printed(study.printed_steps * time.real)}});
+                         time.user_over_real, scene.steps_shown,
+                         scene.steps_shown * time.real, if_printed(scene.printed_seconds),
+                         if_printed(scene.printed_steps * time.real)}});
         }
     }
   return table;

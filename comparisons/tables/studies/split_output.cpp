@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <ranges>
+
 #include "comparisons/formats/text_table.hpp"
 #include "comparisons/measures/measure_list.hpp"
 #include "comparisons/settings/setting.hpp"
@@ -23,7 +25,7 @@ Json json(const ConvergedValue& converged) {
     grids.push_back({{"cells", cells}, {"value", json(value)}, {"key", key}});
   return {{"value", json(converged.value)},
           {"order", json(converged.order)},
-          {"bar", json(converged.bar)},
+          {"bar", json(converged.error_bound)},
           {"grids", grids}};
 }
 
@@ -36,25 +38,25 @@ Json json(const ContinuumValue& both) {
 }
 
 Json json(const ErrorPart& part) {
-  return {{"value", json(part.value)}, {"bar", json(part.bar)}};
+  return {{"value", json(part.value)}, {"bar", json(part.error_bound)}};
 }
 
 std::string cells_of(const ThreeCases& cases) {
-  std::string text;
-  for (const CaseSettings& grid : cases)
-    text += fmt::format("{}{}", text.empty() ? "" : ", ",
-                        fmt::join(grid.body.block.cells, " x "));
-  return text;
+  const auto of_grid = [](const CaseSettings& grid) {
+    return fmt::format("{}", fmt::join(grid.body.block.cells, " x "));
+  };
+  return fmt::format("{}", fmt::join(cases | std::views::transform(of_grid), ", "));
 }
 
-std::string with_bar(const std::optional<double>& value, const std::optional<double>& bar,
-                     double factor) {
-  if (!value || !bar) return "-";
-  return fmt::format("{:.5g} +- {:.2g}", factor * *value, factor * *bar);
+std::string with_error_bound(const std::optional<double>& value,
+                             const std::optional<double>& error_bound, double factor) {
+  if (!value || !error_bound) return "-";
+  return fmt::format("{:.5g} +- {:.2g}", factor * *value, factor * *error_bound);
 }
 
 std::string with_order(const ConvergedValue& converged, double factor) {
-  return fmt::format("{}{}", with_bar(converged.value, converged.bar, factor),
+  return fmt::format("{}{}",
+                     with_error_bound(converged.value, converged.error_bound, factor),
                      converged.order ? fmt::format(" ({:.2f})", *converged.order) : "");
 }
 
@@ -90,8 +92,9 @@ std::string split_text(const Split& split) {
          quantity.springs ? fmt::format("{:.5g}", factor * *quantity.springs) : "-",
          with_order(quantity.cauchy_born.converged, factor),
          with_order(quantity.reference.converged, factor),
-         with_bar(quantity.law.value, quantity.law.bar, factor),
-         with_bar(quantity.discretisation.value, quantity.discretisation.bar, factor),
+         with_error_bound(quantity.law.value, quantity.law.error_bound, factor),
+         with_error_bound(quantity.discretisation.value,
+                          quantity.discretisation.error_bound, factor),
          quantity.is_resolved() ? "resolved" : "unresolved"});
   }
   std::string text = fmt::format(

@@ -1,6 +1,7 @@
 #include "comparisons/tables/theory/modes_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -151,11 +152,11 @@ std::vector<TableRow> rows_of(const SwingingBody& body, double nu, MeshStore& me
   }
 
   std::vector<double> least_mac(groups.size(), 1);
-  std::string status;
+  std::vector<std::string> refusals;
   for (const MethodModes& method : std::span(all).subspan(1)) {
     if (!method.modes) {
       for (TableRow& row : rows) row.cells.insert(row.cells.end(), {method.reason, {}});
-      status += (status.empty() ? "" : ", ") + method.method + " " + method.reason;
+      refusals.push_back(method.method + " " + method.reason);
       continue;
     }
     const auto pairs = counterparts(reference, groups, *method.modes);
@@ -174,7 +175,8 @@ std::vector<TableRow> rows_of(const SwingingBody& body, double nu, MeshStore& me
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].cells.push_back(least_mac[i]);
-    rows[i].cells.push_back(status.empty() ? "ok" : status);
+    rows[i].cells.push_back(
+        refusals.empty() ? "ok" : fmt::format("{}", fmt::join(refusals, ", ")));
   }
   return rows;
 }

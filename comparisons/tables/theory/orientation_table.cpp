@@ -91,7 +91,7 @@ std::vector<Turn> turns() {
 
 CaseSettings sheared_case(double nu, double strain, const Turn& turn,
                           GivenSettings method) {
-  method.emplace_back("nu", nu);
+  method.push_back({"nu", nu});
   CaseSettings settings = case_of_scene("affine", method);
   const Eigen::Matrix3d H = strain * Vector3::UnitX() * Vector3::UnitZ().transpose();
   settings.gradient = turn.matrix * H * turn.matrix.transpose();

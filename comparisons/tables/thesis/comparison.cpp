@@ -29,7 +29,7 @@ void set_reference_value(ComparisonRow& row, const Quantity& quantity,
       values);
   row.reference_value = limit.value;
   row.reference_order = limit.order;
-  row.reference_bar = limit.bar;
+  row.reference_bar = limit.error_bound;
 }
 
 std::vector<Request> requests_of(const PlannedRow& row) {

@@ -79,7 +79,7 @@ class Rehearsed : public Measurements {
 
   [[nodiscard]] Chart chart() const override {
     Chart chart = evaluated(example_.chart, example_.cases);
-    if (known_to) chart.truths[0].bars.force = known_to;
+    if (known_to) chart.truths[0].error_bounds.force = known_to;
     return chart;
   }
 
@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(what_a_model_converges_to_is_held_against_the_tolerance) {
 }
 
 // 10 + 16 h^2 N on cells of 1/2, 1/4, 1/8, where theory promises order 1.2 alone: of the
-// last change, .75 N, .77 are left, with 4 times that as bar.
+// last change, .75 N, .77 are left, with 4 times that as error bound.
 BOOST_AUTO_TEST_CASE(limits_believe_no_order_above_the_formal_one) {
   ExampleChart example;
   example.chart.truths[0].grids.formal_order = 1.2;

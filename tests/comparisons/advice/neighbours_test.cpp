@@ -67,11 +67,12 @@ BOOST_AUTO_TEST_CASE(a_case_is_moved_by_strain_angle_or_weight_and_by_poisson_ra
 // A grid that is a tenth too stiff and loses .001 too much of its volume in both scenes,
 // and a coarser one that is a fifth too stiff, in the other scene a quarter.
 BOOST_AUTO_TEST_CASE(a_truth_is_carried_by_what_one_grid_shows_in_both_scenes) {
-  const ChartTruth truth{.grids = {},
-                         .answer = {.value = 10, .order = {}, .bar = 0.1},
-                         .volume_change = {.value = -0.02, .order = {}, .bar = 1e-4},
-                         .imposed = 0.1,
-                         .bars = {.force = 0.01, .volume = 0.002, .deviation = 0.5}};
+  const ChartTruth truth{
+      .grids = {},
+      .answer = {.value = 10, .order = {}, .error_bound = 0.1},
+      .volume_change = {.value = -0.02, .order = {}, .error_bound = 1e-4},
+      .imposed = 0.1,
+      .error_bounds = {.force = 0.01, .volume = 0.002, .deviation = 0.5}};
   StoredChart chart;
   chart.answer = "plate_force";
   chart.height = 2;
@@ -88,18 +89,18 @@ BOOST_AUTO_TEST_CASE(a_truth_is_carried_by_what_one_grid_shows_in_both_scenes) {
   BOOST_TEST(carried.answer.value == 13, round_off);
   BOOST_TEST(carried.volume_change.value == -0.025, round_off);
   BOOST_TEST(carried.imposed == 0.12);
-  BOOST_TEST(carried.bars.force.value() == 0.01 + 0.5 / 12, round_off);
-  BOOST_TEST(carried.bars.volume.value() == 0.002 + 0.0006 / (0.12 / 2),
+  BOOST_TEST(carried.error_bounds.force.value() == 0.01 + 0.5 / 12, round_off);
+  BOOST_TEST(carried.error_bounds.volume.value() == 0.002 + 0.0006 / (0.12 / 2),
              boost::test_tools::tolerance(1e-10));
-  BOOST_TEST(carried.bars.deviation.value() == 0.003);
+  BOOST_TEST(carried.error_bounds.deviation.value() == 0.003);
   // In bending the answer is what displacements are told by.
   BOOST_TEST(carried_truth(truth, chart, here, there, std::nullopt, 0.003).imposed == 13,
              round_off);
 }
 
-BOOST_AUTO_TEST_CASE(errors_count_beyond_their_bars) {
-  const ChartErrors beyond =
-      beyond_bars({.force = 0.03, .volume = 0.01}, {.force = 0.01, .volume = 0.02});
+BOOST_AUTO_TEST_CASE(errors_count_beyond_their_error_bounds) {
+  const ChartErrors beyond = beyond_error_bounds({.force = 0.03, .volume = 0.01},
+                                                 {.force = 0.01, .volume = 0.02});
   BOOST_TEST(beyond.force.value() == 0.02, round_off);
   BOOST_TEST(beyond.volume.value() == 0);
   BOOST_TEST(!beyond.deviation.has_value());

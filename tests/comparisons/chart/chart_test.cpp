@@ -42,19 +42,20 @@ BOOST_AUTO_TEST_CASE(errors_are_told_from_the_limit_of_the_truth) {
   const ChartTruth& truth = chart.truths[0];
   BOOST_TEST(truth.answer.value == 10, round_off);
   BOOST_TEST(truth.answer.order.value() == 2, round_off);
-  BOOST_TEST(truth.bars.force.value() == 0.125, round_off);  // 2.25 of |q* - q3|
+  BOOST_TEST(truth.error_bounds.force.value() == 0.125, round_off);  // 2.25 of |q* - q3|
   BOOST_TEST(truth.volume_change.value == -0.02, round_off);
-  BOOST_TEST(truth.bars.volume.value() == 2.25 / 2880 / 0.05, round_off);
-  BOOST_TEST(truth.bars.deviation.value() == 1e-3);
+  BOOST_TEST(truth.error_bounds.volume.value() == 2.25 / 2880 / 0.05, round_off);
+  BOOST_TEST(truth.error_bounds.deviation.value() == 1e-3);
   const ChartErrors& errors = chart.points.at(0).errors.at(0);
   BOOST_TEST(errors.force.value() == 0.1, round_off);
   BOOST_TEST(errors.volume.value() == 0.001 / 0.05, boost::test_tools::tolerance(1e-10));
   BOOST_TEST(errors.deviation.value() == 0.002);
-  BOOST_TEST(chart.points[0].deviation_bars[0].value() == 1e-3);
+  BOOST_TEST(chart.points[0].deviation_error_bounds[0].value() == 1e-3);
 }
 
-// The check's limit of the force is 80/9/8 below the truth's, 10, and its bar 4 times its
-// last change, 10/9. The volume's check is exact, its bar the solvers' noise.
+// The check's limit of the force is 80/9/8 below the truth's, 10, and its error bound 4
+// times its last change, 10/9. The volume's check is exact, its error bound the solvers'
+// noise.
 BOOST_AUTO_TEST_CASE(a_truth_is_at_least_as_unsure_as_its_check_is_off) {
   ExampleChart example;
   example.check_truth();
@@ -65,11 +66,11 @@ BOOST_AUTO_TEST_CASE(a_truth_is_at_least_as_unsure_as_its_check_is_off) {
   BOOST_TEST(truth.answer.value == 10, round_off);
   BOOST_TEST(!truth.answer.is_of_check);
   BOOST_TEST(truth.answer.disagreement.value() == 10. / 9, round_off);
-  BOOST_TEST(truth.bars.force.value() == 0.125, round_off);
+  BOOST_TEST(truth.error_bounds.force.value() == 0.125, round_off);
   BOOST_TEST(truth.volume_change.is_of_check);
   BOOST_TEST(truth.volume_change.value == -0.02);
-  BOOST_TEST(truth.bars.deviation.value() == 0.005);
-  BOOST_TEST(chart.points.at(0).deviation_bars[0].value() == 0.005);
+  BOOST_TEST(truth.error_bounds.deviation.value() == 0.005);
+  BOOST_TEST(chart.points.at(0).deviation_error_bounds[0].value() == 0.005);
 
   for (const char* key : {"c1", "c2", "c3"})
     *example.cases.at(key).measures.plate_force += 6;
@@ -156,7 +157,7 @@ BOOST_AUTO_TEST_CASE(failed_states_have_no_place_on_a_front) {
   example.add("mss-cf", 4, 2, 12, 0.002);
   example.add("mss-cf", 8, 20, 11.2, 0.002);
   example.add("fem-stvk:q2", 8, 30, 11.2,
-              0.002);  // both below the truth's bar of .125 ...
+              0.002);  // both below the truth's error bound of .125 ...
   example.add("mss-fd", 8, 5, 12, 0.002, ChartKind::motion);
   Chart chart = evaluated(example.chart, example.cases);
   BOOST_TEST((chart.front(ChartKind::equilibrium, ChartMeasure::force, 0) ==
@@ -207,7 +208,7 @@ BOOST_AUTO_TEST_CASE(claims_are_of_springs_that_follow_no_other_law) {
   BOOST_TEST((claimed == std::set<std::size_t>{1, 2}));
 }
 
-BOOST_AUTO_TEST_CASE(claims_are_answered_by_quartiles_and_bars) {
+BOOST_AUTO_TEST_CASE(claims_are_answered_by_quartiles_and_error_bounds) {
   ExampleChart example;
   example.add("mss-cf", 4, 1, 14, 0.002);           // 40 % off
   example.add("fem-stvk:q1-sri", 4, 2, 13, 0.002);  // 30 %: closer by less than 12.5 %

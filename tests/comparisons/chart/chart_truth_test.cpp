@@ -62,15 +62,15 @@ BOOST_AUTO_TEST_CASE(a_truth_is_checked_by_other_elements_on_its_nodes) {
   }
 }
 
-// Changes that turn back, of c, leave a bar of 3 c/(2^(1/2) - 1) about the finest: 7.2 c.
-// Over the 1 mm that the plate moves.
+// Changes that turn back, of c, leave an error bound of 3 c/(2^(1/2) - 1) about the
+// finest: 7.2 c. Over the 1 mm that the plate moves.
 BOOST_AUTO_TEST_CASE(places_are_as_unsure_as_two_limits_are_apart,
                      *boost::unit_test::tolerance(1e-6)) {
   constexpr double c = 1e-5, plate = 1e-3;
-  const double bar = 3 * c / (std::sqrt(2.) - 1);
+  const double error_bound = 3 * c / (std::sqrt(2.) - 1);
   BOOST_TEST(apart({6 * c, 5 * c, 6 * c}) == 6 * c / plate);
-  // Farther apart than both bars: with the other's.
-  BOOST_TEST(apart({9 * c, 8 * c, 9 * c}) == (9 * c + bar) / plate);
+  // Farther apart than both error bounds: with the other's.
+  BOOST_TEST(apart({9 * c, 8 * c, 9 * c}) == (9 * c + error_bound) / plate);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -30,7 +30,8 @@ inline Timing around(double seconds) {
 }
 
 /// A truth of second order: force 10 + 80/9 h^2, volume change -.02 + .05/9 h^2, on cells
-/// of 1, 1/2 and 1/4, so that bars are 2.25 times 5/9 and 1/2880; imposed .1 m on 2 m.
+/// of 1, 1/2 and 1/4, so that error bounds are 2.25 times 5/9 and 1/2880; imposed .1 m on
+/// 2 m.
 struct ExampleChart {
   StoredChart chart{.scene = "compression",
                     .settings = "of its models",

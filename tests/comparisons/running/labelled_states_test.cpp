@@ -106,8 +106,8 @@ Limit limit_of(const Path& path) {
   mss::NetworkBody body(network);
   const Scene scene = mechanical_scene(settings, mesh);
   const statics::Loading drive = mss::loading(mesh, scene, network);
-  statics::Landscape landscape(body, drive, statics::LinearSolver::automatic);
-  const statics::PathLimit found = statics::follow_to_limit(landscape, 1e-4, is_upright);
+  statics::PotentialEnergy potential(body, drive, statics::LinearSolver::automatic);
+  const statics::PathLimit found = statics::follow_to_limit(potential, 1e-4, is_upright);
   const auto mode = statics::by_node(found.critical_mode);
   return {.path = found,
           .displacements = statics::by_node(found.state.displacements),

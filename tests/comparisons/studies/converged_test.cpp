@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(a_homogeneous_field_does_not_deviate_from_finer_grids) {
 
 // All nodes of a single layer of cubes are held: their changes tell no order, and those
 // inside the finer grids do change. Was 0.
-BOOST_AUTO_TEST_CASE(a_coarsest_grid_of_held_nodes_leaves_a_bar) {
+BOOST_AUTO_TEST_CASE(a_coarsest_grid_of_held_nodes_leaves_an_error_bound) {
   MeshStore meshes;
   const CaseResult result = result_of(
       "compression",
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(deviations_from_a_finer_grid_are_taken_at_the_shared_nodes)
 // On cells that the coarsest grid does not refine. On the finest grid's own the case is
 // the reference itself, which is known no better for that: less well than at the coarsest
 // grid's nodes, which are farther from the plates' edges. Between the finest grid's nodes
-// the bar of interpolation joins it, and covers what is seen there.
+// the error bound of interpolation joins it, and covers what is seen there.
 BOOST_AUTO_TEST_CASE(on_other_cells_the_finest_grid_is_the_reference,
                      *boost::unit_test::label("slow")) {
   MeshStore meshes;
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(on_other_cells_the_finest_grid_is_the_reference,
   };
   const Measures on_2 = measures_on(2), on_6 = measures_on(6), on_8 = measures_on(8);
   for (const Measures& m : {on_2, on_6, on_8})
-    BOOST_TEST_MESSAGE("deviation " << *m.deviation_l2_relative << ", bar "
+    BOOST_TEST_MESSAGE("deviation " << *m.deviation_l2_relative << ", error bound "
                                     << *m.reference_bar_l2_relative);
   BOOST_TEST(*on_8.deviation_l2_relative < 1e-12);
   BOOST_TEST(on_8.reference_order.value() == on_2.reference_order.value());
@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(deviations_are_divided_by_the_reference_s_own_face_displace
 }
 
 // The error of a coarse solution is mostly gone on the next grid, and the converged field
-// is further away than that: by the bar the extrapolation gives.
+// is further away than that: by the error bound the extrapolation gives.
 BOOST_AUTO_TEST_CASE(the_converged_field_lies_beyond_the_finer_grids) {
   MeshStore meshes;
   const auto deviation_from = [&](const char* reference) {
@@ -192,9 +192,9 @@ BOOST_AUTO_TEST_CASE(measures_hold_order_and_bar_of_an_extrapolated_reference) {
   const std::array<const CaseResult*, 3> grids{&runs[0], &runs[1], &runs[2]};
   const ConvergedField field =
       converged_field(grids, runs[0].request.settings.body, meshes);
-  BOOST_TEST(*extrapolated.reference_bar == field.bar);
+  BOOST_TEST(*extrapolated.reference_bar == field.error_bound);
   BOOST_TEST(*extrapolated.reference_order == *field.order);
-  BOOST_TEST(field.bar > 0);
+  BOOST_TEST(field.error_bound > 0);
 }
 
 BOOST_AUTO_TEST_CASE(the_key_and_the_label_name_the_grid_of_the_reference) {

@@ -38,24 +38,24 @@ BOOST_AUTO_TEST_CASE(a_power_law_is_recovered_for_constant_and_changing_ratios,
       BOOST_TEST_REQUIRE(limit.order.has_value());
       BOOST_TEST(*limit.order == p);
       BOOST_TEST(limit.value(0) == 2.);
-      BOOST_TEST(limit.bar(0) == 2.25 * error);
+      BOOST_TEST(limit.error_bound(0) == 2.25 * error);
       // Below the formal order the observed one is taken, with more safety.
       const Extrapolated slow = limit_of(h, q(h[0]), q(h[1]), q(h[2]), 1.3 * p);
       BOOST_TEST(slow.value(0) == 2.);
-      BOOST_TEST(slow.bar(0) == 4 * error);
+      BOOST_TEST(slow.error_bound(0) == 4 * error);
     }
 }
 
 // p = ln((q1 - q2)/(q2 - q3))/ln 2 by hand: changes of 4 and 1 are of order 2, and a
 // third of the last change is left. The index of the source, 1.25/3, is about the finest
-// value 10, and the bar about the limit holds it.
+// value 10, and the error bound about the limit holds it.
 BOOST_AUTO_TEST_CASE(halving_follows_the_textbook_formula,
                      *boost::unit_test::tolerance(1e-12)) {
   const Extrapolated limit = limit_of({4, 2, 1}, 15, 11, 10);
   BOOST_TEST(*limit.order == 2.);
   BOOST_TEST(limit.value(0) == 10 - 1. / 3);
   BOOST_TEST(limit.index.value() == 1.25 / 3);
-  BOOST_TEST(limit.bar(0) == 1.25 / 3 + 1. / 3);
+  BOOST_TEST(limit.error_bound(0) == 1.25 / 3 + 1. / 3);
 }
 
 // Changes of 4 and 1 again. By a formal order of 1 all of the last change is left: order
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(no_order_above_the_formal_one_is_believed,
     BOOST_TEST_CONTEXT(formal) {
       BOOST_TEST(*limit.order == 2.);
       BOOST_TEST(limit.value(0) == 10 - left);
-      BOOST_TEST(limit.bar(0) == (factor + 1) * left);
+      BOOST_TEST(limit.error_bound(0) == (factor + 1) * left);
     }
   };
   expect(1, 1, 3);
@@ -88,16 +88,16 @@ BOOST_AUTO_TEST_CASE(orders_out_of_range_are_replaced,
   const double left = change / (std::sqrt(2.) - 1);
   BOOST_TEST(*slow.order == 0.4);
   BOOST_TEST(slow.value(0) == 10 - change - left);
-  BOOST_TEST(slow.bar(0) == 4 * left);
+  BOOST_TEST(slow.error_bound(0) == 4 * left);
   // Of order .1, which is not observed, too.
   const double slower = std::pow(2, -0.1);
   const Extrapolated crawls = limit_of({4, 2, 1}, 11, 10, 10 - slower);
   BOOST_TEST(!crawls.order.has_value());
-  BOOST_TEST(crawls.bar(0) == 4 * slower / (std::sqrt(2.) - 1));
+  BOOST_TEST(crawls.error_bound(0) == 4 * slower / (std::sqrt(2.) - 1));
   const Extrapolated fast = limit_of({4, 2, 1}, 10, 11, 11.000001, 1);
   BOOST_TEST(!fast.order.has_value());
   BOOST_TEST(fast.value(0) == 11.000002);
-  BOOST_TEST(fast.bar(0) == 4e-6);
+  BOOST_TEST(fast.error_bound(0) == 4e-6);
 }
 
 BOOST_AUTO_TEST_CASE(what_grows_or_turns_back_is_not_extrapolated,
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(what_grows_or_turns_back_is_not_extrapolated,
     const Extrapolated limit = limit_of(halving, q1, q2, q3);
     BOOST_TEST(!limit.order.has_value());
     BOOST_TEST(limit.value(0) == q3);
-    BOOST_TEST(limit.bar(0) == 3 * std::abs(q3 - q2) / (std::sqrt(2.) - 1));
+    BOOST_TEST(limit.error_bound(0) == 3 * std::abs(q3 - q2) / (std::sqrt(2.) - 1));
   };
   expect_no_order(10, 11, 10.5);  // oscillates
   expect_no_order(10, 11, 12);    // order 0
@@ -120,15 +120,16 @@ BOOST_AUTO_TEST_CASE(equal_values_have_converged_up_to_the_noise) {
     const Extrapolated limit = limit_of({4, 2, 1}, 5 + left_over, 5, 5 - left_over);
     BOOST_TEST(!limit.order.has_value());
     BOOST_TEST(limit.value(0) == 5 - left_over);
-    BOOST_TEST(limit.bar(0) == noise);
+    BOOST_TEST(limit.error_bound(0) == noise);
   }
 }
 
-// The last change is nothing, an earlier one was not: no order, and no bar below noise.
+// The last change is nothing, an earlier one was not: no order, and no error bound below
+// noise.
 BOOST_AUTO_TEST_CASE(no_bar_is_smaller_than_the_noise) {
   const Extrapolated limit = limit_of({4, 2, 1}, 6, 5, 5);
   BOOST_TEST(!limit.order.has_value());
-  BOOST_TEST(limit.bar(0) == noise);
+  BOOST_TEST(limit.error_bound(0) == noise);
 }
 
 // One order for the field, from its norms: the entry that does not change stays, the
@@ -142,7 +143,7 @@ BOOST_AUTO_TEST_CASE(a_field_is_extrapolated_with_one_order,
       extrapolate({0.4, 0.2, 0.1}, {field(0.4), field(0.2), field(0.1)}, noise, 1);
   BOOST_TEST(*limit.order == 1.);
   BOOST_TEST((limit.value - Eigen::RowVector3d(1, 2, 3)).norm() < 1e-12);
-  BOOST_TEST((limit.bar - Eigen::RowVector3d(0.225, 0.45, noise)).norm() < 1e-12);
+  BOOST_TEST((limit.error_bound - Eigen::RowVector3d(0.225, 0.45, noise)).norm() < 1e-12);
 }
 
 // Changes of falling size that turn back are no convergence.
@@ -154,35 +155,36 @@ BOOST_AUTO_TEST_CASE(a_field_whose_changes_oppose_has_no_order) {
       extrapolate({4, 2, 1}, {field(0, 0), field(4, 4), field(2, 2)}, noise, 2);
   BOOST_TEST(!limit.order.has_value());
   BOOST_TEST(limit.value(0) == 2);
-  BOOST_TEST(limit.bar(0) == 6 / (std::sqrt(2.) - 1), tolerance(1e-12));
+  BOOST_TEST(limit.error_bound(0) == 6 / (std::sqrt(2.) - 1), tolerance(1e-12));
 }
 
-// 10 +- 1 and 10.5 +- .2: the narrower, with a bar that holds the other's limit.
+// 10 +- 1 and 10.5 +- .2: the narrower, with an error bound that holds the other's limit.
 BOOST_AUTO_TEST_CASE(the_better_known_of_two_limits_is_taken,
                      *boost::unit_test::tolerance(1e-12)) {
-  const ConvergedNumber wide{.value = 10, .order = 1.2, .bar = 1},
-      narrow{.value = 10.5, .order = 1.5, .bar = 0.2};
+  const ConvergedNumber wide{.value = 10, .order = 1.2, .error_bound = 1},
+      narrow{.value = 10.5, .order = 1.5, .error_bound = 0.2};
   for (const bool is_of_check : {true, false}) {
     const CheckedNumber known =
         is_of_check ? checked_number(wide, narrow) : checked_number(narrow, wide);
     BOOST_TEST(known.value == 10.5);
     BOOST_TEST(known.order.value() == 1.5);
-    BOOST_TEST(known.bar == 0.5);
+    BOOST_TEST(known.error_bound == 0.5);
     BOOST_TEST(known.disagreement.value() == 0.5);
     BOOST_TEST(known.is_of_check == is_of_check);
     BOOST_TEST(known.is_resolved);
   }
-  BOOST_TEST(checked_number({.value = 10.4, .order = {}, .bar = 1}, narrow).bar == 0.2);
+  BOOST_TEST(checked_number({.value = 10.4, .order = {}, .error_bound = 1}, narrow)
+                 .error_bound == 0.2);
 }
 
 BOOST_AUTO_TEST_CASE(limits_that_contradict_each_other_hold_both_intervals,
                      *boost::unit_test::tolerance(1e-12)) {
-  const ConvergedNumber one{.value = 10, .order = {}, .bar = 0.5},
-      other{.value = 11, .order = {}, .bar = 0.2};
+  const ConvergedNumber one{.value = 10, .order = {}, .error_bound = 0.5},
+      other{.value = 11, .order = {}, .error_bound = 0.2};
   const CheckedNumber known = checked_number(one, other);
   BOOST_TEST(!known.is_resolved);
   BOOST_TEST(known.value == 11);
-  BOOST_TEST(known.bar == 1.5);  // down to 9.5, where the other's ends
+  BOOST_TEST(known.error_bound == 1.5);  // down to 9.5, where the other's ends
 }
 
 // Errors of C h^1.5 exactly: round-off. An error of zero has no logarithm.

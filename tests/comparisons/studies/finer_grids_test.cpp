@@ -94,7 +94,8 @@ ConvergedNumber by_observed_order(const std::array<double, 3>& values) {
   const double fine_change = values[1] - values[2];
   const double order = observed_order({4, 2, 1}, coarse_change, fine_change).value();
   const double rest = fine_change * rest_by_order(2, order);
-  return {.value = values[2] - rest, .order = order, .bar = 1.25 * std::abs(rest)};
+  return {
+      .value = values[2] - rest, .order = order, .error_bound = 1.25 * std::abs(rest)};
 }
 
 double relative_difference(double a, double b) {
@@ -142,16 +143,17 @@ BOOST_AUTO_TEST_CASE(bounds_hold_what_much_finer_grids_give) {
       BOOST_TEST_CONTEXT(quantity.name << ", " << row.element << " from "
                                        << row.coarsest) {
         const ConvergedNumber limit = limit_of(quantity, row.element, row.coarsest);
-        BOOST_TEST(std::abs(limit.value - known(quantity)) <= limit.bar);
-        BOOST_TEST(std::abs(limit.value - quantity.finest()) <= limit.bar);
+        BOOST_TEST(std::abs(limit.value - known(quantity)) <= limit.error_bound);
+        BOOST_TEST(std::abs(limit.value - quantity.finest()) <= limit.error_bound);
         const ConvergedNumber earlier =
             by_observed_order(values_on(quantity, row.element, row.coarsest));
-        BOOST_TEST(std::abs(earlier.value - known(quantity)) <= earlier.bar);
-        if (std::abs(earlier.value - quantity.finest()) > earlier.bar)
+        BOOST_TEST(std::abs(earlier.value - known(quantity)) <= earlier.error_bound);
+        if (std::abs(earlier.value - quantity.finest()) > earlier.error_bound)
           ++finest_that_earlier_bounds_miss;
-        percent.widen(100 * limit.bar / std::abs(known(quantity)));
-        share = std::max(share, std::abs(limit.value - known(quantity)) / limit.bar);
-        over_earlier.widen(limit.bar / earlier.bar);
+        percent.widen(100 * limit.error_bound / std::abs(known(quantity)));
+        share =
+            std::max(share, std::abs(limit.value - known(quantity)) / limit.error_bound);
+        over_earlier.widen(limit.error_bound / earlier.error_bound);
       }
     BOOST_TEST_CONTEXT(row.element << " from " << row.coarsest << ": " << percent.least
                                    << " to " << percent.most << " %, " << share << ", "
@@ -176,7 +178,7 @@ BOOST_AUTO_TEST_CASE(limits_by_another_element_and_order_are_the_same) {
     apart.widen(relative_difference(other, known(quantity)));
     for (const Recorded& row : table) {
       const ConvergedNumber limit = limit_of(quantity, row.element, row.coarsest);
-      share.widen(std::abs(limit.value - other) / limit.bar);
+      share.widen(std::abs(limit.value - other) / limit.error_bound);
     }
   }
   BOOST_TEST(is_printed(100 * apart.most, 0.13, 0.01));

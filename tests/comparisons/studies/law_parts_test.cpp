@@ -150,13 +150,13 @@ std::array<double, 3> on_grids(const ByElementAndCells& values,
 }
 
 /// The bound if differences had those of single values.
-double bar_by_single_values(const ByElementAndCells& differences, const SplitPlan& plan,
-                            double value) {
+double error_bound_by_single_values(const ByElementAndCells& differences,
+                                    const SplitPlan& plan, double value) {
   const ConvergedNumber by_grids =
       converged_number(plan.reference, on_grids(differences, "q1-sri", 4), solver_noise);
   const ConvergedNumber by_check = converged_number(
       plan.reference_check, on_grids(differences, "q2", 2), solver_noise);
-  return std::max(by_grids.bar + std::abs(by_grids.value - value),
+  return std::max(by_grids.error_bound + std::abs(by_grids.value - value),
                   std::abs(by_check.value - value));
 }
 
@@ -199,14 +199,14 @@ BOOST_AUTO_TEST_CASE(bounds_of_law_parts_hold_what_much_finer_grids_give) {
       const ByElementAndCells differences = part.difference();
       const double limit = known(differences, formal_order(plan.reference[0]));
       const double error = std::abs(*law.value - limit);
-      BOOST_TEST(error <= *law.bar);
-      BOOST_TEST(std::abs(*law.value - finest(differences)) <= *law.bar);
-      share = std::max(share, error / *law.bar);
-      over_part.push_back(*law.bar / std::abs(*law.value));
+      BOOST_TEST(error <= *law.error_bound);
+      BOOST_TEST(std::abs(*law.value - finest(differences)) <= *law.error_bound);
+      share = std::max(share, error / *law.error_bound);
+      over_part.push_back(*law.error_bound / std::abs(*law.value));
       const ConvergedNumber difference = converged_difference(
           plan.reference, on_grids(differences, "q1-sri", 4), solver_noise);
-      if (std::abs(difference.value - limit) <= difference.bar) ++alone;
-      if (error > bar_by_single_values(differences, plan, *law.value))
+      if (std::abs(difference.value - limit) <= difference.error_bound) ++alone;
+      if (error > error_bound_by_single_values(differences, plan, *law.value))
         ++missed_by_single_values;
     }
   // What docs/explanation/errors.md has of them.
@@ -227,8 +227,8 @@ BOOST_AUTO_TEST_CASE(bounds_of_the_continua_hold_what_much_finer_grids_give) {
       const double limit = known(continuum.values, formal_order(continuum.grids[0]));
       const ConvergedNumber single =
           converged_number(continuum.grids, on_grids(continuum.values, "q1-sri", 4));
-      BOOST_TEST(std::abs(single.value - limit) <= single.bar);
-      share = std::max(share, std::abs(single.value - limit) / single.bar);
+      BOOST_TEST(std::abs(single.value - limit) <= single.error_bound);
+      share = std::max(share, std::abs(single.value - limit) / single.error_bound);
     }
   BOOST_TEST(all.size() == 58U);
   BOOST_TEST(std::abs(share - 0.27) < 0.005, share);

@@ -173,8 +173,8 @@ BOOST_AUTO_TEST_CASE(parts_are_the_differences_of_what_is_shown) {
     const auto &lattice = q.cauchy_born.converged, &law = q.reference.converged;
     BOOST_TEST(*q.law.value == *lattice.value - *law.value, tolerance(1e-12));
     BOOST_TEST(*q.discretisation.value == *q.springs - *lattice.value, tolerance(1e-12));
-    BOOST_TEST(*q.law.bar < *lattice.bar + *law.bar);
-    BOOST_TEST(*q.discretisation.bar == *lattice.bar);
+    BOOST_TEST(*q.law.error_bound < *lattice.error_bound + *law.error_bound);
+    BOOST_TEST(*q.discretisation.error_bound == *lattice.error_bound);
     BOOST_TEST(lattice.grids.size() == 3U);
     BOOST_TEST(lattice.grids[2].key.size() == 64U);
   }
@@ -185,8 +185,8 @@ BOOST_AUTO_TEST_CASE(parts_are_the_differences_of_what_is_shown) {
   BOOST_TEST(*field.reference.converged.value == 0.);
 }
 
-// q1-sri: .1 + .08/4^k, limit .1 and bar 2.25 * .005 (at nu = 0 the formal order is 2);
-// q2 the same for Cauchy-Born, but .2 and its own last change away for the law:
+// q1-sri: .1 + .08/4^k, limit .1 and error bound 2.25 * .005 (at nu = 0 the formal order
+// is 2); q2 the same for Cauchy-Born, but .2 and its own last change away for the law:
 // unresolved. Round-off.
 BOOST_AUTO_TEST_CASE(discretisations_that_disagree_beyond_their_bars_are_unresolved,
                      *boost::unit_test::tolerance(1e-9)) {
@@ -207,12 +207,12 @@ BOOST_AUTO_TEST_CASE(discretisations_that_disagree_beyond_their_bars_are_unresol
   const SplitQuantity& volume = quantity(split, "volume_change");
   BOOST_TEST(*volume.cauchy_born.converged.value == 0.1);
   BOOST_TEST(*volume.cauchy_born.converged.order == 2.);
-  BOOST_TEST(*volume.cauchy_born.converged.bar == 2.25 * 0.005);
-  BOOST_TEST(*volume.reference.converged.bar == 0.1);  // the disagreement
+  BOOST_TEST(*volume.cauchy_born.converged.error_bound == 2.25 * 0.005);
+  BOOST_TEST(*volume.reference.converged.error_bound == 0.1);  // the disagreement
   BOOST_TEST(*volume.discretisation.value == 0.01);
   // By q1-sri no difference between the laws, by q2 one of -.1: so much is not known.
   BOOST_TEST(*volume.law.value == 0.);
-  BOOST_TEST(*volume.law.bar == 0.1);
+  BOOST_TEST(*volume.law.error_bound == 0.1);
   BOOST_TEST(*volume.cauchy_born.disagreement == 0.);
   BOOST_TEST(volume.cauchy_born.is_resolved);
   BOOST_TEST(*volume.reference.disagreement == 0.1);
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(discretisations_that_disagree_beyond_their_bars_are_unresol
 }
 
 // Cauchy-Born .1 + .08/4^k and law .05 + .05/4^k by both elements: their difference is
-// .05 + .03/4^k, with a bar of 4 * .001875, near the formal order
+// .05 + .03/4^k, with an error bound of 4 * .001875, near the formal order
 // too: changes of differences show none for sure. Round-off.
 BOOST_AUTO_TEST_CASE(the_bar_of_a_law_part_is_that_of_the_difference,
                      *boost::unit_test::tolerance(1e-9)) {
@@ -251,10 +251,10 @@ BOOST_AUTO_TEST_CASE(the_bar_of_a_law_part_is_that_of_the_difference,
                                   meshes);
   const SplitQuantity& volume = quantity(split, "volume_change");
   BOOST_TEST(*volume.law.value == 0.05);
-  BOOST_TEST(*volume.law.bar == 4 * 0.001875);
-  // The disagreement of none widens no bar.
-  BOOST_TEST(*volume.cauchy_born.converged.bar == 2.25 * 0.005);
-  BOOST_TEST(*volume.discretisation.bar == 2.25 * 0.005);
+  BOOST_TEST(*volume.law.error_bound == 4 * 0.001875);
+  // The disagreement of none widens no error bound.
+  BOOST_TEST(*volume.cauchy_born.converged.error_bound == 2.25 * 0.005);
+  BOOST_TEST(*volume.discretisation.error_bound == 2.25 * 0.005);
 }
 
 // The lattice of mss-baudet does not exist at nu = -0.3: neither springs nor Cauchy-Born,

@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "meshing/cell_geometry.hpp"
-#include "statics/landscape.hpp"
+#include "statics/potential_energy.hpp"
 #include "tests/fem_reference/bodies.hpp"
 #include "tests/fem_reference/laws.hpp"
 
@@ -92,9 +92,9 @@ BOOST_AUTO_TEST_CASE(positive_parts_have_the_positive_eigenvalues_alone) {
   }
 }
 
-// So do the stars' of q1_nodal, part by part: the law's of their tetrahedra, and that of
-// Hencky's volume, whose U'' is negative beyond J = e.
-BOOST_AUTO_TEST_CASE(positive_parts_of_stars_have_no_negative_eigenvalues) {
+// So do the nodal patches' of q1_nodal, part by part: the law's of their tetrahedra, and
+// that of Hencky's volume, whose U'' is negative beyond J = e.
+BOOST_AUTO_TEST_CASE(positive_parts_of_patches_have_no_negative_eigenvalues) {
   const auto least = [](const Eigen::MatrixXd& K) {
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K).eigenvalues()[0];
   };
@@ -111,15 +111,18 @@ BOOST_AUTO_TEST_CASE(positive_parts_of_stars_have_no_negative_eigenvalues) {
     elements.linearise(nodal(body, [&](const Vector3& X) -> Vector3 {
       return {0, 0, strain * X.z()};
     }));
-    for (std::size_t star = body.cells.size(); star < elements.patches().size(); ++star) {
-      const double size = elements.part(star).norm();
-      BOOST_TEST(least(elements.part(star)) < -1e-3 * size);
-      BOOST_TEST(least(elements.positive_part(star)) > -1e-12 * size);
+    for (std::size_t nodal_patch = body.cells.size();
+         nodal_patch < elements.patches().size(); ++nodal_patch) {
+      const double size = elements.part(nodal_patch).norm();
+      BOOST_TEST(least(elements.part(nodal_patch)) < -1e-3 * size);
+      BOOST_TEST(least(elements.positive_part(nodal_patch)) > -1e-12 * size);
     }
     elements.linearise(Eigen::VectorXd::Zero(3 * std::ssize(body.nodes)));
-    for (std::size_t star = body.cells.size(); star < elements.patches().size(); ++star)
-      BOOST_TEST((elements.part(star) - elements.positive_part(star)).norm() <
-                 1e-12 * elements.part(star).norm());
+    for (std::size_t nodal_patch = body.cells.size();
+         nodal_patch < elements.patches().size(); ++nodal_patch)
+      BOOST_TEST(
+          (elements.part(nodal_patch) - elements.positive_part(nodal_patch)).norm() <
+          1e-12 * elements.part(nodal_patch).norm());
   }
 }
 
@@ -195,11 +198,11 @@ BOOST_AUTO_TEST_CASE(rounding_estimates_that_of_the_forces) {
       .displacements = [&](double) { return u; },
       .forces = Eigen::VectorXd::Zero(u.size()),
       .follows_supports = [](const Eigen::VectorXd&, double) { return true; }};
-  statics::Landscape landscape(elements, loading, statics::LinearSolver::direct);
-  landscape.linearise(u);
+  statics::PotentialEnergy potential(elements, loading, statics::LinearSolver::direct);
+  potential.linearise(u);
   const double rounding = elements.state(u).forces.norm();
-  BOOST_TEST(rounding < landscape.force_round_off(u));
-  BOOST_TEST(landscape.force_round_off(u) < 1e-11 * young * edge * edge);
+  BOOST_TEST(rounding < potential.force_round_off(u));
+  BOOST_TEST(potential.force_round_off(u) < 1e-11 * young * edge * edge);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

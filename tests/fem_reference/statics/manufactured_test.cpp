@@ -123,12 +123,12 @@ Errors solved(int cells, CellPattern pattern, double nu, const Settings& setting
       .forces =
           body_load(body, [&](const Vector3& X) { return body_force(law, field, X); }),
       .follows_supports = [](const Eigen::VectorXd&, double) { return true; }};
-  statics::Landscape landscape(elements, loading, statics::LinearSolver::direct);
-  landscape.set_load(1);
+  statics::PotentialEnergy potential(elements, loading, statics::LinearSolver::direct);
+  potential.set_load(1);
   std::mt19937_64 random(1);
   // From the exact nodal values, the discrete solution is a few Newton steps away.
   const statics::Minimum found =
-      statics::minimise(landscape, exact, random, statics::Tangents::definite);
+      statics::minimise(potential, exact, random, statics::Tangents::definite);
   BOOST_TEST_REQUIRE(found.found);
   return errors(body, field, found.state.displacements);
 }

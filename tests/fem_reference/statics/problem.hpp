@@ -37,10 +37,10 @@ struct Problem {
   /// At the full load.
   statics::Minimum minimum(const Eigen::VectorXd& start,
                            statics::Tangents tangents = statics::Tangents::any) {
-    statics::Landscape landscape(elements, loading, statics::LinearSolver::direct);
-    landscape.set_load(1);
+    statics::PotentialEnergy potential(elements, loading, statics::LinearSolver::direct);
+    potential.set_load(1);
     std::mt19937_64 random(1);
-    return statics::minimise(landscape, start, random, tangents);
+    return statics::minimise(potential, start, random, tangents);
   }
   [[nodiscard]] Eigen::VectorXd free_part(Eigen::VectorXd all) const {
     statics::Unknowns(loading.is_free).clear_prescribed(all);

@@ -13,7 +13,7 @@ namespace {
 Eigen::VectorXd rest_spectrum(const Mesh& mesh, double nu) {
   const Network network =
       build_network(mesh, {.young_modulus = 1, .poisson_ratio = nu, .density = 1},
-                    in_shear_modulus_form(Method::affine));
+                    in_shear_modulus_form(SpringModel::affine));
   const Eigen::MatrixXd lower =
       lower_triangle(network, tangent_at(network, network.rest_positions),
                      std::vector<bool>(3 * mesh.nodes().size(), true));

@@ -16,7 +16,7 @@ BOOST_AUTO_TEST_SUITE(affine_test)
 
 namespace {
 
-/// Below, at and above nu = 1/4, where the volume correction moves to the stars.
+/// Below, at and above nu = 1/4, where the volume correction moves to the nodal patches.
 constexpr double poisson_ratios[] = {-0.5, 0, 0.25, 0.45, 0.499};
 
 /// E = 1 Pa and edges of 1 m: forces and energies are of the order of 1.
@@ -34,7 +34,7 @@ constexpr Springs usual{}, all_springs[] = {usual,
                                             {StrainMeasure::hencky, Axes::twenty_five}};
 
 Network affine_network(const Mesh& mesh, double nu, const Springs& springs = usual) {
-  NetworkSettings settings = springs_in(springs.measure, Method::affine);
+  NetworkSettings settings = springs_in(springs.measure, SpringModel::affine);
   settings.axes = springs.axes;
   return build_network(mesh, soft(nu), settings);
 }
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(network_at_rest_is_free_of_force_and_energy) {
 }
 
 // psi written out with F: six virtual springs (an icosahedron's axes) and kappa. Every
-// mean over a star is F itself, and hourglass springs are at their affine lengths.
+// mean over a nodal patch is F itself, and hourglass springs are at their affine lengths.
 // Round-off of sums over up to 100 cells.
 BOOST_AUTO_TEST_CASE(
     affine_state_has_the_energy_and_stress_of_the_cauchy_born_continuum) {
@@ -242,11 +242,12 @@ BOOST_AUTO_TEST_CASE(tangent_is_minus_the_slope_of_the_forces) {
   });
 }
 
-// kappa/2 (J_n - 1)^2 sees the mean over the star: a node inside that moves by itself
-// changes no volume but its own cells', whose sum stays; what is left of the pressure is
-// that of its neighbours' stars. By hand for two cubes, whose middle nodes have both and
-// whose outer nodes one of them: J of one doubled by its height, of the other halved.
-BOOST_AUTO_TEST_CASE(star_pressure_is_that_of_the_mean_volume) {
+// kappa/2 (J_n - 1)^2 sees the mean over the nodal patch: a node inside that moves by
+// itself changes no volume but its own cells', whose sum stays; what is left of the
+// pressure is that of its neighbours' nodal patches. By hand for two cubes, whose middle
+// nodes have both and whose outer nodes one of them: J of one doubled by its height, of
+// the other halved.
+BOOST_AUTO_TEST_CASE(patch_pressure_is_that_of_the_mean_volume) {
   const Mesh mesh = generate_block({.size = {1, 1, 2}, .cells = {1, 1, 2}});
   const Network network = affine_network(mesh, 0.499);
   std::vector<Vector3> x = mesh.nodes();
@@ -259,29 +260,29 @@ BOOST_AUTO_TEST_CASE(star_pressure_is_that_of_the_mean_volume) {
   for (std::size_t n = 0; n < x.size(); ++n) {
     const double Z = mesh.nodes()[n].z();
     if (Z == 1)
-      BOOST_TEST(std::abs(states.star_pressures[n]) < 1e-13 * kappa);
+      BOOST_TEST(std::abs(states.patch_pressures[n]) < 1e-13 * kappa);
     else
-      BOOST_TEST(states.star_pressures[n] == (Z == 0 ? 1 : -1) * kappa / 2, close);
+      BOOST_TEST(states.patch_pressures[n] == (Z == 0 ? 1 : -1) * kappa / 2, close);
   }
-  BOOST_TEST(star_pressure(network, states, 0) == kappa / 4, close);
+  BOOST_TEST(patch_pressure(network, states, 0) == kappa / 4, close);
 }
 
-// The shape stars are tetrahedra's alone, and the volume stars of all cells; both parts
-// of a body add up to it.
-BOOST_AUTO_TEST_CASE(stars_share_out_the_body) {
+// Patches of shape are tetrahedra's alone, and those of volume all cells'; both parts of
+// a body add up to it.
+BOOST_AUTO_TEST_CASE(patches_share_out_the_body) {
   for_each_network(2, [](const Mesh& mesh, const Network& network, double nu) {
     double of_tetrahedra = 0;
     for (std::size_t c = 0; c < mesh.cells().size(); ++c)
       if (type_of(mesh.cells()[c]) == CellType::tetrahedron)
         of_tetrahedra += mesh.cell_volumes()[c];
-    const auto whole = [](const Stars& stars) {
+    const auto whole = [](const NodalPatches& nodal_patches) {
       double sum = 0;
-      for (const double volume : stars.volumes) sum += volume;
+      for (const double volume : nodal_patches.volumes) sum += volume;
       return sum;
     };
-    BOOST_TEST(std::abs(whole(network.shape_stars) - of_tetrahedra) < 1e-13);
+    BOOST_TEST(std::abs(whole(network.shape_patches) - of_tetrahedra) < 1e-13);
     const double expected = nu > 0.25 ? mesh.volume() : 0;
-    BOOST_TEST(std::abs(whole(network.volume_stars) - expected) < 1e-13);
+    BOOST_TEST(std::abs(whole(network.volume_patches) - expected) < 1e-13);
   });
 }
 

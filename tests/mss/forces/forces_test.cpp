@@ -14,10 +14,10 @@ namespace {
 
 /// 2^3 cells of edge 2 m (so that no volume is 1) and E = 1 Pa: forces and energies are
 /// of the order of 1.
-Network soft_block(Method method, double nu) {
+Network soft_block(SpringModel model, double nu) {
   return build_network(cube(2, 2),
                        {.young_modulus = 1, .poisson_ratio = nu, .density = 1},
-                       in_shear_modulus_form(method));
+                       in_shear_modulus_form(model));
 }
 
 /// Far from rest: every node moved by up to 0.3 of a cell.
@@ -53,9 +53,9 @@ Network one_spring() {
 // step^2 = 1e-10 of the third derivative, round-off 1e-15/1e-5 = 1e-10 of the energy.
 BOOST_AUTO_TEST_CASE(forces_are_minus_the_gradient_of_the_energy) {
   constexpr double step = 1e-5;
-  for (const auto& [name, method] : methods)
+  for (const auto& [name, model] : models)
     for (const double nu : {-0.2, 0., 0.25, 0.4, 0.49}) {
-      const Network network = soft_block(method, nu);
+      const Network network = soft_block(model, nu);
       std::vector<Vector3> x = deformed(network, 1);
       const std::vector<Vector3> forces = forces_at(network, x);
       double squared_error = 0;
@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(volume_change_costs_kappa_over_two_rest_volumes,
                      *boost::unit_test::tolerance(1e-14)) {
   Network network =
       build_network(cube(1, 2), {.young_modulus = 1, .poisson_ratio = 0.4, .density = 1},
-                    in_shear_modulus_form(Method::cf));
+                    in_shear_modulus_form(SpringModel::cf));
   network.springs.clear();
   std::vector<Vector3> x = network.rest_positions;
   for (Vector3& node : x) node *= 1.5;
@@ -98,8 +98,8 @@ BOOST_AUTO_TEST_CASE(volume_change_costs_kappa_over_two_rest_volumes,
 }
 
 BOOST_AUTO_TEST_CASE(network_at_rest_is_free_of_force_and_energy) {
-  for (const auto& [name, method] : methods) {
-    const Network network = soft_block(method, 0.4);
+  for (const auto& [name, model] : models) {
+    const Network network = soft_block(model, 0.4);
     BOOST_TEST(strain_energy(network, network.rest_positions) == 0, name);
     BOOST_TEST(norm(forces_at(network, network.rest_positions)) == 0, name);
   }
@@ -107,9 +107,9 @@ BOOST_AUTO_TEST_CASE(network_at_rest_is_free_of_force_and_energy) {
 
 // Round-off of sums of 27 forces at arms of about 4.
 BOOST_AUTO_TEST_CASE(forces_and_their_moments_add_up_to_zero) {
-  for (const auto& [name, method] : methods)
+  for (const auto& [name, model] : models)
     for (const double nu : {-0.2, 0.25, 0.49}) {
-      const Network network = soft_block(method, nu);
+      const Network network = soft_block(model, nu);
       const std::vector<Vector3> x = deformed(network, 2);
       const auto forces = forces_at(network, x);
       BOOST_TEST(norm(forces) > 0.01);
@@ -150,8 +150,8 @@ BOOST_AUTO_TEST_CASE(dashpot_resists_along_its_axis_only,
 
 // Round-off of sums of 27 forces at arms of about 4.
 BOOST_AUTO_TEST_CASE(dashpots_keep_both_momenta_and_take_energy) {
-  for (const auto& [name, method] : methods) {
-    const Network network = soft_block(method, 0.25);
+  for (const auto& [name, model] : models) {
+    const Network network = soft_block(model, 0.25);
     const std::vector<Vector3> x = deformed(network, 3);
     const std::vector<Vector3> v = random_field(x.size(), 1, 4);
     std::vector<Vector3> forces(x.size(), Vector3::Zero());
@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(dashpots_keep_both_momenta_and_take_energy) {
 
 // Round-off of velocities of about 5.
 BOOST_AUTO_TEST_CASE(dashpots_let_a_rigid_motion_pass) {
-  const Network network = soft_block(Method::cf, 0.25);
+  const Network network = soft_block(SpringModel::cf, 0.25);
   const std::vector<Vector3> x = deformed(network, 5);
   std::vector<Vector3> v, forces(x.size(), Vector3::Zero());
   for (const Vector3& place : x)

@@ -16,11 +16,11 @@ namespace {
 
 /// 2^3 cells of edge 2 m (so that no volume is 1) and E = 1 Pa: stiffnesses are of the
 /// order of 1.
-Network soft_block(Method method, double nu,
+Network soft_block(SpringModel model, double nu,
                    StrainMeasure measure = StrainMeasure::engineering) {
   return build_network(cube(2, 2),
                        {.young_modulus = 1, .poisson_ratio = nu, .density = 1},
-                       springs_in(measure, method));
+                       springs_in(measure, model));
 }
 
 std::vector<Vector3> deformed(const Network& network, unsigned seed) {
@@ -60,10 +60,10 @@ Eigen::VectorXd stacked_forces(const Network& network, const std::vector<Vector3
 // 1e-10, round-off 1e-16/1e-5 = 1e-11 of the forces.
 BOOST_AUTO_TEST_CASE(patches_add_up_to_minus_the_slope_of_the_forces) {
   constexpr double step = 1e-5;
-  for (const auto& [name, method] : methods)
+  for (const auto& [name, model] : models)
     for (const double nu : {-0.2, 0., 0.25, 0.4, 0.49})
       for (const StrainMeasure measure : all_measures) {
-        const Network network = soft_block(method, nu, measure);
+        const Network network = soft_block(model, nu, measure);
         std::vector<Vector3> x = deformed(network, 1);
         const Eigen::MatrixXd K = dense(network, tangent_at(network, x));
         Eigen::MatrixXd slopes(K.rows(), K.cols());
@@ -82,8 +82,8 @@ BOOST_AUTO_TEST_CASE(patches_add_up_to_minus_the_slope_of_the_forces) {
       }
 }
 
-// Of every patch, cells and stars: no negative eigenvalue is left, beyond round-off, and
-// energy along any field is as large as without.
+// Of every patch, cells and nodal patches: no negative eigenvalue is left, beyond
+// round-off, and energy along any field is as large as without.
 BOOST_AUTO_TEST_CASE(positive_parts_have_no_negative_eigenvalue) {
   const auto check = [](const Network& network, std::size_t& clamped) {
     const Tangent tangent = tangent_at(network, deformed(network, 1));
@@ -98,22 +98,22 @@ BOOST_AUTO_TEST_CASE(positive_parts_have_no_negative_eigenvalue) {
       if (lowest(K) < -round_off && p >= network.cells.size()) ++clamped;
     }
   };
-  std::size_t clamped_stars = 0;
-  check(soft_block(Method::cf, .4), clamped_stars);
+  std::size_t clamped_patches = 0;
+  check(soft_block(SpringModel::cf, .4), clamped_patches);
   const Mesh tetrahedra = generate_block(
       {.size = {4, 4, 4}, .cells = {2, 2, 2}, .pattern = CellPattern::tetrahedron});
   for (const double nu : {.1, .4})  // below 1/4 the volume modulus is negative
     check(
         build_network(tetrahedra, {.young_modulus = 1, .poisson_ratio = nu, .density = 1},
-                      springs_in(StrainMeasure::engineering, Method::affine)),
-        clamped_stars);
-  BOOST_TEST(clamped_stars > 0U);
+                      springs_in(StrainMeasure::engineering, SpringModel::affine)),
+        clamped_patches);
+  BOOST_TEST(clamped_patches > 0U);
 }
 
 // A swollen cell's springs all pull, and its tangent has no negative eigenvalue:
 // round-off.
 BOOST_AUTO_TEST_CASE(the_positive_part_of_a_positive_tangent_is_itself) {
-  const Network network = soft_block(Method::cf, 0.4);
+  const Network network = soft_block(SpringModel::cf, 0.4);
   std::vector<Vector3> x = network.rest_positions;
   for (Vector3& place : x) place *= 1.01;
   const Tangent tangent = tangent_at(network, x);
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(the_positive_part_of_a_positive_tangent_is_itself) {
 // Round-off: of a patch's matrix the other triangle is taken.
 BOOST_AUTO_TEST_CASE(
     assembly_is_the_lower_triangle_of_the_dense_one_over_the_free_components) {
-  const Network network = soft_block(Method::cf, 0.4);
+  const Network network = soft_block(SpringModel::cf, 0.4);
   std::vector<bool> is_free(3 * network.masses.size(), true);
   std::vector<Eigen::Index> rows;
   // A corner, one component of the next, two of the middle, one of the last.

@@ -164,15 +164,15 @@ std::vector<NamedMesh> meshes_of_hexahedra() {
 
 BOOST_AUTO_TEST_CASE(kernels_equal_the_plain_loops_on_boxes) {
   for (const auto& [mesh_name, mesh] : meshes_of_boxes())
-    for (const auto& [method_name, method] : methods_on_cubes)
+    for (const auto& [model_name, model] : models_on_cubes)
       for (const StrainMeasure measure : measures)
         for (const double nu : {0., .25, .45, .49, .499}) {
-          if (reason_to_refuse(mesh, tissue_of(nu), method)) continue;
-          BOOST_TEST_CONTEXT(mesh_name << ", " << method_name << ", strain measure "
+          if (reason_to_refuse(mesh, tissue_of(nu), model)) continue;
+          BOOST_TEST_CONTEXT(mesh_name << ", " << model_name << ", strain measure "
                                        << static_cast<int>(measure) << ", nu " << nu)
           check_kernels(mesh,
-                        build_network(mesh, tissue_of(nu), springs_in(measure, method)),
-                        method == Method::affine ? Bounds{} : bounds_of(nu));
+                        build_network(mesh, tissue_of(nu), springs_in(measure, model)),
+                        model == SpringModel::affine ? Bounds{} : bounds_of(nu));
         }
 }
 
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(kernels_equal_the_plain_loops_on_boxes) {
 BOOST_AUTO_TEST_CASE(the_affine_kernel_knows_its_axes) {
   for (const StrainMeasure measure : {StrainMeasure::engineering, StrainMeasure::green})
     for (const Axes axes : {Axes::six, Axes::sixteen}) {
-      NetworkSettings settings = springs_in(measure, Method::affine);
+      NetworkSettings settings = springs_in(measure, SpringModel::affine);
       settings.axes = axes;
       const Mesh mesh = block_of(CellPattern::hexahedron, 6, .2);
       check_kernels(mesh, build_network(mesh, tissue_of(.4), settings), Bounds{});
@@ -197,7 +197,8 @@ BOOST_AUTO_TEST_CASE(the_affine_kernel_equals_the_plain_loops_on_any_hexahedra) 
         BOOST_TEST_CONTEXT(name << ", strain measure " << static_cast<int>(measure)
                                 << ", nu " << nu)
         check_kernels(
-            mesh, build_network(mesh, tissue_of(nu), springs_in(measure, Method::affine)),
+            mesh,
+            build_network(mesh, tissue_of(nu), springs_in(measure, SpringModel::affine)),
             Bounds{});
       }
 }
@@ -206,11 +207,11 @@ BOOST_AUTO_TEST_CASE(the_affine_kernel_equals_the_plain_loops_on_any_hexahedra) 
 // too: some twenty springs of a node, both ends of each.
 BOOST_AUTO_TEST_CASE(kernels_are_as_good_away_from_the_origin) {
   const Mesh away = moved(meshes_of_boxes().back().mesh, {1, -1, 1});
-  for (const Method method : {Method::cf, Method::affine})
+  for (const SpringModel model : {SpringModel::cf, SpringModel::affine})
     for (const StrainMeasure measure : measures) {
-      if (reason_to_refuse(away, tissue_of(.4), method)) continue;
-      BOOST_TEST_CONTEXT(static_cast<int>(method))
-      check_kernels(away, build_network(away, tissue_of(.4), springs_in(measure, method)),
+      if (reason_to_refuse(away, tissue_of(.4), model)) continue;
+      BOOST_TEST_CONTEXT(static_cast<int>(model))
+      check_kernels(away, build_network(away, tissue_of(.4), springs_in(measure, model)),
                     {.in_double = 1e-12});
     }
 }
@@ -229,14 +230,14 @@ BOOST_AUTO_TEST_CASE(nodes_in_one_place_pull_each_other_nowhere) {
   };
   const std::size_t centre = node_at(edge * Vector3(2, 2, 2));
   BOOST_TEST_REQUIRE(centre < mesh.nodes().size());
-  for (const auto& [method_name, method] : methods_on_cubes)
+  for (const auto& [model_name, model] : models_on_cubes)
     for (const Vector3& step : {Vector3(1, 0, 0), Vector3(1, 1, 0), Vector3(1, 1, 1)}) {
       dynamics::State state{
           .displacements = std::vector<Vector3>(mesh.nodes().size(), Vector3::Zero()),
           .velocities = random_field(mesh.nodes().size(), 0.01, 2)};
       state.displacements[centre] = edge * step;
       const Network network =
-          build_network(mesh, tissue_of(.25), in_shear_modulus_form(method));
+          build_network(mesh, tissue_of(.25), in_shear_modulus_form(model));
       const auto oracle = [&](std::vector<Vector3> x) {
         const Vector3 aside = edge * 0x1p-45 * Vector3::Ones();
         std::vector<Vector3> here(x.size()), there(x.size());
@@ -247,7 +248,7 @@ BOOST_AUTO_TEST_CASE(nodes_in_one_place_pull_each_other_nowhere) {
         for (std::size_t n = 0; n < x.size(); ++n) here[n] = (here[n] + there[n]) / 2;
         return here;
       };
-      BOOST_TEST_CONTEXT(method_name << ", step " << step.transpose())
+      BOOST_TEST_CONTEXT(model_name << ", step " << step.transpose())
       check_kernels(mesh, network, oracle, state, {});
     }
 }

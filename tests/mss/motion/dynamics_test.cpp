@@ -32,7 +32,8 @@ BOOST_AUTO_TEST_CASE(block_without_plates_falls_freely) {
   const Mesh mesh = cube(2, 0.005);
   const Vector3 g(3, 0, -10);
   const Scene scene{.material = tissue, .plates = {}, .gravity = g};
-  const Network network = build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
+  const Network network =
+      build_network(mesh, tissue, in_shear_modulus_form(SpringModel::cf));
   const Solution solution = run_dynamics(mesh, scene, network, steps(0.1, 0.001, 0.1));
   BOOST_TEST((solution.status == SolveStatus::ok));
   BOOST_TEST(solution.steps == 100);
@@ -51,7 +52,8 @@ BOOST_AUTO_TEST_CASE(slow_damped_dynamics_ends_near_the_equilibrium) {
                     .plates = {{"bottom", translation({0, 0, 0}), all_components},
                                {"top", translation({0, 0, -way}), all_components}},
                     .gravity = Vector3::Zero()};
-  const Network network = build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
+  const Network network =
+      build_network(mesh, tissue, in_shear_modulus_form(SpringModel::cf));
   const Solution rest = find_equilibrium(mesh, scene, network);
   const auto lag = [&](double duration) {
     const Solution end =
@@ -86,7 +88,7 @@ BOOST_AUTO_TEST_CASE(slow_dynamics_on_sliding_plates_ends_near_the_equilibrium) 
        .gravity = Vector3::Zero()}};
   for (const Scene& scene : scenes) {
     const Network network =
-        build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
+        build_network(mesh, tissue, in_shear_modulus_form(SpringModel::cf));
     const Solution rest = find_equilibrium(mesh, scene, network),
                    end = run_dynamics(mesh, scene, network, steps(4, std::nullopt, 0.2));
     BOOST_TEST((end.status == SolveStatus::ok), end.reason);
@@ -103,7 +105,8 @@ BOOST_AUTO_TEST_CASE(step_above_the_limit_is_refused_unless_forced) {
   const Scene scene{.material = tissue,
                     .plates = {{"bottom", translation(Vector3::Zero()), all_components}},
                     .gravity = Vector3::Zero()};
-  const Network network = build_network(mesh, tissue, in_shear_modulus_form(Method::cf));
+  const Network network =
+      build_network(mesh, tissue, in_shear_modulus_form(SpringModel::cf));
   DynamicsSettings settings = steps(0.1, 0.01, 0);
   const Solution refused = run_dynamics(mesh, scene, network, settings);
   BOOST_TEST((refused.status == SolveStatus::refused));

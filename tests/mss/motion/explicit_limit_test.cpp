@@ -67,16 +67,16 @@ Scene standing(double nu) {
 // On the safe side where damping and stiffness do not share their modes, and by no more
 // than a fifth (measured: 3 to 13 %). 1e-3: both are found by differences of forces.
 BOOST_AUTO_TEST_CASE(the_limit_is_at_most_that_of_all_rates_and_close_to_it) {
-  for (const auto& [name, method] : methods)
+  for (const auto& [name, model] : models)
     for (const double nu : {0., .25, .4, .499})
       for (const auto& [cells, zeta] :
            {std::pair(2, 0.05), {3, 0.05}, {3, 0.2}, {3, 1.}}) {
         const Mesh mesh = cube(cells, h);
         const Scene scene =
             cells == 2 ? between_plates(tissue_of(nu), Vector3::Zero()) : standing(nu);
-        if (reason_to_refuse(mesh, scene.material, method)) continue;
+        if (reason_to_refuse(mesh, scene.material, model)) continue;
         const Network network =
-            build_network(mesh, scene.material, in_shear_modulus_form(method));
+            build_network(mesh, scene.material, in_shear_modulus_form(model));
         const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
         const double exact = limit_by_dense_rates(network, zeta, is_free),
                      found = largest_stable_step(network, zeta, is_free,
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(no_step_is_stable_where_a_motion_is_not_damped) {
   const Mesh mesh = cube(2, h);
   const Scene scene = between_plates(tissue_of(.25), Vector3::Zero());
   const Network network =
-      build_network(mesh, scene.material, in_shear_modulus_form(Method::affine));
+      build_network(mesh, scene.material, in_shear_modulus_form(SpringModel::affine));
   const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
   for (const double zeta : {0., 0.05, 1.})
     BOOST_TEST(largest_stable_step(network, zeta, is_free, Integrator::explicit_euler) ==
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(explicit_euler_is_stable_below_its_limit) {
   for (const double nu : {0., .25, .4}) {
     const Scene scene = standing(nu);
     const Network network =
-        build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
+        build_network(mesh, scene.material, in_shear_modulus_form(SpringModel::cf));
     const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
     for (const double zeta : {0.05, 0.5}) {
       const double limit =

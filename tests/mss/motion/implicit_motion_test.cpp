@@ -24,7 +24,7 @@ struct FreeNode {
   Mesh mesh = cube(2, h);
   Scene scene = held();
   Network network =
-      build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
+      build_network(mesh, scene.material, in_shear_modulus_form(SpringModel::cf));
 
   static Scene held() {
     Scene scene = in_free_space(tissue_of(0.25));
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(steps_far_above_the_explicit_limit_are_stable) {
   const Mesh mesh = cube(3, h);
   const Scene scene = between_plates(tissue_of(0.4), Vector3::Zero());
   const Network network =
-      build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
+      build_network(mesh, scene.material, in_shear_modulus_form(SpringModel::cf));
   const double limit = largest_stable_step(
       network, 0, free_components(mesh, prescribed_components(mesh, scene)));
   for (const double zeta : {0., 0.2}) {
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(large_deformations_in_few_steps_end_near_the_equilibrium) {
   const Mesh mesh = cube(3, h);
   const Scene scene = between_plates(tissue_of(0.4), {0, 0, -0.1 * 3 * h});
   const Network network =
-      build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
+      build_network(mesh, scene.material, in_shear_modulus_form(SpringModel::cf));
   const Solution rest = find_equilibrium(mesh, scene, network),
                  end = run_dynamics(mesh, scene, network,
                                     settings_of(Integrator::implicit_euler, 1, 0.1, 0.2));
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(round_off_does_not_lead_away_from_the_solution) {
     gradient << -1, .3, .2, .3, .4, -.5, .2, -.5, .7;
     scene.boundary_gradient = i * 1e-6 * gradient;
     const Network network =
-        build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
+        build_network(mesh, scene.material, in_shear_modulus_form(SpringModel::cf));
     const auto is_free = free_components(mesh, prescribed_components(mesh, scene));
     const auto still = dynamics::support_motions(scene, 1);
     const std::size_t nodes = mesh.nodes().size();

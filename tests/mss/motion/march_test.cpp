@@ -27,11 +27,11 @@ struct Body {
   Network network;
 };
 
-Body pressed_cube(int n, double nu, double strain, Method method = Method::cf,
+Body pressed_cube(int n, double nu, double strain, SpringModel model = SpringModel::cf,
                   StrainMeasure measure = StrainMeasure::engineering) {
   Mesh mesh = cube(n, h);
   Scene scene = between_plates(tissue_of(nu), {0, 0, -strain * n * h});
-  Network network = build_network(mesh, scene.material, springs_in(measure, method));
+  Network network = build_network(mesh, scene.material, springs_in(measure, model));
   return {std::move(mesh), std::move(scene), std::move(network)};
 }
 
@@ -197,10 +197,11 @@ BOOST_AUTO_TEST_CASE(a_forced_step_above_the_limit_ends_diverged) {
 // way, too long for mss-cf. mss-affine bears it to 20 %, and its looks are of another
 // kernel.
 BOOST_AUTO_TEST_CASE(an_open_step_follows_the_limit_in_short_runs_too) {
-  for (const auto& [method, nu, strain, duration] : {std::tuple(Method::cf, .49, .2, .1),
-                                                     {Method::cf, .499, .3, .1},
-                                                     {Method::affine, .499, .2, .05}}) {
-    const Body body = pressed_cube(4, nu, strain, method);
+  for (const auto& [model, nu, strain, duration] :
+       {std::tuple(SpringModel::cf, .49, .2, .1),
+        {SpringModel::cf, .499, .3, .1},
+        {SpringModel::affine, .499, .2, .05}}) {
+    const Body body = pressed_cube(4, nu, strain, model);
     const DynamicsSettings settings =
         settings_of(Integrator::semi_implicit_euler, duration, std::nullopt, .05);
     const Solution end = run(body, settings);
@@ -210,7 +211,7 @@ BOOST_AUTO_TEST_CASE(an_open_step_follows_the_limit_in_short_runs_too) {
       BOOST_TEST(end.force_evaluations > 1.1 * end.steps);  // looks are counted
       DynamicsSettings held = settings;
       held.protocol.time_step = .9 * limit_of(body, .05);
-      if (method == Method::cf)
+      if (model == SpringModel::cf)
         BOOST_TEST((run(body, held).status == SolveStatus::diverged));
       check_goes_on_to_the_bit(body, settings, {end.steps / 3, end.steps / 2});
     }
@@ -246,7 +247,7 @@ BOOST_AUTO_TEST_CASE(a_step_that_comes_to_lie_above_the_limit_is_named) {
 // Dashpots and the springs' nonlinearity hold what grows: positions stay near, and plate
 // forces are of the wrong sign.
 BOOST_AUTO_TEST_CASE(a_held_instability_ends_diverged) {
-  const Body body = pressed_cube(4, .499, .05, Method::affine);
+  const Body body = pressed_cube(4, .499, .05, SpringModel::affine);
   const double dt = 1.02 * limit_of(body, 1);
   DynamicsSettings settings = settings_of(Integrator::verlet, 20000 * dt, dt, 1);
   settings.protocol.force_time_step = true;
@@ -340,7 +341,7 @@ void check_keeps_its_energy(Body body) {
 // in truth those of half a step before, which adds omega dt/2 to either side.
 BOOST_AUTO_TEST_CASE(an_undamped_run_keeps_its_energy) {
   for (const StrainMeasure measure : all_measures)
-    check_keeps_its_energy(pressed_cube(3, 0.4, 0, Method::cf, measure));
+    check_keeps_its_energy(pressed_cube(3, 0.4, 0, SpringModel::cf, measure));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -76,9 +76,9 @@ Momenta momenta(const Network& network, const State& state) {
 // are allowed, so that there are some here.
 BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits) {
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, 4);
-  for (const Method method : {Method::cf, Method::affine}) {
+  for (const SpringModel model : {SpringModel::cf, SpringModel::affine}) {
     const Network network =
-        build_network(large_mesh(), tissue_of(0.4), in_shear_modulus_form(method));
+        build_network(large_mesh(), tissue_of(0.4), in_shear_modulus_form(model));
     for (const InstructionSet set : dynamics::all_instruction_sets) {
       if (!dynamics::is_available(set)) continue;
       for (const Precision precision :
@@ -105,11 +105,11 @@ BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits) {
 BOOST_AUTO_TEST_CASE(kernels_and_plain_loops_make_the_same_run) {
   const Mesh mesh = dynamics::shuffled_cells(
       {dynamics::even(13, h), dynamics::even(12, h), dynamics::graded(11, h)}, 0.7, 2);
-  for (const Method method : {Method::cf, Method::affine})
+  for (const SpringModel model : {SpringModel::cf, SpringModel::affine})
     for (const auto& [name, integrator] : explicit_integrators)
       for (const double zeta : {0., 0.1}) BOOST_TEST_CONTEXT(name << ", zeta " << zeta) {
           const Network network =
-              build_network(mesh, tissue_of(0.4), in_shear_modulus_form(method));
+              build_network(mesh, tissue_of(0.4), in_shear_modulus_form(model));
           DynamicsSettings settings = settings_of(integrator, 1, std::nullopt, zeta);
           settings.kernel = Kernel::plain;
           const State plain =
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(a_restored_motion_goes_on_to_the_bit) {
   const Mesh mesh = cube(4, h);
   const Scene scene = in_free_space(tissue_of(0.4));
   const Network network =
-      build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
+      build_network(mesh, scene.material, in_shear_modulus_form(SpringModel::cf));
   for (const auto& [name, integrator] : all_integrators) BOOST_TEST_CONTEXT(name) {
       const DynamicsSettings settings = settings_of(integrator, 1, std::nullopt, 0.1);
       const auto whole = motion_of(mesh, scene, network, settings),

@@ -23,10 +23,10 @@ Material tissue(double nu) {
 }
 
 /// Largest stable step [s] of a free block of n^3 cells of 5 mm.
-double limit_of_free_block(int n, Method method, double nu, double damping_ratio,
+double limit_of_free_block(int n, SpringModel model, double nu, double damping_ratio,
                            StrainMeasure measure = StrainMeasure::engineering) {
   const Mesh mesh = cube(n, 0.005);
-  const Network network = build_network(mesh, tissue(nu), springs_in(measure, method));
+  const Network network = build_network(mesh, tissue(nu), springs_in(measure, model));
   return largest_stable_step(network, damping_ratio,
                              std::vector<bool>(3 * mesh.nodes().size(), true));
 }
@@ -99,38 +99,38 @@ BOOST_AUTO_TEST_CASE(what_does_not_swing_has_no_limit) {
 // The referee's are eigenvalues, to all digits; the search stops at 1e-4.
 BOOST_AUTO_TEST_CASE(free_block_has_the_limits_of_the_referee_s_eigenvalues,
                      *boost::unit_test::tolerance(2e-4)) {
-  const auto expect = [](const char* name, Method method, const char* nu,
+  const auto expect = [](const char* name, SpringModel model, const char* nu,
                          const char* zeta) {
-    BOOST_TEST(limit_of_free_block(10, method, std::stod(nu), std::stod(zeta)) ==
+    BOOST_TEST(limit_of_free_block(10, model, std::stod(nu), std::stod(zeta)) ==
                referee::figure("steps", fmt::format("{} nu {} zeta {}", name, nu, zeta),
                                "step"));
   };
   for (const char* nu : {"0", "0.1", "0.25", "0.3", "0.4", "0.45", "0.49", "0.499"}) {
-    expect("mss-cf", Method::cf, nu, "0");
-    expect("mss-nfd", Method::nfd, nu, "0");
+    expect("mss-cf", SpringModel::cf, nu, "0");
+    expect("mss-nfd", SpringModel::nfd, nu, "0");
   }
   for (const char* nu : {"0", "0.25", "0.499"})
-    expect("mss-baudet", Method::baudet, nu, "0");
+    expect("mss-baudet", SpringModel::baudet, nu, "0");
   for (const char* zeta : {"0.05", "0.2", "0.5", "1"})
-    expect("mss-cf", Method::cf, "0.25", zeta);
+    expect("mss-cf", SpringModel::cf, "0.25", zeta);
 }
 
 // At rest all strain measures have the same tangent. What differs is that motions of
 // finite size probe it: 1e-6 is more than their curvature.
 BOOST_AUTO_TEST_CASE(strain_measures_have_the_same_limit_at_rest,
                      *boost::unit_test::tolerance(1e-6)) {
-  for (const Method method : {Method::cf, Method::nfd, Method::affine})
+  for (const SpringModel model : {SpringModel::cf, SpringModel::nfd, SpringModel::affine})
     for (const double nu : {0., 0.25, 0.45}) {
-      const double engineering = limit_of_free_block(4, method, nu, 0);
+      const double engineering = limit_of_free_block(4, model, nu, 0);
       for (const StrainMeasure measure : all_measures)
-        BOOST_TEST(limit_of_free_block(4, method, nu, 0, measure) == engineering);
+        BOOST_TEST(limit_of_free_block(4, model, nu, 0, measure) == engineering);
     }
 }
 
 BOOST_AUTO_TEST_CASE(prescribed_components_never_shorten_the_step) {
   const Mesh mesh = cube(3, 0.005);
   const Network network =
-      build_network(mesh, tissue(0.25), in_shear_modulus_form(Method::cf));
+      build_network(mesh, tissue(0.25), in_shear_modulus_form(SpringModel::cf));
   std::vector<bool> is_free(3 * mesh.nodes().size(), true);
   const double all_free = largest_stable_step(network, 0, is_free);
   for (const NodeIndex node : mesh.region("bottom").nodes) is_free[3 * node + 2] = false;
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(prescribed_components_never_shorten_the_step) {
 BOOST_AUTO_TEST_CASE(dynamics_is_stable_below_the_limit_and_diverged_above) {
   const Mesh mesh = cube(3, 0.005);
   constexpr double squeeze = 1e-4;  // [m]
-  for (const auto& [name, method] : methods)
+  for (const auto& [name, model] : models)
     for (const double nu : {0., 0.25, 0.4, 0.499})
       for (const Integrator integrator :
            {Integrator::semi_implicit_euler, Integrator::verlet})
@@ -160,9 +160,9 @@ BOOST_AUTO_TEST_CASE(dynamics_is_stable_below_the_limit_and_diverged_above) {
                                        {"top", translation(squeeze * Vector3(.4, .3, -1)),
                                         all_components}},
                             .gravity = {1, 2, 3}};
-          if (reason_to_refuse(mesh, scene.material, method)) continue;
+          if (reason_to_refuse(mesh, scene.material, model)) continue;
           const Network network =
-              build_network(mesh, scene.material, in_shear_modulus_form(method));
+              build_network(mesh, scene.material, in_shear_modulus_form(model));
           const double limit = largest_stable_step(
               network, damping,
               free_components(mesh, prescribed_components(mesh, scene)));
@@ -183,11 +183,11 @@ BOOST_AUTO_TEST_CASE(limits_found_near_are_those_found_from_nothing,
                      *boost::unit_test::tolerance(0.01)) {
   const Mesh mesh = cube(4, 0.005);
   const Scene scene{.material = tissue(.49), .plates = {}, .gravity = Vector3::Zero()};
-  for (const auto& [name, method] :
-       {NamedMethod{"mss-cf", Method::cf}, NamedMethod{"mss-affine", Method::affine}})
+  for (const auto& [name, model] : {NamedModel{"mss-cf", SpringModel::cf},
+                                    NamedModel{"mss-affine", SpringModel::affine}})
     for (const double damping : {0., 0.05, 1.}) {
       const Network network =
-          build_network(mesh, scene.material, in_shear_modulus_form(method));
+          build_network(mesh, scene.material, in_shear_modulus_form(model));
       const DynamicsSettings settings{
           .protocol = {.integrator = Integrator::semi_implicit_euler,
                        .duration = 1,

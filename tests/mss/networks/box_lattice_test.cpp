@@ -78,11 +78,11 @@ BOOST_AUTO_TEST_CASE(random_boxes_are_isotropic_with_lambda_equal_to_mu) {
     const Matrix3 turn =
         Eigen::AngleAxisd(angle(random), Vector3(1, 2, 2) / 3).toRotationMatrix();
     const Mesh mesh = box(size, turn);
-    if (reason_to_refuse(mesh, quarter, Method::cf)) continue;
+    if (reason_to_refuse(mesh, quarter, SpringModel::cf)) continue;
     ++boxes;
     for (const auto& [form, mu] : {std::pair(StiffnessForm::shear_modulus, 4e3),
                                    std::pair(StiffnessForm::young_modulus, 0.4 * 1e4)}) {
-      NetworkSettings settings = in_shear_modulus_form(Method::cf);
+      NetworkSettings settings = in_shear_modulus_form(SpringModel::cf);
       settings.stiffness_form = form;
       const Network network = build_network(mesh, quarter, settings);
       BOOST_TEST((homogenised_tensor(mesh, network) - isotropic_tensor(mu)).norm() <
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(young_modulus_form_of_a_box_has_two_fifths_of_e) {
   Material material = quarter;
   material.poisson_ratio = 0;
   const Mesh mesh = box({1, 1.1, 1.2});
-  NetworkSettings settings = in_shear_modulus_form(Method::cf);
+  NetworkSettings settings = in_shear_modulus_form(SpringModel::cf);
   for (const double mu : {5e3, 4e3}) {
     const Matrix9 C = homogenised_tensor(mesh, build_network(mesh, material, settings));
     BOOST_TEST((C - isotropic_tensor(mu)).norm() < 1e-12 * mu);
@@ -169,13 +169,13 @@ BOOST_AUTO_TEST_CASE(square_boxes_are_covered_up_to_the_root_of_three) {
   for (const double c : {1 / root, root}) {
     const double inside = c > 1 ? c - 1e-4 : c + 1e-4,
                  outside = c > 1 ? c + 1e-4 : c - 1e-4;
-    for (const Method method : {Method::cf, Method::fd}) {
-      BOOST_TEST(!reason_to_refuse(box({1, 1, inside}), quarter, method));
-      BOOST_TEST(reason_to_refuse(box({1, 1, outside}), quarter, method).has_value());
+    for (const SpringModel model : {SpringModel::cf, SpringModel::fd}) {
+      BOOST_TEST(!reason_to_refuse(box({1, 1, inside}), quarter, model));
+      BOOST_TEST(reason_to_refuse(box({1, 1, outside}), quarter, model).has_value());
     }
   }
   BOOST_TEST(
-      reason_to_refuse(box({2, 2, 4}), quarter, Method::cf).value_or("") ==
+      reason_to_refuse(box({2, 2, 4}), quarter, SpringModel::cf).value_or("") ==
       "no springs without a negative stiffness make hexahedron 1, a box of 1 : 1 : "
       "2, isotropic");
 }
@@ -183,9 +183,9 @@ BOOST_AUTO_TEST_CASE(square_boxes_are_covered_up_to_the_root_of_three) {
 BOOST_AUTO_TEST_CASE(leaning_box_is_none) {
   Matrix3 leaning = Matrix3::Identity();
   leaning(0, 2) = 1e-3;
-  BOOST_TEST(
-      reason_to_refuse(box({1, 1.2, 1.1}, leaning), quarter, Method::cf).value_or("") ==
-      "its springs need box-shaped cells, and hexahedron 1 is none");
+  BOOST_TEST(reason_to_refuse(box({1, 1.2, 1.1}, leaning), quarter, SpringModel::cf)
+                 .value_or("") ==
+             "its springs need box-shaped cells, and hexahedron 1 is none");
 }
 
 // What E and nu mean, on 3 x 2 x 2 boxes 1 : 1.2 : .9 between sliding plates. The
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(block_of_boxes_in_uniaxial_stress_has_e_and_nu) {
         .gravity = Vector3::Zero()};
     const Solution solution = find_equilibrium(
         mesh, scene,
-        build_network(mesh, scene.material, in_shear_modulus_form(Method::cf)));
+        build_network(mesh, scene.material, in_shear_modulus_form(SpringModel::cf)));
     BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
     double force = 0;
     for (const NodeIndex n : mesh.region("top").nodes) force += solution.reactions[n].z();

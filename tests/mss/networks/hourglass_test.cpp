@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(prism_of_any_height_has_six_zero_modes_alone) {
         const Mesh mesh("prism", nodes, {{0, 1, 2, 3, 4, 5}}, {});
         const Network network =
             build_network(mesh, {.young_modulus = 1, .poisson_ratio = nu, .density = 1},
-                          in_shear_modulus_form(Method::affine));
+                          in_shear_modulus_form(SpringModel::affine));
         const Eigen::MatrixXd lower =
             lower_triangle(network, tangent_at(network, network.rest_positions),
                            std::vector<bool>(18, true));

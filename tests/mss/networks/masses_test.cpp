@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(network_has_the_mass_and_centre_of_mass_of_the_body) {
   for (const auto& [name, mesh] : distorted_cubes(3, 1)) {
     const Network network =
         build_network(mesh, {.young_modulus = 1, .poisson_ratio = 0.3, .density = 7},
-                      in_shear_modulus_form(Method::affine));
+                      in_shear_modulus_form(SpringModel::affine));
     Vector3 moment = Vector3::Zero();
     for (std::size_t n = 0; n < mesh.nodes().size(); ++n)
       moment += network.masses[n] * mesh.nodes()[n];

@@ -94,7 +94,7 @@ constexpr Material quarter{.young_modulus = 1e4, .poisson_ratio = 0.25, .density
 BOOST_AUTO_TEST_CASE(lattice_has_the_isotropic_tensor_for_every_diagonal_ratio,
                      *boost::unit_test::tolerance(1e-13)) {
   for (const double A : {0., 0.01, 1., 100.}) {
-    NetworkSettings settings = in_shear_modulus_form(Method::fd);
+    NetworkSettings settings = in_shear_modulus_form(SpringModel::fd);
     settings.diagonal_ratio = A;
     const Tensor4 C = homogenised_tensor(quarter, settings);
     BOOST_TEST(C[0][0][0][0] == 1.2 * 1e4);
@@ -105,11 +105,11 @@ BOOST_AUTO_TEST_CASE(lattice_has_the_isotropic_tensor_for_every_diagonal_ratio,
 
 // All 81 entries; the tolerance is round-off relative to lambda + 2 mu.
 BOOST_AUTO_TEST_CASE(volume_correction_makes_the_tensor_right_for_every_poisson_ratio) {
-  for (const Method method : {Method::nfd, Method::cf})
+  for (const SpringModel model : {SpringModel::nfd, SpringModel::cf})
     for (const double nu : {-0.5, 0., 0.1, 0.25, 0.4, 0.499}) {
       const Material material{.young_modulus = 1e4, .poisson_ratio = nu, .density = 1000};
       const auto [lambda, mu] = lame_constants(material);
-      const Tensor4 C = homogenised_tensor(material, in_shear_modulus_form(method));
+      const Tensor4 C = homogenised_tensor(material, in_shear_modulus_form(model));
       double squared_error = 0;
       for_each_entry([&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
         const double exact =
@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(volume_correction_makes_the_tensor_right_for_every_poisson_
 BOOST_AUTO_TEST_CASE(one_stiffness_makes_a_cubic_tensor) {
   for (const double nu : {0., 0.25, 0.499}) {
     const Material material{.young_modulus = 1e4, .poisson_ratio = nu, .density = 1000};
-    const Tensor4 C = homogenised_tensor(material, {.method = Method::uniform});
+    const Tensor4 C = homogenised_tensor(material, {.model = SpringModel::uniform});
     const double k_over_h = 19e4 / 144;
     const double c11 = 28 * k_over_h / 3, c12 = 10 * k_over_h / 3;
     double largest_error = 0;
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(one_stiffness_makes_a_cubic_tensor) {
 BOOST_AUTO_TEST_CASE(young_modulus_form_is_another_material_at_nu_0,
                      *boost::unit_test::tolerance(1e-13)) {
   const Material material{.young_modulus = 1e4, .poisson_ratio = 0, .density = 1000};
-  NetworkSettings settings = in_shear_modulus_form(Method::cf);
+  NetworkSettings settings = in_shear_modulus_form(SpringModel::cf);
   settings.stiffness_form = StiffnessForm::young_modulus;
   const Tensor4 C = homogenised_tensor(material, settings);
   const auto [lambda, mu] = lame_constants(
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(custom_lattice_has_the_tensor_of_its_own_constants,
 
 BOOST_AUTO_TEST_CASE(custom_without_constants_is_named) {
   BOOST_CHECK_EXCEPTION(
-      build_network(cube(1, 0.005), quarter, {.method = Method::custom}),
+      build_network(cube(1, 0.005), quarter, {.model = SpringModel::custom}),
       std::invalid_argument, [](const std::invalid_argument& error) {
         return std::string(error.what()).find("constants") != std::string::npos;
       });
@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(custom_without_constants_is_named) {
 
 // As the command line has it.
 BOOST_AUTO_TEST_CASE(a_method_alone_has_a_diagonal_ratio_of_1) {
-  BOOST_TEST(NetworkSettings{.method = Method::cf}.diagonal_ratio == 1);
+  BOOST_TEST(NetworkSettings{.model = SpringModel::cf}.diagonal_ratio == 1);
 }
 
 // Whatever material stands beside. Cells' volumes, hence mss-cf's h, differ by round-off.
@@ -187,13 +187,14 @@ BOOST_AUTO_TEST_CASE(custom_with_the_constants_of_cf_is_cf) {
   const Mesh mesh = notched_block(0.005);
   for (const double nu : {0., 0.25, 0.4}) {
     const Material material{.young_modulus = 1e4, .poisson_ratio = nu, .density = 1000};
-    const Network cf = build_network(mesh, material, in_shear_modulus_form(Method::cf));
+    const Network cf =
+        build_network(mesh, material, in_shear_modulus_form(SpringModel::cf));
     const Network own =
         build_network(mesh, {.young_modulus = 7, .poisson_ratio = -0.9, .density = 1000},
                       custom(shear_modulus_form(lame_constants(material).mu, 0.005, 1),
                              volume_correction_modulus(material)));
     BOOST_TEST(own.volume_moduli.kappa == cf.volume_moduli.kappa);
-    NetworkSettings hencky = in_shear_modulus_form(Method::cf);
+    NetworkSettings hencky = in_shear_modulus_form(SpringModel::cf);
     NetworkSettings own_hencky =
         custom(shear_modulus_form(lame_constants(material).mu, 0.005, 1),
                volume_correction_modulus(material));
@@ -222,7 +223,7 @@ BOOST_AUTO_TEST_CASE(springs_get_the_share_of_the_cells_they_belong_to,
   std::set<int> edge_cells, face_cells;
   for (const Mesh& mesh : {notched_block(h), cube(2, h)}) {
     const Network network =
-        build_network(mesh, quarter, in_shear_modulus_form(Method::cf));
+        build_network(mesh, quarter, in_shear_modulus_form(SpringModel::cf));
     for (const Spring& spring : network.springs) {
       const int n = cells_at(network, spring);
       const double lengths = spring.rest_length / h;
@@ -249,13 +250,14 @@ BOOST_AUTO_TEST_CASE(springs_get_the_share_of_the_cells_they_belong_to,
 // diagonals on each of 16 faces, 4 inner diagonals in each cell.
 BOOST_AUTO_TEST_CASE(springs_between_the_same_nodes_are_one) {
   struct Row {
-    Method method;
+    SpringModel model;
     std::size_t springs;
   };
-  for (const Row& row : {Row{Method::baudet, 28 + 12}, Row{Method::nfd, 28 + 12},
-                         Row{Method::fd, 28 + 32 + 12}, Row{Method::cf, 28 + 32 + 12}}) {
+  for (const Row& row :
+       {Row{SpringModel::baudet, 28 + 12}, Row{SpringModel::nfd, 28 + 12},
+        Row{SpringModel::fd, 28 + 32 + 12}, Row{SpringModel::cf, 28 + 32 + 12}}) {
     const Network network =
-        build_network(notched_block(0.005), quarter, in_shear_modulus_form(row.method));
+        build_network(notched_block(0.005), quarter, in_shear_modulus_form(row.model));
     BOOST_TEST(network.springs.size() == row.springs);
     std::set<std::pair<NodeIndex, NodeIndex>> pairs;
     for (const Spring& spring : network.springs) {
@@ -268,10 +270,10 @@ BOOST_AUTO_TEST_CASE(springs_between_the_same_nodes_are_one) {
 
 BOOST_AUTO_TEST_CASE(only_nfd_and_cf_correct_the_volume) {
   const Material material{.young_modulus = 1e4, .poisson_ratio = 0.4, .density = 1000};
-  for (const auto& [name, method] : methods) {
+  for (const auto& [name, model] : models) {
     const Network network =
-        build_network(cube(1, 0.005), material, in_shear_modulus_form(method));
-    const bool corrects = method == Method::nfd || method == Method::cf;
+        build_network(cube(1, 0.005), material, in_shear_modulus_form(model));
+    const bool corrects = model == SpringModel::nfd || model == SpringModel::cf;
     BOOST_TEST(network.volume_moduli.kappa ==
                    (corrects ? volume_correction_modulus(material) : 0),
                name);
@@ -282,7 +284,8 @@ BOOST_AUTO_TEST_CASE(only_nfd_and_cf_correct_the_volume) {
 BOOST_AUTO_TEST_CASE(masses_add_up_to_the_body_and_a_corner_gets_an_eighth_of_its_cell,
                      *boost::unit_test::tolerance(1e-14)) {
   const Mesh mesh = notched_block(0.005);
-  const Network network = build_network(mesh, quarter, in_shear_modulus_form(Method::cf));
+  const Network network =
+      build_network(mesh, quarter, in_shear_modulus_form(SpringModel::cf));
   const double cell_mass = 1000 * std::pow(0.005, 3);
   BOOST_TEST(std::reduce(network.masses.begin(), network.masses.end()) == 3 * cell_mass);
   BOOST_TEST(network.masses[0] == cell_mass / 8);      // one cell
@@ -297,44 +300,44 @@ BOOST_AUTO_TEST_CASE(cells_that_are_no_cubes_are_refused) {
   const double s = 1e-3;
   const Eigen::Matrix3d leaning =
       (Eigen::Matrix3d() << 1, 0, s, 0, 1, 0, 0, 0, std::sqrt(1 - s * s)).finished();
-  const auto reason = [](const Eigen::Matrix3d& F, Method method) {
-    return reason_to_refuse(deformed_cube(F), quarter, method).value_or("");
+  const auto reason = [](const Eigen::Matrix3d& F, SpringModel model) {
+    return reason_to_refuse(deformed_cube(F), quarter, model).value_or("");
   };
-  for (const auto& [name, method] : methods) {
-    const bool takes_boxes = method == Method::cf || method == Method::fd;
+  for (const auto& [name, model] : models) {
+    const bool takes_boxes = model == SpringModel::cf || model == SpringModel::fd;
     const std::string no_cube = "its springs need cubic cells, and hexahedron 1 is none",
                       no_box =
                           "its springs need box-shaped cells, and hexahedron 1 is none";
-    BOOST_TEST(reason(stretched, method) == (takes_boxes ? "" : no_cube), name);
-    BOOST_TEST(reason(leaning, method) == (takes_boxes ? no_box : no_cube), name);
+    BOOST_TEST(reason(stretched, model) == (takes_boxes ? "" : no_cube), name);
+    BOOST_TEST(reason(leaning, model) == (takes_boxes ? no_box : no_cube), name);
     const Eigen::Matrix3d turned =
         Eigen::AngleAxisd(1, Vector3(1, 2, 2) / 3).toRotationMatrix();
-    BOOST_TEST(reason(turned, method) == "", name);
+    BOOST_TEST(reason(turned, model) == "", name);
   }
 }
 
 BOOST_AUTO_TEST_CASE(custom_covers_any_material_on_cubes_alone) {
   const Material auxetic{.young_modulus = 1e4, .poisson_ratio = -0.9, .density = 1000};
-  BOOST_TEST(!reason_to_refuse(cube(1, 0.005), auxetic, Method::custom));
+  BOOST_TEST(!reason_to_refuse(cube(1, 0.005), auxetic, SpringModel::custom));
   const Eigen::Matrix3d stretched = Vector3(1, 1, 1.1).asDiagonal();
-  BOOST_TEST(
-      reason_to_refuse(deformed_cube(stretched), auxetic, Method::custom).has_value());
+  BOOST_TEST(reason_to_refuse(deformed_cube(stretched), auxetic, SpringModel::custom)
+                 .has_value());
 }
 
 BOOST_AUTO_TEST_CASE(baudet_is_refused_where_its_edges_are_not_stiff) {
   const Mesh mesh = cube(1, 0.005);
-  const auto reason = [&](Method method, double nu) {
+  const auto reason = [&](SpringModel model, double nu) {
     return reason_to_refuse(
-               mesh, {.young_modulus = 1e4, .poisson_ratio = nu, .density = 1000}, method)
+               mesh, {.young_modulus = 1e4, .poisson_ratio = nu, .density = 1000}, model)
         .value_or("");
   };
   BOOST_TEST(
-      reason(Method::baudet, -0.3) ==
+      reason(SpringModel::baudet, -0.3) ==
       "mss-baudet covers nu in (-0.25, 0.5): its edge stiffness is not positive at "
       "nu = -0.3");
-  BOOST_TEST(reason(Method::baudet, -0.25) != "");
-  BOOST_TEST(reason(Method::baudet, -0.24) == "");
-  BOOST_TEST(reason(Method::cf, -0.3) == "");
+  BOOST_TEST(reason(SpringModel::baudet, -0.25) != "");
+  BOOST_TEST(reason(SpringModel::baudet, -0.24) == "");
+  BOOST_TEST(reason(SpringModel::cf, -0.3) == "");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

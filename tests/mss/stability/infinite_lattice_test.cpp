@@ -95,16 +95,16 @@ BOOST_AUTO_TEST_CASE(a_block_s_middle_node_feels_the_infinite_lattice) {
   BOOST_TEST_REQUIRE((mesh.nodes()[middle] - Vector3(2 * h, 2 * h, 2 * h)).norm() == 0);
   const Matrix3 F = some_gradient(7);
   const Vector3 t = some_phases(8), p(0.3, -1, 0.7);
-  for (const auto& [name, method] : methods)
+  for (const auto& [name, model] : models)
     for (const double nu : {0., 0.25, 0.45}) {
-      const Network block = build_network(mesh, soft(nu), in_shear_modulus_form(method));
+      const Network block = build_network(mesh, soft(nu), in_shear_modulus_form(model));
       std::vector<Vector3> positions, wave;
       for (const Vector3& X : mesh.nodes()) {
         positions.push_back(F * X);
         wave.push_back(std::cos(t.dot(X - mesh.nodes()[middle]) / h) * p);
       }
       const Vector3 found = product(tangent_at(block, positions), wave)[middle];
-      const Couplings lattice = couplings(cell_of(in_shear_modulus_form(method), nu), F);
+      const Couplings lattice = couplings(cell_of(in_shear_modulus_form(model), nu), F);
       const Vector3 expected = dynamical_matrix(lattice, t).real() * p;
       BOOST_TEST((found - expected).norm() < 1e-12 * largest_modulus(lattice) * h,
                  name << ", nu = " << nu);
@@ -112,9 +112,9 @@ BOOST_AUTO_TEST_CASE(a_block_s_middle_node_feels_the_infinite_lattice) {
 }
 
 BOOST_AUTO_TEST_CASE(waves_and_their_mirror_images_are_conjugate_and_periodic) {
-  for (const auto& [name, method] : methods) {
+  for (const auto& [name, model] : models) {
     const Couplings lattice =
-        couplings(cell_of(in_shear_modulus_form(method), 0.4), some_gradient(9));
+        couplings(cell_of(in_shear_modulus_form(model), 0.4), some_gradient(9));
     const double tiny = 1e-13 * largest_modulus(lattice) * h;
     const Vector3 t = some_phases(10);
     const Matrix3c D = dynamical_matrix(lattice, t);
@@ -135,7 +135,8 @@ BOOST_AUTO_TEST_CASE(in_squared_lengths_long_waves_are_those_of_st_venant_and_ki
   const Matrix3 strain = (F.transpose() * F - I) / 2;
   for (const double A : {0., 1., 10.})
     for (const double nu : {0., 0.25, 0.45}) {
-      NetworkSettings settings = in_shear_modulus_form(A == 0 ? Method::nfd : Method::cf);
+      NetworkSettings settings =
+          in_shear_modulus_form(A == 0 ? SpringModel::nfd : SpringModel::cf);
       settings.diagonal_ratio = A;
       settings.strain_measure = StrainMeasure::green;
       const Couplings lattice = couplings(cell_of(settings, nu), F);
@@ -154,7 +155,7 @@ BOOST_AUTO_TEST_CASE(in_squared_lengths_long_waves_are_those_of_st_venant_and_ki
 
 // D(R F) = R D(F) R^T: springs and volumes know nothing of a rotation. Round-off.
 BOOST_AUTO_TEST_CASE(a_rotation_of_the_body_turns_polarisations_alone) {
-  const Network cell = cell_of(in_shear_modulus_form(Method::cf), 0.45);
+  const Network cell = cell_of(in_shear_modulus_form(SpringModel::cf), 0.45);
   const Matrix3 F = some_gradient(11),
                 R = Eigen::AngleAxisd(1.1, Vector3(1, 2, -1).normalized())
                         .toRotationMatrix();
@@ -173,9 +174,9 @@ BOOST_AUTO_TEST_CASE(a_rotation_of_the_body_turns_polarisations_alone) {
 // m^T, the slowest wave transverse. Round-off of kappa, 30 mu.
 BOOST_AUTO_TEST_CASE(long_waves_at_rest_are_those_of_hooke_s_law) {
   for (const double nu : {0., 0.25, 0.4, 0.49})
-    for (const auto method : {Method::nfd, Method::cf}) {
+    for (const auto model : {SpringModel::nfd, SpringModel::cf}) {
       const Couplings lattice =
-          couplings(cell_of(in_shear_modulus_form(method), nu), Matrix3::Identity());
+          couplings(cell_of(in_shear_modulus_form(model), nu), Matrix3::Identity());
       const auto [lambda, mu] = lame_constants(soft(nu));
       const Vector3 m = Vector3(1, -2, 0.5).normalized();
       const Matrix3 hooke = mu * Matrix3::Identity() + (lambda + mu) * m * m.transpose();
@@ -188,7 +189,7 @@ BOOST_AUTO_TEST_CASE(long_waves_at_rest_are_those_of_hooke_s_law) {
 // D(t)/(h t^2) and Q differ by what t^2 adds, 1e-6 here; D has 1e-10 of round-off.
 BOOST_AUTO_TEST_CASE(the_modulus_goes_over_into_that_of_long_waves) {
   const Couplings lattice =
-      couplings(cell_of(in_shear_modulus_form(Method::cf), 0.4), some_gradient(13));
+      couplings(cell_of(in_shear_modulus_form(SpringModel::cf), 0.4), some_gradient(13));
   for (const unsigned seed : {14U, 15U, 16U}) {
     const Vector3 m = some_phases(seed).normalized();
     BOOST_TEST(wave_modulus(lattice, 1.001 * long_wave * m) ==
@@ -202,8 +203,9 @@ BOOST_AUTO_TEST_CASE(the_modulus_goes_over_into_that_of_long_waves) {
 // at most. At z = .5 the softest wave, (.22, .22, 1) pi, is between the coarser's points.
 BOOST_AUTO_TEST_CASE(the_softest_wave_is_that_of_a_fine_grid) {
   for (const double z : {0.5, 0.8, 1.2}) {
-    const Couplings lattice = couplings(cell_of(in_shear_modulus_form(Method::cf), 0.4),
-                                        Vector3(1.3, 1.3, z).asDiagonal());
+    const Couplings lattice =
+        couplings(cell_of(in_shear_modulus_form(SpringModel::cf), 0.4),
+                  Vector3(1.3, 1.3, z).asDiagonal());
     constexpr int n = 36;  // its mirror planes make an eighth of the zone enough
     double lowest = largest_modulus(lattice);
     for (int i = 0; i <= n; ++i)
@@ -220,14 +222,14 @@ BOOST_AUTO_TEST_CASE(the_softest_wave_is_that_of_a_fine_grid) {
 // Springs without face diagonals let cells fold: their hourglasses have no energy at
 // rest, and face diagonals give them some.
 BOOST_AUTO_TEST_CASE(only_face_diagonals_hold_hourglasses_at_rest) {
-  const auto softest = [](Method method) {
+  const auto softest = [](SpringModel model) {
     const Couplings lattice =
-        couplings(cell_of(in_shear_modulus_form(method), 0.25), Matrix3::Identity());
+        couplings(cell_of(in_shear_modulus_form(model), 0.25), Matrix3::Identity());
     return softest_wave(lattice).modulus / largest_modulus(lattice);
   };
-  BOOST_TEST(std::abs(softest(Method::nfd)) < 1e-12);
-  BOOST_TEST(std::abs(softest(Method::baudet)) < 1e-12);
-  BOOST_TEST(softest(Method::cf) > 0.01);
+  BOOST_TEST(std::abs(softest(SpringModel::nfd)) < 1e-12);
+  BOOST_TEST(std::abs(softest(SpringModel::baudet)) < 1e-12);
+  BOOST_TEST(softest(SpringModel::cf) > 0.01);
 }
 
 // Softest at rest is the zigzag (pi, 0, pi) along y, held by four face diagonals a cell
@@ -235,8 +237,8 @@ BOOST_AUTO_TEST_CASE(only_face_diagonals_hold_hourglasses_at_rest) {
 // vanishes, is no wave. The descent ends within 1e-5 of the minimum, 1e-10 above it.
 BOOST_AUTO_TEST_CASE(at_rest_every_wave_meets_a_modulus) {
   for (const double nu : {-0.4, 0., 0.25, 0.45, 0.499}) {
-    const Couplings lattice =
-        couplings(cell_of(in_shear_modulus_form(Method::cf), nu), Matrix3::Identity());
+    const Couplings lattice = couplings(
+        cell_of(in_shear_modulus_form(SpringModel::cf), nu), Matrix3::Identity());
     BOOST_TEST(softest_wave(lattice).modulus == 3. / 7 * lame_constants(soft(nu)).mu,
                boost::test_tools::tolerance(1e-9));
   }

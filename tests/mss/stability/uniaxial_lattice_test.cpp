@@ -22,7 +22,8 @@ constexpr double h = 0.005;  // [m]
 constexpr double E = 1e4;    // [Pa]
 
 NetworkSettings ratio(double A) {
-  NetworkSettings settings = in_shear_modulus_form(A == 0 ? Method::nfd : Method::cf);
+  NetworkSettings settings =
+      in_shear_modulus_form(A == 0 ? SpringModel::nfd : SpringModel::cf);
   settings.diagonal_ratio = A;
   return settings;
 }

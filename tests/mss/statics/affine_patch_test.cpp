@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(body_of_any_cells_follows_an_affine_boundary) {
           .boundary_gradient = H,
           .gravity = Vector3::Zero()};
       const Network network =
-          build_network(mesh, scene.material, in_shear_modulus_form(Method::affine));
+          build_network(mesh, scene.material, in_shear_modulus_form(SpringModel::affine));
       const Solution solution = find_equilibrium(mesh, scene, network);
       BOOST_TEST((solution.status == SolveStatus::ok), name << ": " << solution.reason);
       double worst = 0;

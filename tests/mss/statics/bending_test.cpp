@@ -19,7 +19,7 @@ namespace {
 constexpr double thickness = 0.01, length = 6 * thickness, E = 1e4, nu = 0.25;
 
 /// Mean deflection [m] of the end face under a sideways traction, cells^2 cubes across.
-double deflection(Method method, int cells) {
+double deflection(SpringModel model, int cells) {
   constexpr double stress = 1e-2;  // [Pa]: a deflection of 1e-4 of the length
   const Mesh mesh = generate_block(
       {.size = {thickness, thickness, length}, .cells = {cells, cells, 6 * cells}});
@@ -29,7 +29,7 @@ double deflection(Method method, int cells) {
       .tractions = {{"top", {stress, 0, 0}}},
       .gravity = Vector3::Zero()};
   const Solution solution = find_equilibrium(
-      mesh, scene, build_network(mesh, scene.material, in_shear_modulus_form(method)));
+      mesh, scene, build_network(mesh, scene.material, in_shear_modulus_form(model)));
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
   const std::vector<NodeIndex>& end = mesh.region("top").nodes;
   double tip = 0;
@@ -44,10 +44,10 @@ double deflection(Method method, int cells) {
 // further than itself.
 BOOST_AUTO_TEST_CASE(cantilevers_of_few_cells_bend_as_the_referee_s,
                      *boost::unit_test::tolerance(1e-7)) {
-  for (const auto& [name, method] :
-       {std::pair("mss-cf", Method::cf), std::pair("mss-affine", Method::affine)})
+  for (const auto& [name, model] : {std::pair("mss-cf", SpringModel::cf),
+                                    std::pair("mss-affine", SpringModel::affine)})
     for (const int cells : {1, 2, 4})
-      BOOST_TEST(deflection(method, cells) ==
+      BOOST_TEST(deflection(model, cells) ==
                  referee::figure("small_strain",
                                  fmt::format("cantilever {} {} across", name, cells),
                                  "mean deflection of the end"));

@@ -53,8 +53,8 @@ Case solved(const Scene& scene, const NetworkSettings& settings, unsigned seed =
   return {mesh, scene, network, find_equilibrium(mesh, scene, network, {.seed = seed})};
 }
 
-Case solved(const Scene& scene, Method method, unsigned seed = 1) {
-  return solved(scene, in_shear_modulus_form(method), seed);
+Case solved(const Scene& scene, SpringModel model, unsigned seed = 1) {
+  return solved(scene, in_shear_modulus_form(model), seed);
 }
 
 std::vector<Vector3> difference(std::vector<Vector3> a, const std::vector<Vector3>& b) {
@@ -71,9 +71,9 @@ constexpr double position_tolerance = 1e-8;
 // Every node's force, recomputed: free nodes below the solver's own bound of 1e-10 of
 // the norm of all of them.
 BOOST_AUTO_TEST_CASE(free_nodes_are_in_balance_to_the_bound_the_solver_states) {
-  for (const auto& [name, method] : methods_on_cubes)
+  for (const auto& [name, model] : models_on_cubes)
     for (const double nu : {0., 0.25, 0.45}) {
-      const Case c = solved(compression(nu, 0.01), method);
+      const Case c = solved(compression(nu, 0.01), model);
       BOOST_TEST((c.solution.status == SolveStatus::ok),
                  name << ": " << c.solution.reason);
       BOOST_TEST(c.solution.load_fraction == 1);
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(free_nodes_are_in_balance_to_the_bound_the_solver_states) {
 BOOST_AUTO_TEST_CASE(reactions_carry_the_weight) {
   Scene scene = compression(0.3, 0.05);
   scene.gravity = {3, 0, -10};
-  const Case c = solved(scene, Method::cf);
+  const Case c = solved(scene, SpringModel::cf);
   const Vector3 weight = 1000 * std::pow(4 * edge, 3) * scene.gravity;
   BOOST_TEST((total(c.solution.reactions) + weight).norm() <
              1e-9 * norm(c.solution.reactions));
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(reactions_carry_the_weight) {
 }
 
 BOOST_AUTO_TEST_CASE(compressed_block_stays_symmetric) {
-  const Case c = solved(compression(0.3, 0.1), Method::cf);
+  const Case c = solved(compression(0.3, 0.1), SpringModel::cf);
   const auto u = [&](int i, int j, int k) {
     return c.solution.displacements[static_cast<std::size_t>(i + 5 * (j + 5 * k))];
   };
@@ -125,9 +125,9 @@ BOOST_AUTO_TEST_CASE(compressed_block_stays_symmetric) {
 // Both plates turn alike: the body follows without strain. Round-off of the positions
 // (1e-17 m) times the stiffness (50 N/m).
 BOOST_AUTO_TEST_CASE(body_follows_a_rigid_rotation_of_both_plates_without_force) {
-  for (const auto& [name, method] : methods_on_cubes) {
+  for (const auto& [name, model] : models_on_cubes) {
     const Case c =
-        solved(between_plates(0.4, rotation(40 * degree), rotation(40 * degree)), method);
+        solved(between_plates(0.4, rotation(40 * degree), rotation(40 * degree)), model);
     BOOST_TEST((c.solution.status == SolveStatus::ok), name << ": " << c.solution.reason);
     BOOST_TEST(norm(c.solution.reactions) < 1e-12, name);
     std::vector<Vector3> rigid;
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(body_follows_a_rigid_rotation_of_both_plates_without_force)
 // takes about 1e-7; at the largest the curvature of the force takes about 1e-4.
 BOOST_AUTO_TEST_CASE(force_is_proportional_to_a_tiny_load) {
   const auto stiffness = [](double strain) {
-    const Case c = solved(compression(0.4, strain), Method::cf);
+    const Case c = solved(compression(0.4, strain), SpringModel::cf);
     BOOST_TEST((c.solution.status == SolveStatus::ok), c.solution.reason);
     double force = 0;
     for (const NodeIndex node : c.mesh.region("top").nodes)
@@ -163,8 +163,8 @@ BOOST_AUTO_TEST_CASE(tiny_load_is_not_lost_in_round_off) {
                               .axis = Vector3::UnitZ(),
                               .centre = {2 * edge, 2 * edge, 4 * edge},
                               .angle = strain};
-      const Case c =
-          solved(between_plates(nu, translation(Vector3::Zero()), upper), Method::cf);
+      const Case c = solved(between_plates(nu, translation(Vector3::Zero()), upper),
+                            SpringModel::cf);
       BOOST_TEST((c.solution.status == SolveStatus::ok), c.solution.reason);
       BOOST_TEST(c.solution.force_evaluations <= 6, "nu = " << nu << ", " << strain);
     }
@@ -179,8 +179,8 @@ BOOST_AUTO_TEST_CASE(equilibrium_turns_with_its_plates) {
   RigidMotion upper = turn;
   upper.translation = R * straight.plates[1].motion.translation;
 
-  const Case a = solved(straight, Method::cf);
-  const Case b = solved(between_plates(0.4, turn, upper), Method::cf);
+  const Case a = solved(straight, SpringModel::cf);
+  const Case b = solved(between_plates(0.4, turn, upper), SpringModel::cf);
   std::vector<Vector3> expected, expected_reactions;
   for (std::size_t n = 0; n < a.mesh.nodes().size(); ++n) {
     const Vector3& X = a.mesh.nodes()[n];
@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(equilibrium_turns_with_its_plates) {
 
 BOOST_AUTO_TEST_CASE(stable_equilibrium_does_not_depend_on_the_seed) {
   const Scene scene = compression(0.45, 0.2);
-  const Case a = solved(scene, Method::cf, 1), b = solved(scene, Method::cf, 2);
+  const Case a = solved(scene, SpringModel::cf, 1), b = solved(scene, SpringModel::cf, 2);
   BOOST_TEST(norm(difference(a.solution.displacements, b.solution.displacements)) <
              position_tolerance * 0.2 * 4 * edge);
 }
@@ -228,9 +228,9 @@ BOOST_AUTO_TEST_CASE(doubled_constants_double_the_force_and_move_nothing) {
 BOOST_AUTO_TEST_CASE(plate_force_is_the_slope_of_the_energy) {
   constexpr double step = 1e-4;
   const auto energy = [](double strain) {
-    return solved(compression(0.4, strain), Method::cf).solution.strain_energy;
+    return solved(compression(0.4, strain), SpringModel::cf).solution.strain_energy;
   };
-  const Case c = solved(compression(0.4, 0.1), Method::cf);
+  const Case c = solved(compression(0.4, 0.1), SpringModel::cf);
   double force = 0;
   for (const NodeIndex node : c.mesh.region("top").nodes)
     force -= c.solution.reactions[node].z();
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(plate_force_is_the_slope_of_the_energy) {
 // mss-nfd loses its straight state at 1.5 % (path_limit_test, 10^3 cells): beyond, the
 // solver must have left it for a minimum of lower energy.
 BOOST_AUTO_TEST_CASE(unstable_straight_state_is_left_for_a_minimum) {
-  const Case c = solved(compression(0.25, 0.1), Method::nfd);
+  const Case c = solved(compression(0.25, 0.1), SpringModel::nfd);
   BOOST_TEST((c.solution.status == SolveStatus::ok), c.solution.reason);
   BOOST_TEST(!c.solution.definite_up_to.has_value());  // a minimum at every step
   const auto u = [&](int i, int j, int k) {
@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(tension_without_equilibrium_ends_where_it_is_lost) {
   Scene scene =
       between_plates(0, translation(Vector3::Zero()), translation({0, 0, 0.2 * 0.024}));
   const Network network =
-      build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
+      build_network(mesh, scene.material, in_shear_modulus_form(SpringModel::cf));
   const Solution solution = find_equilibrium(mesh, scene, network);
   BOOST_TEST((solution.status == SolveStatus::no_equilibrium));
   BOOST_TEST(std::abs(.2 * solution.load_fraction -
@@ -280,14 +280,14 @@ BOOST_AUTO_TEST_CASE(tension_without_equilibrium_ends_where_it_is_lost) {
 BOOST_AUTO_TEST_CASE(a_turn_beyond_the_end_of_the_path_is_not_one_less_a_turn) {
   const Mesh mesh = cube(3, edge);
   const Vector3 centre(1.5 * edge, 1.5 * edge, 3 * edge);
-  const auto ends = [&](Method method, double degrees) {
+  const auto ends = [&](SpringModel model, double degrees) {
     const Scene scene = between_plates(.25, translation(Vector3::Zero()),
                                        {.translation = Vector3::Zero(),
                                         .axis = Vector3::UnitZ(),
                                         .centre = centre,
                                         .angle = degrees * degree});
     const Network network =
-        build_network(mesh, scene.material, in_shear_modulus_form(method));
+        build_network(mesh, scene.material, in_shear_modulus_form(model));
     const Solution solution = find_equilibrium(mesh, scene, network);
     BOOST_TEST((solution.status == SolveStatus::no_equilibrium), solution.reason);
     BOOST_TEST(solution.reason.find("another branch") != std::string::npos);
@@ -297,9 +297,8 @@ BOOST_AUTO_TEST_CASE(a_turn_beyond_the_end_of_the_path_is_not_one_less_a_turn) {
                boost::test_tools::tolerance(.005));
     return degrees * solution.load_fraction;
   };
-  for (const Method method : {Method::cf, Method::affine})
-    BOOST_TEST(ends(method, 370) == ends(method, 160),
-               boost::test_tools::tolerance(.005));
+  for (const SpringModel model : {SpringModel::cf, SpringModel::affine})
+    BOOST_TEST(ends(model, 370) == ends(model, 160), boost::test_tools::tolerance(.005));
 }
 
 // Two layers of cells have a stable path on which the nodes between them meet at the axis
@@ -314,7 +313,7 @@ BOOST_AUTO_TEST_CASE(a_path_on_which_layers_lose_their_turn_ends_there) {
                                         .axis = Vector3::UnitZ(),
                                         .centre = {.025, .025, .05},
                                         .angle = degrees * degree});
-    NetworkSettings settings = in_shear_modulus_form(Method::cf);
+    NetworkSettings settings = in_shear_modulus_form(SpringModel::cf);
     settings.strain_measure = strain_measure;
     return find_equilibrium(mesh, scene, build_network(mesh, scene.material, settings));
   };
@@ -337,7 +336,7 @@ BOOST_AUTO_TEST_CASE(a_path_on_which_layers_lose_their_turn_ends_there) {
 }
 
 BOOST_AUTO_TEST_CASE(method_that_does_not_cover_the_material_is_refused) {
-  const Settings settings{.network = in_shear_modulus_form(Method::baudet),
+  const Settings settings{.network = in_shear_modulus_form(SpringModel::baudet),
                           .dynamics = {}};
   const Solution solution = solve(cube(2, edge), compression(-0.3, 0.01), settings);
   BOOST_TEST((solution.status == SolveStatus::refused));

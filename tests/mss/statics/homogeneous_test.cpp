@@ -99,10 +99,10 @@ struct Case {
   Solution solution;
 };
 
-Case solved(const Scene& scene, Method method = Method::cf) {
+Case solved(const Scene& scene, SpringModel model = SpringModel::cf) {
   const Mesh mesh = cube(cells, cell_edge);
   Solution solution = find_equilibrium(
-      mesh, scene, build_network(mesh, scene.material, in_shear_modulus_form(method)));
+      mesh, scene, build_network(mesh, scene.material, in_shear_modulus_form(model)));
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
   return {mesh, std::move(solution)};
 }
@@ -162,11 +162,12 @@ BOOST_AUTO_TEST_CASE(block_between_sliding_plates_is_the_homogeneous_lattice) {
 // of 1e-17 in displacements of 1e-8 m by 1e-9.
 BOOST_AUTO_TEST_CASE(small_uniaxial_strain_recovers_e_and_nu) {
   constexpr double strain = 1e-6;
-  for (const Method method : {Method::nfd, Method::cf, Method::baudet, Method::affine})
+  for (const SpringModel model :
+       {SpringModel::nfd, SpringModel::cf, SpringModel::baudet, SpringModel::affine})
     for (const double nu : {0., 0.1, 0.25, 0.4, 0.49}) {
-      if (method == Method::baudet && nu != 0.25) continue;  // exact there only
-      const Case c = solved(between_sliding_plates(nu, strain), method);
-      BOOST_TEST_CONTEXT("method " << static_cast<int>(method) << ", nu " << nu) {
+      if (model == SpringModel::baudet && nu != 0.25) continue;  // exact there only
+      const Case c = solved(between_sliding_plates(nu, strain), model);
+      BOOST_TEST_CONTEXT("method " << static_cast<int>(model) << ", nu " << nu) {
         BOOST_TEST(force_on(c, "top").z() / (side * side * strain) == E,
                    boost::test_tools::tolerance(1e-5));
         // The corner opposite the pinned one.
@@ -245,15 +246,16 @@ BOOST_AUTO_TEST_CASE(work_of_a_growing_traction_is_the_energy_it_stores) {
 BOOST_AUTO_TEST_CASE(body_follows_an_affine_boundary) {
   Eigen::Matrix3d H;
   H << 0.1, 0.04, -0.03, 0.02, -0.08, 0.05, -0.01, 0.03, 0.06;
-  for (const auto& [name, method] : methods_on_cubes) {
-    if (method == Method::nfd) continue;  // hourglass modes cost nothing in its inside
+  for (const auto& [name, model] : models_on_cubes) {
+    if (model == SpringModel::nfd)
+      continue;  // hourglass modes cost nothing in its inside
     for (const double nu : {0., 0.25, 0.45}) {
       const Scene scene{
           .material = {.young_modulus = E, .poisson_ratio = nu, .density = 1},
           .plates = {},
           .boundary_gradient = H,
           .gravity = Vector3::Zero()};
-      const Case c = solved(scene, method);
+      const Case c = solved(scene, model);
       double worst = 0;
       for (std::size_t n = 0; n < c.mesh.nodes().size(); ++n)
         worst =

@@ -34,9 +34,9 @@ struct Both {
   Solution iterative;
 };
 
-Both solved(const Mesh& mesh, const Scene& scene, Method method) {
+Both solved(const Mesh& mesh, const Scene& scene, SpringModel model) {
   const Network network =
-      build_network(mesh, scene.material, in_shear_modulus_form(method));
+      build_network(mesh, scene.material, in_shear_modulus_form(model));
   return {find_equilibrium(mesh, scene, network, {.linear_solver = LinearSolver::direct}),
           find_equilibrium(mesh, scene, network,
                            {.linear_solver = LinearSolver::conjugate_gradients})};
@@ -72,11 +72,11 @@ void check_agreement(const Both& both, double nu, const std::string& name) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(both_solvers_find_the_same_equilibrium_on_hexahedra) {
-  for (const Method method : {Method::cf, Method::affine})
+  for (const SpringModel model : {SpringModel::cf, SpringModel::affine})
     for (const double nu : {0., 0.25, 0.499}) {
       Scene scene = compression(nu, 0.05, 8);
       scene.gravity = {3, 0, -10};
-      check_agreement(solved(cube(8, h), scene, method), nu,
+      check_agreement(solved(cube(8, h), scene, model), nu,
                       "nu = " + std::to_string(nu) + " ");
     }
 }
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(both_solvers_find_the_same_equilibrium_on_hexahedra) {
 BOOST_AUTO_TEST_CASE(both_solvers_find_the_same_equilibrium_on_any_cells) {
   for (const auto& [name, mesh] : distorted_cubes(4, h))
     for (const double nu : {0., 0.45})
-      check_agreement(solved(mesh, compression(nu, 0.05, 4), Method::affine), nu,
+      check_agreement(solved(mesh, compression(nu, 0.05, 4), SpringModel::affine), nu,
                       name + " ");
 }
 
@@ -94,14 +94,14 @@ BOOST_AUTO_TEST_CASE(both_solvers_find_the_same_equilibrium_between_sliding_plat
   scene.plates[0].held = scene.plates[1].held = {false, false, true};
   scene.pins = {{.point = Vector3::Zero(), .held = {true, true, false}},
                 {.point = {4 * h, 0, 0}, .held = {false, true, false}}};
-  check_agreement(solved(cube(4, h), scene, Method::cf), 0.3, "sliding ");
+  check_agreement(solved(cube(4, h), scene, SpringModel::cf), 0.3, "sliding ");
 }
 
 // The straight state of mss-nfd is a saddle beyond 1.5 %.
 BOOST_AUTO_TEST_CASE(saddle_is_left_for_a_minimum_of_lower_energy) {
   const Mesh mesh = cube(4, h);
   const Scene scene = compression(0.25, 0.1, 4);
-  const auto [direct, iterative] = solved(mesh, scene, Method::nfd);
+  const auto [direct, iterative] = solved(mesh, scene, SpringModel::nfd);
   BOOST_TEST((iterative.status == SolveStatus::ok), iterative.reason);
   BOOST_TEST(!iterative.definite_up_to.has_value());
   // Other directions may lead to other wrinkles; the direct solver's are proved a
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(both_solvers_lose_the_equilibrium_at_the_same_load) {
   const Mesh mesh = generate_block({.size = {0.004, 0.004, 0.012}, .cells = {4, 4, 12}});
   Scene scene = compression(0, 0, 1);
   scene.plates[1].motion = translation({0, 0, 0.2 * 0.012});
-  const auto [direct, iterative] = solved(mesh, scene, Method::cf);
+  const auto [direct, iterative] = solved(mesh, scene, SpringModel::cf);
   BOOST_TEST((direct.status == SolveStatus::no_equilibrium));
   BOOST_TEST((iterative.status == SolveStatus::no_equilibrium), iterative.reason);
   BOOST_TEST(std::abs(iterative.load_fraction - direct.load_fraction) < 2. / 1024);
@@ -133,10 +133,10 @@ BOOST_AUTO_TEST_CASE(energy_never_rises_from_one_iterate_to_the_next) {
   spdlog::set_default_logger(std::move(logger));
   const Mesh mesh = cube(6, h);
   for (const double nu : {0., 0.25, 0.499})
-    for (const Method method : {Method::cf, Method::nfd}) {
+    for (const SpringModel model : {SpringModel::cf, SpringModel::nfd}) {
       const Scene scene = compression(nu, 0.1, 6);
       (void)find_equilibrium(
-          mesh, scene, build_network(mesh, scene.material, in_shear_modulus_form(method)),
+          mesh, scene, build_network(mesh, scene.material, in_shear_modulus_form(model)),
           {.linear_solver = LinearSolver::conjugate_gradients});
     }
   spdlog::set_default_logger(before);
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(same_bits_each_time) {
   const Mesh mesh = cube(6, h);
   const Scene scene = compression(0.4, 0.1, 6);
   const Network network =
-      build_network(mesh, scene.material, in_shear_modulus_form(Method::affine));
+      build_network(mesh, scene.material, in_shear_modulus_form(SpringModel::affine));
   const auto once = [&] {
     return find_equilibrium(mesh, scene, network,
                             {.linear_solver = LinearSolver::conjugate_gradients});

@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_CASE(large_block_is_in_balance) {
                    {"top", translation({0, 0, -strain * side}), all_components}},
         .gravity = Vector3::Zero()};
     const Network network =
-        build_network(mesh, scene.material, in_shear_modulus_form(Method::cf));
+        build_network(mesh, scene.material, in_shear_modulus_form(SpringModel::cf));
     const Solution solution = find_equilibrium(mesh, scene, network);
     BOOST_TEST((solution.status == SolveStatus::ok), solution.reason);
     BOOST_TEST(solution.linear_iterations.has_value());

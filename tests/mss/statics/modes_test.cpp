@@ -49,14 +49,14 @@ BOOST_AUTO_TEST_CASE(edges_of_a_cube_swing_each_by_itself, *utf::tolerance(1e-8)
 BOOST_AUTO_TEST_CASE(a_free_cube_has_six_modes_of_zero_frequency) {
   for (const int n : {2, 4})
     for (const double nu : {0., 0.25, 0.45})
-      for (const auto& [name, method] : {NamedMethod{"mss-cf", Method::cf},
-                                         {"mss-affine", Method::affine},
-                                         {"mss-nfd", Method::nfd}}) {
+      for (const auto& [name, model] : {NamedModel{"mss-cf", SpringModel::cf},
+                                        {"mss-affine", SpringModel::affine},
+                                        {"mss-nfd", SpringModel::nfd}}) {
         Material material = soft;
         material.poisson_ratio = nu;
         const auto modes =
-            free_modes(cube(n, 0.01), material, in_shear_modulus_form(method), 4).value();
-        BOOST_TEST(modes.zero_modes == (method == Method::nfd ? 9 : 6),
+            free_modes(cube(n, 0.01), material, in_shear_modulus_form(model), 4).value();
+        BOOST_TEST(modes.zero_modes == (model == SpringModel::nfd ? 9 : 6),
                    name << " " << n << " " << nu);
       }
 }
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(affine_springs_have_modes_on_any_cells) {
                                       .pattern = pattern,
                                       .distortion = 0.1});
     const auto modes =
-        free_modes(mesh, soft, in_shear_modulus_form(Method::affine), 4).value();
+        free_modes(mesh, soft, in_shear_modulus_form(SpringModel::affine), 4).value();
     BOOST_TEST(modes.zero_modes == 6);
     BOOST_TEST(modes.frequencies[0] > 0);
   }
@@ -86,7 +86,8 @@ BOOST_AUTO_TEST_CASE(a_held_rod_stretches_like_a_chain, *utf::tolerance(1e-7)) {
   std::vector<bool> is_free(3 * rod.nodes().size(), false);
   for (NodeIndex node = 0; node < rod.nodes().size(); ++node)
     is_free[3 * node + 2] = rod.nodes()[node].z() > 0;
-  const Network network = build_network(rod, material, in_shear_modulus_form(Method::cf));
+  const Network network =
+      build_network(rod, material, in_shear_modulus_form(SpringModel::cf));
   const auto modes = rest_modes(network, is_free, 1).value();
   const double omega =
       2 * std::sqrt(1e4 / 1000) / h * std::sin(std::numbers::pi / (4 * n));

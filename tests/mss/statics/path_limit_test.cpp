@@ -26,10 +26,10 @@ constexpr double h = 0.005;  // m, the cells' edge
 constexpr statics::Search to_limit{.to_limit = true};
 
 /// Load fraction at which the path ends, as a strain of the height [%].
-double limit_in_percent(const Mesh& mesh, Method method, double nu, double percent,
+double limit_in_percent(const Mesh& mesh, SpringModel model, double nu, double percent,
                         SolveStatus expected, double shortest, double longest) {
   const Network network =
-      build_network(mesh, tissue_of(nu), in_shear_modulus_form(method));
+      build_network(mesh, tissue_of(nu), in_shear_modulus_form(model));
   double height = 0;
   for (const Vector3& x : mesh.nodes()) height = std::max(height, x.z());
   const Solution end = find_equilibrium(
@@ -51,7 +51,7 @@ double of_the_referee(const std::string& of_case) {
 
 struct Limit {
   const char* name;
-  Method method;
+  SpringModel model;
   double nu, tried;  // [%], negative in compression
 };
 
@@ -60,11 +60,12 @@ struct Limit {
 // At 10^3 cells.
 BOOST_AUTO_TEST_CASE(lattices_without_diagonals_wrinkle_in_compression) {
   const Mesh mesh = cube(10, h);
-  for (const auto& [name, method, nu, tried] :
-       {Limit{"mss-nfd", Method::nfd, 0, -3}, Limit{"mss-nfd", Method::nfd, .25, -3},
-        Limit{"mss-nfd", Method::nfd, .499, -4},
-        Limit{"mss-baudet", Method::baudet, 0, -5}})
-    BOOST_TEST(limit_in_percent(mesh, method, nu, tried, SolveStatus::indefinite, 2, 4) ==
+  for (const auto& [name, model, nu, tried] :
+       {Limit{"mss-nfd", SpringModel::nfd, 0, -3},
+        Limit{"mss-nfd", SpringModel::nfd, .25, -3},
+        Limit{"mss-nfd", SpringModel::nfd, .499, -4},
+        Limit{"mss-baudet", SpringModel::baudet, 0, -5}})
+    BOOST_TEST(limit_in_percent(mesh, model, nu, tried, SolveStatus::indefinite, 2, 4) ==
                    100 * of_the_referee(
                              fmt::format("compression {} nu {} bifurcation", name, nu)),
                boost::test_tools::tolerance(.01));
@@ -78,7 +79,7 @@ BOOST_AUTO_TEST_CASE(mss_cf_buckles_or_is_turned_inside_out_in_compression) {
         std::tuple(.25, SolveStatus::indefinite, "bifurcation"),
         std::tuple(.499, SolveStatus::inverted, "inversion")})
     BOOST_TEST(
-        limit_in_percent(mesh, Method::cf, nu, -50, expected, 4, 100) ==
+        limit_in_percent(mesh, SpringModel::cf, nu, -50, expected, 4, 100) ==
             100 * of_the_referee(fmt::format("compression mss-cf nu {} {}", nu, how)),
         boost::test_tools::tolerance(.01));
 }
@@ -88,7 +89,7 @@ BOOST_AUTO_TEST_CASE(mss_cf_has_no_equilibrium_in_long_tension) {
   const Mesh beam = generate_block({.size = {4 * h, 4 * h, 24 * h}, .cells = {4, 4, 24}});
   for (const double nu : {0., .1}) {
     const Network network =
-        build_network(beam, tissue_of(nu), in_shear_modulus_form(Method::cf));
+        build_network(beam, tissue_of(nu), in_shear_modulus_form(SpringModel::cf));
     const Solution end = find_equilibrium(
         beam, between_plates(tissue_of(nu), {0, 0, .5 * 24 * h}), network, to_limit);
     BOOST_TEST((end.status == SolveStatus::no_equilibrium), end.reason);
@@ -101,17 +102,17 @@ BOOST_AUTO_TEST_CASE(mss_cf_has_no_equilibrium_in_long_tension) {
 // Bending is so soft in a slender body that what turns its path back, a millionth of the
 // load away, still has a tenth of the least curvature at rest, but not of its own.
 BOOST_AUTO_TEST_CASE(a_slender_body_s_path_turns_back) {
-  const auto end_of = [](Method method, double nu, std::array<int, 3> cells) {
+  const auto end_of = [](SpringModel model, double nu, std::array<int, 3> cells) {
     const std::array<double, 3> size{cells[0] * h, cells[1] * h, cells[2] * h};
     const Mesh beam = generate_block({.size = size, .cells = cells});
     const Network network =
-        build_network(beam, tissue_of(nu), in_shear_modulus_form(method));
+        build_network(beam, tissue_of(nu), in_shear_modulus_form(model));
     const Vector3 way(0, 0, .6 * size[2]);
     return find_equilibrium(beam, between_plates(tissue_of(nu), way), network, to_limit);
   };
-  for (const Solution& end :
-       {end_of(Method::nfd, .05, {4, 4, 24}), end_of(Method::cf, .08, {3, 3, 18}),
-        end_of(Method::cf, .1, {3, 3, 30})})
+  for (const Solution& end : {end_of(SpringModel::nfd, .05, {4, 4, 24}),
+                              end_of(SpringModel::cf, .08, {3, 3, 18}),
+                              end_of(SpringModel::cf, .1, {3, 3, 30})})
     BOOST_TEST((end.status == SolveStatus::no_equilibrium), end.reason);
 }
 
@@ -119,7 +120,7 @@ BOOST_AUTO_TEST_CASE(mss_cf_in_torsion_holds_as_far_as_the_referee_s) {
   const Mesh mesh = cube(6, h);
   for (const double nu : {0., .1, .25, .4}) {
     const Network network =
-        build_network(mesh, tissue_of(nu), in_shear_modulus_form(Method::cf));
+        build_network(mesh, tissue_of(nu), in_shear_modulus_form(SpringModel::cf));
     Scene scene = between_plates(tissue_of(nu), Vector3::Zero());
     scene.plates[1].motion = {.translation = Vector3::Zero(),
                               .axis = Vector3::UnitZ(),
@@ -136,7 +137,7 @@ BOOST_AUTO_TEST_CASE(mss_cf_in_torsion_holds_as_far_as_the_referee_s) {
 BOOST_AUTO_TEST_CASE(a_limit_in_torsion_does_not_depend_on_the_turn_asked_for) {
   const Mesh mesh = cube(2, h);
   const Network network =
-      build_network(mesh, tissue_of(.25), in_shear_modulus_form(Method::cf));
+      build_network(mesh, tissue_of(.25), in_shear_modulus_form(SpringModel::cf));
   const auto limit = [&](double degrees) {
     Scene scene = between_plates(tissue_of(.25), Vector3::Zero());
     scene.plates[1].motion = {.translation = Vector3::Zero(),
@@ -155,7 +156,7 @@ BOOST_AUTO_TEST_CASE(a_limit_in_torsion_does_not_depend_on_the_turn_asked_for) {
 // until within .2 % of the load.
 BOOST_AUTO_TEST_CASE(
     a_mode_of_few_nodes_is_found_where_it_is_stiff_until_shortly_before) {
-  NetworkSettings settings = in_shear_modulus_form(Method::affine);
+  NetworkSettings settings = in_shear_modulus_form(SpringModel::affine);
   settings.strain_measure = StrainMeasure::hencky;
   settings.axes = Axes::twenty_five;
   const Mesh mesh = cube(6, h);
@@ -172,7 +173,7 @@ BOOST_AUTO_TEST_CASE(
 BOOST_AUTO_TEST_CASE(a_path_without_a_limit_reaches_the_full_load) {
   const Mesh mesh = cube(3, h);
   const Network network =
-      build_network(mesh, tissue_of(.25), in_shear_modulus_form(Method::cf));
+      build_network(mesh, tissue_of(.25), in_shear_modulus_form(SpringModel::cf));
   const PathLimit limit =
       limit_of(mesh, between_plates(tissue_of(.25), {0, 0, -.1 * 3 * h}), network, .01);
   BOOST_TEST((limit.end == PathEnd::full_load));
@@ -183,7 +184,7 @@ BOOST_AUTO_TEST_CASE(a_path_without_a_limit_reaches_the_full_load) {
 BOOST_AUTO_TEST_CASE(a_state_tried_in_vain_is_forgotten_at_the_full_load) {
   const Mesh mesh = cube(3, h);
   const Network network =
-      build_network(mesh, tissue_of(.25), in_shear_modulus_form(Method::cf));
+      build_network(mesh, tissue_of(.25), in_shear_modulus_form(SpringModel::cf));
   int tries = 0;
   const PathLimit limit =
       limit_of(mesh, between_plates(tissue_of(.25), {0, 0, -.1 * h}), network, .01,
@@ -196,7 +197,7 @@ BOOST_AUTO_TEST_CASE(a_state_tried_in_vain_is_forgotten_at_the_full_load) {
 BOOST_AUTO_TEST_CASE(a_state_that_is_not_accepted_ends_the_path) {
   const Mesh mesh = cube(3, h);
   const Network network =
-      build_network(mesh, tissue_of(.25), in_shear_modulus_form(Method::cf));
+      build_network(mesh, tissue_of(.25), in_shear_modulus_form(SpringModel::cf));
   const auto top = static_cast<Eigen::Index>(
       std::ranges::max_element(mesh.nodes(), {}, [](const Vector3& x) { return x.z(); }) -
       mesh.nodes().begin());

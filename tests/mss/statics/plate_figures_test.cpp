@@ -51,7 +51,7 @@ double answer(const Mesh& mesh, const NetworkSettings& settings, Load load,
                                {"top", upper, all_components}},
                     .gravity = Vector3::Zero()};
   Network network = build_network(mesh, scene.material, settings);
-  if (correction == Correction::on_cells) network.volume_stars = {};
+  if (correction == Correction::on_cells) network.volume_patches = {};
   const Solution solution = find_equilibrium(mesh, scene, network);
   BOOST_TEST_REQUIRE((solution.status == SolveStatus::ok), solution.reason);
   Vector3 force = Vector3::Zero();
@@ -96,8 +96,8 @@ void check(const Row& row) {
     }
 }
 
-NetworkSettings uncorrected(Method method) {
-  NetworkSettings settings = in_shear_modulus_form(method);
+NetworkSettings uncorrected(SpringModel model) {
+  NetworkSettings settings = in_shear_modulus_form(model);
   settings.volume_correction = VolumeCorrection::off;
   return settings;
 }
@@ -105,22 +105,23 @@ NetworkSettings uncorrected(Method method) {
 }  // namespace
 
 // Residuals are 1e-9 of the force at such small strains. The volume correction of
-// mss-affine acts on cells up to nu = 1/4 and on stars above, unless it is on cells.
+// mss-affine acts on cells up to nu = 1/4 and on nodal patches above, unless it is on
+// cells.
 BOOST_AUTO_TEST_CASE(cubes_have_the_referee_s_forces_and_torques) {
   struct Springs {
     const char* name;
-    Method method;
+    SpringModel model;
     Correction correction;
   };
   const Mesh mesh = generate_block(block(CellPattern::hexahedron, 0));
-  for (const auto& [name, method, correction] :
-       {Springs{"mss-cf", Method::cf, Correction::as_built},
-        Springs{"mss-affine", Method::affine, Correction::as_built},
-        Springs{"mss-affine on cells", Method::affine, Correction::on_cells}})
+  for (const auto& [name, model, correction] :
+       {Springs{"mss-cf", SpringModel::cf, Correction::as_built},
+        Springs{"mss-affine", SpringModel::affine, Correction::as_built},
+        Springs{"mss-affine on cells", SpringModel::affine, Correction::on_cells}})
     for (std::size_t nu = correction == Correction::on_cells ? 2 : 0; nu < 4; ++nu)
       for (const Load load : loads) {
         constexpr const char* names[] = {"compression", "shearing", "torsion"};
-        BOOST_TEST(answer(mesh, in_shear_modulus_form(method), load, nu, correction) ==
+        BOOST_TEST(answer(mesh, in_shear_modulus_form(model), load, nu, correction) ==
                        referee::figure("small_strain",
                                        fmt::format("{} {} nu {}",
                                                    names[static_cast<std::size_t>(load)],
@@ -133,7 +134,7 @@ BOOST_AUTO_TEST_CASE(cubes_have_the_referee_s_forces_and_torques) {
 // What this program had in November 2026: no check of any formula, but told when it
 // changes. Cells are distorted by 20 %, but for cubes.
 BOOST_AUTO_TEST_CASE(other_cells_have_their_recorded_errors) {
-  const NetworkSettings affine = in_shear_modulus_form(Method::affine);
+  const NetworkSettings affine = in_shear_modulus_form(SpringModel::affine);
   for (const Row& row :
        {Row{"mss-affine on cubes",
             CellPattern::hexahedron,
@@ -168,7 +169,7 @@ BOOST_AUTO_TEST_CASE(other_cells_have_their_recorded_errors) {
         Row{"mss-vangelder",
             CellPattern::tetrahedron,
             0.2,
-            uncorrected(Method::vangelder),
+            uncorrected(SpringModel::vangelder),
             {{21.6, -36.7, -49.7},
              {16.4, -28.0, -37.4},
              {1.7, -24.8, -28.1},
@@ -176,7 +177,7 @@ BOOST_AUTO_TEST_CASE(other_cells_have_their_recorded_errors) {
         Row{"mss-lloyd",
             CellPattern::tetrahedron,
             0.2,
-            uncorrected(Method::lloyd),
+            uncorrected(SpringModel::lloyd),
             {{15.6, 17.5, -4.8},
              {10.6, 33.7, 18.5},
              {-3.3, 39.5, 36.0},

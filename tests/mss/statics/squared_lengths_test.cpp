@@ -125,8 +125,8 @@ BOOST_AUTO_TEST_CASE(springs_in_squared_lengths_are_the_referee_s) {
 BOOST_AUTO_TEST_CASE(trace_term_is_nothing_at_a_quarter,
                      *boost::unit_test::tolerance(1e-12)) {
   const Answer with = answer(4, .25, springs_in(StrainMeasure::green), -.2 * up),
-               without =
-                   answer(4, .25, springs_in(StrainMeasure::green, Method::fd), -.2 * up);
+               without = answer(4, .25, springs_in(StrainMeasure::green, SpringModel::fd),
+                                -.2 * up);
   BOOST_TEST(with.force.z() == without.force.z());
   BOOST_TEST(with.volume_change == without.volume_change);
 }
@@ -149,7 +149,8 @@ BOOST_AUTO_TEST_CASE(springs_of_henckys_lattice_are_the_referee_s) {
 // nu = .499 in tension together 16 %.
 BOOST_AUTO_TEST_CASE(springs_of_henckys_law_come_near_its_elements) {
   NetworkSettings lattice = springs_in(StrainMeasure::hencky),
-                  virtual_springs = springs_in(StrainMeasure::hencky, Method::affine);
+                  virtual_springs =
+                      springs_in(StrainMeasure::hencky, SpringModel::affine);
   lattice.diagonal_ratio = 16. / 9;
   virtual_springs.axes = Axes::twenty_five;
   for (const double nu : {0., .25, .4, .499})
@@ -177,13 +178,13 @@ BOOST_AUTO_TEST_CASE(lattice_in_squared_lengths_is_isotropic,
   F << 1.1, 0.2, -0.1, 0.05, 0.8, 0.3, -0.2, 0.1, 1.2;
   const Matrix3 E = (F.transpose() * F - Matrix3::Identity()) / 2;
   for (const double nu : {0., .25, .4, .499})
-    for (const Method method : {Method::cf, Method::nfd}) {
+    for (const SpringModel model : {SpringModel::cf, SpringModel::nfd}) {
       const Mesh mesh = cube(2, 0.5);
       const Material material{.young_modulus = 1, .poisson_ratio = nu, .density = 1};
       const auto [lambda, mu] = lame_constants(material);
       const double psi = mu * E.squaredNorm() + lambda / 2 * E.trace() * E.trace();
       const Network network =
-          build_network(mesh, material, springs_in(StrainMeasure::green, method));
+          build_network(mesh, material, springs_in(StrainMeasure::green, model));
       for (unsigned seed = 0; seed < 100; ++seed) {
         const Matrix3 Q = random_turn(seed);
         std::vector<Vector3> x = mesh.nodes();

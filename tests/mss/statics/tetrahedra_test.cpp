@@ -24,8 +24,8 @@ namespace {
 constexpr double E = 1e4, side = 0.05;
 const Vector3 all_sides(side, side, side);
 
-NetworkSettings tetrahedral(Method method, VolumeCorrection correction) {
-  NetworkSettings settings = in_shear_modulus_form(method);
+NetworkSettings tetrahedral(SpringModel model, VolumeCorrection correction) {
+  NetworkSettings settings = in_shear_modulus_form(model);
   settings.volume_correction = correction;
   return settings;
 }
@@ -68,14 +68,14 @@ BOOST_AUTO_TEST_CASE(single_tetrahedron_has_the_constants_of_the_formulas,
                   {Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()},
                   {{0, 1, 2, 3}}, {});
   const Material material{.young_modulus = 3, .poisson_ratio = 0.4, .density = 1};
-  for (const Method method : {Method::vangelder, Method::lloyd}) {
+  for (const SpringModel model : {SpringModel::vangelder, SpringModel::lloyd}) {
     const Network network =
-        build_network(mesh, material, tetrahedral(method, VolumeCorrection::on));
+        build_network(mesh, material, tetrahedral(model, VolumeCorrection::on));
     BOOST_TEST(network.springs.size() == 6U);
     for (const Spring& spring : network.springs) {
       const bool is_leg = spring.a == 0;
       BOOST_TEST(spring.rest_length == (is_leg ? 1 : std::numbers::sqrt2));
-      if (method == Method::vangelder)
+      if (model == SpringModel::vangelder)
         BOOST_TEST(spring.stiffness == (is_leg ? 0.5 : 0.25));
       else
         BOOST_TEST(spring.stiffness ==
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(single_tetrahedron_has_the_constants_of_the_formulas,
     x[3].z() = 2;
     const double with = strain_energy(network, x);
     const double without = strain_energy(
-        build_network(mesh, material, tetrahedral(method, VolumeCorrection::off)), x);
+        build_network(mesh, material, tetrahedral(model, VolumeCorrection::off)), x);
     BOOST_TEST(with - without == 45. / 14 / 2 / 6);
   }
 }
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(springs_of_neighbouring_tetrahedra_add_up,
   const Mesh mesh = block(CellPattern::tetrahedron, 0.2);
   const Network network =
       build_network(mesh, {.young_modulus = E, .poisson_ratio = 0.25, .density = 1},
-                    tetrahedral(Method::vangelder, VolumeCorrection::off));
+                    tetrahedral(SpringModel::vangelder, VolumeCorrection::off));
   double sum = 0;  // of k l^2 = E V over six edges of every tetrahedron
   for (const Spring& spring : network.springs)
     sum += spring.stiffness * spring.rest_length * spring.rest_length;
@@ -106,13 +106,13 @@ BOOST_AUTO_TEST_CASE(springs_of_neighbouring_tetrahedra_add_up,
 
 BOOST_AUTO_TEST_CASE(cells_that_are_no_tetrahedra_are_refused) {
   const Material material{.young_modulus = E, .poisson_ratio = 0.25, .density = 1};
-  for (const Method method : {Method::vangelder, Method::lloyd}) {
-    BOOST_TEST(!reason_to_refuse(block(CellPattern::tetrahedron, 0.2), material, method));
+  for (const SpringModel model : {SpringModel::vangelder, SpringModel::lloyd}) {
+    BOOST_TEST(!reason_to_refuse(block(CellPattern::tetrahedron, 0.2), material, model));
     BOOST_TEST(
-        reason_to_refuse(block(CellPattern::prism, 0), material, method).value_or("") ==
+        reason_to_refuse(block(CellPattern::prism, 0), material, model).value_or("") ==
         "its springs need tetrahedra, and cell 1 is a prism");
     BOOST_TEST(
-        reason_to_refuse(block(CellPattern::mixed, 0), material, method).has_value());
+        reason_to_refuse(block(CellPattern::mixed, 0), material, model).has_value());
   }
 }
 
@@ -123,10 +123,10 @@ BOOST_AUTO_TEST_CASE(forces_and_tangent_are_slopes) {
                                     .cells = {2, 2, 2},
                                     .pattern = CellPattern::tetrahedron,
                                     .distortion = 0.2});
-  for (const Method method : {Method::vangelder, Method::lloyd}) {
+  for (const SpringModel model : {SpringModel::vangelder, SpringModel::lloyd}) {
     const Network network =
         build_network(mesh, {.young_modulus = 1, .poisson_ratio = 0.45, .density = 1},
-                      tetrahedral(method, VolumeCorrection::on));
+                      tetrahedral(model, VolumeCorrection::on));
     const std::vector<Vector3> x =
         sum(mesh.nodes(), random_field(mesh.nodes().size(), 0.2, 1));
     const std::vector<Vector3> way = random_field(x.size(), 1, 2);
@@ -160,37 +160,39 @@ BOOST_AUTO_TEST_CASE(affine_springs_pass_the_patch_test_and_the_formulas_miss_it
     double smallest = 10, largest = 0;
   };
   enum Kind { at_a_quarter, corrected, uncorrected };  // at nu .25, at .45, at 0 and .45
-  std::map<std::pair<Method, Kind>, Range> ranges;
+  std::map<std::pair<SpringModel, Kind>, Range> ranges;
   for (const CellPattern pattern : {CellPattern::tetrahedron, CellPattern::tetrahedron_5,
                                     CellPattern::tetrahedron_12})
     for (const double distortion : {0., 0.2}) {
       const Mesh mesh = block(pattern, distortion);
       for (const double nu : {0., 0.25, 0.45}) {
-        BOOST_TEST(stress_error(mesh, in_shear_modulus_form(Method::affine), nu) < 1e-5);
-        for (const Method method : {Method::vangelder, Method::lloyd})
+        BOOST_TEST(stress_error(mesh, in_shear_modulus_form(SpringModel::affine), nu) <
+                   1e-5);
+        for (const SpringModel model : {SpringModel::vangelder, SpringModel::lloyd})
           for (const auto correction : {VolumeCorrection::off, VolumeCorrection::on}) {
             if (nu < 0.25 && correction == VolumeCorrection::on) continue;  // unstable
-            const double error = stress_error(mesh, tetrahedral(method, correction), nu);
+            const double error = stress_error(mesh, tetrahedral(model, correction), nu);
             Range& range =
-                ranges[{method, nu == 0.25                           ? at_a_quarter
-                                : correction == VolumeCorrection::on ? corrected
-                                                                     : uncorrected}];
+                ranges[{model, nu == 0.25                           ? at_a_quarter
+                               : correction == VolumeCorrection::on ? corrected
+                                                                    : uncorrected}];
             range.smallest = std::min(range.smallest, error);
             range.largest = std::max(range.largest, error);
           }
       }
     }
-  const auto recorded = [&](Method method, Kind kind, double smallest, double largest) {
-    const Range& range = ranges.at({method, kind});
+  const auto recorded = [&](SpringModel model, Kind kind, double smallest,
+                            double largest) {
+    const Range& range = ranges.at({model, kind});
     BOOST_TEST(std::abs(range.smallest - smallest) < 0.0005);
     BOOST_TEST(std::abs(range.largest - largest) < 0.0005);
   };
-  recorded(Method::vangelder, at_a_quarter, 0.154, 0.619);
-  recorded(Method::vangelder, corrected, 0.081, 0.222);
-  recorded(Method::vangelder, uncorrected, 0.315, 0.790);
-  recorded(Method::lloyd, at_a_quarter, 0.151, 1.756);
-  recorded(Method::lloyd, corrected, 0.103, 0.590);
-  recorded(Method::lloyd, uncorrected, 0.358, 1.859);
+  recorded(SpringModel::vangelder, at_a_quarter, 0.154, 0.619);
+  recorded(SpringModel::vangelder, corrected, 0.081, 0.222);
+  recorded(SpringModel::vangelder, uncorrected, 0.315, 0.790);
+  recorded(SpringModel::lloyd, at_a_quarter, 0.151, 1.756);
+  recorded(SpringModel::lloyd, corrected, 0.103, 0.590);
+  recorded(SpringModel::lloyd, uncorrected, 0.358, 1.859);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(the_springs_implicit_step_amplifies_like_the_inverse) {
       .gravity = Vector3::Zero()};
   const mss::Network network =
       mss::build_network(mesh, scene.material,
-                         {.method = mss::Method::cf,
+                         {.model = mss::SpringModel::cf,
                           .stiffness_form = mss::StiffnessForm::shear_modulus,
                           .diagonal_ratio = 1});
   for (const double given : {0., 0.2}) {

@@ -4,11 +4,11 @@
 #include <cstring>
 #include <sstream>
 
-#include "comparisons/measured/vtk_numbers.hpp"
-#include "comparisons/measured/vtu_file.hpp"
+#include "comparisons/imported/vtk_numbers.hpp"
+#include "comparisons/imported/vtu_file.hpp"
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "tests/comparisons/measured/messages.hpp"
+#include "tests/comparisons/imported/messages.hpp"
 #include "tests/comparisons/own_folder.hpp"
 
 using namespace springcheck;
@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(our_own_mesh_with_a_displacement_is_read) {
 // Written by meshio: base64 without compression, zlib, and zlib of 32-bit numbers.
 BOOST_AUTO_TEST_CASE(files_of_meshio_are_read) {
   for (const char* name : {"meshio_plain.vtu", "meshio_zlib.vtu", "meshio_float32.vtu"})
-    expect_the_field(std::filesystem::path("tests/comparisons/measured") / name);
+    expect_the_field(std::filesystem::path("tests/comparisons/imported") / name);
 }
 
 // 36 bytes are cut in the middle of a number; 40 divide 4000 without a rest, which VTK

@@ -1,4 +1,4 @@
-#include "fem_reference/cells/node_stars.hpp"
+#include "fem_reference/cells/nodal_patch_state.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -13,7 +13,7 @@
 using namespace springcheck;
 using namespace springcheck::fem_reference;
 
-BOOST_AUTO_TEST_SUITE(node_stars_test)
+BOOST_AUTO_TEST_SUITE(nodal_patch_state_test)
 
 namespace {
 
@@ -122,8 +122,9 @@ BOOST_AUTO_TEST_CASE(another_cell_alone_has_its_mean_dilatation) {
   }
 }
 
-// V_n (1 + t_n), t = det F - 1, is the deformed star's volume, of hexahedra and prisms.
-BOOST_AUTO_TEST_CASE(mean_dilatations_are_the_stars_change_of_volume) {
+// V_n (1 + t_n), t = det F - 1, is the deformed nodal patch's volume, of hexahedra and
+// prisms.
+BOOST_AUTO_TEST_CASE(mean_dilatations_are_the_patches_change_of_volume) {
   for (const CellPattern pattern : {CellPattern::hexahedron, CellPattern::prism}) {
     const Mesh mesh = warped_cube(2, pattern);
     const Discretisation body = discretise(mesh, Element::q1_nodal);
@@ -132,27 +133,29 @@ BOOST_AUTO_TEST_CASE(mean_dilatations_are_the_stars_change_of_volume) {
     for (std::size_t n = 0; n < moved.size(); ++n)
       moved[n] += u.segment<3>(static_cast<Eigen::Index>(3 * n));
     const std::vector<double> volumes = cell_volumes(mesh.cells(), moved);
-    std::vector<double> of_stars(mesh.nodes().size(), 0);
+    std::vector<double> of_patches(mesh.nodes().size(), 0);
     for (std::size_t c = 0; c < volumes.size(); ++c)
       for (const NodeIndex node : mesh.cells()[c])
-        of_stars[node] += volumes[c] / static_cast<double>(mesh.cells()[c].size());
-    const StarsState state = stars_state(law_of(Law::hencky, Element::q1_nodal), body, u);
-    for (std::size_t n = 0; n < of_stars.size(); ++n)
-      BOOST_TEST(body.stars.volumes[n] * (1 + state.dilatations[n]) == of_stars[n],
-                 round_off);
+        of_patches[node] += volumes[c] / static_cast<double>(mesh.cells()[c].size());
+    const NodalPatchState state =
+        nodal_patch_state(law_of(Law::hencky, Element::q1_nodal), body, u);
+    for (std::size_t n = 0; n < of_patches.size(); ++n)
+      BOOST_TEST(
+          body.nodal_patches.volumes[n] * (1 + state.dilatations[n]) == of_patches[n],
+          round_off);
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_star_that_is_inside_out_has_no_energy) {
+BOOST_AUTO_TEST_CASE(a_patch_that_is_inside_out_has_no_energy) {
   const Mesh mesh = cube(1, CellPattern::tetrahedron);
   const Discretisation body = discretise(mesh, Element::q1_nodal);
   const Eigen::VectorXd u = nodal(body, [&](const Vector3& X) -> Vector3 {
     return {0, 0, -2.5 * X.z()};
   });
-  BOOST_TEST(stars_state(law_of(Law::hencky, Element::q1_nodal), body, u).energy ==
+  BOOST_TEST(nodal_patch_state(law_of(Law::hencky, Element::q1_nodal), body, u).energy ==
              INFINITY);
-  BOOST_TEST(
-      std::isfinite(stars_state(law_of(Law::hooke, Element::q1_nodal), body, u).energy));
+  BOOST_TEST(std::isfinite(
+      nodal_patch_state(law_of(Law::hooke, Element::q1_nodal), body, u).energy));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

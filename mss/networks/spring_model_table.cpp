@@ -1,4 +1,4 @@
-#include "mss/networks/method_table.hpp"
+#include "mss/networks/spring_model_table.hpp"
 
 #include <fmt/format.h>
 
@@ -118,40 +118,41 @@ std::optional<std::string> with_negative_edges(const Material& material) {
 }
 
 constexpr std::array table{
-    MethodEntry{.method = Method::baudet,
-                .cells = CellShapes::cubes,
-                .springs =
-                    [](const SpringCell& cell) {
-                      return on_cube(cell, [&](double h) {
-                        return baudet_stiffness(cell.material.young_modulus,
-                                                cell.material.poisson_ratio, h);
-                      });
-                    },
-                .volume_modulus = uncorrected,
-                .refuses = with_negative_edges},
-    MethodEntry{.method = Method::nfd,
-                .cells = CellShapes::cubes,
-                .springs = [](const SpringCell& cell) { return isotropic_cube(cell, 0); },
-                .volume_modulus = corrected},
-    MethodEntry{.method = Method::fd,
-                .cells = CellShapes::boxes,
-                .springs = isotropic_box,
-                .volume_modulus = uncorrected},
-    MethodEntry{.method = Method::cf,
-                .cells = CellShapes::boxes,
-                .springs = isotropic_box,
-                .volume_modulus = corrected},
-    MethodEntry{.method = Method::uniform,
-                .cells = CellShapes::cubes,
-                .springs =
-                    [](const SpringCell& cell) {
-                      return on_cube(cell, [&](double h) {
-                        return uniform_stiffness(cell.material.young_modulus, h);
-                      });
-                    },
-                .volume_modulus = uncorrected},
-    MethodEntry{
-        .method = Method::custom,
+    SpringModelEntry{.model = SpringModel::baudet,
+                     .cells = CellShapes::cubes,
+                     .springs =
+                         [](const SpringCell& cell) {
+                           return on_cube(cell, [&](double h) {
+                             return baudet_stiffness(cell.material.young_modulus,
+                                                     cell.material.poisson_ratio, h);
+                           });
+                         },
+                     .volume_modulus = uncorrected,
+                     .refuses = with_negative_edges},
+    SpringModelEntry{
+        .model = SpringModel::nfd,
+        .cells = CellShapes::cubes,
+        .springs = [](const SpringCell& cell) { return isotropic_cube(cell, 0); },
+        .volume_modulus = corrected},
+    SpringModelEntry{.model = SpringModel::fd,
+                     .cells = CellShapes::boxes,
+                     .springs = isotropic_box,
+                     .volume_modulus = uncorrected},
+    SpringModelEntry{.model = SpringModel::cf,
+                     .cells = CellShapes::boxes,
+                     .springs = isotropic_box,
+                     .volume_modulus = corrected},
+    SpringModelEntry{.model = SpringModel::uniform,
+                     .cells = CellShapes::cubes,
+                     .springs =
+                         [](const SpringCell& cell) {
+                           return on_cube(cell, [&](double h) {
+                             return uniform_stiffness(cell.material.young_modulus, h);
+                           });
+                         },
+                     .volume_modulus = uncorrected},
+    SpringModelEntry{
+        .model = SpringModel::custom,
         .cells = CellShapes::cubes,
         .springs =
             [](const SpringCell& cell) {
@@ -167,38 +168,38 @@ constexpr std::array table{
             return std::nullopt;
           return kappa;
         }},
-    MethodEntry{.method = Method::affine,
-                .cells = CellShapes::any,
-                .springs =
-                    [](const SpringCell& cell) {
-                      return hourglass_springs(cell.x, cell.volume, cell.material);
-                    },
-                .volume_modulus = corrected,
-                .has_virtual_springs = true},
-    MethodEntry{.method = Method::vangelder,
-                .cells = CellShapes::tetrahedra,
-                .springs =
-                    [](const SpringCell& cell) {
-                      return on_tetrahedron(cell, [&](double length) {
-                        return van_gelder_stiffness(cell.material.young_modulus,
-                                                    cell.volume, length);
-                      });
-                    },
-                .volume_modulus = corrected_if_on},
-    MethodEntry{.method = Method::lloyd,
-                .cells = CellShapes::tetrahedra,
-                .springs =
-                    [](const SpringCell& cell) {
-                      return on_tetrahedron(cell, [&](double length) {
-                        return lloyd_stiffness(cell.material.young_modulus, length);
-                      });
-                    },
-                .volume_modulus = corrected_if_on}};
+    SpringModelEntry{.model = SpringModel::affine,
+                     .cells = CellShapes::any,
+                     .springs =
+                         [](const SpringCell& cell) {
+                           return hourglass_springs(cell.x, cell.volume, cell.material);
+                         },
+                     .volume_modulus = corrected,
+                     .has_virtual_springs = true},
+    SpringModelEntry{.model = SpringModel::vangelder,
+                     .cells = CellShapes::tetrahedra,
+                     .springs =
+                         [](const SpringCell& cell) {
+                           return on_tetrahedron(cell, [&](double length) {
+                             return van_gelder_stiffness(cell.material.young_modulus,
+                                                         cell.volume, length);
+                           });
+                         },
+                     .volume_modulus = corrected_if_on},
+    SpringModelEntry{.model = SpringModel::lloyd,
+                     .cells = CellShapes::tetrahedra,
+                     .springs =
+                         [](const SpringCell& cell) {
+                           return on_tetrahedron(cell, [&](double length) {
+                             return lloyd_stiffness(cell.material.young_modulus, length);
+                           });
+                         },
+                     .volume_modulus = corrected_if_on}};
 
 }  // namespace
 
-const MethodEntry& entry_of(Method method) {
-  return *std::ranges::find(table, method, &MethodEntry::method);
+const SpringModelEntry& entry_of(SpringModel model) {
+  return *std::ranges::find(table, model, &SpringModelEntry::model);
 }
 
 }  // namespace springcheck::mss

@@ -1,4 +1,4 @@
-#include "comparisons/measured/vtu_file.hpp"
+#include "comparisons/imported/vtu_file.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@
 #include <string>
 #include <string_view>
 
-#include "comparisons/measured/nodal_vectors.hpp"
-#include "comparisons/measured/vtk_numbers.hpp"
+#include "comparisons/imported/nodal_vectors.hpp"
+#include "comparisons/imported/vtk_numbers.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
-#include "comparisons/measured/nodal_csv.hpp"
-#include "comparisons/measured/node_finder.hpp"
+#include "comparisons/imported/nodal_csv.hpp"
+#include "comparisons/imported/node_finder.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "tests/comparisons/measured/messages.hpp"
+#include "tests/comparisons/imported/messages.hpp"
 #include "tests/comparisons/own_folder.hpp"
 
 using namespace springcheck;

@@ -1,4 +1,4 @@
-#include "comparisons/measured/measured_case.hpp"
+#include "comparisons/imported/imported_case.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "comparisons/cases/mechanical_scene.hpp"
-#include "comparisons/measured/node_finder.hpp"
+#include "comparisons/imported/node_finder.hpp"
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "meshing/input_error.hpp"
@@ -94,7 +94,7 @@ std::optional<std::string> forces_without_support(
 
 }  // namespace
 
-Method measured_method(const std::string& label, const MeasuredFields& fields) {
+Method imported_method(const std::string& label, const ImportedFields& fields) {
   check_label(label);
   Method method{.name = label,
                 .description = "what another program computed",
@@ -109,7 +109,7 @@ Method measured_method(const std::string& label, const MeasuredFields& fields) {
 }
 
 std::vector<std::string> contradictions(const Mesh& mesh, const Scene& scene,
-                                        const MeasuredFields& fields) {
+                                        const ImportedFields& fields) {
   const auto prescribed = prescribed_components(mesh, scene);
   std::vector<std::string> all;
   if (const auto found = off_supports(mesh, scene, prescribed, fields.displacements))
@@ -119,11 +119,11 @@ std::vector<std::string> contradictions(const Mesh& mesh, const Scene& scene,
   return all;
 }
 
-CaseResult measured_case(const RunSettings& run, const std::string& label,
-                         const MeasuredFields& fields, MeshStore& meshes,
+CaseResult imported_case(const RunSettings& run, const std::string& label,
+                         const ImportedFields& fields, MeshStore& meshes,
                          const Finished& finished) {
   RunSettings measured = run;
-  measured.methods = {{.method = measured_method(label, fields)}};
+  measured.methods = {{.method = imported_method(label, fields)}};
   const std::vector<Request> all = requests(measured);
   const CaseSettings& settings = all.front().settings;
   const Mesh& mesh = meshes.mesh(settings.body);

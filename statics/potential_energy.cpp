@@ -1,4 +1,4 @@
-#include "statics/landscape.hpp"
+#include "statics/potential_energy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +17,8 @@ constexpr double answer_accuracy = 1e-12;
 
 }  // namespace
 
-Landscape::Landscape(ElasticBody& body, const Loading& loading,
-                     LinearSolver linear_solver)
+PotentialEnergy::PotentialEnergy(ElasticBody& body, const Loading& loading,
+                                 LinearSolver linear_solver)
     : body_(body),
       loading_(loading),
       system_(
@@ -26,11 +26,11 @@ Landscape::Landscape(ElasticBody& body, const Loading& loading,
           linear_solver_taken(linear_solver, std::ranges::count(loading.is_free, true))) {
 }
 
-double Landscape::load_norm() const {
+double PotentialEnergy::load_norm() const {
   return load_fraction_ * loading_.forces.norm();
 }
 
-Landscape::State Landscape::at(VectorXd u) {
+PotentialEnergy::State PotentialEnergy::at(VectorXd u) {
   ++evaluations_;
   auto [strain_energy, forces] = body_.state(u);
   forces += load_fraction_ * loading_.forces;
@@ -41,30 +41,30 @@ Landscape::State Landscape::at(VectorXd u) {
           .forces = std::move(forces)};
 }
 
-VectorXd Landscape::reactions(const State& state) const {
+VectorXd PotentialEnergy::reactions(const State& state) const {
   VectorXd forces = -state.forces;
   forces(unknowns().components()).setZero();
   return forces;
 }
 
-double Landscape::force_round_off(const VectorXd& u) const {
+double PotentialEnergy::force_round_off(const VectorXd& u) const {
   return stiffness_ * body_.rounding(u);
 }
 
-double Landscape::energy_round_off(const VectorXd& u, double energy) const {
+double PotentialEnergy::energy_round_off(const VectorXd& u, double energy) const {
   // Errors of a sum add up like a random walk; 1e-13 is ample for 10^4 unknowns.
   const double terms = std::max(1., static_cast<double>(unknowns().count()) / 1e4);
   return 1e-13 * std::sqrt(terms) * std::abs(energy) +
          force_round_off(u) * std::sqrt(2 * std::abs(energy) / stiffness_);
 }
 
-VectorXd Landscape::moved(const VectorXd& u, const VectorXd& step) const {
+VectorXd PotentialEnergy::moved(const VectorXd& u, const VectorXd& step) const {
   VectorXd there = u;
   there(unknowns().components()) += step;
   return there;
 }
 
-double Landscape::longest_move(const VectorXd& step) const {
+double PotentialEnergy::longest_move(const VectorXd& step) const {
   return unknowns()
       .spread(step)
       .reshaped(3, loading_.forces.size() / 3)
@@ -73,7 +73,7 @@ double Landscape::longest_move(const VectorXd& step) const {
       .maxCoeff();
 }
 
-void Landscape::linearise(const VectorXd& u) {
+void PotentialEnergy::linearise(const VectorXd& u) {
   if (body_.is_linear() && is_prepared_) return;
   is_prepared_ = true;
   is_clamped_ = false;
@@ -83,36 +83,36 @@ void Landscape::linearise(const VectorXd& u) {
   system_.prepare();
 }
 
-void Landscape::clamp() {
+void PotentialEnergy::clamp() {
   is_clamped_ = true;
   system_.matrix().assemble(
       [&](std::size_t patch) { return body_.positive_part(patch); });
   system_.prepare_semidefinite();
 }
 
-std::optional<bool> Landscape::is_definite(std::mt19937_64& random) {
+std::optional<bool> PotentialEnergy::is_definite(std::mt19937_64& random) {
   if (body_.is_linear()) return true;
   return system_.is_definite(random);
 }
 
-std::optional<VectorXd> Landscape::solve(const VectorXd& right, double accuracy) {
+std::optional<VectorXd> PotentialEnergy::solve(const VectorXd& right, double accuracy) {
   return system_.solve(right, accuracy);
 }
 
-VectorXd Landscape::negative_curvature(const VectorXd& downhill,
-                                       std::mt19937_64& random) {
+VectorXd PotentialEnergy::negative_curvature(const VectorXd& downhill,
+                                             std::mt19937_64& random) {
   VectorXd v = system_.negative_curvature(random);
   if (downhill.dot(v) < 0) v = -v;
   return v;
 }
 
-double Landscape::curvature_along(const VectorXd& direction) const {
+double PotentialEnergy::curvature_along(const VectorXd& direction) const {
   VectorXd product;
   system_.matrix().multiply(unknowns().spread(direction), product);
   return direction.dot(unknowns().in(product));
 }
 
-VectorXd Landscape::predicted(const VectorXd& u, double to) {
+VectorXd PotentialEnergy::predicted(const VectorXd& u, double to) {
   VectorXd increment = loading_.displacements(to) - u;
   increment(unknowns().components()).setZero();
   const auto answer = [&] {
@@ -130,7 +130,7 @@ VectorXd Landscape::predicted(const VectorXd& u, double to) {
   return step ? moved(u + increment, *step) : u + increment;
 }
 
-double Landscape::path_gradient(const VectorXd& whole) {
+double PotentialEnergy::path_gradient(const VectorXd& whole) {
   constexpr double little = 1. / 64, clearly = 1.01;
   const double chord = body_.mean_gradient(whole);
   const double path =

@@ -1,4 +1,4 @@
-#include "comparisons/measured/vtk_numbers.hpp"
+#include "comparisons/imported/vtk_numbers.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>

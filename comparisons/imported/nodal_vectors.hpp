@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/measured/node_finder.hpp"
+#include "comparisons/imported/node_finder.hpp"
 
 namespace springcheck {
 

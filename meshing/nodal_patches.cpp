@@ -1,15 +1,15 @@
-#include "meshing/stars.hpp"
+#include "meshing/nodal_patches.hpp"
 
 namespace springcheck {
 
-Stars stars(const Mesh& mesh, StarCells which) {
+NodalPatches nodal_patches(const Mesh& mesh, NodalPatchCells which) {
   const std::size_t nodes = mesh.nodes().size();
-  Stars result{.first = std::vector<std::size_t>(nodes + 1, 0),
-               .volumes = std::vector<double>(nodes, 0)};
+  NodalPatches result{.first = std::vector<std::size_t>(nodes + 1, 0),
+                      .volumes = std::vector<double>(nodes, 0)};
   const auto for_each_share = [&](const auto& visit) {
     for (std::size_t c = 0; c < mesh.cells().size(); ++c) {
       const CellNodes& at = mesh.cells()[c];
-      if (which == StarCells::tetrahedra && type_of(at) != CellType::tetrahedron)
+      if (which == NodalPatchCells::tetrahedra && type_of(at) != CellType::tetrahedron)
         continue;
       const double share = mesh.cell_volumes()[c] / static_cast<double>(at.size());
       for (const NodeIndex node : at) visit(node, static_cast<NodeIndex>(c), share);

@@ -9,7 +9,7 @@
 using namespace springcheck;
 namespace data = boost::unit_test::data;
 
-BOOST_AUTO_TEST_SUITE(bars_test)
+BOOST_AUTO_TEST_SUITE(error_bounds_test)
 
 namespace {
 
@@ -46,9 +46,10 @@ ConvergedNumber limit_of(const Load& load, double nu, const std::string& element
 }  // namespace
 
 // Known: the limit of q2 on 2, 4 and 8 cells across, measured to be within 1.2 % of that
-// on 4, 8 and 16, which is within .22 % of the limit of q1-sri on 5, 10 and 20. Bars of
-// coarser grids are .1 to 164 %, and at least four times what the limits are off here.
-BOOST_DATA_TEST_CASE(bars_hold_what_finer_grids_and_other_elements_converge_to,
+// on 4, 8 and 16, which is within .22 % of the limit of q1-sri on 5, 10 and 20. Error
+// bounds of coarser grids are .1 to 164 %, and at least four times what the limits are
+// off here.
+BOOST_DATA_TEST_CASE(error_bounds_hold_what_finer_grids_and_other_elements_converge_to,
                      data::make(loads) * data::make({0.1, 0.25, 0.45, 0.499}), load, nu) {
   const ConvergedNumber known = limit_of(load, nu, "q2", "2,2,2");
   for (const char* element : {"q1-sri", "q2"}) {
@@ -56,9 +57,9 @@ BOOST_DATA_TEST_CASE(bars_hold_what_finer_grids_and_other_elements_converge_to,
     const ConvergedNumber limit = limit_of(load, nu, element, is_q2 ? "1,1,1" : "2,2,2");
     BOOST_TEST_MESSAGE(load << " nu " << nu << " " << element << ": "
                             << 100 * std::abs(limit.value / known.value - 1)
-                            << " % off, bar " << 100 * limit.bar / std::abs(known.value)
-                            << " %");
-    BOOST_TEST(std::abs(limit.value - known.value) <= limit.bar);
+                            << " % off, error bound "
+                            << 100 * limit.error_bound / std::abs(known.value) << " %");
+    BOOST_TEST(std::abs(limit.value - known.value) <= limit.error_bound);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "comparisons/measured/node_finder.hpp"
+#include "comparisons/imported/node_finder.hpp"
 
 #include <algorithm>
 #include <cmath>

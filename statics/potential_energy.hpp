@@ -17,9 +17,9 @@ inline constexpr double first_gradient = 0.06;
 /// its tangent, solved with directly or iteratively. Refers to the body and its loading.
 /// States are displacements of all components; steps, directions and what is solved for
 /// hold the unknowns.
-class Landscape {
+class PotentialEnergy {
  public:
-  Landscape(ElasticBody& body, const Loading& loading, LinearSolver linear_solver);
+  PotentialEnergy(ElasticBody& body, const Loading& loading, LinearSolver linear_solver);
 
   [[nodiscard]] const ElasticBody& body() const { return body_; }
   [[nodiscard]] const Unknowns& unknowns() const { return system_.unknowns(); }

@@ -15,9 +15,9 @@ namespace springcheck::fem_reference {
 ///       + sum over nodes [(1 - s) V_t psi(F_n) + V_n U(t_n)]
 ///
 /// F_n is the mean of F_e over the tetrahedra around the node, V_t their share in the
-/// node's volume V_n (stars.hpp). t_n is the mean of t(F_n), with the weight V_t, and of
-/// the other cells' own means of t(F), each with its share. On a cell alone W is that of
-/// q1 (tetrahedra) or q1_sri.
+/// node's volume V_n (nodal_patches.hpp). t_n is the mean of t(F_n), with the weight V_t,
+/// and of the other cells' own means of t(F), each with its share. On a cell alone W is
+/// that of q1 (tetrahedra) or q1_sri.
 ///
 /// With the tetrahedra's own t_e instead of t(F_n) St-Venant's element would wrinkle at
 /// strains of 4 %: the mean of tr E_e is tr E(F_n) and half the variance of F_e, which
@@ -38,7 +38,7 @@ namespace springcheck::fem_reference {
 /// s = .02 was chosen by this table, for nu near 1/2, where these elements are needed;
 /// below they are too soft.
 ///
-/// Source: t_n of other cells: Bonet and Burton 1998 (stars.hpp). F_n: Dohrmann,
+/// Source: t_n of other cells: Bonet and Burton 1998 (nodal_patches.hpp). F_n: Dohrmann,
 /// Heinstein, Jung, Key and Witkowski 2000, Node-based uniform strain elements for
 /// three-node triangular and four-node tetrahedral meshes, International Journal for
 /// Numerical Methods in Engineering 47, 1549-1568. s: Puso and Solberg 2006, A stabilized
@@ -47,32 +47,32 @@ namespace springcheck::fem_reference {
 /// ours.
 inline constexpr double tetrahedron_part = 0.02;
 
-/// The stars of a body in some state.
-struct StarsState {
+/// The nodal patches of a body in some state.
+struct NodalPatchState {
   double energy;                    // [J]; infinite where det F_n <= 0 and the law ends
   std::vector<Matrix3> gradients;   // F_n - I; none without tetrahedra
   std::vector<double> dilatations;  // t_n
   std::vector<double> pressures;    // U'(t_n) [Pa]
-  std::vector<FromStars> on_cells;  // one per cell; none without stars
+  std::vector<FromNodalPatches> on_cells;  // one per cell; none without nodal patches
 };
-StarsState stars_state(const CellLaw& law, const Discretisation& body,
-                       const Eigen::VectorXd& displacements);
+NodalPatchState nodal_patch_state(const CellLaw& law, const Discretisation& body,
+                                  const Eigen::VectorXd& displacements);
 
 /// Nodes of the cells around a node, ascending.
-std::vector<NodeIndex> star_nodes(const Discretisation& body, NodeIndex node);
+std::vector<NodeIndex> patch_nodes(const Discretisation& body, NodeIndex node);
 
-/// A star's part of d2W/du2 [N/m], G^T A G + v d d^T with the map G from displacements to
-/// F_n and the gradient d of t_n, A that of the tetrahedra with t'' at constant U'; dof =
-/// 3 node + component of star_nodes.
-struct StarTangent {
+/// A nodal patch's part of d2W/du2 [N/m], G^T A G + v d d^T with the map G from
+/// displacements to F_n and the gradient d of t_n, A that of the tetrahedra with t'' at
+/// constant U'; dof = 3 node + component of patch_nodes.
+struct NodalPatchTangent {
   CellVectors gradients;             // of F_n, as of shape functions [1/m]
   Matrix9 shape;                     // A [J]
   CellVectors dilatation_gradients;  // d [1/m]
   double volumetric;                 // v [J]
 };
-StarTangent star_tangent(const CellLaw& law, const Discretisation& body,
-                         const Eigen::VectorXd& displacements, const StarsState& state,
-                         NodeIndex node);
-CellMatrix matrix(const StarTangent& tangent);
+NodalPatchTangent patch_tangent(const CellLaw& law, const Discretisation& body,
+                                const Eigen::VectorXd& displacements,
+                                const NodalPatchState& state, NodeIndex node);
+CellMatrix matrix(const NodalPatchTangent& tangent);
 
 }  // namespace springcheck::fem_reference

@@ -2,28 +2,28 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/commands/result_json.hpp"
-#include "comparisons/measured/measured_case.hpp"
-#include "comparisons/measured/nodal_csv.hpp"
+#include "comparisons/imported/imported_case.hpp"
+#include "comparisons/imported/nodal_csv.hpp"
 #include "comparisons/results/result_file.hpp"
-#include "tests/comparisons/measured/messages.hpp"
+#include "tests/comparisons/imported/messages.hpp"
 #include "tests/comparisons/own_folder.hpp"
 #include "tests/comparisons/settings.hpp"
 
 using namespace springcheck;
 
-BOOST_AUTO_TEST_SUITE(measured_case_test)
+BOOST_AUTO_TEST_SUITE(imported_case_test)
 
 namespace {
 
 constexpr auto silent = [](std::size_t, std::size_t) {};
 
-CaseResult measured(const RunSettings& run, const MeasuredFields& fields,
+CaseResult measured(const RunSettings& run, const ImportedFields& fields,
                     MeshStore& meshes) {
-  return measured_case(run, "mine", fields, meshes, silent);
+  return imported_case(run, "mine", fields, meshes, silent);
 }
 
 /// What a run of one method computed.
-MeasuredFields fields_of(const CaseResult& result) {
+ImportedFields fields_of(const CaseResult& result) {
   return {.displacements = result.solution.displacements,
           .forces = result.solution.reactions};
 }
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(a_field_is_never_compared_with_a_limit) {
                                std::string("reference=") + reference});
     MeshStore meshes;
     const Mesh& mesh = meshes.mesh(run.common.body);
-    const MeasuredFields fields{
+    const ImportedFields fields{
         .displacements = affine_field(mesh, Eigen::Matrix3d::Zero()), .forces = {}};
     const CaseResult found = measured(run, fields, meshes);
     BOOST_TEST(found.request.reference.has_value() == is_compared, reference);
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(the_same_field_through_a_csv_file_is_the_same_case) {
   const RunSettings run = run_of("shearing", {"method=mss-cf", "cells=3,3,3"});
   MeshStore meshes;
   const CaseResult ours = run_study(requests(run), meshes, 1, silent).front();
-  const MeasuredFields fields = fields_of(ours);
+  const ImportedFields fields = fields_of(ours);
   std::ostringstream u, f;
   u.precision(17);
   f.precision(17);
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(the_same_field_through_a_csv_file_is_the_same_case) {
   write(own.path / "u.csv", u.str());
   write(own.path / "f.csv", f.str());
   const Mesh& mesh = meshes.mesh(run.common.body);
-  const MeasuredFields read{
+  const ImportedFields read{
       .displacements =
           read_nodal_csv(own.path / "u.csv", mesh, NodalQuantity::displacement),
       .forces = read_nodal_csv(own.path / "f.csv", mesh, NodalQuantity::force)};
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(what_contradicts_the_scene_is_said_and_not_refused) {
   const RunSettings run = run_of("compression", {"method=mss-cf", "cells=2,2,2"});
   MeshStore meshes;
   const Mesh& mesh = meshes.mesh(run.common.body);
-  MeasuredFields fields{
+  ImportedFields fields{
       .displacements =
           affine_field(mesh, Vector3(0, 0, -*run.common.deformation).asDiagonal()),
       .forces = std::vector<Vector3>(mesh.nodes().size(), Vector3::Zero())};
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_overflow_are_refused) {
   MeshStore meshes;
   const std::size_t nodes = meshes.mesh(run.common.body).nodes().size();
   const auto refusal = [&](const Vector3& shift, double stretch) {
-    MeasuredFields fields{.displacements = std::vector<Vector3>(nodes, shift),
+    ImportedFields fields{.displacements = std::vector<Vector3>(nodes, shift),
                           .forces = {}};
     fields.displacements.back() *= stretch;
     return message_of("", [&] { measured(run, fields, meshes); });
@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(the_key_follows_the_numbers) {
   const RunSettings run = run_of("uniaxial", {"cells=2,2,2", "method=mss-cf"});
   MeshStore meshes;
   const Mesh& mesh = meshes.mesh(run.common.body);
-  MeasuredFields fields{
+  ImportedFields fields{
       .displacements = std::vector<Vector3>(mesh.nodes().size(), Vector3::Zero()),
       .forces = {}};
   const auto key = [&] { return measured(run, fields, meshes).key; };
@@ -222,13 +222,13 @@ BOOST_AUTO_TEST_CASE(the_key_follows_the_numbers) {
   BOOST_TEST(key() != moved);
 }
 
-BOOST_AUTO_TEST_CASE(a_measured_case_is_stored_without_what_only_solvers_know) {
+BOOST_AUTO_TEST_CASE(an_imported_case_is_stored_without_what_only_solvers_know) {
   const OwnFolder own;
   const auto file = own.path / "mine.h5";
   const RunSettings run = run_of("compression", {"method=mss-cf", "cells=3,3,3"});
   MeshStore meshes;
   const auto ours = run_study(requests(run), meshes, 1, silent);
-  MeasuredFields fields = fields_of(ours.front());
+  ImportedFields fields = fields_of(ours.front());
   fields.forces.clear();
   const CaseResult result = measured(run, fields, meshes);
   write_results(file, std::vector{ours.front(), result}, meshes);
@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(a_measured_case_is_stored_without_what_only_solvers_know) {
 
 BOOST_AUTO_TEST_CASE(labels_are_names_of_one_s_own) {
   const auto refusal = [](const std::string& label) {
-    return message_of("", [&] { measured_method(label, {}); });
+    return message_of("", [&] { imported_method(label, {}); });
   };
   BOOST_TEST(refusal("Müller's springs (2024)") == "accepted");
   for (const char* label :

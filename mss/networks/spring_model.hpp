@@ -7,7 +7,7 @@
 
 namespace springcheck::mss {
 
-enum class Method {
+enum class SpringModel {
   baudet,     // edges and inner diagonals by Baudet's formulas, no correction
   nfd,        // no face diagonals (A = 0), with volume correction
   fd,         // face diagonals, no correction: right at nu = 1/4 only
@@ -24,7 +24,7 @@ enum class StiffnessForm { shear_modulus, young_modulus };
 enum class VolumeCorrection { on, off };
 
 struct NetworkSettings {
-  Method method;
+  SpringModel model;
   StiffnessForm stiffness_form = StiffnessForm::shear_modulus;  // of nfd, fd and cf
   double diagonal_ratio = 1;                                    // A of fd and cf on cubes
   // Of custom, which needs them, as they stand: they belong to the mesh's cell size, and

@@ -1,4 +1,4 @@
-#include "comparisons/measured/nodal_vectors.hpp"
+#include "comparisons/imported/nodal_vectors.hpp"
 
 #include <fmt/format.h>
 

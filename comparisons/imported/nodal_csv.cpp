@@ -1,4 +1,4 @@
-#include "comparisons/measured/nodal_csv.hpp"
+#include "comparisons/imported/nodal_csv.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <fstream>
 #include <string>
 
-#include "comparisons/measured/nodal_vectors.hpp"
+#include "comparisons/imported/nodal_vectors.hpp"
 #include "meshing/input_error.hpp"
 
 namespace springcheck {

@@ -6,11 +6,11 @@
 
 #include "meshing/cell_geometry.hpp"
 #include "mss/networks/cells.hpp"
-#include "mss/networks/method.hpp"
+#include "mss/networks/spring_model.hpp"
 
 namespace springcheck::mss {
 
-/// The cells that a method has springs for; boxes are those that box_lattice covers.
+/// The cells that a model has springs for; boxes are those that box_lattice covers.
 enum class CellShapes { any, tetrahedra, cubes, boxes };
 
 /// What springs of one cell are made of.
@@ -21,9 +21,9 @@ struct SpringCell {
   const NetworkSettings& settings;
 };
 
-/// What tells one method from another.
-struct MethodEntry {
-  Method method;
+/// What tells one model from another.
+struct SpringModelEntry {
+  SpringModel model;
   CellShapes cells;
   /// Springs of one cell of its shapes.
   std::vector<CellSpring> (*springs)(const SpringCell&);
@@ -36,6 +36,6 @@ struct MethodEntry {
   std::optional<std::string> (*refuses)(const Material&) = nullptr;
 };
 
-const MethodEntry& entry_of(Method method);
+const SpringModelEntry& entry_of(SpringModel model);
 
 }  // namespace springcheck::mss
