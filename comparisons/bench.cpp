@@ -1,5 +1,5 @@
-// springcheck_bench: time per step of every method's explicit dynamics, beside plain
-// loops.
+// springcheck_bench measures the time per step of every method's explicit dynamics,
+// beside plain loops.
 //
 //     springcheck_bench [--benchmark_filter=REGEX] [other options of Google Benchmark]
 //
@@ -50,7 +50,8 @@ void add(const SteppedBody& body) {
   benchmark::RegisterBenchmark(name.c_str(), [name, body](benchmark::State& state) {
     const auto& [advance, bytes] = prepared(name, body);
     for (auto _ : state) advance();
-    // Not a number where nothing counts them: CSV wants the same counters everywhere.
+    // The counter is not a number where nothing counts the bytes: CSV wants the same
+    // counters everywhere.
     state.counters["bytes_per_cell"] = bytes > 0 ? bytes / cell_count(body) : NAN;
     state.counters["per_cell_step"] = benchmark::Counter(
         cell_count(body),
@@ -58,8 +59,8 @@ void add(const SteppedBody& body) {
   })->UseRealTime();
 }
 
-/// In every precision that the method has, by every instruction set, and by the best on
-/// several threads.
+/// Adds a body's benchmarks in every precision that the method has, by every instruction
+/// set, and by the best one on several threads.
 void add_all(SteppedBody body) {
   const dynamics::InstructionSet best = dynamics::best_instruction_set();
   for (const mss::Precision precision :

@@ -7,7 +7,7 @@
 
 namespace springcheck::dynamics {
 
-/// Where all nodes are and how they move, in the mesh's order.
+/// The displacements and velocities of all nodes, in the mesh's order.
 struct State {
   std::vector<Vector3> displacements;  // [m]
   std::vector<Vector3> velocities;     // [m/s]; of Verlet half a step behind
@@ -16,7 +16,7 @@ struct State {
 /// The internal forces in a state [N]: springs, dashpots and the like, without loads.
 using ForcesAt = std::function<std::vector<Vector3>(const State& state)>;
 
-/// A step's end. The motions are support_motions at its beginning and end.
+/// The end of a step. The motions are support_motions at its beginning and end.
 struct StepTo {
   double dt;    // [s]
   double kick;  // [s], see step()
@@ -30,9 +30,9 @@ class Motion {
   virtual ~Motion() = default;
   virtual void advance(const StepTo& step) = 0;
   [[nodiscard]] virtual State state() const = 0;
-  /// The internal forces in another state [N]; restore() before going on.
+  /// The internal forces in another state [N]. restore() must be called before going on.
   [[nodiscard]] virtual std::vector<Vector3> forces_at(const State& state) = 0;
-  /// Goes on from a state, to the bit as if it had been reached just now.
+  /// Goes on from a state, bit for bit as if it had been reached just now.
   virtual void restore(const State& state) = 0;
 };
 

@@ -2,7 +2,7 @@
 
 namespace springcheck::dynamics {
 
-/// Of the numbers that explicit steps are made in.
+/// The precision of the numbers that explicit steps are made in.
 enum class Precision { double_precision, single_precision };
 
 }  // namespace springcheck::dynamics

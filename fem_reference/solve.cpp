@@ -61,7 +61,8 @@ std::vector<CellNodes> finest_cells(const Mesh& mesh, const Discretisation& body
     for (const auto& of_part : place) {
       CellNodes part;
       for (const auto& corner : place) {
-        // Between all corners of the cell that agree with it where it is at an end.
+        // The part's corner lies between all corners of the cell that agree with it in
+        // each direction in which it is at an end.
         std::vector<NodeIndex> between;
         for (std::size_t i = 0; i < place.size(); ++i) {
           bool agrees = true;
@@ -89,7 +90,8 @@ Solution solve(const Mesh& mesh, const Scene& scene, const Settings& settings,
   const Supports supports(mesh, scene, body);
   ElementsBody elements(body, {.constitution = constitution(scene.material, settings),
                                .dilatation = dilatation_taken(settings)});
-  // Where Hooke's law takes the supports is one place.
+  // Hooke's law has one solution for each place of the supports, whichever way they
+  // turned to it.
   const bool turns = turns_far(scene) && !elements.is_linear();
   const std::vector<CellNodes> finest =
       turns || search.to_limit ? finest_cells(mesh, body) : std::vector<CellNodes>{};

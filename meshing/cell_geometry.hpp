@@ -13,7 +13,7 @@ using CornerPositions = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor
 
 CellType type_of(const CornerPositions& x);
 
-/// From the first of two corners to the second [m].
+/// The vector from the first of two corners to the second [m].
 inline Vector3 along(const CornerPositions& x, const LocalEdge& ends) {
   return x.col(static_cast<Eigen::Index>(ends[1])) -
          x.col(static_cast<Eigen::Index>(ends[0]));
@@ -32,8 +32,8 @@ CornerPositions corners(const CellNodes& cell, std::span<const Vector3> position
 /// any node positions.
 double cell_volume(const CornerPositions& x);
 
-/// Its gradient by the corners' positions, one column per corner [m^2]. Per face, at
-/// (a, b, c) and cyclic
+/// The gradient of cell_volume by the corners' positions, one column per corner [m^2].
+/// Each face adds, at (a, b, c) and cyclic,
 ///
 ///     dV/da += (b x c) / 6
 ///     dV/da += (b x c + c x d + b x d) / 12
@@ -41,18 +41,18 @@ double cell_volume(const CornerPositions& x);
 /// and sum x_a (x) dV/dx_a = V I.
 CornerPositions cell_volume_gradient(const CornerPositions& x);
 
-/// Its centroid c [m], by the divergence theorem:
+/// The centroid c [m] of a cell, by the divergence theorem:
 ///
 ///     V c_i = integral of x_i^2/2 n_i over the faces
 ///
 /// (no sum), exactly over triangles and by 2 x 2 Gauss points per bilinear quadrilateral,
-/// which are exact for it: x_i^2 n_i dA is of third degree in each parameter. Of use for
-/// V > 0 only.
+/// which are exact for it: x_i^2 n_i dA is of third degree in each parameter. It is of
+/// use for V > 0 only.
 Vector3 cell_centroid(const CornerPositions& x);
 
-/// Smallest of the corner Jacobians: det of the three edge vectors that leave a corner
-/// [m^3]; h^3 for a cube of edge h. A pyramid's apex has four edges and no Jacobian.
-/// Negative: the map folds over at a corner.
+/// The smallest of the corner Jacobians, each the determinant of the three edge vectors
+/// that leave a corner [m^3]; h^3 for a cube of edge h. A pyramid's apex has four edges
+/// and no Jacobian. It is negative where the map folds over at a corner.
 double smallest_corner_jacobian(const CornerPositions& x);
 
 /// Whether a cell is turned inside out at a corner, or flat there.

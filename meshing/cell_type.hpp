@@ -33,7 +33,7 @@ inline constexpr std::array all_cell_types{CellType::tetrahedron, CellType::pyra
 using LocalEdge = std::array<std::size_t, 2>;
 using LocalFace = ShortList<std::uint8_t, 4>;
 
-/// Of a hexahedron's corners in the order of a grid, x fastest, the places in CellNodes.
+/// The places in CellNodes of a hexahedron's corners in the order of a grid, x fastest.
 inline constexpr std::array<std::uint8_t, 8> grid_corners{0, 1, 3, 2, 4, 5, 7, 6};
 
 std::string_view name_of(CellType type);
@@ -48,7 +48,7 @@ inline CellType type_of(const CellNodes& cell) {
 
 std::span<const LocalEdge> edges(CellType type);
 
-/// Right-handed about the outward normal.
+/// The faces of a cell, right-handed about the outward normal.
 std::span<const LocalFace> faces(CellType type);
 
 /// The same nodes, the smallest first: equal for both cells at a face.

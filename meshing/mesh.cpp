@@ -31,7 +31,7 @@ struct FaceUse {
   int cells;
 };
 
-/// By the faces' ascending nodes.
+/// The uses of faces, by the faces' ascending nodes.
 using FaceUses = std::unordered_map<FaceNodes, FaceUse, FaceHash>;
 
 std::string cell_name(std::size_t index, const CellNodes& cell,

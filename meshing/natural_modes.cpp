@@ -1,10 +1,11 @@
 #include "meshing/natural_modes.hpp"
 
+#include <Spectra/SymGEigsShiftSolver.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <random>
+#include <stdexcept>
 
 #include "meshing/sparse_cholesky.hpp"
 
@@ -14,52 +15,84 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-constexpr Index block_size = 12;
-constexpr double shift_of_largest = 1e-6, zero_of_largest = 1e-9;
+constexpr double shift = 1e-6, zero = 1e-9;  // of the largest K_ii/M_ii
 
-/// x -> (K + s M)^-1 M x, whose eigenvalues are 1/(omega^2 + s).
-class ShiftedInverse {
+/// x -> M x, as Spectra asks for it.
+class Masses {
  public:
-  ShiftedInverse(const SparseMatrix& stiffness, const SparseMatrix& masses, double shift)
-      : masses_(masses), exists_(cholesky_.factor(stiffness + shift * masses)) {}
+  using Scalar = double;
+  explicit Masses(const SparseMatrix& masses) : masses_(masses) {}
 
-  [[nodiscard]] bool exists() const { return exists_; }
-  [[nodiscard]] MatrixXd weighed(const MatrixXd& x) const {
+  [[nodiscard]] Index rows() const { return masses_.rows(); }
+  [[nodiscard]] Index cols() const { return masses_.cols(); }
+  [[nodiscard]] VectorXd times(const VectorXd& x) const {
     return masses_.selfadjointView<Eigen::Lower>() * x;
   }
-  [[nodiscard]] MatrixXd apply(const MatrixXd& x) const {
-    return cholesky_.solve(weighed(x));
+  void perform_op(const double* x, double* y) const {
+    VectorXd::Map(y, rows()) = times(VectorXd::Map(x, rows()));
   }
 
  private:
   const SparseMatrix& masses_;
+};
+
+/// x -> (K + s M)^-1 x, as Spectra asks for it.
+class ShiftedInverse {
+ public:
+  using Scalar = double;
+  explicit ShiftedInverse(const SparseMatrix& shifted)
+      : size_(shifted.rows()), exists_(cholesky_.factor(shifted)) {}
+
+  [[nodiscard]] bool exists() const { return exists_; }
+  [[nodiscard]] Index rows() const { return size_; }
+  [[nodiscard]] Index cols() const { return size_; }
+  void set_shift(double) {}  // the matrix has it
+  [[nodiscard]] VectorXd times(const VectorXd& x) const { return cholesky_.solve(x); }
+  void perform_op(const double* x, double* y) const {
+    VectorXd::Map(y, size_) = times(VectorXd::Map(x, size_));
+  }
+
+ private:
+  Index size_;
   SparseCholesky cholesky_;
   bool exists_;
 };
 
-/// An M-orthonormal basis of what the block adds to the basis; directions that are
-/// `smallest` or less are none. Twice, since once leaves what rounding made.
-MatrixXd added(MatrixXd block, const MatrixXd& basis, const ShiftedInverse& inverse,
-               double smallest) {
-  for (int pass = 0; pass < 2 && block.cols() > 0; ++pass) {
-    block -= basis * (basis.transpose() * inverse.weighed(block));
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(block.transpose() *
-                                                       inverse.weighed(block));
-    const Index kept =
-        (gram.eigenvalues().array() > smallest * smallest).count();  // the last ones
-    const VectorXd lengths = gram.eigenvalues().tail(kept).cwiseSqrt();
-    block =
-        block * gram.eigenvectors().rightCols(kept) * lengths.cwiseInverse().asDiagonal();
-  }
-  return block;
+struct Pairs {
+  VectorXd squares;  // omega^2 over the largest K_ii/M_ii, ascending
+  MatrixXd shapes;   // M-orthonormal
+};
+
+/// The `wanted` lowest pairs of a small problem, whose matrices are full: those of M x =
+/// mu (K + s M) x with the largest mu = 1/(omega^2 + s).
+Pairs lowest_of_full(const SparseMatrix& shifted, const SparseMatrix& masses,
+                     Index wanted) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver{MatrixXd(masses),
+                                                                  MatrixXd(shifted)};
+  const VectorXd inverses = solver.eigenvalues().tail(wanted).reverse();
+  const MatrixXd shapes = solver.eigenvectors().rightCols(wanted).rowwise().reverse();
+  return {inverses.cwiseInverse().array() - shift,
+          shapes * inverses.cwiseSqrt().cwiseInverse().asDiagonal()};
 }
 
-MatrixXd start(Index rows) {
-  std::mt19937_64 random(1);  // any block that is orthogonal to no mode
-  MatrixXd block(rows, block_size);
-  for (double& entry : block.reshaped())
-    entry = static_cast<double>(random() >> 11U) * 0x1p-52 - 1;
-  return block;
+Pairs lowest_of_sparse(const SparseMatrix& masses, ShiftedInverse& inverse,
+                       Index wanted) {
+  Masses weigh(masses);
+  Spectra::SymGEigsShiftSolver<ShiftedInverse, Masses, Spectra::GEigsMode::ShiftInvert>
+      solver(inverse, weigh, wanted, std::min(2 * wanted + 20, inverse.rows()), -shift);
+  solver.init();
+  constexpr Index restarts = 1000;
+  constexpr double tolerance = 1e-10;  // of residuals; eigenvalues are better by a square
+  solver.compute(Spectra::SortRule::LargestMagn, restarts, tolerance,
+                 Spectra::SortRule::SmallestAlge);
+  if (solver.info() != Spectra::CompInfo::Successful)
+    throw std::runtime_error("natural modes: no convergence");
+  Pairs pairs{solver.eigenvalues(), solver.eigenvectors()};
+  // Unknowns without mass keep what the start gave them; the inverse makes them follow.
+  for (Index j = 0; j < wanted; ++j)
+    pairs.shapes.col(j) =
+        (pairs.squares[j] + shift) * inverse.times(weigh.times(pairs.shapes.col(j)));
+  return pairs;
 }
 
 double largest_ratio(const SparseMatrix& stiffness, const SparseMatrix& masses) {
@@ -74,56 +107,28 @@ double largest_ratio(const SparseMatrix& stiffness, const SparseMatrix& masses) 
 
 std::optional<NaturalModes> natural_modes(const SparseMatrix& stiffness,
                                           const SparseMatrix& masses, int count) {
-  constexpr double tolerance = 1e-9;  // of residuals; eigenvalues are better by a square
-  constexpr double negligible = 1e-12;  // of a block: rounding
+  // Spectra's tolerances are absolute: the largest omega^2 are made about 1.
   const double largest = largest_ratio(stiffness, masses);
-  const double shift = shift_of_largest * largest, zero = zero_of_largest * largest;
-  const ShiftedInverse inverse(stiffness, masses, shift);
+  const SparseMatrix shifted = stiffness / largest + shift * masses;
+  ShiftedInverse inverse(shifted);
   if (!inverse.exists()) return std::nullopt;
+  const Index with_mass = (VectorXd(masses.diagonal()).array() > 0).count();
 
-  // Motions of massless unknowns are no modes: the inverse has none of them.
-  MatrixXd block = inverse.apply(start(stiffness.rows()));
-  block = added(block, MatrixXd(block.rows(), 0), inverse, negligible * block.norm());
-  // No more directions than these have mass: what is found beyond them is rounding.
-  const VectorXd own_masses = masses.diagonal();
-  const Index with_mass = (own_masses.array() > 0).count();
-  block = block.rightCols(std::min(block.cols(), with_mass)).eval();
-  MatrixXd basis(block.rows(), 0);  // M-orthonormal
-  MatrixXd projected;               // basis^T M (K + s M)^-1 M basis
-  for (;;) {
-    const Index size = basis.cols() + block.cols();
-    basis.conservativeResize(Eigen::NoChange, size);
-    basis.rightCols(block.cols()) = block;
-    const MatrixXd image = inverse.apply(block), weighed = inverse.weighed(image);
-    const MatrixXd columns = basis.transpose() * weighed;
-    projected.conservativeResize(size, size);
-    projected.rightCols(block.cols()) = columns;
-    projected.bottomRows(block.cols()) = columns.transpose();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> ritz(projected);
-    // Ascending inverses: the lowest modes are the last.
-    const MatrixXd vectors = ritz.eigenvectors().rowwise().reverse();
-    const VectorXd values = ritz.eigenvalues().reverse();
-    const VectorXd squares = values.cwiseInverse().array() - shift;
-    const Index zeros = (squares.array().abs() <= zero).count();
-    const Index found = std::min<Index>(count, size - zeros);
-
-    MatrixXd next = added(image, basis, inverse, negligible * values[0]);
-    next = next.rightCols(std::min(next.cols(), with_mass - size)).eval();
-    const MatrixXd residuals = next.transpose() * weighed *
-                               vectors.bottomRows(block.cols()).leftCols(zeros + found);
-    const bool has_converged =
-        found == count && (residuals.colwise().norm().transpose().array() <=
-                           tolerance * values.head(zeros + found).array())
-                              .all();
-    if (!has_converged && next.cols() > 0) {
-      block = next;
-      continue;
-    }
-    if (squares[0] < -zero) return std::nullopt;
-    return NaturalModes{
-        .zero_modes = static_cast<int>(zeros),
-        .frequencies = squares.segment(zeros, found).cwiseSqrt() / (2 * std::numbers::pi),
-        .shapes = basis * vectors.middleCols(zeros, found)};
+  constexpr Index zeros_of_a_free_body = 6;
+  Index wanted = std::min(count + zeros_of_a_free_body, with_mass);
+  for (;; wanted = std::min(2 * wanted, with_mass)) {
+    const bool is_small = shifted.rows() <= 100 || wanted == shifted.rows();
+    const Pairs pairs = is_small ? lowest_of_full(shifted, masses, wanted)
+                                 : lowest_of_sparse(masses, inverse, wanted);
+    if (pairs.squares[0] < -zero) return std::nullopt;
+    const Index zeros = (pairs.squares.array().abs() <= zero).count();
+    const Index found = std::min<Index>(count, wanted - zeros);
+    if (found < count && wanted < with_mass) continue;
+    return NaturalModes{.zero_modes = static_cast<int>(zeros),
+                        .frequencies =
+                            (largest * pairs.squares.segment(zeros, found)).cwiseSqrt() /
+                            (2 * std::numbers::pi),
+                        .shapes = pairs.shapes.middleCols(zeros, found)};
   }
 }
 

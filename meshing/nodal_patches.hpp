@@ -9,11 +9,11 @@
 
 namespace springcheck {
 
-/// For each node the cells around it, each with its share of their volume: a cell of n_e
-/// nodes leaves V_e/n_e to each of them. Means over nodal patches are what keeps linear
-/// cells of any type from locking as nu goes to 1/2: Bonet and Burton 1998, A simple
-/// average nodal pressure tetrahedral element, Communications in Numerical Methods in
-/// Engineering 14, 437-449.
+/// The cells around each node, each with its share of their volume: a cell of n_e nodes
+/// leaves V_e/n_e to each of them. Means over nodal patches are what keeps linear cells
+/// of any type from locking as nu goes to 1/2: Bonet and Burton 1998, A simple average
+/// nodal pressure tetrahedral element, Communications in Numerical Methods in Engineering
+/// 14, 437-449.
 struct NodalPatches {
   struct Part {
     NodeIndex cell;
@@ -30,7 +30,7 @@ struct NodalPatches {
   }
 };
 
-/// The nodes of a nodal patch's cells, ascending, nodes_of(cell) being one's.
+/// The nodes of a nodal patch's cells, ascending. nodes_of(cell) gives those of one cell.
 template <class NodesOf>
 std::vector<NodeIndex> nodes_of_patch(std::span<const NodalPatches::Part> nodal_patch,
                                       const NodesOf& nodes_of) {
@@ -47,8 +47,8 @@ std::vector<NodeIndex> nodes_of_patch(std::span<const NodalPatches::Part> nodal_
 
 enum class NodalPatchCells { all, tetrahedra };
 
-/// A nodal patch of nodes without any such cell is empty. No nodal patches if there is no
-/// such cell.
+/// The nodal patches of such cells. That of a node without any such cell is empty; there
+/// are no nodal patches if the mesh has no such cell.
 NodalPatches nodal_patches(const Mesh& mesh, NodalPatchCells which);
 
 }  // namespace springcheck

@@ -43,7 +43,8 @@ void check_writable(const std::filesystem::path& file) {
 
 namespace {
 
-/// Those of the file it is to replace, or what new files have.
+/// Sets the permissions of the file that the unfinished one is to replace, or those that
+/// new files have.
 void set_permissions(const std::filesystem::path& unfinished,
                      const std::filesystem::path& place) {
   if (std::filesystem::exists(place)) {

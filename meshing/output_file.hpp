@@ -6,7 +6,8 @@
 
 namespace springcheck {
 
-/// Where the bytes of `file` go: the target of a symbolic link, so that it stays one.
+/// The place that the bytes of `file` go to: the target of a symbolic link, so that the
+/// link stays one.
 std::filesystem::path link_target(const std::filesystem::path& file);
 
 /// Throws InputError unless `file` can be created, or overwritten as a regular file

@@ -1,47 +1,54 @@
+#define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost.Geometry includes them itself
 #include "meshing/point_tree.hpp"
 
 #include <algorithm>
+#include <boost/geometry/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <iterator>
+#include <utility>
 
 namespace springcheck {
+namespace {
 
-PointTree::PointTree(std::span<const Vector3> positions, std::vector<NodeIndex> nodes)
-    : positions_(positions), nodes_(std::move(nodes)), axes_(nodes_.size()) {
-  part(0, nodes_.size());
+namespace geometry = boost::geometry;
+using Point = geometry::model::point<double, 3, geometry::cs::cartesian>;
+using Box = geometry::model::box<Point>;
+using PlacedNode = std::pair<Point, NodeIndex>;
+
+Point point_at(const Vector3& x) {
+  return {x[0], x[1], x[2]};
 }
 
-void PointTree::part(std::size_t begin, std::size_t end) {
-  if (begin == end) return;
-  Eigen::AlignedBox3d box;
-  for (std::size_t i = begin; i < end; ++i) box.extend(positions_[nodes_[i]]);
-  const std::size_t middle = begin + (end - begin) / 2;
-  Eigen::Index& axis = axes_[middle];
-  box.sizes().maxCoeff(&axis);
-  const auto place = [this](std::size_t i) {
-    return nodes_.begin() + static_cast<std::ptrdiff_t>(i);
-  };
-  std::ranges::nth_element(place(begin), place(middle), place(end), {},
-                           [&](NodeIndex node) { return positions_[node][axis]; });
-  part(begin, middle);
-  part(middle + 1, end);
+std::vector<PlacedNode> placed(std::span<const Vector3> positions,
+                               std::span<const NodeIndex> nodes) {
+  std::vector<PlacedNode> placed;
+  for (const NodeIndex n : nodes) placed.emplace_back(point_at(positions[n]), n);
+  return placed;
 }
 
-void PointTree::collect(std::size_t begin, std::size_t end,
-                        const Eigen::AlignedBox3d& box,
-                        std::vector<NodeIndex>& found) const {
-  if (begin == end) return;
-  const std::size_t middle = begin + (end - begin) / 2;
-  const Vector3& x = positions_[nodes_[middle]];
-  const Eigen::Index axis = axes_[middle];
-  if (box.contains(x)) found.push_back(nodes_[middle]);
-  if (box.min()[axis] <= x[axis]) collect(begin, middle, box, found);
-  if (box.max()[axis] >= x[axis]) collect(middle + 1, end, box, found);
-}
+}  // namespace
+
+struct PointTree::Tree {
+  geometry::index::rtree<PlacedNode, geometry::index::rstar<16>> nodes;
+};
+
+PointTree::PointTree(std::span<const Vector3> positions, std::span<const NodeIndex> nodes)
+    : tree_(new Tree{decltype(Tree::nodes)(placed(positions, nodes))}) {}
+
+PointTree::~PointTree() = default;
 
 std::vector<NodeIndex> PointTree::in_box(const Eigen::AlignedBox3d& box) const {
   std::vector<NodeIndex> found;
-  collect(0, nodes_.size(), box, found);
+  const Box sides(point_at(box.min()), point_at(box.max()));
+  for (auto it = tree_->nodes.qbegin(geometry::index::intersects(sides));
+       it != tree_->nodes.qend(); ++it)
+    found.push_back(it->second);
   std::ranges::sort(found);
   return found;
+}
+
+NodeIndex PointTree::nearest(const Vector3& point) const {
+  return tree_->nodes.qbegin(geometry::index::nearest(point_at(point), 1))->second;
 }
 
 }  // namespace springcheck

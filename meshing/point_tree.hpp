@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -7,23 +8,22 @@
 
 namespace springcheck {
 
-/// Some nodes of a mesh, to be found by place. Source: Bentley 1975, the k-d tree, here
-/// in an array: the middle of each range parts it, along the longest side of its box.
+/// Some nodes of a mesh, to be found by place: an R-tree of Boost.Geometry.
 class PointTree {
  public:
-  PointTree(std::span<const Vector3> positions, std::vector<NodeIndex> nodes);
+  PointTree(std::span<const Vector3> positions, std::span<const NodeIndex> nodes);
+  ~PointTree();
 
   /// The nodes in a box, its sides included, ascending.
   [[nodiscard]] std::vector<NodeIndex> in_box(const Eigen::AlignedBox3d& box) const;
 
- private:
-  void part(std::size_t begin, std::size_t end);
-  void collect(std::size_t begin, std::size_t end, const Eigen::AlignedBox3d& box,
-               std::vector<NodeIndex>& found) const;
+  /// The node nearest to the point, any of those that are equally near. There must be
+  /// one.
+  [[nodiscard]] NodeIndex nearest(const Vector3& point) const;
 
-  std::span<const Vector3> positions_;
-  std::vector<NodeIndex> nodes_;
-  std::vector<Eigen::Index> axes_;  // of the range whose middle is here
+ private:
+  struct Tree;  // Boost.Geometry takes ten seconds to compile, in one file only
+  std::unique_ptr<const Tree> tree_;
 };
 
 }  // namespace springcheck

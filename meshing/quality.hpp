@@ -15,7 +15,8 @@ namespace springcheck {
 /// a, b, c the edges that leave the corner. J_regular is 1/sqrt(2) for a tetrahedron and
 /// a pyramid whose edges are all equal, sqrt(3)/2 for a prism and 1 for a hexahedron. At
 /// a pyramid's apex, where four edges meet, each three consecutive ones count as a
-/// corner's; they have the same J_regular. 0 or less: flat or folded over.
+/// corner's; they have the same J_regular. J is 0 or less where a cell is flat or folded
+/// over.
 ///
 /// Source: the scaled Jacobian of Knupp, SIAM J. Sci. Comput. 23 (2001) 193, extended to
 /// the other types by J_regular.
@@ -24,7 +25,7 @@ double scaled_jacobian(const CornerPositions& x);
 /// Longest edge over the shortest one [-].
 double edge_ratio(const CornerPositions& x);
 
-/// Of the cells of one type, or of all.
+/// The quality of the cells of one type, or of all.
 struct CellQuality {
   std::size_t cells;
   double volume;  // [m^3] of all together

@@ -94,9 +94,9 @@ enum class LeverArms { undeformed, deformed };
 struct Solution {
   SolveStatus status;
   std::string reason{};  // why; with ok, what was passed on the way
-  // [m] of the last state reached; empty when refused:
+  // The displacements of the last state reached [m]; empty when refused:
   std::vector<Vector3> displacements{};
-  // [N] what the supports apply to the body, 0 in free components; loads are not in it:
+  // What the supports apply to the body [N], 0 in free components; loads are not in it:
   std::vector<Vector3> reactions{};
   LeverArms lever_arms;
   double strain_energy;   // [J]
@@ -105,26 +105,29 @@ struct Solution {
   int force_evaluations;  // of the whole internal force vector
   // Load fraction up to which the tangent was positive definite, where it was lost:
   std::optional<double> definite_up_to{};
-  // Of the mode that becomes unstable where the path ends, see shortest_wavelength [-]:
+  // The wavelength of the mode that becomes unstable where the path ends [-], see
+  // shortest_wavelength:
   std::optional<double> critical_wavelength{};
   std::optional<int> linear_iterations{};  // of the iterative linear solver, all together
   std::optional<int> factorisations{};     // of the direct one, all together
-  // [s] before the first load step: network or discretisation, patterns of matrices, and
-  // through time the first look at the stability limit
+  // The time before the first load step [s]: network or discretisation, patterns of
+  // matrices, and through time the first look at the stability limit:
   double setup_wall_s = 0;
-  // [m^3] deformed, of each cell; empty where the field in a cell is trilinear: then
-  // cell_volumes() of meshing/cell_geometry.hpp at the deformed positions:
+  // The deformed volume of each cell [m^3]; empty where the field in a cell is trilinear:
+  // then it is that of cell_volumes() of meshing/cell_geometry.hpp at the deformed
+  // positions:
   std::vector<double> cell_volumes{};
-  // [-] of each cell, l/L - 1 of its most strained spring; empty for methods without
+  // The strain l/L - 1 of each cell's most strained spring [-]; empty for methods without
   // springs:
   std::vector<double> spring_strains{};
-  // [m] int u dA/A over the undeformed face of each of the scene's tractions; empty where
-  // the mesh's nodes tell it:
+  // The mean int u dA/A over the undeformed face of each of the scene's tractions [m];
+  // empty where the mesh's nodes tell it:
   std::vector<Vector3> loaded_face_displacements{};
   std::optional<double> kinetic_energy{};  // [J] dynamics only
   std::optional<double> dt{};              // [s] dynamics only: of the last step
   std::optional<double> dt_limit{};        // [s] dynamics only: the last one looked at
-  // [-] tissue only: of any cell on the way, in simple shear the strain:
+  // The largest shear strain of any cell on the way [-], for tissue only; in simple shear
+  // it is the strain:
   std::optional<double> largest_shear_strain{};
   // What of the way is outside the range that the law was fitted to; empty if nothing:
   std::string extrapolation{};
@@ -150,12 +153,12 @@ struct PrescribedComponent {
 std::vector<PrescribedComponent> prescribed_components(const Mesh& mesh,
                                                        const Scene& scene);
 
-/// Its displacement at load fraction s [m].
+/// The prescribed displacement at load fraction s [m].
 double prescribed_displacement(const Mesh& mesh, const Scene& scene,
                                const PrescribedComponent& prescribed,
                                double load_fraction);
 
-/// Of each component of each node, 3 node + component, whether nothing prescribes it.
+/// For each component of each node, 3 node + component, whether nothing prescribes it.
 std::vector<bool> free_components(const Mesh& mesh,
                                   const std::vector<PrescribedComponent>& prescribed);
 

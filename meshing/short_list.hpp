@@ -10,7 +10,7 @@
 
 namespace springcheck {
 
-/// Up to Capacity values in place, without memory of its own elsewhere.
+/// A list of up to Capacity values in place, without memory of its own elsewhere.
 template <class Value, std::size_t Capacity>
 class ShortList {
  public:
@@ -38,7 +38,7 @@ class ShortList {
   constexpr Value* begin() { return values_.data(); }
   constexpr Value* end() { return values_.data() + size_; }
 
-  /// By number of values first, then by the values in turn.
+  /// Compares the number of values first, then the values in turn.
   friend constexpr auto operator<=>(const ShortList& a, const ShortList& b) {
     if (const auto order = a.size_ <=> b.size_; order != 0) return order;
     return a.values_ <=> b.values_;  // those beyond the size are all zero

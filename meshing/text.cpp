@@ -1,23 +1,11 @@
 #include "meshing/text.hpp"
 
-#include <iconv.h>
-
-#include <stdexcept>
+#include <utf8.h>
 
 namespace springcheck {
 
 bool is_utf8(const std::string& text) {
-  // To UTF-16, which has no more characters than Unicode.
-  const iconv_t conversion = iconv_open("UTF-16LE", "UTF-8");
-  if (conversion == reinterpret_cast<iconv_t>(-1))
-    throw std::runtime_error("iconv does not know UTF-8");
-  std::string bytes = text, characters(2 * text.size(), '\0');
-  char *from = bytes.data(), *to = characters.data();
-  std::size_t left = bytes.size(), room = characters.size();
-  const bool is_sound =
-      iconv(conversion, &from, &left, &to, &room) != static_cast<std::size_t>(-1);
-  iconv_close(conversion);
-  return is_sound;
+  return utf8::is_valid(text);
 }
 
 std::string quotation(std::string_view text) {

@@ -19,8 +19,8 @@ std::vector<double> nodal_areas(const Mesh& mesh, const Region& region);
 /// A_a times the force per undeformed area. Source: virtual work of a dead load.
 std::vector<Vector3> traction_forces(const Mesh& mesh, const Scene& scene);
 
-/// Those and the weight of the nodes' masses [kg]: the loads of bodies whose mass is
-/// lumped [N].
+/// The sum of traction_forces and the weight of the nodes' masses [kg]: the loads of
+/// bodies whose mass is lumped [N].
 std::vector<Vector3> load_forces(const Mesh& mesh, const Scene& scene,
                                  std::span<const double> masses);
 

@@ -12,14 +12,14 @@ namespace {
 
 using CellIndices = std::vector<std::size_t>;
 
-/// Of the same direction, in [-pi, pi].
+/// The angle of the same direction in [-pi, pi].
 double principal(double angle) {
   return std::remainder(angle, 2 * std::numbers::pi);
 }
 
 constexpr double right_angle = std::numbers::pi / 2;
 
-/// Of the last against the first.
+/// The turn of the last plate against the first.
 double turn_of_plates(const Scene& scene, double load_fraction) {
   return load_fraction *
          (scene.plates.back().motion.angle - scene.plates.front().motion.angle);

@@ -11,9 +11,9 @@ namespace springcheck {
 /// right angle: below, no turn is looked at.
 bool turns_far(const Scene& scene);
 
-/// Cells that the mesh's plates are turned against each other by, and their nodes at
-/// rest, the mesh's first: those of the mesh, or parts of them where a field bends within
-/// one.
+/// The cells that show how the mesh's plates are turned against each other, and their
+/// nodes at rest, the mesh's first: the cells are those of the mesh, or parts of them
+/// where a field bends within one.
 struct CellsBetween {
   std::span<const CellNodes> cells;
   std::span<const Vector3> nodes;
@@ -36,12 +36,12 @@ std::optional<double> shown_turn(const Mesh& mesh, const Scene& scene,
                                  std::span<const Vector3> positions,
                                  double load_fraction);
 
-/// Whether that is the turn imposed; where none is looked at, too. Not so on a branch of
+/// Whether that is the turn imposed, or no turn is looked at. It is not on a branch of
 /// equilibria that belongs to another turn of the plates, less or more by whole ones.
 bool shows_imposed_turn(const Mesh& mesh, const Scene& scene, const CellsBetween& between,
                         std::span<const Vector3> positions, double load_fraction);
 
-// By the mesh's own cells.
+// The same two by the mesh's own cells.
 std::optional<double> shown_turn(const Mesh& mesh, const Scene& scene,
                                  std::span<const Vector3> positions,
                                  double load_fraction);

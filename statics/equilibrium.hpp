@@ -30,18 +30,19 @@ struct Equilibrium {
 /// (PotentialEnergy::truncated).
 void tell_truncated(Equilibrium& equilibrium, int truncated);
 
-/// Its Solution on the body's nodes; lever arms deformed.
+/// The Solution of an equilibrium on the body's nodes, with deformed lever arms.
 Solution solution_of(const Equilibrium& equilibrium);
 
 /// Static equilibrium as a minimum of the total energy, followed from rest to the full
 /// load.
 ///
-/// Load steps, the first so long that the displacements' mean gradient is .06, then twice
-/// as long after each, up to .5; a linear body's is the whole load. Predictor through the
-/// tangent from the prescribed increments and the load's, then Newton's method with an
-/// energy line search. Where the tangent is not positive definite the step uses the
-/// patches' matrices with negative eigenvalues set to zero. A state counts as a minimum
-/// when its true tangent has a Cholesky factor, or passes the iterative solver's test
+/// The first load step is so long that the displacements' mean gradient is .06, each
+/// later one twice as long as the one before, up to .5; a linear body's is the whole
+/// load. A step begins with a predictor through the tangent from the prescribed
+/// increments and the load's, and goes on by Newton's method with an energy line search.
+/// Where the tangent is not positive definite the step uses the patches' matrices with
+/// negative eigenvalues set to zero. A state counts as a minimum when its true tangent
+/// has a Cholesky factor, or passes the iterative solver's test
 /// (IterativeSolver::is_definite); near a saddle the search leaves along negative
 /// curvature, the most negative where the solver is direct (the seed starts the iteration
 /// that finds it, and so decides between equal directions).
@@ -67,9 +68,9 @@ Solution solution_of(const Equilibrium& equilibrium);
 /// edges, at random from the seed, and the minimum is sought from there: a state that is
 /// left so was not one to rely on.
 ///
-/// Converged: residual below 1e-10 of the norm of the nodal forces or of the load, or
-/// below what the rounding of the nodes' places does to them; or below 1e-9 where it has
-/// stopped falling. The set-up began with `setup`.
+/// A state has converged where the residual is below 1e-10 of the norm of the nodal
+/// forces or of the load, or below what the rounding of the nodes' places does to them;
+/// or below 1e-9 where it has stopped falling. The set-up began with `setup`.
 Equilibrium find_equilibrium(ElasticBody& body, const Loading& loading,
                              const Search& search, const Stopwatch& setup = {});
 

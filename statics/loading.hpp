@@ -19,7 +19,7 @@ struct Loading {
   std::function<bool(const Eigen::VectorXd&, double)> follows_supports;
 };
 
-/// That of a scene on the mesh's own nodes, with these forces; refers to both.
+/// The loading of a scene on the mesh's own nodes, with these forces; it refers to both.
 Loading loading(const Mesh& mesh, const Scene& scene, Eigen::VectorXd forces);
 
 }  // namespace springcheck::statics

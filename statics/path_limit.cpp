@@ -21,8 +21,9 @@ constexpr double small = 0.1;           // a curvature over that at rest
 constexpr double earlier = 1. / 32;     // of the load, in which a curvature changes much
 constexpr unsigned seed = 1;  // of where iterations start that end at the same place
 
-/// Newton's method with the true tangent, as long as that is positive definite: an
-/// equilibrium whose tangent is so, which `potential` has then.
+/// The equilibrium that Newton's method leads to with the true tangent, or nothing where
+/// a tangent on the way is not positive definite, a residual is not finite, or it does not
+/// get there in a few corrections. `potential` then has the equilibrium's tangent.
 std::optional<PotentialEnergy::State> corrected(PotentialEnergy& potential,
                                                 Eigen::VectorXd u,
                                                 std::mt19937_64& random) {
@@ -126,7 +127,8 @@ PathLimit follow_to_limit(PotentialEnergy& potential, double resolution,
                   .mode_rest_curvature = 0,
                   .steps = 0};
   potential.linearise(rest);
-  // Where conjugate gradients cannot tell, the path's first step shows it.
+  // Where conjugate gradients cannot tell whether rest is stable, the path's first step
+  // shows it.
   if (!potential.is_definite(random).value_or(true)) {
     limit.end = PathEnd::bifurcation;
     limit.next_load_fraction = 0;

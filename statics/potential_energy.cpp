@@ -8,11 +8,11 @@ namespace {
 
 using Eigen::VectorXd;
 
-// At 60^3 cells and nu = .499 less, 1e-3, leaves so much volume change that the load has
-// to be cut in two.
+// A less accurate predictor, 1e-3, leaves so much volume change at 60^3 cells and nu =
+// .499 that the load has to be cut in two.
 constexpr double predictor_accuracy = 1e-4;
-// Of a linear body the prediction is the answer. The right-hand side exceeds on n cells
-// across the reactions that the residual is measured by (a factor of about n).
+// The prediction of a linear body is the answer. On n cells across the right-hand side
+// exceeds the reactions, by which the residual is measured, by a factor of about n.
 constexpr double answer_accuracy = 1e-12;
 
 }  // namespace

@@ -48,16 +48,16 @@ struct BranchStrain {
   double mean, mean_square;
 };
 
-/// At a time s >= 0 after a ramp from rest to the strain gamma at the rate r, of the
-/// duration T = gamma/r:
+/// The mean strains of a branch at a time s >= 0 after a ramp from rest to the strain
+/// gamma at the rate r, of the duration T = gamma/r:
 ///
 ///     <D>   = r tau (1 - exp(-T/tau)) exp(-s/tau)
 ///     <D^2> = 2 (r tau)^2 (1 - (1 + T/tau) exp(-T/tau)) exp(-s/tau)
 BranchStrain branch_strain_after_ramp(double relaxation_time, double strain, double rate,
                                       double time_held);
 
-/// The model's stress [Pa] as the law's of the same names. Where the strain is held the
-/// dashpot has let go.
+/// The model's stresses [Pa], as the law's functions of the same names have them. Where
+/// the strain is held the dashpot has let go.
 double constant_rate_stress(const MaxwellModel& model, double strain, double rate);
 double ramp_and_hold_stress(const MaxwellModel& model, double strain, double rate,
                             double time_held);

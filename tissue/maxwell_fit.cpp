@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-/// Both ends, and points between them at equal ratios.
+/// The two ends of a range, and points between them at equal ratios.
 std::vector<double> points_in(const Range& range, double per_decade) {
   const double decades = std::log10(range.to / range.from);
   if (decades == 0) return {range.from};
@@ -153,8 +153,9 @@ class Equations {
   Index row_ = 0;
 };
 
-/// Where the first and the last relaxation time may lie. A dashpot and a spring stand for
-/// what is faster and slower, which lets both lie inside the range's times.
+/// The ranges in which the first and the last relaxation time may lie. A dashpot and a
+/// spring stand for what is faster and slower, which lets both lie inside the range's
+/// times.
 struct Ends {
   Range first, last;
 };
@@ -184,7 +185,7 @@ void check(const FitRange& range) {
   check_positive("fastest guess [1/s]", range.fastest_guess);
 }
 
-/// The best of all relaxation times.
+/// The best model of all relaxation times.
 MaxwellModel best_model(const BipowerLaw& law, const Samples& samples, const Ends& ends,
                         double weight_of_faster, int branches) {
   constexpr double candidates_per_decade = 8;

@@ -10,7 +10,8 @@ struct Range {
   [[nodiscard]] bool contains(double value) const { return value >= from && value <= to; }
 };
 
-/// Where a model is to follow the law. Outside, it is a guess: a caller says so.
+/// The range in which a model is to follow the law. Outside, it is a guess: a caller says
+/// so.
 struct FitRange {
   Range strains{0.01, 1};
   Range rates{0.0151, 0.67};            // [1/s], of the thesis's figures
@@ -36,7 +37,7 @@ struct MaxwellFit {
   FitErrors errors;
 };
 
-// The least that hold tissue's bands: 2 percent, 5 in G''.
+// The default is the smallest number that holds tissue's bands: 2 percent, 5 in G''.
 inline constexpr int default_branches = 6, most_branches = 32;
 
 /// The model of 2 to most_branches branches that follows the law best in the range: least

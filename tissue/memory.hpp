@@ -61,12 +61,13 @@ struct MemoryStep {
   std::vector<Decay> decays{};  // of each branch
 };
 
-/// Once for each dt > 0, not for each point. Throws InputError for a dt or a solid that
-/// cannot be.
+/// The step's numbers, to be made once for each dt > 0, not for each point. Throws
+/// InputError for a dt or a solid that cannot be.
 MemoryStep memory_step(const Solid& solid, double duration);
 
-/// The same with C'^-1 new from the step's start: A <- e A + (1-e) C'_new^-1. Of first
-/// order, half a step ahead: for explicit steps, which no motion of tissue moves far.
+/// The same with C'^-1 new from the step's start: A <- e A + (1-e) C'_new^-1. It is of
+/// first order, half a step ahead: for explicit steps, which no motion of tissue moves
+/// far.
 MemoryStep short_memory_step(const Solid& solid, double duration);
 
 /// S in the two parts that springs and the volume force carry.
@@ -79,19 +80,19 @@ struct PointStress {
 SymmetricTensor second_piola_kirchhoff(const PointStress& stress,
                                        const SymmetricTensor& C);
 
-/// At the end of a step that leads to C, with -eta (C_new^-1 - C_old^-1)/dt for the
-/// dashpot: the branches are of second order in dt, the dashpot of first (exact in a
-/// simple shear at constant rate). C is positive definite; the state is that before the
-/// step and stays so.
+/// The stress at the end of a step that leads to C, with -eta (C_new^-1 - C_old^-1)/dt
+/// for the dashpot: the branches are of second order in dt, the dashpot of first (exact
+/// in a simple shear at constant rate). C is positive definite; the state is that before
+/// the step and stays so.
 PointStress stress_after(const Solid& solid, const MemoryStep& step,
                          std::span<const double> state, const SymmetricTensor& C);
 
-/// At C, which changes at the rate dC/dt [1/s], with the memories as they are: what a
-/// sudden change of C or of its rate meets. The dashpot has eta C^-1 dC/dt C^-1.
+/// The stress at C, which changes at the rate dC/dt [1/s], with the memories as they are:
+/// what a sudden change of C or of its rate meets. The dashpot has eta C^-1 dC/dt C^-1.
 PointStress stress_at(const Solid& solid, std::span<const double> state,
                       const SymmetricTensor& C, const SymmetricTensor& rate);
 
-/// stress_after, and the state becomes that after the step.
+/// Returns stress_after, and makes the state that after the step.
 PointStress advance(const Solid& solid, const MemoryStep& step, std::span<double> state,
                     const SymmetricTensor& C);
 

@@ -23,8 +23,8 @@ struct Strain {
   double dilation;  // J^(2/3): C' = C/dilation, C'^-1 = dilation C^-1
 };
 
-/// Not finite where C is not positive definite, as in a motion that blows up: its steps
-/// notice.
+/// The strain of C. It is not finite where C is not positive definite, as in a motion
+/// that blows up: its steps notice.
 inline Strain strain_of(const SymmetricTensor& C) {
   const double det = determinant(C);
   return {C, adjugate(C) / det, std::sqrt(det), std::cbrt(det)};

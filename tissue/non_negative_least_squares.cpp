@@ -32,7 +32,7 @@ Index steepest_column(const Eigen::MatrixXd& A, const Eigen::VectorXd& residual,
 }
 
 /// Moves x towards `best`, one entry for each of `free`, as far as none turns negative;
-/// one that stops it leaves `free`. Whether it got there.
+/// one that stops it leaves `free`. Returns whether it got there.
 bool move_towards(const Eigen::VectorXd& best, Free& free, Eigen::VectorXd& x) {
   double part = 1;
   Index stopping = -1;
@@ -60,7 +60,7 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A,
   const double tolerance = 1e-13 * b.norm();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(A.cols());
   Free free, refused;
-  // As many as Lawson and Hanson's own program takes at most, and more.
+  // These are as many rounds as Lawson and Hanson's own program takes at most, and more.
   for (Index i = 0; i < 10 * A.cols(); ++i) {
     const Index added = steepest_column(A, b - A * x, free, refused, tolerance);
     if (added < 0) return x;

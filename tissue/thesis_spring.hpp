@@ -10,7 +10,7 @@ namespace springcheck::tissue {
 /// organ of that name; throws InputError for any other. Source: Golec 2018, Table 4.2.
 double hand_fitted_limit(std::string_view organ);
 
-/// How Eq. 4.4 takes the elongation l - l0 in its elastic part.
+/// The way in which Eq. 4.4 takes the elongation l - l0 in its elastic part.
 enum class Elongation {
   in_metres,  // as printed: |l - l0|^(1-n)
   relative    // l0 |(l - l0)/l0|^(1-n)

@@ -81,7 +81,8 @@ std::string words_of_frame(const ChartPoint& point) {
                      real / frame->steps);
 }
 
-/// Where no model could be shown to meet the tolerance.
+/// Says that no model could have been shown to meet the tolerance, since the error bounds
+/// of the truth are too wide; empty where they are not.
 std::string words_of_error_bound(const Advice& advice, const Wish& wish) {
   const auto bound_is_narrower = [&](std::size_t point) {
     return std::ranges::all_of(wish.measures, [&](ChartMeasure measure) {

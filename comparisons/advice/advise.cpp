@@ -58,8 +58,9 @@ class Search {
     return advice_.chart.points[i];
   }
 
-  /// Places stay: points are only added.
-  void take_in() {
+  /// Reads the chart as it is now. Indices of points stay valid: points are only
+  /// appended.
+  void update_chart() {
     advice_.chart = measurements_.chart();
     const std::string& law = advice_.chart.stored.law;
     advice_.truth = advice_.chart.truth_of(law).value();
@@ -71,12 +72,12 @@ class Search {
     for (const ChartModel* model : alive_)
       if (examiner_.measure_if_within(*model, across, most_seconds()))
         tried.push_back(model);
-    take_in();
+    update_chart();
     for (const std::size_t i : cheapest_first())
       if (*judge().cost(i) < best_ && examiner_.of(i).is_sound())
         best_ = *judge().cost(i);
     std::erase_if(tried, [&](const ChartModel* model) {
-      return !can_be_shown() || !goes_on(*model, across);
+      return !can_be_shown() || !is_worth_refining(*model, across);
     });
     alive_ = std::move(tried);
   }
@@ -85,24 +86,27 @@ class Search {
   [[nodiscard]] bool can_be_shown() const {
     const ChartErrors& error_bounds = advice_.chart.truths[advice_.truth].error_bounds;
     return std::ranges::all_of(wish_.measures, [&](ChartMeasure measure) {
-      return measure == ChartMeasure::deviation ||  // that of each mesh is another
+      return measure == ChartMeasure::deviation ||  // its bound differs by mesh
              error_bounds.of(measure).value_or(0) < wish_.tolerance;
     });
   }
 
-  /// Of a point that might be chosen, being cheaper, if the truth were known better.
+  /// Whether a point is cheaper than what is sound so far, and might be chosen if the
+  /// truth were known better.
   [[nodiscard]] bool is_open(std::size_t i) const {
     return is_candidate(i) && judge().is_affordable(i) && *judge().cost(i) < best_ &&
            judge().proof(i) == Proof::open;
   }
 
-  /// [s] of a solution that is worth trying.
+  /// The longest time of a solution that is worth trying [s].
   [[nodiscard]] double most_seconds() const {
     const double of_best = wish_.frame ? best_ * duration_ : best_;
     return std::min(wish_.budget, spread_of_forecasts * of_best);
   }
 
-  [[nodiscard]] bool goes_on(const ChartModel& model, int across) {
+  /// Whether the model's next size may win: not once a sound point met the tolerance, it
+  /// failed twice, or its error stopped falling.
+  [[nodiscard]] bool is_worth_refining(const ChartModel& model, int across) {
     const auto place = examiner_.point_of(model.model, across);
     if (!place) return false;
     if (!judge().is_candidate(*place)) return ++failures_[&model] < 2;
@@ -116,7 +120,7 @@ class Search {
     return stuck_[&model] < 2;
   }
 
-  /// All points that meet the wish.
+  /// All points that meet the wish, the cheapest first.
   [[nodiscard]] std::vector<std::size_t> cheapest_first() const {
     std::vector<std::size_t> meeting;
     for (std::size_t i = 0; i < advice_.chart.points.size(); ++i)
@@ -126,7 +130,8 @@ class Search {
     return meeting;
   }
 
-  /// A file may hold points of models that are none.
+  /// Whether a point is a candidate of the wish, and of a model that is tried: a file may
+  /// hold points of others.
   [[nodiscard]] bool is_candidate(std::size_t i) const {
     return judge().is_candidate(i) &&
            std::ranges::any_of(candidates_, [&](const ChartModel* model) {
@@ -134,8 +139,8 @@ class Search {
            });
   }
 
-  /// Of those that meet the wish, as long as the first is not told to be cheaper for all
-  /// that a restless time may be too long by.
+  /// Times again the points that meet the wish, as far as they cost no more than 10 times
+  /// the cheapest: a restless time may be too long by that factor.
   void time_contenders() {
     constexpr double restless = 10;
     const std::vector<std::size_t> meeting = cheapest_first();
@@ -146,7 +151,7 @@ class Search {
       const StoredChart::Point& place = point(meeting[n]).place;
       measurements_.time_again(chart_model(place.model, shape_), place.across);
     }
-    take_in();
+    update_chart();
   }
 
   void choose() {
@@ -196,7 +201,8 @@ class Search {
           fmt::join(reasons.without_truth, " and ")));
   }
 
-  /// Of points that cannot be told from each other by their times.
+  /// The point that takes the least memory, of those that cannot be told from each other
+  /// by their times.
   [[nodiscard]] std::size_t smallest_of_equals(const std::vector<std::size_t>& sound) {
     const auto& models = chart_models(shape_);
     const auto size = [&](std::size_t i) {
@@ -225,7 +231,7 @@ class Search {
     if (nearest != candidates.end()) advice_.nearest = *nearest;
   }
 
-  /// What is not chosen for the truth's error bound alone.
+  /// Finds the cheapest point that is not chosen for the truth's error bound alone.
   void find_not_shown() {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < advice_.chart.points.size(); ++i)
@@ -236,7 +242,7 @@ class Search {
     if (sound != open.end()) advice_.not_shown = *sound;
   }
 
-  /// Points that the advice is told beside.
+  /// Finds the points that the advice names beside the chosen one.
   void find_alternatives() {
     if (!advice_.chosen) return;
     const Judge judged = judge();

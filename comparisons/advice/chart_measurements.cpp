@@ -23,7 +23,7 @@ namespace {
 
 constexpr double growth_of_paths = 1.5;  // exponent of the nodes
 
-/// "fem-stvk:q2 on 4x4x4, 8x8x8, 16x16x16 cells".
+/// The grids as text: "fem-stvk:q2 on 4x4x4, 8x8x8, 16x16x16 cells".
 std::string text_of(const ThreeCases& grids) {
   const CaseSettings& first = grids.front();
   std::string text =
@@ -107,7 +107,7 @@ StaticPath ChartMeasurements::static_path(const ChartModel& model, int across) {
   CaseSettings settings = model_case(plan_.scene, plan_.options, model, across);
   settings.solver = Solver::path_limit;
   settings.search.linear_solver = statics::LinearSolver::automatic;
-  // The same of all linear solvers, of both precisions, and of rest and motion.
+  // The key is the same for all linear solvers, both precisions, and rest and motion.
   const std::string key = settings_json(settings).dump();
   if (const auto known = paths_.find(key); known != paths_.end()) return known->second;
   const StaticPath coarser =
@@ -120,7 +120,7 @@ StaticPath ChartMeasurements::static_path(const ChartModel& model, int across) {
   if (path.seconds <= plan_.budget && fits_in_memory(settings)) {
     const CaseResult result = simulate(settings, mesh);
     path.was_followed = true;
-    // Of the whole load, for finer cells, which may get farther.
+    // The time is extrapolated to the whole load, for finer cells, which may get farther.
     constexpr double least = 0.01;
     path.seconds = result.measures.solve_wall_s.value() /
                    std::clamp(result.solution.load_fraction, least, 1.);

@@ -27,20 +27,23 @@ class ChartMeasurements : public Measurements {
   void measure(const ChartModel& model, int across, double seconds) override;
   void time_again(const ChartModel& model, int across) override;
 
-  /// Followed on 2 cells across and up, as long as the next size is expected to stay
-  /// within the plan's budget: by the time of the one before, times the nodes to 3/2.
+  /// Follows the path on 2 cells across and up, as long as the next size is expected to
+  /// stay within the plan's budget: it takes the time of the size before, times the ratio
+  /// of their nodes to the power 3/2.
   StaticPath static_path(const ChartModel& model, int across) override;
 
-  /// Of q2 by the model's law, or by the continuum of its lattice, beside q2 by the
-  /// truth's, both on the second of the truth's three grids: of what they converge to
-  /// their difference has next to nothing of the grid's error. None of springs without
-  /// such a continuum, of elements that step, and where q2 has no equilibrium.
+  /// The errors of q2 by the model's law, or by the continuum of its lattice, against q2
+  /// by the truth's law, both on the second of the truth's three grids. Their difference
+  /// has next to nothing of the grid's error, and is that of what they converge to. There
+  /// are none for springs without such a continuum, for elements that step, and where q2
+  /// has no equilibrium.
   std::optional<ChartErrors> law_errors(const ChartModel& model, int across) override;
 
-  /// Those beside in Poisson's ratio only for models that have any (own_poisson_ratio).
+  /// The number of scenes beside. Those with another Poisson's ratio are there only for
+  /// models that have any (own_poisson_ratio).
   [[nodiscard]] std::size_t scenes_beside(const ChartModel& model) override;
 
-  /// By carried_truth.
+  /// What the model shows in the scene, against the truth that carried_truth gives.
   BesideScene beside(std::size_t scene, const ChartModel& model, int across) override;
 
   [[nodiscard]] Chart chart() const override { return run_.chart(); }
@@ -53,14 +56,14 @@ class ChartMeasurements : public Measurements {
     std::optional<CaseSettings> grid{};  // the truth's second one
     TwoGrids figures{};
     std::optional<double> imposed{};  // [m] there; none in bending
-    // Of points, by their settings:
+    // Results of points, by their settings:
     std::map<std::string, std::pair<Status, Measures>> results{};
     bool has_truth = false;
   };
   void find_truth_of(Known& scene);
   [[nodiscard]] ChartTruth truth_of(const Known& scene);
 
-  /// What the second of the truth's grids is off in deviation; none of bodies whose
+  /// The deviation that the second of the truth's grids is off by; none for bodies whose
   /// meshes are not nested.
   const std::optional<double>& deviation_of_grid();
 

@@ -24,7 +24,8 @@ struct BesideScene {
   ChartErrors errors{};    // beyond what the truth there may be off
 };
 
-/// Where advice gets its figures from: a chart that grows while they are asked for.
+/// The source of the figures that advice is made of: a chart that grows while they are
+/// asked for.
 class Measurements {
  public:
   Measurements() = default;
@@ -32,8 +33,8 @@ class Measurements {
   Measurements(const Measurements&) = delete;
   Measurements& operator=(const Measurements&) = delete;
 
-  /// [s] that a point's solution is expected to take, from smaller points of the model: 0
-  /// without any, infinite where it would not fit into the memory.
+  /// The time that a point's solution is expected to take [s], from smaller points of the
+  /// model: 0 without any, infinite where it would not fit into the memory.
   [[nodiscard]] virtual double expected_seconds(const ChartModel& model, int across) = 0;
 
   /// Adds the point of a model on so many cells across, if the chart lacks it and it is
@@ -41,7 +42,8 @@ class Measurements {
   virtual void measure(const ChartModel& model, int across, double seconds) = 0;
 
   /// Times a point that was measured in further rounds, where it is quick, up to
-  /// most_rounds in all: one restless time decides nothing, of a file's neither.
+  /// most_rounds in all: a single restless time decides nothing, not even one from a
+  /// file.
   virtual void time_again(const ChartModel& model, int across) = 0;
 
   /// The static path of a model, on so many cells across; there is nothing against one
@@ -51,11 +53,12 @@ class Measurements {
   /// Errors of what the model converges to, where its law is known; none where not.
   virtual std::optional<ChartErrors> law_errors(const ChartModel& model, int across) = 0;
 
-  /// The scenes beside, see Neighbour, and what the model shows in one of them.
+  /// The number of scenes beside, see Neighbour, and what the model shows in one of them.
   [[nodiscard]] virtual std::size_t scenes_beside(const ChartModel& model) = 0;
   virtual BesideScene beside(std::size_t scene, const ChartModel& model, int across) = 0;
 
-  /// With all that was measured so far; places stay when more are.
+  /// The chart with all that was measured so far; the places of its points stay when more
+  /// are measured.
   [[nodiscard]] virtual Chart chart() const = 0;
 };
 

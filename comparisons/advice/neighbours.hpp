@@ -16,11 +16,11 @@ struct Neighbour {
   double poisson_ratio;  // the scene's own, or another
 };
 
-/// "at 0.8 times the load", "at nu = 0.35".
+/// The neighbour in words: "at 0.8 times the load", "at nu = 0.35".
 std::string name_of(const Neighbour& neighbour);
 
-/// At .8 and 1.2 times the load, and .02 below and above in Poisson's ratio, but half way
-/// to 1/2 at most; those by their load first.
+/// The scenes at .8 and 1.2 times the load, then those with a Poisson's ratio .02 lower
+/// and .02 higher, but at most half way to 1/2.
 std::vector<Neighbour> neighbours_of(const CaseSettings& settings);
 
 /// The case in a scene beside its own; none where its test has no such load.
@@ -34,16 +34,16 @@ using TwoGrids = std::array<Measures, 2>;
 ///
 ///     a'* = a' a*/a,   V'* = V' + (V* - V) u'/u
 ///
-/// so that of the grid's own error only what changes with the scene is left. Its error
-/// bounds are those of the scene and what the same by the coarser grid differs by.
-/// `imposed`: u' in the neighbour; none where it is the answer. `deviation` is what the
-/// second grid is off in that.
+/// so that only that part of the grid's own error is left which changes with the scene.
+/// Its error bounds are those of the scene, plus the difference from what the coarser
+/// grid gives in the same way. `imposed` is u' in the neighbour; none where it is the
+/// answer. `deviation` is what the second grid is off in deviation.
 ChartTruth carried_truth(const ChartTruth& truth, const StoredChart& chart,
                          const TwoGrids& here, const TwoGrids& there,
                          const std::optional<double>& imposed,
                          const std::optional<double>& deviation);
 
-/// Errors without what the truth may be off; none below 0.
+/// The errors less what the truth may be off; none is below 0.
 ChartErrors beyond_error_bounds(const ChartErrors& errors,
                                 const ChartErrors& error_bounds);
 

@@ -10,7 +10,8 @@
 namespace springcheck {
 namespace {
 
-/// "5.2 % off in volume" of the first error above the tolerance; empty without.
+/// The first error above the tolerance as "5.2 % off in volume"; empty where there is
+/// none.
 std::string first_beyond(const Wish& wish, const ChartErrors& errors) {
   for (const ChartMeasure measure : wish.measures)
     if (const auto& error = errors.of(measure); error && *error > wish.tolerance)
@@ -131,8 +132,8 @@ std::string Examiner::against_law(std::size_t point) const {
   return off.empty() ? "" : fmt::format("its law is {}", off);
 }
 
-/// Of a model whose law is not known, by the next coarser and finer cells, or two finer
-/// ones where it is not ok on coarser ones.
+/// What is against a model whose law is not known: what it converges to by the next
+/// coarser and finer cells, or by two finer ones where it is not ok on coarser ones.
 std::string Examiner::against_limit(std::size_t point) {
   const StoredChart::Point place = chart_.points[point].place;
   if (measurements_.law_errors(chart_model(place.model, shape_), place.across)) return {};
@@ -163,7 +164,8 @@ std::string Examiner::against_limit(std::size_t point) {
              : fmt::format("what it converges to may be {}, its bound included", off);
 }
 
-/// By the errors alone: what the truth may be off differs from mesh to mesh.
+/// What is against a point on the next finer cells. The errors alone are judged: what the
+/// truth may be off differs from mesh to mesh.
 std::string Examiner::against_finer_cells(std::size_t point, Soundness& found) {
   const auto finer =
       std::ranges::upper_bound(sizes_across, chart_.points[point].place.across);

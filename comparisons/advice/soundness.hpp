@@ -30,25 +30,26 @@ struct Soundness {
 /// Looks at the reasons of points of a chart, each once.
 class Examiner {
  public:
-  /// All must outlive it. What it measures is added to the chart.
+  /// All arguments must outlive it. What it measures is added to the chart.
   Examiner(const Wish& wish, BodyShape shape, Measurements& measurements, Chart& chart);
 
-  /// Of a candidate of the wish (Judge). It is sound where
+  /// The soundness of a candidate of the wish (Judge). It is sound where
   ///
   /// - it reaches the full load by a stable path (solver limit), as far as the budget
   ///   lets it be followed,
-  /// - no error of what the model converges to exceeds the tolerance: by its law
-  ///   (Measurements::law_errors), or where that is not known by three sizes, and then
-  ///   error bound and error together, see limit_error; three sizes must be known,
+  /// - no error of what the model converges to exceeds the tolerance: that of its law
+  ///   (Measurements::law_errors) or, where that is not known, error and error bound
+  ///   together by three sizes, which must be known (limit_error),
   /// - the model is ok on the next finer cells, with no error above the tolerance,
   /// - it is ok in the scenes beside, see Neighbour, and shown to be beyond the tolerance
   ///   in none.
   ///
-  /// Finer cells are looked at up to ten times the point's own seconds, or the budget.
+  /// Finer cells are looked at where they take at most ten times the point's own seconds,
+  /// or the budget.
   const Soundness& of(std::size_t point);
 
-  /// Runs a model unless it is expected to take longer [s]; whether it did, or was run
-  /// before.
+  /// Runs a model unless it is expected to take longer [s]. Returns whether it was run,
+  /// now or before.
   bool measure_if_within(const ChartModel& model, int across, double seconds);
 
   /// What is against the law of a point's model; empty where nothing is, or where its law
@@ -74,8 +75,8 @@ class Examiner {
 };
 
 /// Error of what a model converges to, by its points on three sizes, from coarse to fine,
-/// with its error bound: of force and volume by the limit of their values, of deviations
-/// by their own limit (converged_number). None where one lacks the figure.
+/// with its error bound: that of force and volume by the limit of their values, that of
+/// deviations by their own limit (converged_number). None where a point lacks the figure.
 std::optional<double> limit_error(const Chart& chart,
                                   std::span<const std::size_t, 3> points,
                                   ChartMeasure measure, std::size_t truth);

@@ -11,8 +11,8 @@ namespace springcheck {
 struct Wish {
   std::vector<ChartMeasure> measures;  // whose errors count
   double tolerance;                    // of each
-  // [s] of a frame that must be simulated in as much real time; none: an equilibrium is
-  // wanted.
+  // Length of a frame that must be simulated in as much real time [s]; none: an
+  // equilibrium is wanted.
   std::optional<double> frame{};
   double budget;  // [s] that a solution may take
   int threads;    // of the points that count
@@ -28,11 +28,13 @@ struct Frame {
   double dt;      // [s]
   Timing timing;  // [s] real
 
-  /// By the upper quartile of whole runs, so that most hold what it says.
+  /// The real time of the frame by the upper quartile of whole runs [s], so that most
+  /// runs hold what it says.
   [[nodiscard]] double seconds() const { return timing.upper_quartile; }
 };
 
-/// Of a motion's point, by its times without set-up. None without a limit.
+/// The frame of a motion's point, by its times without set-up; none without a stability
+/// limit.
 std::optional<Frame> frame_of(const ChartPoint& point, double duration);
 
 /// What can be shown of a point beside a tolerance, where its truth is known to an error
@@ -42,7 +44,8 @@ enum class Proof { within, open, beyond };
 /// The points of a chart, by their places, as a wish judges them.
 class Judge {
  public:
-  /// Both must outlive it, and the chart must have the truth of its own law.
+  /// Both arguments must outlive the judge, and the chart must have the truth of its own
+  /// law.
   Judge(const Wish& wish, const Chart& chart);
 
   /// Whether it is of the wish's kind, ok, timed and has the errors that are asked for.
@@ -53,12 +56,12 @@ class Judge {
   [[nodiscard]] double off(std::size_t point) const;
   [[nodiscard]] double error(std::size_t point) const;
 
-  /// Within: no error and error bound exceed the tolerance together. Beyond: an error
-  /// exceeds it by more than its error bound.
+  /// What can be shown of a candidate. Within: no error and error bound exceed the
+  /// tolerance together. Beyond: an error exceeds it by more than its error bound.
   [[nodiscard]] Proof proof(std::size_t point) const;
   [[nodiscard]] bool meets_tolerance(std::size_t point) const;
 
-  /// [s] of a solution, or real per simulated.
+  /// The time that a solution takes [s], or the real time per simulated time.
   [[nodiscard]] std::optional<double> cost(std::size_t point) const;
 
   /// Whether a candidate costs less than another, as far as times can tell.
@@ -67,7 +70,7 @@ class Judge {
   /// Whether a candidate keeps to budget and frame.
   [[nodiscard]] bool is_affordable(std::size_t point) const;
 
-  /// Tolerance, budget and frame.
+  /// Whether a candidate keeps to tolerance, budget and frame.
   [[nodiscard]] bool meets(std::size_t point) const;
 
   /// How far a candidate is from the wish: the largest of the factors that it misses

@@ -5,8 +5,8 @@ namespace springcheck::build_info {
 /// What the program was built of; written by BuildInfo.cmake at every build.
 extern const char* const version;  // "1.2.3"
 extern const char* const commit;   // abbreviated, "-dirty" with uncommitted changes
-/// Of the numerics: figures of programs of one revision are the same but for rounding
-/// (Revision.cmake).
+/// The revision of the numerics: figures of programs of one revision are the same but for
+/// rounding (Revision.cmake).
 extern const char* const revision;
 extern const char* const compiler;
 extern const char* const flags;  // of the compiler, but those of warnings and kernels

@@ -33,8 +33,9 @@ const std::vector<MeshUnit>& mesh_units();
 /// A body and how it is cut into cells.
 struct Body {
   BodyShape shape = BodyShape::block;
-  // The block; of a kidney its ellipsoid's extents, and the numbers of cells along them;
-  // of a disc its diameter twice and its height, and likewise; of a file not read:
+  // The block. For a kidney it holds the extents of its ellipsoid and the numbers of
+  // cells along them; for a disc its diameter twice and its height, and the cells
+  // likewise; for a file it is not read:
   Block block;
   std::string file{};  // of the user's mesh
   MeshUnit unit{};
@@ -51,15 +52,15 @@ bool reads_seed(const Block& block);
 /// Whether it is a block whose cells are those of the regular grid, distorted or not.
 bool is_grid_of_hexahedra(const Body& body);
 
-/// Whether its nodes are those of a regular grid, and centres of its cells: no cells of
-/// gmsh's, and not distorted. Only then whole layers and lines of nodes lie in the
-/// middle.
+/// Whether its nodes are those of a regular grid and the centres of its cells, without
+/// cells of gmsh's and not distorted. Only then do whole layers and lines of nodes lie in
+/// the middle.
 bool has_nodes_in_layers(const Body& body);
 
-/// Whether it is one of cubes, to 1e-6 of their edge, before they are distorted.
+/// Whether it is a grid of cubes, to 1e-6 of their edge, before they are distorted.
 bool is_grid_of_cubes(const Body& body);
 
-/// The same body on a regular grid of so many hexahedra. It must be a block.
+/// The body on a regular grid of so many hexahedra. It must be a block.
 Body on_hexahedra(Body body, const std::array<int, 3>& cells);
 
 /// Numbers of cells and nodes over those of the grid that a pattern starts from, for
@@ -70,22 +71,23 @@ struct Multiplicity {
 };
 Multiplicity multiplicity(CellPattern pattern);
 
-/// Numbers of cells along x, y, z of a grid with about as many nodes, for estimates; of a
-/// file judged by its length.
+/// Numbers of cells along x, y, z of a grid with about as many nodes, for estimates; for
+/// a file they are judged by its length.
 std::array<double, 3> equivalent_grid(const Body& body);
 
-/// About how many cells the mesh will have.
+/// The approximate number of cells that the mesh will have.
 double estimated_cells(const Body& body);
 
-/// Throws InputError as generate_block, generate_kidney, generate_disc and read_msh do.
+/// Builds the mesh of a body. Throws InputError as generate_block, generate_kidney,
+/// generate_disc and read_msh do.
 Mesh build_mesh(const Body& body);
 
-/// Meshes of bodies, each built once. From any thread.
+/// Meshes of bodies, each built once. They may be asked for from any thread.
 class MeshStore {
  public:
   const Mesh& mesh(const Body& body);
 
-  /// Of all meshes together.
+  /// The number of cells of all meshes together.
   [[nodiscard]] std::size_t cells();
 
  private:

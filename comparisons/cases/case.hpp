@@ -34,14 +34,13 @@ struct Dynamics {
   std::optional<Oscillation> oscillation{};  // whose path the load is
 };
 
-/// Of finite elements.
 struct ElementSettings {
   ElementName element;
   LatticeName lattice;  // of fem-cauchy-born
   fem_reference::LatticeDirection lattice_direction;
 };
 
-/// Of methods of tissue.
+/// The settings of methods of tissue.
 struct Tissue {
   tissue::BipowerLaw law;
   int branches;
@@ -93,12 +92,13 @@ struct CaseSettings {
   std::optional<double> deformation;  // strain, [rad] in torsion; none in bending,
                                       // traction and affine
   Method method;
-  // Of springs, without their method; form and ratio of fem-cauchy-born's lattice too:
+  // The settings of springs, without their method; form and ratio are also those of
+  // fem-cauchy-born's lattice:
   mss::NetworkSettings springs{};
   ElementSettings elements;
   std::optional<Solver> solver;  // none: the method's own
   Dynamics dynamics;             // of solvers through time, and tissue
-  statics::Search search{};      // of static solvers; whether to a limit `solver` says
+  statics::Search search{};      // of static solvers; `solver` says whether to a limit
   Tissue tissue;                 // of methods of tissue
 };
 
@@ -112,16 +112,16 @@ CaseSettings at_load(CaseSettings settings, double fraction);
 /// The load fraction at which its path ends.
 double last_load(const Dynamics& dynamics);
 
-/// The case under the load at which its path ends, of methods at rest that know no way to
-/// it; others go it themselves.
+/// The case under the load at which its path ends, for methods at rest, which know no way
+/// to it; for others, which go it themselves, the case as it is.
 CaseSettings at_last_load(const CaseSettings& settings);
 
-/// The case under the largest load of its path, whatever its sign; of a case without a
-/// path under the fraction that it reached.
+/// The case under the largest load of its path, whatever its sign; without a path, under
+/// the fraction that it reached.
 CaseSettings at_largest_load(const CaseSettings& settings, double reached);
 
 /// The case under the whole load, in the direction in which it acts at the fraction that
-/// was reached; where that is none as it acted last.
+/// was reached; where that is 0, in the direction in which it acted last.
 CaseSettings in_last_direction(const CaseSettings& settings, double reached);
 
 /// The case as one that others are held against, without noise on its solution.
@@ -136,7 +136,8 @@ Solver solver_of(const CaseSettings& settings);
 /// Whether it solves with tangents: without inertia, or by implicit steps.
 bool needs_tangents(const CaseSettings& settings);
 
-/// With inertia. Some methods have a history without, by the static solver.
+/// Whether the case goes through time with inertia; and whether it has a history, which
+/// some methods have without inertia too, by the static solver.
 bool goes_through_time(const CaseSettings& settings);
 bool has_history(const CaseSettings& settings);
 
@@ -144,7 +145,8 @@ bool has_history(const CaseSettings& settings);
 /// where the method reads one.
 std::array<double, 3> element_nodes(const CaseSettings& settings);
 
-/// "fem-stvk:q1-sri" of a method that reads an element, "mss-cf" of others.
+/// The case's method as tables call it: "fem-stvk:q1-sri" where it reads an element,
+/// "mss-cf" where not.
 std::string label(const CaseSettings& settings);
 
 }  // namespace springcheck

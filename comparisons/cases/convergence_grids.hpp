@@ -9,7 +9,7 @@ namespace springcheck {
 /// One case on three grids, from coarse to fine.
 using ThreeCases = std::array<CaseSettings, 3>;
 
-/// On the case's own cells and on two and four times as many along each axis.
+/// The case on its own cells and on two and four times as many along each axis.
 ThreeCases convergence_grids(const CaseSettings& settings);
 
 }  // namespace springcheck

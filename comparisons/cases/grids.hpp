@@ -13,10 +13,10 @@ namespace springcheck {
 /// lexicographically, x fastest (generate_block).
 using Cells = std::array<int, 3>;
 
-/// Each count times `factor`. Throws InputError where one would not fit an int.
+/// The counts, each times `factor`. Throws InputError where one would not fit an int.
 Cells refined(const Cells& cells, int factor);
 
-/// Each count halved, odd ones rounded up.
+/// The counts, each halved, odd ones rounded up.
 Cells coarsened(const Cells& cells);
 
 /// Whether each count of `fine` is a whole multiple of the one of `coarse`: then every
@@ -35,7 +35,7 @@ std::vector<Vector3> interpolated(std::span<const Vector3> field, const Block& g
 /// Whether all points are nodes of the regular grid, within 1e-9 of its cells.
 bool are_nodes_of(const Block& grid, std::span<const Vector3> points);
 
-/// For each coarse cell, the sum of `values` over the fine cells in it.
+/// The sums of `values` over the fine cells in each coarse cell.
 std::vector<double> summed_over_coarse_cells(std::span<const double> values,
                                              const Cells& fine, const Cells& coarse);
 

@@ -24,7 +24,7 @@ Vector3 area_centre(const Mesh& mesh, const std::string& region) {
   return sum / area;
 }
 
-/// Of a region's nodes, along z [m].
+/// The extent of a region's nodes along z [m].
 double height_of(const Mesh& mesh, const std::string& region) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const NodeIndex node : mesh.region(region).nodes) {
@@ -57,7 +57,7 @@ PlateGeometry plate_geometry(const CaseSettings& settings, const Mesh& mesh) {
     throw InputError(mesh.source(), fmt::format("region '{}'", body.moved),
                      fmt::format("a plate above '{}', along z", body.fixed),
                      fmt::format("one {:.3g} m below it", -distance));
-  // Plates beside each other, of a body that lies along x or y:
+  // The plates of a body that lies along x or y are beside each other:
   constexpr double least_ratio = 0.1;
   const double height =
       std::max(height_of(mesh, body.moved), height_of(mesh, body.fixed));

@@ -23,7 +23,7 @@ namespace springcheck {
 
 struct CaseSettings;
 
-/// What methods are gathered under where people read of them.
+/// The groups in which methods are presented to people.
 enum class Family { springs, finite_elements, measured };
 
 template <>
@@ -31,21 +31,22 @@ inline constexpr std::array value_names<Family>{
     Named{Family::springs, "springs"}, Named{Family::finite_elements, "finite elements"},
     Named{Family::measured, "measured"}};
 
-/// How figures draw it: colour as HTML, mark as matplotlib names its markers. The same
-/// springs by another strain have the same mark.
+/// How figures draw a method: colour as HTML, mark as matplotlib names its markers. The
+/// same springs by another strain have the same mark.
 struct Look {
   std::string_view colour, mark;
 };
 
-/// Compression at which a bar of a law bears its largest force, and in words; 0: nowhere.
+/// The compression at which a bar of a law bears its largest force, as a strain and in
+/// words; 0: nowhere.
 struct BarLimit {
   double strain = 0;
   std::string_view words{};
 };
 
-/// Of one core: for an equilibrium of 10^3 cells at 5 to 20 %, means over nu from 0 to
-/// .499 of the five tests; and for a simulated second of as many cells, of a regular grid
-/// or of others, at nu = .25 with steps of .9 of the limit.
+/// Times on one core [s]: those of an equilibrium of 10^3 cells at 5 to 20 %, means over
+/// nu from 0 to .499 of the five tests; and those of a simulated second of as many cells,
+/// of a regular grid or of others, at nu = .25 with steps of .9 of the limit.
 struct Seconds {
   double at_rest = 0, in_motion = 0, in_motion_off_grids = 0;
 };
@@ -59,14 +60,14 @@ struct LinearSystems {
   double entries_per_node = 0;  // of the matrix, inside a large grid
 };
 
-/// How steps are computed whose time is taken.
+/// How the steps whose time is taken are computed.
 struct SteppingOptions {
   dynamics::InstructionSet instruction_set;
   int threads;
   bool by_plain_loops;  // where there is a kernel
 };
 
-/// Makes what steps a body through time.
+/// A function that makes what steps a body through time.
 using MakeMotion =
     std::function<std::unique_ptr<dynamics::Motion>(const SteppingOptions&)>;
 
@@ -104,31 +105,31 @@ struct Method {
   bool of_thesis = false;         // Golec's own springs, or the law he compares them with
   BarLimit bar_limit{};
   FixedSprings fixed{};  // settings of other springs that it has fixed
-  // Of a method that steps the label of its statics, another's; without an element where
-  // it is that of the case:
+  // For a method that steps, the label of the other method that is its statics; without
+  // an element where that is the case's own:
   std::string_view at_rest{};
   std::optional<LatticeName> lattice{};  // whose continuum fem-cauchy-born is
 
-  /// Solution of a case. It refuses, in words, what the method does not cover. None: what
-  /// another program computed. threads: of steps through time.
+  /// The solution of a case. It refuses, in words, what the method does not cover. None
+  /// for what another program computed. `threads` are those of steps through time.
   std::function<Solution(const CaseSettings&, const Mesh&, const Scene&, int threads,
                          const dynamics::Observers&)>
       solve{};
-  /// Its network of springs; none where it refuses the case.
+  /// The network of springs of a case; none where the method refuses it.
   std::function<std::optional<mss::Network>(const CaseSettings&, const Mesh&)> network{};
-  /// What steps it, of the case's precision and damping, ready to be made. Mesh and scene
-  /// outlive it.
+  /// What steps a case through time, with its precision and damping, ready to be made.
+  /// Mesh and scene must outlive it.
   std::function<MakeMotion(const CaseSettings&, const Mesh&, const Scene&)> stepping{};
 
   Seconds seconds{};
   std::function<LinearSystems(const CaseSettings&)> linear_systems{};
 
-  /// Its models in charts, their method aside.
+  /// The method's models in charts, without their member `method`.
   std::vector<Model> charted{};
   std::vector<Omission> omits{};
   bool beside_printed = false;  // it has rows in the thesis's tables 5.1 to 5.4
 
-  /// What keys and JSON tell of it besides its name.
+  /// What keys and JSON tell of the method besides its name.
   std::vector<std::pair<std::string, std::string>> told{};
 };
 
@@ -139,7 +140,8 @@ bool has_poisson_ratio(const Method& method, double poisson_ratio);
 /// Whether settings of that key are the method's own.
 bool reads(const Method& method, std::string_view key);
 
-/// The same of a case, whose finite elements may have a lattice with settings.
+/// Whether settings of that key are those of the case's method or finite elements, which
+/// may have a lattice with settings.
 bool reads(const CaseSettings& settings, std::string_view key);
 
 }  // namespace springcheck

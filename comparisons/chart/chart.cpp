@@ -18,7 +18,8 @@ const StoredCase* find(const Cases& cases, const std::string& key) {
   return found == cases.end() ? nullptr : &found->second;
 }
 
-/// Of a candidate for the front; without a time or an error for other points.
+/// The cost of a candidate for the front; it is without a time or an error for other
+/// points.
 Cost cost_of(const Chart& chart, std::size_t place, ChartKind kind, ChartMeasure measure,
              std::size_t truth) {
   const ChartPoint& point = chart.points[place];

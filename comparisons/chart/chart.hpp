@@ -21,7 +21,7 @@ struct ChartPoint {
   /// against it.
   [[nodiscard]] bool is_ok() const { return found && found->status == Status::ok; }
 
-  /// Median: of the solution [s], or real per simulated second.
+  /// The median time of the solution [s], or the real time per simulated second.
   [[nodiscard]] std::optional<double> seconds() const;
   [[nodiscard]] std::optional<double> seconds_at(double Timing::*quantile) const;
 
@@ -29,14 +29,15 @@ struct ChartPoint {
   [[nodiscard]] bool is_faster_than(const ChartPoint& other) const;
 };
 
-/// "0.12 s", or for a motion "0.12 s per simulated s". It must have a time.
+/// The point's time as text: "0.12 s", or for a motion "0.12 s per simulated s". It must
+/// have a time.
 std::string time_text(const ChartPoint& point);
 
-/// Of the point's method: as the file tells, or else as its entry does; empty where
-/// neither is known.
+/// The family of the point's method: as the file tells, or else as the method's entry
+/// does; empty where neither is known.
 std::string family_of(const StoredChart::Point& point);
 
-/// Of its case, or why it was not timed.
+/// The status of the point's case, or why it was not timed.
 std::string status_of(const ChartPoint& point);
 
 /// A chart with its errors.
@@ -45,18 +46,19 @@ struct Chart {
   std::vector<ChartTruth> truths{};  // without laws that have none: a grid failed
   std::vector<ChartPoint> points{};
 
-  /// Place of the truth of a law; none without.
+  /// The place of a law's truth; none where the chart has none.
   [[nodiscard]] std::optional<std::size_t> truth_of(const std::string& law) const;
 
   /// Whether a point is of the same elements on the same cells as one of the grids that
   /// tell a truth, whatever solved it: judged by what follows from its own figures.
   [[nodiscard]] bool tells_truth(std::size_t point, std::size_t truth) const;
 
-  /// What the truth may be off, of a measure, beside a point: of deviations on its mesh.
+  /// What the truth may be off in a measure, for a point; in deviations, on the point's
+  /// mesh.
   [[nodiscard]] std::optional<double> error_bound(std::size_t point, ChartMeasure measure,
                                                   std::size_t truth) const;
 
-  /// Of one kind and one truth, the front over its points that are ok, see pareto_front;
+  /// The front of one kind and one truth, over its points that are ok, see pareto_front;
   /// an error below what the truth may be off counts as that.
   [[nodiscard]] std::vector<std::size_t> front(ChartKind kind, ChartMeasure measure,
                                                std::size_t truth) const;
@@ -68,8 +70,8 @@ struct Chart {
                                                 std::size_t truth) const;
 };
 
-/// Of a case with these figures, and with those of its deviations from the truth, where
-/// they are known.
+/// The errors of a case with these figures, and with those of its deviations from the
+/// truth where they are known.
 ChartErrors errors_of(const StoredChart& chart, const ChartTruth& truth,
                       const Measures& found, const Measures* compared);
 

@@ -20,7 +20,7 @@ ChartKind kind_of(const Model& model) {
   return model.precision ? ChartKind::motion : ChartKind::equilibrium;
 }
 
-/// What the model sets, as a scene would.
+/// The settings that the model changes, as a scene would give them.
 GivenSettings changes_of(const Model& model, const Method& method) {
   GivenSettings changes{{"method", model.method}};
   if (!model.element.empty()) changes.push_back({"element", model.element});
@@ -35,7 +35,8 @@ GivenSettings changes_of(const Model& model, const Method& method) {
   return changes;
 }
 
-/// Equilibria by springs, then by finite elements, then motions; hexahedra first.
+/// All models: equilibria by springs, then by finite elements, then motions; hexahedra
+/// come first.
 std::vector<ChartModel> all_models() {
   std::vector<ChartModel> all;
   for (const Method& method : methods())
@@ -54,7 +55,8 @@ std::vector<ChartModel> all_models() {
   return all;
 }
 
-/// Of the scene, without what it says of settings that charts choose.
+/// The scene's case with the changes, without what the scene says of settings that charts
+/// choose.
 CaseSettings case_with(const std::string& scene, const GivenSettings& changes) {
   SceneFile file = read_scene(scene);
   std::erase_if(file.settings, [](const GivenSetting& setting) {
@@ -67,7 +69,7 @@ GivenSettings cells_of(const std::array<double, 3>& size, int across) {
   return {{"cells", cells_across(size, across)}};
 }
 
-/// A block's kinds of cells as a kidney has them; none of others.
+/// A kidney's kind of cells for a block's kind; none for others.
 std::optional<std::string> kidney_cells(CellType cells) {
   if (cells == CellType::tetrahedron) return "free-tetrahedron";
   if (cells == CellType::hexahedron) return "free-hexahedron";

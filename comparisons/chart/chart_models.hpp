@@ -20,11 +20,11 @@ struct ChartModel {
   ChartKind kind;
 };
 
-/// Every one that a chart compares, as the methods' entries have them (Method::charted).
-/// Of a kidney those on its own two kinds of cells.
+/// Every model that a chart compares, as the methods' entries have them
+/// (Method::charted); for a kidney those on its own two kinds of cells.
 const std::vector<ChartModel>& chart_models(BodyShape shape = BodyShape::block);
 
-/// Which of them.
+/// The models that a chart compares.
 enum class ChartModels {
   all,
   foremost  // of methods that people want to see first (Method::foremost), on hexahedra,
@@ -33,10 +33,10 @@ enum class ChartModels {
 
 bool is_foremost(const Model& model);
 
-/// In the order of chart_models.
+/// The chosen models, in the order of chart_models.
 std::vector<ChartModel> chosen_models(ChartModels which, BodyShape shape);
 
-/// The one of that model. Throws std::logic_error without one.
+/// The entry of that model in chart_models. Throws std::logic_error where there is none.
 const ChartModel& chart_model(const Model& model, BodyShape shape);
 
 /// Whether a chart chooses the setting for its models. What a scene file says of it is
@@ -51,7 +51,7 @@ const std::vector<std::string>& truth_laws();
 /// The law of that name, or "" of none. Throws InputError for another.
 std::string truth_law_named(const std::string& name);
 
-/// Options for models of a kind: those of motion are for the ones that move.
+/// The options for models of a kind: those of motion are for the ones that move.
 GivenSettings options_for(ChartKind kind, GivenSettings options);
 
 /// The scene's body, a block or a kidney, which can be cut as finely as wanted. Throws
@@ -80,17 +80,17 @@ struct TruthGrids {
   ThreeCases grids, check;
 };
 
-/// Grids of q2, from coarse to fine, whose limit is the truth of a law. Of a
-/// block those of convergence_grids from `across` cells on: 4, or 2 where the finest of
-/// 16 would have more than 10^5 nodes, as beams have, by the direct solver: multigrid
+/// Grids of q2, from coarse to fine, whose limit is the truth of a law. For a block they
+/// are those of convergence_grids from `across` cells on: 4, or 2 where the finest of 16
+/// would have more than 10^5 nodes, as beams have. They are solved directly: multigrid
 /// takes several times as long where a beam bends (fem-stvk on 8 x 8 x 48 cells, beside
-/// other work on two cores: 80 s, and stopped after 300).
-/// Of a kidney, whose meshes are not nested and whose surface they follow ever closer, 4,
-/// 6 and 8 across in proportion to `across`, directly too: multigrid takes four times as
-/// long on such cells.
+/// other work on two cores: 80 s, and stopped after 300). For a kidney, whose meshes are
+/// not nested and whose surface they follow ever closer, they are 4, 6 and 8 across in
+/// proportion to `across`, solved directly too: multigrid takes four times as long on
+/// such cells.
 ///
-/// They are checked by q1-sri on twice as many cells along each axis: of a block on the
-/// same nodes.
+/// They are checked by q1-sri on twice as many cells along each axis, which for a block
+/// have the same nodes.
 TruthGrids truth_grids(const std::string& scene, const GivenSettings& options,
                        const std::string& law, const std::optional<int>& across);
 

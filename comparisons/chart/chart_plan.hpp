@@ -27,7 +27,7 @@ struct ChartPlan {
   bool retime;                        // what the file has a time of, and nothing else
   int least_models;                   // ok on the finest at equilibrium, budget or not
   std::optional<int> truth_across{};  // of the coarsest grid, see truth_grids
-  // Where truths are kept for other charts too, and taken from:
+  // The file that truths are kept in for other charts too, and taken from:
   std::optional<std::filesystem::path> truths_file{};
 };
 
@@ -38,8 +38,8 @@ ChartPlan quick_plan(const std::string& scene, int threads, int jobs);
 /// The case behind a point.
 CaseSettings settings_of(const ChartPlan& plan, const StoredChart::Point& point);
 
-/// Throws InputError where options do not suit one of the models, or its mesh on one of
-/// the sizes would not fit into the memory; as truth_grids, too.
+/// Checks a plan. Throws InputError where options do not suit one of the models, or its
+/// mesh on one of the sizes would not fit into the memory; as truth_grids, too.
 void check_plan(const ChartPlan& plan);
 
 /// The grids of the plan's truths, that of the scene's law first.

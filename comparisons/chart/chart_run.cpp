@@ -153,7 +153,7 @@ void ChartRun::find_truths() {
     return runs;
   };
   if (!is_nested(own_truth().front().body)) return;
-  // Those that an earlier chart has beyond come after.
+  // Truths that an earlier chart has beyond the planned ones come after these.
   for (std::size_t i = 0; i < truths_planned_.size(); ++i) {
     StoredChart::Truth& truth = chart_.truths[i];
     truth.places_apart =

@@ -34,21 +34,21 @@ class ChartRun {
   /// Throws InputError where their mesh alone would not fit into the memory.
   void measure(const ChartModel& model, int across, double seconds);
 
-  /// Until the plan's least number of models at equilibrium is timed, and ok, on the
-  /// finest of its sizes, on the first of its numbers of threads: the one that is
-  /// expected to be the fastest there gets its next size, budget or not, unless it fails
-  /// or the finest would not fit into the memory. Linear solvers make no model of their
-  /// own.
+  /// Measures models until the plan's least number of them at equilibrium is timed, and
+  /// ok, on the finest of its sizes, on the first of its numbers of threads. The model
+  /// that is expected to be the fastest there gets its next size, budget or not, unless
+  /// it fails or the finest would not fit into the memory. Linear solvers make no model
+  /// of their own.
   void measure_beyond_budget(std::span<const ChartModel> models);
 
-  /// Times its points in this further round, where they were measured, took no longer
-  /// than the plan's repeat_for and have not had so many rounds.
+  /// Times the model's points in this further round, where they were measured, took no
+  /// longer than the plan's repeat_for and have not had so many rounds.
   void time_again(const ChartModel& model, int across, int round);
 
-  /// [s] of the plan's first number of threads, by the median of the model's next smaller
-  /// point that did not fail, if there is one, and the growth from the one before to it,
-  /// as a power of the nodes from 1 to 5/2; from one point alone 1. 0 without any,
-  /// infinite beyond the memory that is left.
+  /// The expected time on the plan's first number of threads [s]: the median of the
+  /// model's next smaller point that did not fail, if there is one, with the growth from
+  /// the one before to it, as a power of the nodes from 1 to 5/2; from one point alone
+  /// the power is 1. It is 0 without any point, infinite beyond the memory that is left.
   [[nodiscard]] double expected_seconds(const ChartModel& model, int across);
 
   /// What was measured, without errors.
@@ -63,10 +63,10 @@ class ChartRun {
   /// their fields.
   void find_references(const std::vector<CaseSettings>& cases);
 
-  /// From the file, or else computed and kept there without its fields.
+  /// The result from the file, or else computed and kept there without its fields.
   CaseResult result_of(const Request& request);
 
-  /// With all that the file holds of the scene.
+  /// The chart with all that the file holds of the scene.
   [[nodiscard]] Chart chart() const;
 
  private:
@@ -74,7 +74,7 @@ class ChartRun {
                double budget);
   void begin_chart();
   void find_truths();
-  /// On the plan's first number of threads.
+  /// Whether the model is timed on the plan's first number of threads.
   bool is_timed(const ChartModel& model, int across);
   bool is_ok(const ChartModel& model, int across);
   bool fails_somewhere(const ChartModel& model);

@@ -22,7 +22,7 @@ Cell error_cell(const ChartPoint& point, std::size_t truth, ChartMeasure measure
           !point.found || point.is_ok() ? "" : std::string(name_of(point.found->status))};
 }
 
-/// Of charts that another revision's cases are of.
+/// Notes the other revisions that charts, and so their cases, are of.
 void add_revisions(Table& table, const std::vector<Chart>& charts) {
   std::set<std::string> others;
   for (const Chart& chart : charts)
@@ -49,14 +49,14 @@ const char* const what_errors_are =
     "deviation, volume-weighted root mean square distance of the free nodes over the "
     "largest displacement imposed (bending: the converged drop of the tip).";
 
-/// Says so of a point that is judged by what follows from its own figures.
+/// Notes that a point is judged by what follows from its own figures, if it is.
 void note_own_truth(TableRow& row, const Chart& chart, std::size_t point,
                     std::size_t truth) {
   if (chart.tells_truth(point, truth))
     row.notes.emplace_back("One of the grids that the converged solution is told from.");
 }
 
-/// What a truth's number contradicts.
+/// Notes which limits contradict each other in a truth's number, if they do.
 void note_unresolved(TableRow& row, const CheckedNumber& number,
                      const std::string& name) {
   if (!number.is_resolved)

@@ -13,7 +13,7 @@ struct OnGrids {
   std::array<double, 3> answers{}, volumes{};
 };
 
-/// None where a case failed, or is not in the file.
+/// The figures on the three grids; none where a case failed, or is not in the file.
 std::optional<OnGrids> figures_of(const StoredChart::Grids& grids,
                                   const std::string& answer,
                                   const std::map<std::string, StoredCase>& cases) {
@@ -30,7 +30,7 @@ std::optional<OnGrids> figures_of(const StoredChart::Grids& grids,
   return figures;
 }
 
-/// Changes below `unit` times solver_noise are the solvers'.
+/// A number of the truth. Changes below `unit` times solver_noise are the solvers'.
 CheckedNumber number_of(const StoredChart::Truth& truth,
                         const std::array<double, 3>& values,
                         const std::optional<std::array<double, 3>>& check, double unit) {
@@ -45,8 +45,6 @@ CheckedNumber number_of(const StoredChart::Truth& truth,
         .value = number.value, .order = number.order, .error_bound = number.error_bound};
   return checked_number(number, limit(*truth.check, *check));
 }
-
-///
 
 }  // namespace
 

@@ -12,14 +12,14 @@
 
 namespace springcheck {
 
-/// What an error is of. Each is a fraction:
+/// The measures that have errors, each of which is a fraction:
 ///
 ///     force      |a - a*|/|a*|          a: plate force, torque, or drop of the tip
 ///     volume     |V - V*|/(V0 e)        e = u/H, the strain that is imposed
 ///     deviation  volume-weighted root mean square over the free nodes of |x - x*|/u
 ///
-/// with * for the truth, u the largest displacement that is imposed (bending: the
-/// truth's drop of the tip) and H the height. Of the volume the strain is taken because
+/// with * for the truth, u the largest displacement that is imposed (bending: the truth's
+/// drop of the tip) and H the height. The error of the volume is over the strain because
 /// V* may be V0. Nodes that are held tell nothing of a model: a body without free ones
 /// has no deviation.
 enum class ChartMeasure { force, volume, deviation };
@@ -46,11 +46,11 @@ struct ChartTruth {
   ChartErrors error_bounds{};   // deviation's: the largest of any mesh compared
 };
 
-/// Of the grids that a number is told by.
+/// The element of the grids that a number is told by.
 std::string_view element_of(const CheckedNumber& number);
 
-/// By the figures of its cases; none where a grid of q2 failed. Where one that checks it
-/// did, it is not checked.
+/// The truth by the figures of its cases; none where a grid of q2 failed. Where a grid
+/// that checks it failed, it is not checked.
 std::optional<ChartTruth> truth_of(const StoredChart& chart,
                                    const StoredChart::Truth& grids,
                                    const std::map<std::string, StoredCase>& cases);

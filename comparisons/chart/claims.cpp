@@ -42,7 +42,8 @@ std::optional<std::pair<std::size_t, std::size_t>> same_cells(
   return best;
 }
 
-/// Of a point, at least what the truth may be off: errors below tell nothing.
+/// A point's error, which is at least what the truth may be off: errors below that tell
+/// nothing.
 struct KnownError {
   double value;
   bool is_bound;
@@ -96,7 +97,7 @@ Claim claim_of(const Chart& chart, ChartKind kind, ChartMeasure measure,
   return claim;
 }
 
-/// "mss-cf on 10 across (0.21 s, 4.2 % off)".
+/// A point of a claim with its figures: "mss-cf on 10 across (0.21 s, 4.2 % off)".
 std::string figures(const Chart& chart, const Claim& claim, std::size_t i) {
   const ChartPoint& point = chart.points[i];
   const KnownError error = known_error(chart, claim.measure, i);

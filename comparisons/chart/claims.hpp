@@ -5,9 +5,9 @@
 
 namespace springcheck {
 
-/// What a chart says of a claim; neither where two times cannot be told from each other
-/// (is_faster_than), or two errors differ by less than worthwhile_gain or what the truth
-/// may be off.
+/// What a chart says of a claim. It is undecided where two times cannot be told from each
+/// other (is_faster_than), or two errors differ by less than worthwhile_gain or what the
+/// truth may be off.
 enum class Answer { yes, no, undecided };
 
 template <>
@@ -26,20 +26,20 @@ struct Claim {
   // than the springs; none where all can:
   std::optional<std::size_t> rival{};
   bool were_all_run;  // elements of this kind; none were left out
-  // Than the rival; without one yes, if all were run.
+  // Whether the springs are faster than the rival; without a rival yes, if all were run.
   Answer is_faster_at_equal_accuracy;
 };
 
-/// Golec's claims of springs, faster than finite elements and as accurate, put to the
-/// foremost springs, but for those that follow another law than the scene's, beside
-/// q1-sri elements of the scene's law, in motions beside each of moving_elements on
-/// hexahedra, on one thread.
+/// Golec's claims of springs, that they are faster than finite elements and as accurate,
+/// put to the foremost springs, but for those that follow another law than the scene's.
+/// They stand beside q1-sri elements of the scene's law, in motions beside each of
+/// moving_elements on hexahedra, on one thread.
 std::vector<Claim> claims(const Chart& chart);
 
-/// In words, with the figures.
+/// The claim in words, with the figures.
 std::string claim_text(const Chart& chart, const Claim& claim);
 
-/// "chart-claims": a row for each.
+/// The table "chart-claims", with a row for each claim.
 Table claims_table(const std::vector<Chart>& charts);
 
 }  // namespace springcheck

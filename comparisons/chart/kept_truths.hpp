@@ -17,7 +17,7 @@ class KeptTruths {
  public:
   explicit KeptTruths(std::filesystem::path file);
 
-  /// With its fields; none where it is not kept.
+  /// The kept result with its fields; none where it is not kept.
   [[nodiscard]] std::optional<CaseResult> known(const Request& request,
                                                 const std::string& key,
                                                 MeshStore& meshes);

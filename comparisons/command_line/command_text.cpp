@@ -24,7 +24,7 @@ std::vector<std::string> parts_of(const std::string& type) {
   return parts;
 }
 
-/// In capitals; E is a value.
+/// Whether a part of a type names a list, which is in capitals; E alone is a value.
 bool names_a_list(const std::string& part) {
   return part.size() > 1 && std::isupper(static_cast<unsigned char>(part.front())) != 0;
 }

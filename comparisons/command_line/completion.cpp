@@ -22,7 +22,7 @@ Words names_of(std::span<const CommandText> commands) {
   return names;
 }
 
-/// All names of its options.
+/// All names of the command's options.
 Words options_of(const CommandText& command) {
   Words names;
   for (const OptionText& option : command.options)
@@ -41,7 +41,7 @@ Values values_of(const OptionText& option) {
   return {option.type, option.words};
 }
 
-/// Of its positional values: those of several, one after the other.
+/// The types and words of the command's positional values, one after the other.
 Values positional_values(const CommandText& command) {
   Values values;
   for (const OptionText& option : command.options)
@@ -80,7 +80,7 @@ std::string in_quotes(std::string_view text) {
   return result + "'";
 }
 
-/// `values='...'; files=yes` of bash.
+/// The values as bash sets them: `values='...'; files=-f`.
 std::string bash_values(const Values& values) {
   std::string text = fmt::format("values={}", in_quotes(joined(values.words)));
   if (takes_files(values.type)) text += "; files=-f";

@@ -17,12 +17,12 @@ struct Declarations {
 
 std::string text_of(const Declarations& declarations);
 
-/// From what text_of() made.
+/// The declarations in a text that text_of() made.
 Declarations declarations_from(std::string_view text);
 
 std::vector<std::string_view> command_names(const Declarations& declarations);
 
-/// Throws InputError for another name, with the nearest.
+/// The command of that name. Throws InputError for another name, with the nearest.
 const CommandText& command_named(std::string_view name, const Declarations& declarations);
 
 }  // namespace springcheck

@@ -39,7 +39,7 @@ std::string head(const std::string& name, std::string_view summary) {
       escaped(in_capitals(name)), build_info::version, escaped(name), escaped(summary));
 }
 
-/// In bold what stands before the text.
+/// An entry of the page, with its name in bold before the text.
 std::string entry(std::string_view name, std::string_view text) {
   return fmt::format(".TP\n.B {}\n{}\n", escaped(name), escaped(text));
 }

@@ -23,10 +23,11 @@ inline constexpr std::array value_names<TableFormat>{
 
 inline constexpr auto of_output = "output";  // the group of options that say what is kept
 
-/// "md|csv|json|latex".
+/// The names as alternatives: "md|csv|json|latex".
 std::string alternatives(const std::vector<std::string_view>& names);
 
-/// An option that takes one of the names of an enumeration; InputError of another.
+/// Adds an option that takes one of the names of an enumeration. Parsing throws
+/// InputError for another.
 template <class Enumeration, class Variable>
 CLI::Option* add_choice(CLI::App& parser, const std::string& option, Variable& variable,
                         const std::string& help) {
@@ -45,7 +46,7 @@ CLI::Option* add_choice(CLI::App& parser, const std::string& option, Variable& v
 /// Refuses an empty name, for add_path.
 std::string refusal_of_path(const std::string& text);
 
-/// A file or folder; an empty name is refused.
+/// Adds an option for a file or folder; an empty name is refused.
 template <class Path>
 CLI::Option* add_path(CLI::App& parser, const std::string& option, Path& path,
                       const std::string& type, const std::string& help) {
@@ -54,19 +55,20 @@ CLI::Option* add_path(CLI::App& parser, const std::string& option, Path& path,
 
 CLI::Option* add_format(CLI::App& parser, std::optional<TableFormat>& format,
                         const std::string& otherwise);
-/// The same with `--json`, short for `--format json`, of a command that prints text for
-/// people otherwise.
+/// Adds `--format`, and `--json`, short for `--format json`, to a command that otherwise
+/// prints text for people.
 void add_formats(CLI::App& parser, std::optional<TableFormat>& format);
 CLI::Option* add_threads(CLI::App& parser, int& threads);
 
-/// Of `what` that run at the same time.
+/// Adds an option for how many `what` run at the same time.
 CLI::Option* add_jobs(CLI::App& parser, int& jobs, const std::string& what);
 
-/// Seconds above 0, or 0 and more.
+/// Adds an option for seconds above 0, or for 0 and more.
 CLI::Option* add_seconds(CLI::App& parser, const std::string& option, double& seconds,
                          bool may_be_zero, const std::string& help);
 
-/// A whole number in [least, most], into an integer or an optional one.
+/// Adds an option for a whole number in [least, most], into an integer or an optional
+/// one.
 template <class Count>
 CLI::Option* add_count(CLI::App& parser, const std::string& option, Count& count,
                        int least, int most, const std::string& help) {

@@ -47,7 +47,7 @@ struct AdviseOptions {
   int jobs = all_cores();  // truths at once, at most
 };
 
-/// Those that are asked for, or all that bodies of this kind have.
+/// The measures that are asked for, or all that bodies of this kind have.
 std::vector<ChartMeasure> measures_of(const std::vector<std::string>& names,
                                       const Body& body) {
   std::vector<ChartMeasure> measures;
@@ -119,7 +119,7 @@ std::string scene_text(const std::string& scene, const GivenSettings& options,
   return text;
 }
 
-/// What the advised steps of a motion, which keep their length, meet on the way; nothing
+/// What the advised steps of a motion, which keep their length, meet on the way; empty
 /// where all is well.
 std::string caution_of_steps(const ChartPlan& plan, const ChartPoint& chosen,
                              const Frame& frame) {
@@ -132,7 +132,8 @@ std::string caution_of_steps(const ChartPlan& plan, const ChartPoint& chosen,
                      result.reason.empty() ? "" : ": " + result.reason);
 }
 
-/// Where the advised scene goes. Throws InputError where something else would be lost.
+/// The file that the advised scene goes to. Throws InputError where something else would
+/// be lost.
 std::filesystem::path scene_file_of(const AdviseOptions& options) {
   const SceneFile scene = read_scene(options.scene);
   const std::filesystem::path scene_file =
@@ -168,7 +169,7 @@ struct Said {
   std::vector<std::string> cautions{};
   std::vector<std::string> left_out{};
   std::string failure{};               // where nothing is advised
-  std::filesystem::path scene_file{};  // else
+  std::filesystem::path scene_file{};  // where something is advised
 };
 
 std::string run_it(const std::filesystem::path& scene_file) {
@@ -242,8 +243,9 @@ void write_advised_scene(const AdviseOptions& options, const Advice& advice,
   write_whole_stream(scene_file, [&](std::ostream& out) { out << text; });
 }
 
-/// The cheapest model of a scene that meets a tolerance, with its neighbours and a scene
-/// file that runs it; fell_short, and what comes closest, where none does.
+/// Advises the cheapest model of a scene that meets a tolerance, with its neighbours and
+/// a scene file that runs it. Where none does it tells what comes closest, and ends with
+/// fell_short.
 ExitStatus advise_scene(const AdviseOptions& options) {
   const Computing computing(std::max(options.jobs, all_cores()), options.jobs);
   const GivenSettings settings = options.settings.given();

@@ -97,7 +97,7 @@ std::string chart_text(const Chart& chart, const std::string& caution) {
                     chart.points.size(), failed, left_out);
 }
 
-/// Of a scene, or of the five scenes of the thesis ("all").
+/// The plan of a scene, or the plans of the five scenes of the thesis ("all").
 std::vector<ChartPlan> plans_of(const ChartOptions& chart) {
   const GivenSettings options = chart.settings.given();
   const std::vector<int> across = counts_in("--sizes", chart.sizes, 1000);

@@ -23,16 +23,16 @@ Command measure_command();
 Command mesh_command();
 Command schema_command();
 
-/// In the order in which help tells them.
+/// The commands in the order in which help tells them.
 inline constexpr Command (*every_command[])() = {
     run_command,       table_command,   reproduce_command, sweep_command,  chart_command,
     stability_command, advise_command,  gate_command,      report_command, export_command,
     merge_command,     measure_command, mesh_command,      schema_command};
 
-/// Their texts, and the lists of the names that they take.
+/// The texts of the commands, and the lists of the names that they take.
 Declarations declarations();
 
-/// Throws InputError for another name, with the nearest.
+/// The command of that name. Throws InputError for another name, with the nearest.
 Command command_named(std::string_view name);
 
 }  // namespace springcheck

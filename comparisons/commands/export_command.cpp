@@ -33,7 +33,7 @@ std::size_t size_of(const CaseColumn& column) {
   return std::visit([](const auto& values) { return values.size(); }, column.values);
 }
 
-/// To all digits; empty or null where there is none.
+/// A column's value in a row, to all digits; empty where there is none.
 std::string text_at(const CaseColumn& column, std::size_t row) {
   if (const auto* texts = std::get_if<Texts>(&column.values)) return (*texts)[row];
   const double value = std::get<Numbers>(column.values)[row];

@@ -33,8 +33,9 @@ struct Stage {
   std::function<void()> run;
 };
 
-/// One after the other. Each is announced with the time that it and those after it are
-/// expected to take, as long as those before took beside what was expected of them.
+/// Runs the stages one after the other. Each is announced with the time that it and those
+/// after it are expected to take, by how long those before took beside what was expected
+/// of them.
 void run_stages(const std::vector<Stage>& stages) {
   double expected = 0, taken = 0, left = 0;
   for (const Stage& stage : stages) left += stage.seconds;
@@ -72,7 +73,8 @@ bool is_computed_when_printed(const CatalogueEntry& entry) {
 }
 
 /// The requests that the file lacks, or whose fields it lacks where they are wanted and
-/// the case did not fail. None that `planned` has, to which their keys are added.
+/// the case did not fail. Requests in `planned` are left out, and the keys of the others
+/// are added to it.
 std::vector<Request> missing_of(std::vector<Request> requests, bool with_fields,
                                 const StoredKeys& stored, std::set<std::string>& planned,
                                 MeshStore& meshes) {
@@ -87,7 +89,7 @@ std::vector<Request> missing_of(std::vector<Request> requests, bool with_fields,
   return requests;
 }
 
-/// About how long they take, on so many cores.
+/// The approximate time that the requests take on so many cores [s].
 double seconds_of(std::span<const Request> requests, int parallel) {
   CostEstimate cost;
   for (const Request& request : requests) cost.add(request);
@@ -111,8 +113,8 @@ struct SweptCases {
   std::vector<Request> requests;
 };
 
-/// Of the shipped sweeps that the page shows, what is missing, see missing_of. Those with
-/// fields first: a case of two sweeps is computed once, by the first.
+/// The cases that are missing of the shipped sweeps that the page shows, see missing_of.
+/// Sweeps with fields come first: a case of two sweeps is computed once, by the first.
 std::vector<SweptCases> missing_of_sweeps(const StoredKeys& stored,
                                           std::set<std::string>& planned,
                                           MeshStore& meshes) {
@@ -154,7 +156,8 @@ void run_sweeps(const std::filesystem::path& path, const std::vector<SweptCases>
   }
 }
 
-/// How the foremost springs and elements fail in compression, over deformation and nu.
+/// The plan of a map of how the foremost springs and elements fail in compression, over
+/// deformation and nu.
 AtlasPlan map_plan() {
   constexpr std::size_t springs = 3, elements = 2;
   std::vector<std::string> names;
@@ -172,7 +175,8 @@ AtlasPlan map_plan() {
                    axis_named("reproduce", "nu=0:0.49:8")}};
 }
 
-/// Of a chart that the file has some of, next to nothing.
+/// The expected time of a scene's chart [s]: next to nothing where the file has some of
+/// it.
 double seconds_of_chart(const std::filesystem::path& file, std::string_view scene) {
   constexpr double on_two_cores = 45, begun = 5;
   if (!std::filesystem::exists(file)) return on_two_cores;
@@ -197,7 +201,7 @@ void set_aside(const std::filesystem::path& file) {
                        file.string(), kept.string()));
 }
 
-/// Of computed ones those that a result file cannot give back.
+/// The tables, of those computed, that a result file cannot give back.
 std::vector<Table> not_in_files(const std::vector<Table>& tables) {
   std::vector<Table> found;
   std::ranges::copy_if(tables, std::back_inserter(found), [](const Table& table) {
@@ -210,7 +214,7 @@ std::vector<Table> not_in_files(const std::vector<Table>& tables) {
 
 ExitStatus reproduce(const std::filesystem::path& directory, Extent extent,
                      int parallel) {
-  // On two cores:
+  // Times on two cores:
   constexpr double seconds_of_map = 20, seconds_of_page = 60;
   const auto start = std::chrono::steady_clock::now();
   prepare_report(directory);

@@ -47,7 +47,7 @@ Json json(const Mesh& mesh) {
           {"types", types},
           {"sha256", mesh.sha256()}};
 }
-/// A list of numbers for each column.
+/// A history as a list of numbers for each column.
 Json json(const History& history) {
   Json columns = Json::object();
   for (std::size_t i = 0; i < history_columns.size(); ++i) {
@@ -62,7 +62,7 @@ Json json(const std::optional<Value>& value) {
   return value ? json(*value) : Json();
 }
 
-// And their schemas:
+// JSON schemas of the values of a case:
 
 template <class Value>
 Json schema(const Value&) {
@@ -173,7 +173,7 @@ Json run_json(const std::string& scene, const std::vector<CaseResult>& results,
 }
 
 Json run_schema() {
-  // Of any case: all tell the same keys.
+  // The schema is made from any case: all tell the same keys.
   const CaseSettings settings =
       case_of_scene("compression", {{"method", "mss-cf"}, {"cells", Cells{1, 1, 1}}});
   const CaseResult result{.request = {.settings = settings}, .status = Status::ok};

@@ -13,7 +13,7 @@ nlohmann::ordered_json run_json(const std::string& scene,
                                 const std::vector<std::optional<Split>>& splits,
                                 MeshStore& meshes);
 
-/// Its JSON schema.
+/// The JSON schema of run_json().
 nlohmann::ordered_json run_schema();
 
 }  // namespace springcheck

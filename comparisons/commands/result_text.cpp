@@ -78,7 +78,6 @@ std::vector<Cell> cells_of(const CaseResult& result) {
   return cells;
 }
 
-/// Without the columns that no row has anything in.
 void drop_empty_columns(Table& table) {
   for (std::size_t i = table.columns.size(); i-- > 0;) {
     const auto is_empty = [i](const TableRow& row) {
@@ -105,7 +104,8 @@ std::string stable_up_to(const Solution& solution) {
   return fmt::format(" (stable up to {:.4g} s)", *solution.dt_limit);
 }
 
-/// Of samples asked for closer together than steps, there is one a step.
+/// Says how many samples are lacking, if any: where they were asked for closer together
+/// than steps, there is one a step.
 std::string lacking_samples(const CaseResult& result) {
   const auto asked = static_cast<std::size_t>(result.request.settings.dynamics.history);
   const std::size_t taken = result.history.size();
@@ -113,7 +113,7 @@ std::string lacking_samples(const CaseResult& result) {
   return fmt::format("; {} samples of {} asked for, one a step", taken, asked);
 }
 
-/// How a case went through time, if it did.
+/// How a case went through time, in words; empty where it did not.
 std::string dynamics_text(const CaseResult& result) {
   const Measures& m = result.measures;
   const Solution& solution = result.solution;
@@ -136,7 +136,8 @@ std::string dynamics_text(const CaseResult& result) {
                      energies, lacking_samples(result));
 }
 
-/// At what load bodies at rest are held beside a motion that ends below the whole one.
+/// Says at what load bodies at rest are held beside a motion that ends below the whole
+/// one.
 std::string last_load_text(const std::vector<CaseResult>& results) {
   const bool any_at_rest = std::ranges::any_of(results, [](const CaseResult& result) {
     const auto& [settings, reference, grid, why] = result.request;
@@ -153,7 +154,8 @@ std::string last_load_text(const std::vector<CaseResult>& results) {
   return {};
 }
 
-/// What deviations are from, and what is to be known of it; nothing without a reference.
+/// What deviations are measured from, and what is to be known of it; empty without a
+/// reference.
 std::vector<std::string> notes_on_reference(const std::vector<CaseResult>& results) {
   const auto has_deviation = [](const CaseResult& result) {
     return result.request.reference &&

@@ -78,14 +78,15 @@ void print_results(const RunSettings& run, const std::optional<TableFormat>& for
     if (split) fmt::print("\n{}", split_text(*split));
 }
 
-/// Statuses that make the run no success, where one of the cases ends in one of them; or
-/// nothing, and what --fail-on says of those that the scene does not expect.
+/// The statuses that make the run fail where one of the cases ends in one of them.
+/// Without any, what --fail-on says of statuses that the scene does not expect.
 struct Failing {
   FailOn unexpected;
   std::vector<Status> listed{};
 };
 
-/// Where nothing is said: any of one method, none of several.
+/// The statuses that --fail-on names. Where it says nothing it is `any` for one method
+/// and `none` for several.
 Failing failing_statuses(const std::string& text, std::size_t methods) {
   if (text.empty()) return {methods == 1 ? FailOn::any : FailOn::none};
   if (const auto* const rule = find_value<FailOn>(text)) return {rule->value};
@@ -147,10 +148,11 @@ Simulations planned(const RunSettings& run, bool splits_errors) {
   return all;
 }
 
-/// Where a case fails, those asked for that were computed stay. Throws where none was.
+/// Computes all simulations. Where a case fails, those asked for that were computed stay.
+/// Throws where none was.
 void compute(Simulations& all, const RunOptions& options,
              std::optional<KeptResults>& kept, MeshStore& meshes) {
-  // One at a time, unless the grids of a split make it long.
+  // Simulations run one at a time, unless the grids of a split make the run long.
   const int at_once = all.requests.size() > all.asked ? options.threads : 1;
   all.results.resize(all.requests.size());
   Progress progress("simulations");
@@ -172,7 +174,7 @@ void compute(Simulations& all, const RunOptions& options,
   }
 }
 
-/// Of those asked for.
+/// The splits of the cases that were asked for.
 std::vector<std::optional<Split>> splits_of(const Simulations& all, MeshStore& meshes) {
   std::vector<std::optional<Split>> splits(all.asked);
   std::span<const CaseResult> grids = std::span(all.results).subspan(all.asked);

@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of all that `--json` prints.
+/// The JSON schema of all that `--json` prints.
 Json result_schema() {
   const Json alternatives = {{{"$ref", "#/definitions/run"}},
                              {{"$ref", "#/definitions/gate"}},

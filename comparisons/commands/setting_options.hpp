@@ -16,10 +16,10 @@ class SettingOptions {
   SettingOptions(const SettingOptions&) = delete;  // the parser writes into the texts
   SettingOptions& operator=(const SettingOptions&) = delete;
 
-  /// Those that the command takes, in their groups.
+  /// Adds the settings that the command takes, in their groups.
   void add_to(CLI::App& parser, bool (*is_taken)(const Setting&));
 
-  /// Those that were given, as text.
+  /// The settings that were given, as text.
   [[nodiscard]] GivenSettings given() const;
 
  private:
@@ -27,7 +27,7 @@ class SettingOptions {
   std::map<std::string, std::string> texts_;
 };
 
-// What commands take.
+// Which settings commands take:
 bool is_any(const Setting& setting);
 bool is_no_method(const Setting& setting);
 bool is_taken_by_charts(const Setting& setting);

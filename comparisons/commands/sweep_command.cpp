@@ -42,7 +42,7 @@ struct SweepOptions {
   Revisions revisions = Revisions::own;
 };
 
-/// What is to be computed.
+/// The cases that are to be computed.
 std::vector<PlannedCase> missing_of(const std::vector<PlannedCase>& wanted,
                                     const StoredKeys& stored, const Sweep& sweep,
                                     MeshHashes& meshes, const SweepOptions& options) {
@@ -57,7 +57,7 @@ std::vector<PlannedCase> missing_of(const std::vector<PlannedCase>& wanted,
         options.revisions == Revisions::all && other != stored.substitutes.end();
     const std::string& key = is_accepted ? other->second : own_key;
     const auto known = stored.statuses.find(key);
-    // Of a refused case there never are fields.
+    // A refused case never has fields.
     const bool is_there = known != stored.statuses.end() &&
                           (!sweep.with_fields || stored.with_fields.contains(key) ||
                            known->second == Status::refused);
@@ -74,7 +74,7 @@ std::string duration(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
-/// What the sweep would do.
+/// Prints what the sweep would do.
 void print_estimate(const std::vector<PlannedCase>& missing, const Sweep& sweep,
                     const SweepOptions& options) {
   double memory = 0;
@@ -95,7 +95,7 @@ std::string counts(const std::map<Status, int>& count) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
-/// Of "I/N". Throws InputError unless 1 <= I <= N.
+/// The shard that "I/N" means. Throws InputError unless 1 <= I <= N.
 Shard shard_of(const std::string& text) {
   const std::size_t slash = text.find('/');
   const auto number = [&](std::string_view digits) {

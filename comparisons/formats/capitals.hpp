@@ -5,7 +5,8 @@
 
 namespace springcheck {
 
-// Of letters without accents, whatever the locale.
+// The text in capitals or in small letters. Only letters without accents change, whatever
+// the locale.
 std::string in_capitals(std::string_view text);
 std::string in_small_letters(std::string_view text);
 

@@ -1,30 +1,12 @@
 #include "comparisons/formats/latex_escape.hpp"
 
 #include <fmt/format.h>
+#include <utf8.h>
 
 #include <algorithm>
-#include <bit>
 
 namespace springcheck {
 namespace {
-
-/// Takes the first code point from a text that is not empty.
-char32_t take_code_point(std::string_view& text) {
-  constexpr char32_t replacement = 0xFFFD;
-  const auto lead = static_cast<unsigned char>(text.front());
-  const auto length = static_cast<std::size_t>(std::countl_one(lead));  // 0: ASCII
-  text.remove_prefix(1);
-  if (length == 0) return lead;
-  if (length == 1 || length > 4 || text.size() < length - 1) return replacement;
-  char32_t point = lead & (0xFFU >> (length + 1));
-  for (std::size_t i = 0; i < length - 1; ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if ((byte & 0xC0U) != 0x80U) return replacement;
-    point = point << 6U | (byte & 0x3FU);
-  }
-  text.remove_prefix(length - 1);
-  return point;
-}
 
 std::string escaped_ascii(char c) {
   switch (c) {
@@ -53,7 +35,9 @@ std::string escaped_ascii(char c) {
 
 }  // namespace
 
-std::string latex_escaped(std::string_view text) {
+std::string latex_escaped(std::string_view given) {
+  const std::string sound = utf8::replace_invalid(given);
+  std::string_view text = sound;
   std::string out;
   auto backticks = std::ranges::count(text, '`');
   bool in_code = false, after_blank = true;
@@ -61,7 +45,9 @@ std::string latex_escaped(std::string_view text) {
     const bool is_plus_minus = text.starts_with("+-");
     const bool is_two_hyphens = text.starts_with("--");
     const char first = text.front();
-    const char32_t point = take_code_point(text);
+    const auto* next = text.data();
+    const char32_t point = utf8::next(next, text.data() + text.size());
+    text.remove_prefix(static_cast<std::size_t>(next - text.data()));
     if (is_plus_minus) {
       text.remove_prefix(1);
       out += "$\\pm$";
@@ -79,8 +65,7 @@ std::string latex_escaped(std::string_view text) {
                  ? fmt::format("U+{:04X}", static_cast<unsigned>(point))
                  : escaped_ascii(first);
     } else if (point >= 0xC0 && point <= 0x17F) {
-      out += first;
-      out += static_cast<char>(0x80U | (point & 0x3FU));
+      utf8::append(point, out);
     } else {
       out += fmt::format("U+{:04X}", static_cast<unsigned>(point));
     }

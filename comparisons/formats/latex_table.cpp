@@ -13,12 +13,13 @@ namespace springcheck {
 namespace {
 
 constexpr std::size_t rows_of_a_float = 40, rows_of_a_sideways_float = 26;
-// Characters, which are 5.5 points high then on a page 345 points wide.
+// Width in characters, which are 5.5 points high then on a page 345 points wide.
 constexpr std::size_t widest_upright = 120;
 constexpr std::size_t widest_text = 30;  // [characters], longer ones are broken
 constexpr std::size_t head_width = 12;   // [characters], broken at blanks
 
-/// "-0.31", "5 %", "1e-5"; and what has no digit is none.
+/// Whether a cell is a number, as "-0.31", "5 %" and "1e-5" are; what has no digit is
+/// none.
 bool is_number(const std::string& cell) {
   std::istringstream words(cell);
   double value = 0;
@@ -27,7 +28,8 @@ bool is_number(const std::string& cell) {
          (!(words >> unit) || !(words >> further));
 }
 
-/// Texts may stand where a number is lacking: what there is more of decides.
+/// Whether a column has more numbers than texts, which may stand where a number is
+/// lacking.
 bool is_column_of_numbers(const TextLines& lines, std::size_t column) {
   std::ptrdiff_t numbers = 0, texts = 0;
   for (const auto& line : std::span(lines).subspan(1))
@@ -35,7 +37,8 @@ bool is_column_of_numbers(const TextLines& lines, std::size_t column) {
   return numbers > texts;
 }
 
-/// After a line's end LaTeX would take a bracket or an asterisk for an argument of it.
+/// The text as a line may begin with it: after a line's end LaTeX would take a bracket or
+/// an asterisk for its argument.
 std::string at_line_start(const std::string& text) {
   return text.starts_with('[') || text.starts_with('*') ? "{}" + text : text;
 }
@@ -163,7 +166,7 @@ std::string latex_text(const TextLines& table, const TableText& table_text) {
   TableText text = table_text;
   if (!constants.empty())
     text.notes.insert(text.notes.begin(), "In all rows: " + constants + ".");
-  // Rotated by a quarter turn, where the page's width is too little.
+  // The table is rotated by a quarter turn where the page's width is too little.
   const bool is_sideways = is_wide(lines);
   const std::string packages = is_sideways ? "booktabs,adjustbox,rotating"
                                            : "booktabs,adjustbox",

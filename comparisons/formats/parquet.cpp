@@ -23,7 +23,7 @@ constexpr int data_page = 0, uncompressed = 0, optional = 1, utf8 = 0;
 
 constexpr std::string_view parquet_magic = "PAR1";
 
-/// Seven bits a byte, the lowest first.
+/// The number in seven bits a byte, the lowest first.
 std::string varint(std::uint64_t value) {
   std::string bytes;
   for (; value >= 0x80; value >>= 7) bytes += static_cast<char>(value | 0x80);
@@ -104,7 +104,7 @@ std::string plain_value(double number) {
   return raw(number);
 }
 
-/// Which values are there, as runs, and those values.
+/// The content of a page: runs that tell which values are there, then those values.
 template <class Value>
 std::string page_of(const std::vector<Value>& values) {
   std::string levels, present;

@@ -23,7 +23,7 @@ std::vector<std::string> footnotes(const Table& table) {
   return notes;
 }
 
-/// Digits of a number of the column.
+/// The digits of a number of the column, with its plus where the column has signs.
 std::string with_sign(const Column& column, const std::string& digits) {
   return column.is_signed && digits.front() != '-' ? "+" + digits : digits;
 }
@@ -65,7 +65,7 @@ TextLines grid(const Table& table, const std::vector<std::string>& notes) {
       marks, key));
 }
 
-/// Without the columns that print has no room for.
+/// The table without the columns that print has no room for.
 Table in_print(const Table& table) {
   Table narrow = table;
   std::erase_if(narrow.columns, [](const Column& column) { return !column.in_print; });

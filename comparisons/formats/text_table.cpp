@@ -29,7 +29,7 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-/// A bar ends a cell of GitHub's tables, and a line's end the table.
+/// A cell as Markdown: a bar ends a cell of GitHub's tables, and a line's end the table.
 std::string markdown_cell(const std::string& cell) {
   std::string text;
   for (const char c : in_one_line(cell)) {
@@ -47,7 +47,7 @@ std::vector<std::size_t> widths_of(const TextLines& lines) {
   return widths;
 }
 
-/// Of the lines in columns.
+/// The width of the lines in columns.
 std::size_t width_of(const TextLines& lines) {
   const std::vector<std::size_t> widths = widths_of(lines);
   return std::accumulate(widths.begin(), widths.end(), gap * (widths.size() - 1));

@@ -27,7 +27,7 @@ enum class Align { left, right };
 /// Green, yellow and red on a terminal.
 enum class Colour { usual, good, doubtful, bad };
 
-/// Where lines are shown.
+/// The screen that lines are shown on.
 struct Screen {
   std::optional<std::size_t> width{};  // of its lines; they may have any without
   /// The colour of a cell below a head, where there are colours.

@@ -1,5 +1,7 @@
 #include "comparisons/formats/wrapped_text.hpp"
 
+#include <utf8.h>
+
 #include <algorithm>
 
 namespace springcheck {
@@ -18,9 +20,8 @@ std::size_t longest_word_in(std::string_view text) {
 }  // namespace
 
 std::size_t characters_in(std::string_view text) {
-  // All bytes but those that continue a character.
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  const std::string sound = utf8::replace_invalid(text);
+  return static_cast<std::size_t>(utf8::distance(sound.begin(), sound.end()));
 }
 
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent,

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "W wrinkling", "force [N]".
+/// The heading of an entry: "W wrinkling", "force [N]".
 std::string heading_of(const std::string& name, const Json& entry) {
   if (entry.contains("letter"))
     return fmt::format("{} {}", entry["letter"].get<std::string>(), name);
@@ -27,7 +27,7 @@ std::string heading_of(const std::string& name, const Json& entry) {
   return name;
 }
 
-/// "yes", "4", "a b", or the text itself; nothing of an object.
+/// A value as text: "yes", "4", "a b", or the text itself; nothing for an object.
 std::string as_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
@@ -72,7 +72,7 @@ std::string text_of_entries(const Json& entries, std::optional<std::size_t> widt
   return text;
 }
 
-/// Those of all entries, in the order in which they come first.
+/// The columns of all entries, in the order in which they come first.
 std::vector<std::string> columns_of(const Json& lists) {
   std::vector<std::string> columns{"description"};
   for (const Json& entries : lists)
@@ -101,7 +101,7 @@ TextLines lines_of(const Json& lists) {
   return lines;
 }
 
-/// "methods", of several what they are together.
+/// The title of lists: "methods" for one list, for several what they are together.
 std::string title_of(const Json& lists) {
   return lists.size() == 1 ? lists.begin().key() : "What springcheck lists";
 }

@@ -1,5 +1,7 @@
 #include "comparisons/gates/bless.hpp"
 
+#include <utf8.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -8,17 +10,13 @@
 namespace springcheck::gates {
 namespace {
 
-/// Where the line and column, both from 1, are in the text. Columns count code points.
+/// The offset in the text of a line and column, both from 1. Columns count code points.
 std::size_t offset_of(std::string_view text, std::size_t line, std::size_t column) {
   std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   for (; line > 1; --line) at = text.find('\n', at) + 1;
-  const auto continues = [&] {
-    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
-  };
-  for (; column > 1; --column) do
-      ++at;
-    while (continues());
-  return at;
+  const auto* place = text.data() + at;
+  utf8::advance(place, column - 1, text.data() + text.size());
+  return static_cast<std::size_t>(place - text.data());
 }
 
 std::size_t end_of_number(std::string_view text, std::size_t begin) {

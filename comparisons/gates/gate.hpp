@@ -18,14 +18,14 @@ struct Width {
 
 double half_width(const Width& width, double about);
 
-/// From `low` to `high`, both included; open where empty.
+/// The numbers from `low` to `high`, both included; a side that is empty is open.
 struct Range {
   std::optional<double> low, high{};
 };
 
 // What the measure is compared with, one of these:
 
-/// Nothing: the case's status alone is.
+/// The measure is compared with nothing: the case's status alone counts.
 struct StatusAlone {};
 
 /// A value that stands in the gate file.
@@ -42,7 +42,7 @@ struct Against {
   Width width;
 };
 
-/// Case over other case.
+/// The measure of the case over that of another case.
 struct Ratio {
   Selection where;
   std::string measure;
@@ -74,7 +74,7 @@ struct Order {
 using Comparison =
     std::variant<StatusAlone, Stored, Range, Against, Ratio, Monotonic, Order>;
 
-/// Which blessings a gate allows: figures of other people are fixed.
+/// Whether the figures of a gate may be blessed: those of other people are fixed.
 enum class Blessing { allowed, fixed };
 
 /// One condition on the results of a file.

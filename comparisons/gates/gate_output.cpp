@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/formats/text_table.hpp"
@@ -144,36 +143,38 @@ nlohmann::ordered_json report_json(const Report& report) {
 }
 
 void write_junit(std::ostream& out, const Report& report) {
-  using boost::property_tree::ptree;
-  ptree suite;
-  suite.put("<xmlattr>.name", xml_text(report.gates_name));
-  suite.put("<xmlattr>.tests", report.gates.size());
-  suite.put("<xmlattr>.failures", count(report, Judgement::falls_short));
-  suite.put("<xmlattr>.errors", count(report, Judgement::no_case));
+  pugi::xml_document document;
+  pugi::xml_node suite = document.append_child("testsuites").append_child("testsuite");
+  const auto set = [](pugi::xml_node element, const char* name,
+                      const std::string& value) {
+    element.append_attribute(name).set_value(xml_text(value).c_str());
+  };
+  set(suite, "name", report.gates_name);
+  set(suite, "tests", fmt::to_string(report.gates.size()));
+  set(suite, "failures", fmt::to_string(count(report, Judgement::falls_short)));
+  set(suite, "errors", fmt::to_string(count(report, Judgement::no_case)));
   if (!report.note.empty()) {
-    ptree& property = suite.add("properties.property", "");
-    property.put("<xmlattr>.name", "other revisions");
-    property.put("<xmlattr>.value", xml_text(report.results_file + ": " + report.note));
+    const pugi::xml_node property =
+        suite.append_child("properties").append_child("property");
+    set(property, "name", "other revisions");
+    set(property, "value", report.results_file + ": " + report.note);
   }
   for (std::size_t i = 0; i < report.gates.size(); ++i) {
     const Gate& gate = report.gates[i];
     const Outcome& outcome = report.outcomes[i];
-    ptree& test = suite.add("testcase", "");
-    test.put("<xmlattr>.classname", xml_text("springcheck." + report.gates_name));
-    test.put("<xmlattr>.name", xml_text(gate.name));
+    pugi::xml_node test = suite.append_child("testcase");
+    set(test, "classname", "springcheck." + report.gates_name);
+    set(test, "name", gate.name);
     if (outcome.verdict == Judgement::pass) continue;
     const bool is_short = outcome.verdict == Judgement::falls_short;
-    ptree& failure = test.add(is_short ? "failure" : "error", "");
-    failure.put("<xmlattr>.type", name_of(outcome.verdict));
-    failure.put("<xmlattr>.message", xml_text(why(gate, outcome)));
-    failure.put_value(
-        xml_text(fmt::format("{}\nwhere {}\nreason of the band: {}", gate.place,
-                             text_of(gate.where), gate.reason)));
+    const pugi::xml_node failure = test.append_child(is_short ? "failure" : "error");
+    set(failure, "type", std::string(name_of(outcome.verdict)));
+    set(failure, "message", why(gate, outcome));
+    failure.text().set(xml_text(fmt::format("{}\nwhere {}\nreason of the band: {}",
+                                            gate.place, text_of(gate.where), gate.reason))
+                           .c_str());
   }
-  ptree document;
-  document.add_child("testsuites.testsuite", suite);
-  boost::property_tree::write_xml(
-      out, document, boost::property_tree::xml_writer_make_settings<std::string>(' ', 2));
+  document.save(out, "  ");
 }
 
 }  // namespace springcheck::gates

@@ -28,16 +28,16 @@ struct Report {
 
 std::size_t count(const Report& report, Judgement verdict);
 
-/// A row for each gate, with a note on why it does not pass.
+/// The table of a report: a row for each gate, with a note on why it does not pass.
 Table report_table(const Report& report);
 
-/// The same on a screen, and why some do not pass below.
+/// The gates and what came of each as text for a screen, and below why some do not pass.
 std::string report_text(const Report& report, const Screen& screen = {});
 
-/// One document; the README has its fields.
+/// The report as one document; the README has its fields.
 nlohmann::ordered_json report_json(const Report& report);
 
-/// Its JSON schema.
+/// The JSON schema of report_json().
 nlohmann::ordered_json report_schema();
 
 /// JUnit XML, as continuous integration reads it: a gate that falls short is a failure,

@@ -63,7 +63,8 @@ Selection selection_of(const toml::table& table, const std::string& file,
   return selection;
 }
 
-/// Beside settings, the other case's table may hold the name of its measure.
+/// The key under which the other case's table may hold, beside settings, the name of its
+/// measure.
 constexpr std::string_view measure_key = "measure";
 
 /// The table of settings under this key; none where it is missing.

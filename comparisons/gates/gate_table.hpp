@@ -17,11 +17,11 @@ struct OtherCase {
 /// One [[gate]] table, whose readers throw InputError with file, line and column.
 class GateTable {
  public:
-  /// Both must outlive this.
+  /// Both arguments must outlive this.
   GateTable(const toml::table& table, const std::string& file)
       : table_(table), file_(file) {}
 
-  /// Throws for keys that no gate has.
+  /// Throws InputError for keys that no gate has.
   void check_keys() const;
 
   [[nodiscard]] std::string place() const;

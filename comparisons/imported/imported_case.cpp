@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "comparisons/cases/mechanical_scene.hpp"
-#include "comparisons/imported/node_finder.hpp"
+#include "comparisons/imported/nodal_vectors.hpp"
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/running/simulate.hpp"
 #include "meshing/input_error.hpp"
@@ -63,7 +63,7 @@ std::optional<std::string> off_supports(
         displacements[p.node][p.component] - prescribed_displacement(mesh, scene, p, 1);
   Farthest farthest;
   for (NodeIndex n = 0; n < off.size(); ++n) farthest.consider(off[n].norm(), n);
-  if (farthest.distance <= 1e-6 * smallest_edge(mesh)) return std::nullopt;
+  if (farthest.distance <= node_tolerance(mesh)) return std::nullopt;
   return fmt::format(
       "displacements do not follow the scene's supports: node {} is {:.3g} m off, the "
       "farthest",

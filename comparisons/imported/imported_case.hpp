@@ -12,7 +12,7 @@ namespace springcheck {
 /// What another program computed on a mesh, one entry per node.
 struct ImportedFields {
   std::vector<Vector3> displacements;  // [m]
-  // [N] what the supports apply to the body; empty where they are not known:
+  // Forces that the supports apply to the body [N]; empty where they are not known:
   std::vector<Vector3> forces{};
 };
 
@@ -21,9 +21,9 @@ struct ImportedFields {
 /// commas.
 Method imported_method(const std::string& label, const ImportedFields& fields);
 
-/// In words, what contradicts the scene: nodes that do not follow its supports by more
-/// than 1e-6 of the smallest edge, forces where it has no support. Empty where nothing
-/// does.
+/// What contradicts the scene, in words: nodes that do not follow its supports by more
+/// than 1e-6 of the smallest edge, and forces where it has no support. Empty where
+/// nothing does.
 std::vector<std::string> contradictions(const Mesh& mesh, const Scene& scene,
                                         const ImportedFields& fields);
 

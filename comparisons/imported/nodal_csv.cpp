@@ -35,7 +35,7 @@ char separator_of(const std::string& line) {
   return ' ';
 }
 
-/// Without their quotes, between which a separator is none.
+/// The fields of a line without their quotes, within which a separator is a character.
 std::vector<std::string> fields_of(const std::string& line, char separator) {
   std::vector<std::string> fields(1);
   bool is_quoted = false;
@@ -52,7 +52,7 @@ std::vector<std::string> fields_of(const std::string& line, char separator) {
   return fields;
 }
 
-/// In small letters, without what says nothing new: "ux" of "UX [m]".
+/// A column's name in small letters, without what says nothing new: "ux" for "UX [m]".
 std::string plain_name(const std::string& field, std::string_view unit) {
   std::string name;
   for (const char c : field)
@@ -64,7 +64,7 @@ std::string plain_name(const std::string& field, std::string_view unit) {
   return trimmed(name);
 }
 
-/// Where the columns stand that a row is read from.
+/// The columns that a row is read from.
 struct CsvColumns {
   char separator = ',';
   std::vector<std::string> names{};
@@ -74,7 +74,8 @@ struct CsvColumns {
   [[nodiscard]] bool are_known() const { return !place.empty() && !value.empty(); }
 };
 
-/// Each of one of its names, once; empty where one is lacking or there twice.
+/// The places of the wanted columns, each under one of its names, once; empty where one
+/// is lacking or there twice.
 std::vector<std::size_t> places_of(const std::vector<std::string>& names,
                                    const std::vector<std::vector<std::string>>& wanted) {
   std::vector<std::size_t> places;
@@ -88,8 +89,8 @@ std::vector<std::size_t> places_of(const std::vector<std::string>& names,
   return places;
 }
 
-/// "x,y,z,ux,uy,uz" or "node,ux,uy,uz", in any order, among others. Numbers of nodes are
-/// often those of another program: coordinates come first.
+/// The columns of a header: "x,y,z,ux,uy,uz" or "node,ux,uy,uz", in any order, among
+/// others. Numbers of nodes are often those of another program: coordinates come first.
 CsvColumns columns_of(const std::string& header, NodalQuantity quantity) {
   const bool is_displacement = quantity == NodalQuantity::displacement;
   CsvColumns columns{.separator = separator_of(header)};

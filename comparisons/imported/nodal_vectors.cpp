@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "meshing/input_error.hpp"
 
@@ -13,11 +15,27 @@ std::string text_of(const Vector3& v) {
   return fmt::format("({:g}, {:g}, {:g})", v.x(), v.y(), v.z());
 }
 
+std::vector<NodeIndex> all_nodes(const Mesh& mesh) {
+  std::vector<NodeIndex> nodes(mesh.nodes().size());
+  std::iota(nodes.begin(), nodes.end(), NodeIndex{0});
+  return nodes;
+}
+
 }  // namespace
+
+double node_tolerance(const Mesh& mesh) {
+  double shortest = INFINITY;
+  for (const CellNodes& cell : mesh.cells())
+    for (const auto& [a, b] : edges(type_of(cell)))
+      shortest =
+          std::min(shortest, (mesh.nodes()[cell[b]] - mesh.nodes()[cell[a]]).norm());
+  return 1e-6 * shortest;
+}
 
 NodalVectors::NodalVectors(const Mesh& mesh, std::string kind)
     : mesh_(mesh),
-      finder_(mesh),
+      nodes_(mesh.nodes(), all_nodes(mesh)),
+      tolerance_(node_tolerance(mesh)),
       kind_(std::move(kind)),
       values_(mesh.nodes().size(), Vector3::Zero()),
       places_(mesh.nodes().size()) {}
@@ -36,17 +54,14 @@ void NodalVectors::add_at(const std::string& place, const Vector3& point, double
                           const Vector3& value) {
   if (!point.allFinite())
     throw InputError(place, "point", "finite coordinates", text_of(point));
-  const auto node = finder_.at(point, rounding);
-  if (!node) {
-    const NodeIndex nearest = finder_.nearest(point);
-    const Vector3& there = mesh_.nodes()[nearest];
-    throw InputError(
-        place, "point " + text_of(point),
-        fmt::format("a node of the mesh, within {:.2g} m", finder_.tolerance()),
-        fmt::format("one that is {:.3g} m from the nearest, node {} at {}",
-                    (there - point).norm(), nearest + 1, text_of(there)));
-  }
-  add(place, *node, value);
+  const NodeIndex nearest = nodes_.nearest(point);
+  const Vector3& there = mesh_.nodes()[nearest];
+  if (const double distance = (there - point).norm(); distance > tolerance_ + rounding)
+    throw InputError(place, "point " + text_of(point),
+                     fmt::format("a node of the mesh, within {:.2g} m", tolerance_),
+                     fmt::format("one that is {:.3g} m from the nearest, node {} at {}",
+                                 distance, nearest + 1, text_of(there)));
+  add(place, nearest, value);
 }
 
 std::vector<Vector3> NodalVectors::complete(const std::string& file) const {

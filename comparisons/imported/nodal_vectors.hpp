@@ -3,9 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/imported/node_finder.hpp"
+#include "meshing/point_tree.hpp"
 
 namespace springcheck {
+
+/// Distance from a node within which a point is that node [m]: 1e-6 of the mesh's
+/// shortest edge.
+double node_tolerance(const Mesh& mesh);
 
 /// One vector for each node of a mesh, which must outlive it, collected from a file in
 /// any order. Every `place` ("mine.csv:7", "mine.vtu: point 3") is for messages. Throws
@@ -30,7 +34,8 @@ class NodalVectors {
 
  private:
   const Mesh& mesh_;
-  NodeFinder finder_;
+  PointTree nodes_;
+  double tolerance_;
   std::string kind_;
   std::vector<Vector3> values_;
   std::vector<std::string> places_;  // of the values; empty without one

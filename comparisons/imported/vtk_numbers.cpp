@@ -39,7 +39,7 @@ std::vector<double> from_ascii(std::string_view text) {
   return numbers;
 }
 
-/// Of a base64 digit, 0 to 63.
+/// The value of a base64 digit, 0 to 63.
 unsigned sextet(char c) {
   constexpr std::string_view digits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -49,7 +49,7 @@ unsigned sextet(char c) {
   return static_cast<unsigned>(found);
 }
 
-/// Base64 pieces one behind the other, each of which may end in '='.
+/// The bytes of base64 pieces one behind the other, each of which may end in '='.
 std::string from_base64(std::string_view text) {
   std::string bytes, group;
   for (const char c : text) {
@@ -99,7 +99,7 @@ std::string inflated(Bytes bytes, std::size_t header_bytes, std::size_t expected
                       whole = bytes.number(header_bytes),
                       given_last = bytes.number(header_bytes),
                       last = given_last == 0 ? whole : given_last;
-  // Checked before anything of these sizes is allocated.
+  // The sizes are checked before anything of them is allocated.
   if (blocks == 0 || blocks > expected || (blocks > 1 && whole > expected) ||
       last > expected || (blocks - 1) * whole + last != expected)
     throw Broken{fmt::format("{} bytes", expected),

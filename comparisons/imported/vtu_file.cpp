@@ -1,12 +1,12 @@
 #include "comparisons/imported/vtu_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
 #include <fstream>
 #include <limits>
+#include <pugixml.hpp>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -18,21 +18,15 @@
 namespace springcheck {
 namespace {
 
-using Tree = boost::property_tree::ptree;
-
-std::string attribute(const Tree& element, const std::string& name) {
-  return element.get("<xmlattr>." + name, "");
+std::string attribute(pugi::xml_node element, const char* name) {
+  return element.attribute(name).value();
 }
 
-/// Boost's parser calls itself for each element in an element, and some 10,000 overrun
-/// the stack. Elements are no deeper than there are "<", of which a grid's arrays need a
-/// few hundred. Throws InputError where there are more than it could ever stand.
-void check_nesting(const std::string& name, std::string_view text) {
-  constexpr std::ptrdiff_t most = 6000;
-  if (const auto count = std::ranges::count(text, '<'); count > most)
-    throw InputError(name, "",
-                     fmt::format("at most {} times '<', as of VTK's tags", most),
-                     fmt::to_string(count));
+/// All text of an element, which comments may part.
+std::string text_in(pugi::xml_node element) {
+  std::string text;
+  for (const pugi::xml_node part : element.children()) text += part.value();
+  return text;
 }
 
 /// A vtu file: its name for messages, the element that all is in, and what that says.
@@ -43,19 +37,21 @@ class VtuFile {
     if (!in || std::filesystem::is_directory(file)) refuse("", "a readable file", "none");
     std::stringstream content;
     content << in.rdbuf();
-    check_nesting(name_, content.view());
-    try {
-      read_xml(content, tree_);
-    } catch (const boost::property_tree::xml_parser_error& error) {
-      throw InputError(fmt::format("{}:{}", name_, error.line()), "",
-                       "XML; binary data inline as base64, not appended raw",
-                       error.message());
-    }
-    const auto root = tree_.get_child_optional("VTKFile");
-    if (!root || attribute(*root, "type") != "UnstructuredGrid")
+    const std::string text = content.str();
+    const auto parsed = document_.load_buffer(
+        text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
+    if (!parsed)
+      throw InputError(
+          fmt::format("{}:{}", name_,
+                      1 + std::count(text.begin(), text.begin() + parsed.offset, '\n')),
+          "", "XML; binary data inline as base64, not appended raw",
+          static_cast<std::size_t>(parsed.offset) >= text.size()
+              ? "the end of the file"
+              : parsed.description());
+    root_ = document_.child("VTKFile");
+    if (attribute(root_, "type") != "UnstructuredGrid")
       refuse("", "a VTKFile of type UnstructuredGrid",
-             root ? "type '" + attribute(*root, "type") + "'" : "none");
-    root_ = &*root;
+             root_ ? "type '" + attribute(root_, "type") + "'" : "none");
   }
 
   [[noreturn]] void refuse(const std::string& entity, const std::string& expected,
@@ -66,20 +62,21 @@ class VtuFile {
   [[nodiscard]] const std::string& name() const { return name_; }
 
   /// The only piece of the grid.
-  [[nodiscard]] const Tree& piece() const {
-    const Tree empty;
-    const std::size_t count = root_->get_child("UnstructuredGrid", empty).count("Piece");
+  [[nodiscard]] pugi::xml_node piece() const {
+    const auto pieces = root_.child("UnstructuredGrid").children("Piece");
+    const auto count = std::distance(pieces.begin(), pieces.end());
     if (count != 1) refuse("", "one Piece", fmt::to_string(count));
-    return root_->get_child("UnstructuredGrid.Piece");
+    return *pieces.begin();
   }
 
   /// Encoding of an array's data.
-  [[nodiscard]] VtkEncoding encoding(const Tree& array, const std::string& entity) const {
+  [[nodiscard]] VtkEncoding encoding(pugi::xml_node array,
+                                     const std::string& entity) const {
     const std::string format = attribute(array, "format"),
                       type = attribute(array, "type"),
-                      compressor = attribute(*root_, "compressor"),
-                      order = attribute(*root_, "byte_order"),
-                      header = attribute(*root_, "header_type");
+                      compressor = attribute(root_, "compressor"),
+                      order = attribute(root_, "byte_order"),
+                      header = attribute(root_, "header_type");
     if (format != "ascii" && format != "binary")
       refuse(entity, "format 'ascii' or 'binary', the data inline", "'" + format + "'");
     if (type != "Float32" && type != "Float64")
@@ -101,9 +98,10 @@ class VtuFile {
   }
 
   /// Three numbers for each point.
-  [[nodiscard]] std::vector<Vector3> vectors(const Tree& array, const std::string& entity,
+  [[nodiscard]] std::vector<Vector3> vectors(pugi::xml_node array,
+                                             const std::string& entity,
                                              std::size_t points) const {
-    const std::vector<double> numbers = vtk_numbers(name_ + ": " + entity, array.data(),
+    const std::vector<double> numbers = vtk_numbers(name_ + ": " + entity, text_in(array),
                                                     encoding(array, entity), 3 * points);
     std::vector<Vector3> vectors;
     for (std::size_t i = 0; i < points; ++i)
@@ -113,31 +111,30 @@ class VtuFile {
 
  private:
   std::string name_;
-  Tree tree_;
-  const Tree* root_;
+  pugi::xml_document document_;
+  pugi::xml_node root_;
 };
 
-bool has_three_components(const Tree& array) {
+bool has_three_components(pugi::xml_node array) {
   return attribute(array, "NumberOfComponents") == "3";
 }
 
 /// The array of displacements in PointData.
-const Tree& displacement_array(const VtuFile& file, const Tree& piece) {
-  std::vector<const Tree*> vectors;
-  std::string names;
-  if (const auto data = piece.get_child_optional("PointData"))
-    for (const auto& [tag, array] : *data) {
-      if (tag != "DataArray" || !has_three_components(array)) continue;
-      const std::string name = attribute(array, "Name");
-      if (name == "displacement" || name == "displacement [m]") return array;
-      vectors.push_back(&array);
-      names += (names.empty() ? "'" : ", '") + name + "'";
-    }
+pugi::xml_node displacement_array(const VtuFile& file, pugi::xml_node piece) {
+  std::vector<pugi::xml_node> vectors;
+  std::vector<std::string> names;
+  for (const pugi::xml_node array : piece.child("PointData").children("DataArray")) {
+    if (!has_three_components(array)) continue;
+    const std::string name = attribute(array, "Name");
+    if (name == "displacement" || name == "displacement [m]") return array;
+    vectors.push_back(array);
+    names.push_back("'" + name + "'");
+  }
   if (vectors.size() != 1)
     file.refuse("PointData",
                 "an array named 'displacement', or one only, of three components",
-                vectors.empty() ? "none" : names);
-  return *vectors.front();
+                vectors.empty() ? "none" : fmt::to_string(fmt::join(names, ", ")));
+  return vectors.front();
 }
 
 }  // namespace
@@ -145,20 +142,20 @@ const Tree& displacement_array(const VtuFile& file, const Tree& piece) {
 std::vector<Vector3> read_vtu_displacements(const std::filesystem::path& file,
                                             const Mesh& mesh) {
   const VtuFile vtu(file);
-  const Tree& piece = vtu.piece();
+  const pugi::xml_node piece = vtu.piece();
   const std::size_t nodes = mesh.nodes().size();
   if (const std::string points = attribute(piece, "NumberOfPoints");
       points != std::to_string(nodes))
     vtu.refuse("NumberOfPoints", fmt::format("{}, the mesh's nodes", nodes),
                "'" + points + "'");
-  const auto coordinates = piece.get_child_optional("Points.DataArray");
-  if (!coordinates || !has_three_components(*coordinates))
+  const pugi::xml_node coordinates = piece.child("Points").child("DataArray");
+  if (!has_three_components(coordinates))
     vtu.refuse("Points", "a DataArray of three components", "none");
-  const std::vector<Vector3> points = vtu.vectors(*coordinates, "Points", nodes);
-  const Tree& array = displacement_array(vtu, piece);
+  const std::vector<Vector3> points = vtu.vectors(coordinates, "Points", nodes);
+  pugi::xml_node array = displacement_array(vtu, piece);
   const std::vector<Vector3> displacements =
       vtu.vectors(array, fmt::format("array '{}'", attribute(array, "Name")), nodes);
-  const bool is_rounded = attribute(*coordinates, "type") == "Float32";
+  const bool is_rounded = attribute(coordinates, "type") == "Float32";
   const double relative = is_rounded ? std::numeric_limits<float>::epsilon() : 0;
 
   NodalVectors vectors(mesh, "displacement");

@@ -14,7 +14,7 @@ struct Cantilever {
   double load_per_length;  // w = rho g l h [N/m]
 };
 
-/// Where the section at arc length s of the straight beam goes.
+/// The place to which the section at arc length s of the straight beam goes.
 struct BeamPoint {
   double drop;   // along the load [m]
   double axial;  // along the undeformed axis [m]
@@ -36,8 +36,9 @@ BeamPoint timoshenko(const Cantilever& beam, double s);
 ///
 ///     E I theta'' = -w (L - s) cos theta,   theta(0) = 0,   theta'(L) = 0
 ///
-/// solved by shooting on theta'(0). `s` ascending in [0, L]; one point for each.
-/// Source: equilibrium of the Euler elastica under a constant vertical line load.
+/// and is solved by shooting on theta'(0). `s` is ascending in [0, L]; there is one point
+/// for each. Source: equilibrium of the Euler elastica under a constant vertical line
+/// load.
 std::vector<BeamPoint> elastica(const Cantilever& beam, const std::vector<double>& s);
 
 }  // namespace springcheck

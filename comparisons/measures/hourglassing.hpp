@@ -10,13 +10,13 @@ namespace springcheck {
 /// How much the inside of a body hourglasses: alternates from cell to cell in modes that
 /// the cells' mean deformation does not see.
 struct Hourglassing {
-  // Part of the cells' hourglass displacement that does, 0 to 1; none where that is
-  // round-off, below 1e-7 of edge length and strain:
+  // The part of the cells' hourglass displacement that alternates, 0 to 1; none where
+  // that displacement is round-off, below 1e-7 of edge length and strain:
   std::optional<double> alternation;
   double amplitude;  // its height over edge length and strain
 };
 
-/// With
+/// Measures how much the inside hourglasses. With
 ///
 ///     w_c(n)  displacement of corner n of cell c less the best affine fit (least
 ///             squares) to those of its eight corners
@@ -38,11 +38,11 @@ struct Hourglassing {
 /// Corners and cells count alike, whatever their size: a convention that the amplitude
 /// depends on where meshes are irregular.
 ///
-/// None on other cells than hexahedra, and without a node inside.
+/// There is none on other cells than hexahedra, and without a node inside.
 std::optional<Hourglassing> measure_hourglassing(const Mesh& mesh,
                                                  std::span<const Vector3> displacements);
 
-/// Above both it hourglasses; set and judged like wrinkled_above.
+/// The limits above both of which a body hourglasses; set and judged like wrinkled_above.
 inline constexpr Hourglassing hourglassing_above{.alternation = 0.5, .amplitude = 0.05};
 bool is_hourglassing(const Hourglassing& hourglassing);
 

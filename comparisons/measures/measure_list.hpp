@@ -23,34 +23,34 @@ struct Measures {
   Value volume_error{}, volume_change{};
   Value cell_volume_ratio_min{}, cell_volume_ratio_max{}, corner_jacobian_ratio_min{};
 
-  // Of the worst side of the free surface, see wrinkles.hpp; empty without a free node
-  // inside a side. Inside a body of hexahedra, see hourglassing.hpp; empty on other
-  // cells, and without a node inside:
+  // Wrinkling of the worst side of the free surface, see wrinkles.hpp; empty without a
+  // free node inside a side. Hourglassing inside a body of hexahedra, see
+  // hourglassing.hpp; empty on other cells, and without a node inside:
   Value wrinkle_alternation{}, wrinkle_amplitude{};
   Value hourglass_alternation{}, hourglass_amplitude{};
 
-  // Of the moved plate or the traction; empty without either, and where no forces were
-  // given to a measured result:
+  // Measures of the moved plate or the traction; empty without either, and where no
+  // forces were given to a measured result:
   Vector force{}, torque{};
   Value plate_force{}, plate_force_norm{}, plate_torque{};
   Vector face_displacement{};
 
-  // Of affine boundaries:
+  // Measures of affine boundaries:
   Matrix mean_stress{};
   Value affine_deviation_relative{};
 
   // How far the body was stable; known of runs that found no equilibrium, too:
   Value definite_up_to_deformation{}, critical_wavelength{};
 
-  // Against a reference. The relative ones of bending and traction are empty without a
-  // load at the end:
+  // Measures against a reference. The relative ones of bending and traction are empty
+  // without a load at the end:
   Value mean_deviation{}, max_deviation{}, middle_layer_deviation{};
   Value deviation_l2_relative{}, deviation_max_relative{};
   Value cell_volume_ratio_rms_difference{};
   Value reference_order{}, reference_bar{}, reference_bar_l2_relative{};
 
-  // Of of_beam, see beam_theory.hpp. With odd cell counts, which have no node at the
-  // centre of the end face, the tip is interpolated:
+  // Measures of beams, see beam_theory.hpp. With odd cell counts, which have no node at
+  // the centre of the end face, the tip is interpolated:
   Value tip_deflection{};
   Value tip_euler_bernoulli{}, tip_timoshenko{}, tip_elastica{};
   Value centre_line_euler_bernoulli{}, centre_line_timoshenko{}, centre_line_elastica{};
@@ -119,7 +119,7 @@ constexpr bool with_free_surface(const TestName& test) {
   return test.value != Test::affine;
 }
 
-/// Name, member, label, unit, what it is, and what else there is to say.
+/// Every measure: name, member, label, unit, what it is, and what else there is to say.
 // clang-format off
 inline constexpr Measure table[] = {
     {"volume_error", &M::volume_error, "volume change, absolute", "",
@@ -282,17 +282,19 @@ void for_each_measure(SomeMeasures& measures, Visit&& visit) {
                measure.member);
 }
 
-/// The one of that name; nullptr without one.
+/// The measure of that name; nullptr where there is none.
 const Measure* find_measure(std::string_view name);
 
-/// What people read it in, "%" or its unit; and the factor from its unit to that.
+/// The unit in which people read the measure, "%" or its own; and the factor from its own
+/// unit to that.
 std::string_view shown_unit(const Measure& measure);
 double shown_factor(const Measure& measure);
 
-/// "volume change [%]", "least V/V0": its label with that unit.
+/// The measure's label with the unit in which people read it: "volume change [%]",
+/// "least V/V0".
 std::string heading_of(const Measure& measure);
 
-/// Numbers that it is made of: 1, 3 of a vector, 9 of a matrix.
+/// How many numbers the measure is made of: 1, 3 for a vector, 9 for a matrix.
 std::size_t component_count(const Measure& measure);
 
 }  // namespace springcheck

@@ -23,8 +23,8 @@ using Sides = std::array<Side, 6>;
 
 constexpr double amplitude_rounding = 1e-7;
 
-/// A node that is looked at.
-struct Looked {
+/// What an affine fit of its neighbours' displacements says of a node.
+struct FittedNode {
   Vector3 residual;      // r [m]
   double square_strain;  // |E|^2
 };
@@ -66,9 +66,9 @@ Sides sides_of(const Mesh& mesh) {
 }
 
 /// What the neighbours tell of a node, by an affine fit; none where they lie on a line.
-std::optional<Looked> look_at(const Mesh& mesh, const Side& side, NodeIndex node,
-                              const std::vector<NodeIndex>& neighbours,
-                              std::span<const Vector3> displacements) {
+std::optional<FittedNode> fit_at(const Mesh& mesh, const Side& side, NodeIndex node,
+                                 const std::vector<NodeIndex>& neighbours,
+                                 std::span<const Vector3> displacements) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero(), right = Eigen::Matrix3d::Zero();
   double square = 0;  // of the neighbours' distances
   for (const NodeIndex n : neighbours)
@@ -90,12 +90,12 @@ std::optional<Looked> look_at(const Mesh& mesh, const Side& side, NodeIndex node
     for (Eigen::Index j = 0; j < 2; ++j)
       strain(i, j) += H(side.plane[static_cast<std::size_t>(i)], j) +
                       H(side.plane[static_cast<std::size_t>(j)], i);
-  return Looked{.residual = -fit.row(0).transpose(),
-                .square_strain = strain.squaredNorm() / 4};
+  return FittedNode{.residual = -fit.row(0).transpose(),
+                    .square_strain = strain.squaredNorm() / 4};
 }
 
-/// Of the side's nodes that are not left out.
-std::map<NodeIndex, Looked> look_at_all(const Mesh& mesh, const Side& side,
+/// What is seen at the side's nodes that are not left out.
+std::map<NodeIndex, FittedNode> fit_all(const Mesh& mesh, const Side& side,
                                         const std::vector<bool>& left_out,
                                         std::span<const Vector3> displacements) {
   std::map<NodeIndex, std::vector<NodeIndex>> neighbours;
@@ -103,25 +103,26 @@ std::map<NodeIndex, Looked> look_at_all(const Mesh& mesh, const Side& side,
     neighbours[a].push_back(b);
     neighbours[b].push_back(a);
   }
-  std::map<NodeIndex, Looked> all;
+  std::map<NodeIndex, FittedNode> all;
   for (const auto& [node, near] : neighbours)
     if (!left_out[node])
-      if (const auto looked = look_at(mesh, side, node, near, displacements))
-        all.emplace(node, *looked);
+      if (const auto fitted = fit_at(mesh, side, node, near, displacements))
+        all.emplace(node, *fitted);
   return all;
 }
 
-/// With amplitude rms r / h: the strain is known when all sides are.
+/// The wrinkling of a side, with amplitude rms r / h: the strain is known when all sides
+/// are.
 Wrinkling zigzag(const Mesh& mesh, const Side& side,
-                 const std::map<NodeIndex, Looked>& looked) {
+                 const std::map<NodeIndex, FittedNode>& fitted) {
   Matrix2 products = Matrix2::Zero(), squares = Matrix2::Zero();  // C and S
   double square_edges = 0, edges = 0, square_residuals = 0;
   for (const auto& [a, b] : side.edges) {
-    const auto at_a = looked.find(a), at_b = looked.find(b);
-    if (at_a == looked.end() && at_b == looked.end()) continue;
+    const auto at_a = fitted.find(a), at_b = fitted.find(b);
+    if (at_a == fitted.end() && at_b == fitted.end()) continue;
     const Vector3 zero = Vector3::Zero();
-    const Vector3 r_a = at_a == looked.end() ? zero : at_a->second.residual;
-    const Vector3 r_b = at_b == looked.end() ? zero : at_b->second.residual;
+    const Vector3 r_a = at_a == fitted.end() ? zero : at_a->second.residual;
+    const Vector3 r_b = at_b == fitted.end() ? zero : at_b->second.residual;
     const Vector3 edge = mesh.nodes()[b] - mesh.nodes()[a];
     const Vector2 t = Vector2(edge[side.plane[0]], edge[side.plane[1]]).normalized();
     products += r_a.dot(r_b) * t * t.transpose();
@@ -129,10 +130,10 @@ Wrinkling zigzag(const Mesh& mesh, const Side& side,
     square_edges += edge.squaredNorm();
     ++edges;
   }
-  for (const auto& [node, at] : looked) square_residuals += at.residual.squaredNorm();
+  for (const auto& [node, at] : fitted) square_residuals += at.residual.squaredNorm();
   Wrinkling seen{
       .alternation = -1,
-      .amplitude = std::sqrt(square_residuals / static_cast<double>(looked.size()) /
+      .amplitude = std::sqrt(square_residuals / static_cast<double>(fitted.size()) /
                              (square_edges / edges))};
   if (squares.determinant() > 0)
     seen.alternation = -Eigen::GeneralizedSelfAdjointEigenSolver<Matrix2>(
@@ -149,10 +150,10 @@ std::optional<Wrinkling> measure_wrinkling(const Mesh& mesh, const Scene& scene,
   std::vector<Wrinkling> seen;
   double square_strains = 0, nodes = 0;
   for (const Side& side : sides_of(mesh)) {
-    const auto looked = look_at_all(mesh, side, left_out, displacements);
-    if (looked.empty()) continue;
-    seen.push_back(zigzag(mesh, side, looked));
-    for (const auto& [node, at] : looked) {
+    const auto fitted = fit_all(mesh, side, left_out, displacements);
+    if (fitted.empty()) continue;
+    seen.push_back(zigzag(mesh, side, fitted));
+    for (const auto& [node, at] : fitted) {
       square_strains += at.square_strain;
       ++nodes;
     }

@@ -20,7 +20,7 @@ fem_reference::ExplicitSettings explicit_settings(const CaseSettings& settings,
           .threads = threads};
 }
 
-/// What all have that step.
+/// A method with what all methods have that step.
 Method that_step(Method own) {
   own.family = Family::finite_elements;
   own.reads.insert(own.reads.end(), {"damping", "precision"});
@@ -62,7 +62,8 @@ fem_reference::MotionSettings motion_settings(const CaseSettings& settings, Law 
           .threads = threads};
 }
 
-/// What `own.at_rest` is in motion, with its source, its mark and what its law is like.
+/// The method that is `own.at_rest` in motion, with its source, its mark and what its law
+/// is like.
 Method elements_that_step(Law law, Method own) {
   for (const Method& rest : finite_element_methods())
     if (rest.name == own.at_rest) {
@@ -100,8 +101,8 @@ Method elements_that_step(Law law, Method own) {
 
 constexpr Omission no_moving_hooke{"Not Hooke's law", "fem-explicit-hooke"};
 
-/// Of plain loops: q1, q1-sri and q1-nodal on hexahedra and tetrahedra
-/// are within 20 %.
+/// Times by plain loops: those of q1, q1-sri and q1-nodal on hexahedra and tetrahedra are
+/// within 20 %.
 constexpr Seconds by_loops_in(double seconds) {
   return {.in_motion = seconds, .in_motion_off_grids = seconds};
 }
@@ -112,7 +113,7 @@ std::vector<Method> explicit_element_methods() {
   constexpr auto in_double = dynamics::Precision::double_precision;
   const std::vector<Model> on_tetrahedra{
       {.element = "q1-nodal", .cells = CellType::tetrahedron, .precision = in_double}};
-  // On hexahedra St-Venant's have their kernels.
+  // On hexahedra the elements of St-Venant's law have their kernels.
   const std::vector<Model> on_both{on_tetrahedra.front(),
                                    {.element = "q1-sri", .precision = in_double}};
   return {

@@ -19,18 +19,18 @@ const std::vector<LatticeName>& lattices();
 const Method* find_method(std::string_view name);
 const ElementName* find_element(std::string_view name);
 
-/// Those of a family that have a place, by it (Method::foremost).
+/// The methods of a family that have a place in it, in that order (Method::foremost).
 std::vector<const Method*> foremost(Family family);
 
-/// What a method is at rest; itself where it is not another's motion.
+/// The method that a method is at rest; itself where it is not another's motion.
 const Method& at_rest(const Method& method);
 
 /// Finite elements that charts step through time on such cells: those that have a place,
 /// then the others.
 std::vector<Model> moving_elements(CellType cells, dynamics::Precision precision);
 
-/// Finite elements of a law at rest, which bodies converge to by finer cells; whether one
-/// has that name.
+/// The finite elements of a law at rest, to which bodies converge by finer cells; and
+/// whether one of them has that name.
 std::vector<const Method*> laws();
 bool is_law(std::string_view name);
 
@@ -53,14 +53,14 @@ const Method& thesis_law();
 /// that is not known to follow any.
 const Method& followed_law(const Method& method, const Method& otherwise);
 
-/// The same of a case, whose setting may make a method's springs those of another one
-/// that follows a law.
+/// Finite elements of the law that a case's springs follow, where a setting may make a
+/// method's springs those of another one; `otherwise` where none is known.
 const Method& followed_law(const CaseSettings& settings, const Method& otherwise);
 
 /// The continuum of a lattice of springs, by the Cauchy-Born rule.
 const Method& continuum_of_lattices();
 
-/// "a, b, c" of the entries' names, for messages and help.
+/// The entries' names as "a, b, c", for messages and help.
 template <class Entries>
 std::string names_of(const Entries& entries) {
   std::string names;

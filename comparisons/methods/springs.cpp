@@ -1,12 +1,8 @@
-#include "comparisons/methods/families.hpp"
-
 #include <algorithm>
-#include <memory>
+#include <iterator>
 
-#include "comparisons/cases/case.hpp"
-#include "comparisons/methods/protocol.hpp"
-#include "mss/networks/spring_model_table.hpp"
-#include "mss/solve.hpp"
+#include "comparisons/methods/families.hpp"
+#include "comparisons/methods/spring_method.hpp"
 
 namespace springcheck {
 namespace {
@@ -16,114 +12,14 @@ using fem_reference::Springs;
 const std::vector<CellType> any_cells{all_cell_types.begin(), all_cell_types.end()},
     hexahedra{CellType::hexahedron}, tetrahedra{CellType::tetrahedron};
 
-mss::NetworkSettings network_settings(const CaseSettings& settings,
-                                      mss::SpringModel model) {
-  mss::NetworkSettings springs = springs_of(settings, settings.method.fixed);
-  springs.model = model;
-  return springs;
-}
-
-std::optional<mss::DynamicsSettings> motion_settings(const CaseSettings& settings,
-                                                     int threads) {
-  if (!goes_through_time(settings)) return std::nullopt;
-  return mss::DynamicsSettings{.protocol = protocol_of(settings),
-                               .damping_ratio = settings.dynamics.damping_ratio,
-                               .precision = settings.dynamics.precision,
-                               .threads = threads};
-}
-
-std::string words_of(mss::CellShapes shapes) {
-  switch (shapes) {
-    case mss::CellShapes::any:
-      return "cells of any shape";
-    case mss::CellShapes::tetrahedra:
-      return "tetrahedra of any shape";
-    case mss::CellShapes::cubes:
-      return "cubes";
-    case mss::CellShapes::boxes:
-      break;
-  }
-  return "cubes, and boxes that springs of no negative stiffness make isotropic, on "
-         "which A has no effect";
-}
-
 constexpr const char* virtual_source =
     "own; cells of mean gradient as Flanagan and Belytschko 1981, averages around "
     "nodes as Bonet and Burton 1998, springs along directions as microplane models "
     "(Carol, Jirasek and Bazant 2004)";
 
-/// 3 x 3 blocks with 26 neighbours and the own one.
-constexpr double entries_of_neighbours = 9 * 27;
-
-/// Of memory for each cell. Peaks of `run compression` by multigrid: 779 MB at 30^3 cells
-/// of mss-cf, 5047 MB at 60^3; of mss-affine at nu = .4 1740 MB at 30^3, 3931 MB at 40^3.
-constexpr double multigrid_bytes = 20e3;
-
-/// A method with what all of springs have. Of a solution's systems the coupling is that
-/// above nu = 1/4.
-Method of_springs(mss::SpringModel springs, Method own, double coupling = 1) {
-  own.family = Family::springs;
-  if (own.lattice) {
-    own.lattice->name = own.name;
-    own.lattice->reads = own.reads;
-    own.lattice->fixed = own.fixed;
-  }
-  own.covers = words_of(mss::entry_of(springs).cells) + own.covers;
-  if (own.fixed.strain != mss::StrainMeasure::hencky &&
-      std::ranges::count(own.cells, CellType::hexahedron) > 0)
-    own.covers += std::string("; single precision on hexahedra, by explicit steps") +
-                  (std::ranges::count(own.reads, "spring-strain") > 0
-                       ? ", of engineering and green strain"
-                       : "");
-  own.reads.insert(own.reads.end(),
-                   {"damping", "precision", "linear-solver", "noise", "seed"});
-  own.solvers = {Solver::static_equilibrium,  Solver::path_limit, Solver::explicit_euler,
-                 Solver::semi_implicit_euler, Solver::verlet,     Solver::implicit_euler};
-  own.seconds.at_rest = 0.5;  // .25 to 1.6, most where they wrinkle
-  own.solve = [springs](const CaseSettings& settings, const Mesh& mesh,
-                        const Scene& scene, int threads,
-                        const dynamics::Observers& observers) {
-    return mss::solve(mesh, scene,
-                      {.network = network_settings(settings, springs),
-                       .dynamics = motion_settings(settings, threads),
-                       .search = search_of(settings)},
-                      observers);
-  };
-  own.network = [springs](const CaseSettings& settings,
-                          const Mesh& mesh) -> std::optional<mss::Network> {
-    if (mss::reason_to_refuse(mesh, settings.material, springs)) return std::nullopt;
-    return mss::build_network(mesh, settings.material,
-                              network_settings(settings, springs));
-  };
-  own.stepping = [springs](const CaseSettings& settings, const Mesh& mesh,
-                           const Scene& scene) -> MakeMotion {
-    const auto network = std::make_shared<mss::Network>(
-        mss::build_network(mesh, settings.material, network_settings(settings, springs)));
-    return [=, &mesh, &scene, protocol = protocol_of(settings),
-            dynamics = settings.dynamics](const SteppingOptions& options) {
-      return mss::motion_of(
-          mesh, scene, *network,
-          {.protocol = protocol,
-           .damping_ratio = dynamics.damping_ratio,
-           .precision = dynamics.precision,
-           .threads = options.threads,
-           .kernel = options.by_plain_loops ? mss::Kernel::plain : mss::Kernel::fast},
-          options.instruction_set);
-    };
-  };
-  own.linear_systems = [coupling](const CaseSettings& settings) -> LinearSystems {
-    if (!needs_tangents(settings)) return {};
-    const double further = settings.material.poisson_ratio > 0.25 ? coupling : 1;
-    return {.kind = linear_systems_of(settings),
-            .coupling = further,
-            .multigrid_bytes = multigrid_bytes * further,
-            .entries_per_node = entries_of_neighbours * further};
-  };
-  return own;
-}
-
-// Of a simulated second: kernels .037 and .042, that of mss-affine .1, plain loops .66,
-// of 25 isochoric springs 1.5; measured with what is done once, about half of the first.
+// Times of a simulated second [s]: kernels .037 and .042, that of mss-affine .1, plain
+// loops .66, those of 25 isochoric springs 1.5; measured with what is done once, about
+// half of the first.
 constexpr double by_kernels = 0.03, by_affine_kernel = 0.1, by_plain_loops = 0.6,
                  by_isochoric_springs = 1.4;
 constexpr Seconds of_lattices{.in_motion = by_kernels, .in_motion_off_grids = by_kernels},
@@ -147,7 +43,7 @@ std::vector<Model> models(std::vector<CellType> at_rest,
 const std::vector<Model> lattice_models =
     models({CellType::hexahedron}, {double_precision, single_precision});
 
-/// Of springs on any cells, whose kernels, of the precisions, are for hexahedra.
+/// Models of springs on any cells, whose kernels, of these precisions, are for hexahedra.
 std::vector<Model> models_on_any_cells(std::vector<dynamics::Precision> in_motion) {
   auto all = models({CellType::hexahedron, CellType::tetrahedron, CellType::prism},
                     std::move(in_motion));
@@ -171,9 +67,8 @@ std::string_view at_a_quarter(const Material& material) {
              : "";
 }
 
-}  // namespace
-
-std::vector<Method> spring_methods() {
+/// The thesis's springs on grids of hexahedra.
+std::vector<Method> thesis_lattices() {
   using enum mss::SpringModel;
   return {
       of_springs(baudet, {.name = "mss-baudet",
@@ -221,7 +116,13 @@ std::vector<Method> spring_methods() {
                       .of_thesis = true,
                       .lattice = LatticeName{.springs = Springs::cf},
                       .seconds = of_lattices,
-                      .charted = lattice_models}),
+                      .charted = lattice_models})};
+}
+
+/// Springs on the edges and diagonals of hexahedra that follow another law, or none.
+std::vector<Method> further_lattices() {
+  using enum mss::SpringModel;
+  return {
       of_springs(cf, {.name = "mss-stvk",
                       .description = "mss-cf in squared lengths (spring-strain = green): "
                                      "St-Venant-Kirchhoff's law",
@@ -266,7 +167,13 @@ std::vector<Method> spring_methods() {
            .seconds = of_lattices,
            .charted = lattice_models,
            .omits = {{no_correction, "mss-cf"}},
-           .beside_printed = true}),
+           .beside_printed = true})};
+}
+
+/// Virtual springs, on any cells.
+std::vector<Method> virtual_springs() {
+  using enum mss::SpringModel;
+  return {
       // It couples a node with its neighbours' neighbours where its volume correction
       // acts on nodal patches. Peaks at 10^3 and 20^3 cubes: 221 and 714 MB,
       // mss-cf's 188 and 432.
@@ -293,7 +200,7 @@ std::vector<Method> spring_methods() {
                   .cells = any_cells,
                   .corrects_volume = true,
                   .foremost = 5,
-                  // In squared lengths any that are isotropic are the same law.
+                  // In squared lengths all isotropic springs are the same law.
                   .fixed = {.strain = mss::StrainMeasure::green, .axes = mss::Axes::six},
                   .lattice = LatticeName{.springs = Springs::affine, .of_cubes = false},
                   .seconds = of_virtual_springs,
@@ -317,7 +224,13 @@ std::vector<Method> spring_methods() {
                   .seconds = of_isochoric_springs,
                   .charted = models_on_any_cells({double_precision}),
                   .beside_printed = true},
-                 2.8),
+                 2.8)};
+}
+
+/// Springs on the edges of tetrahedra, and the user's own.
+std::vector<Method> edge_springs() {
+  using enum mss::SpringModel;
+  return {
       of_springs(
           vangelder,
           {.name = "mss-vangelder",
@@ -349,6 +262,16 @@ std::vector<Method> spring_methods() {
                   .cells = hexahedra,
                   .belongs_to_cells = true,
                   .seconds = of_lattices})};
+}
+
+}  // namespace
+
+std::vector<Method> spring_methods() {
+  std::vector<Method> all;
+  for (auto methods :
+       {thesis_lattices(), further_lattices(), virtual_springs(), edge_springs()})
+    std::ranges::move(methods, std::back_inserter(all));
+  return all;
 }
 
 }  // namespace springcheck

@@ -46,7 +46,7 @@ tissue::MaxwellFit fit_of(const CaseSettings& settings) {
   return tissue::fit_maxwell_model(settings.tissue.law, {}, settings.tissue.branches);
 }
 
-/// Of the ways between the turning points of a load.
+/// The pace of a load on the ways between its turning points.
 struct Pace {
   double largest_fraction = 0;
   double slowest = INFINITY, fastest = 0;  // [1/s] of the load fraction, where it changes
@@ -72,7 +72,7 @@ Pace pace_of(const Dynamics& dynamics) {
   return pace;
 }
 
-/// Where it is far off the law in its own range; empty where it is not.
+/// Says that the fit is far off the law in its own range; empty where it is not.
 std::string poor_fit(const tissue::MaxwellFit& fit) {
   constexpr double band = 0.02;  // at constant rate
   if (fit.errors.constant_rate <= band) return {};
@@ -96,8 +96,9 @@ std::vector<double> times_looked_at(const dynamics::LoadPath& load) {
   return times;
 }
 
-/// Where they are far off the law on the case's path of load, as where it swings; empty
-/// where they are not. In simple shear by the largest strain, over the largest stress.
+/// Says that the branches are far off the law on the case's path of load, as where it
+/// swings; empty where they are not. They are compared in simple shear by the largest
+/// strain, over the largest stress.
 std::string poor_path(const tissue::MaxwellFit& fit, const CaseSettings& settings,
                       double largest_strain) {
   constexpr double band = 0.1;
@@ -122,7 +123,7 @@ std::string poor_path(const tissue::MaxwellFit& fit, const CaseSettings& setting
       100 * off / largest);
 }
 
-/// By a fit to the law: solve(tissue, setup) is a solver's part.
+/// Solves a case by a fit to the law: solve(tissue, setup) is a solver's part.
 template <class Solve>
 Solution solve_with_memory(const CaseSettings& settings, const Solve& solve) {
   if (asks_for_limit(settings)) return refused(no_limit);
@@ -162,7 +163,8 @@ Solution solve_by_elements(const CaseSettings& settings, const Mesh& mesh,
       });
 }
 
-/// Table 4.2 has no limit but of the organs of Table 4.1.
+/// The limit that was fitted by hand; Table 4.2 has one for the organs of Table 4.1
+/// alone.
 std::optional<double> limit_fitted_by_hand(const tissue::BipowerLaw& law) {
   for (const tissue::Organ& organ : tissue::organs())
     if (organ.law == law) return tissue::hand_fitted_limit(organ.name);
@@ -199,7 +201,7 @@ MakeMotion stepping_of_springs(const CaseSettings& settings, const Mesh& mesh,
   };
 }
 
-/// A method with what all of tissue have.
+/// A method with what all methods of tissue have.
 Method of_tissue(Method own) {
   own.reads.insert(own.reads.end(), {"organ", "law", "time-steps"});
   own.is_elastic = false;

@@ -18,7 +18,7 @@ std::vector<Degrees> products_up_to(int degree) {
   return all;
 }
 
-/// int p_m p_n' dx of Legendre polynomials that are orthonormal on [0, L]:
+/// The integral int p_m p_n' dx of Legendre polynomials that are orthonormal on [0, L]:
 ///
 ///     2/L sqrt((2m + 1)(2n + 1)) where n - m is positive and odd, else 0
 double with_derivative(int m, int n, double length) {
@@ -40,7 +40,7 @@ class Integrals {
     }
   }
 
-  /// int d_i a d_j b dV.
+  /// The integral int d_i a d_j b dV.
   [[nodiscard]] double of(const Degrees& a, std::size_t i, const Degrees& b,
                           std::size_t j) const {
     double product = 1;
@@ -60,7 +60,7 @@ class Integrals {
   std::array<MatrixXd, 3> with_derivative_, derivatives_;
 };
 
-/// Of the basis a e_i, entries 3 a + i.
+/// The stiffness matrix of the basis a e_i, with entries 3 a + i.
 MatrixXd stiffness(const std::vector<Degrees>& basis, const Integrals& integrals,
                    const LameConstants& lame) {
   const auto count = static_cast<Index>(basis.size());

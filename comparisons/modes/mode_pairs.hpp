@@ -22,10 +22,10 @@ struct Counterpart {
   double mac;        // the least of its modes' in [0, 1]
 };
 
-/// Of each of the multiplets those of the other method's modes that look most like it,
-/// each taken once, by the modal assurance criterion of single modes, (u.v)^2/(u.u v.v),
-/// generalised to mixtures on both sides: with Q and R orthonormal bases of a multiplet's
-/// shapes and of the others', as nodal displacements,
+/// The counterpart of each multiplet: those of the other method's modes that look most
+/// like it, each taken once, by the modal assurance criterion of single modes,
+/// (u.v)^2/(u.u v.v), generalised to mixtures on both sides. With Q and R orthonormal
+/// bases of a multiplet's shapes and of the others', as nodal displacements, it is
 ///
 ///     MAC = squares of the singular values of Q^T R,
 ///

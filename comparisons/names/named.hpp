@@ -16,7 +16,7 @@ struct Named {
   std::string_view description{};
 };
 
-/// Those of an enumeration, in the order in which messages list them.
+/// The named values of an enumeration, in the order in which messages list them.
 template <class Value>
 inline constexpr std::array<Named<Value>, 0> value_names{};
 
@@ -39,7 +39,7 @@ std::vector<std::string_view> names_of() {
   return names;
 }
 
-/// The one of that name; nullptr without one.
+/// The entry of that name; nullptr where there is none.
 template <class Value>
 const auto* find_value(std::string_view name) {
   const auto& all = value_names<Value>;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <utf8.h>
 
 #include <algorithm>
 
@@ -59,11 +60,14 @@ std::string_view nearest(std::string_view text,
 }
 
 std::string clipped(std::string_view text) {
-  constexpr std::size_t longest = 200;
-  if (text.size() <= longest) return std::string(text);
-  std::size_t end = longest;  // of a whole letter of UTF-8
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return fmt::format("{}... ({} characters)", text.substr(0, end), text.size());
+  constexpr std::ptrdiff_t longest = 200;
+  std::string sound = utf8::replace_invalid(text);
+  const auto characters = utf8::distance(sound.begin(), sound.end());
+  if (characters <= longest) return sound;
+  auto end = sound.begin();
+  utf8::advance(end, longest, sound.end());
+  return fmt::format("{}... ({} characters)", std::string(sound.begin(), end),
+                     characters);
 }
 
 void refuse_name(std::string_view place, std::string_view what, std::string_view text,

@@ -37,7 +37,7 @@ std::vector<double> numbers_of(const Eigen::Matrix3d& value) {
   return {columns.data(), columns.data() + 9};
 }
 
-/// Nothing without a value.
+/// Puts a value into the row under its name; puts nothing where there is none.
 void put(Row& row, std::string_view name, const auto& value) {
   if (value) row[std::string(name)] = numbers_of(*value);
 }
@@ -108,7 +108,7 @@ void check_measures(const StoredCase& stored, const Reader& reader) {
       static_cast<void>(reader.number(std::string(measure.name)));
   if (const auto name = not_finite(stored.measures))
     reader.refuse(*name, "finite numbers", "others");
-  // Of solver limit, short of the load.
+  // A case of solver limit that ended short of the load has a critical wavelength.
   const bool is_limit = stored.measures.critical_wavelength.has_value();
   const bool has_equilibrium =
       !is_limit &&

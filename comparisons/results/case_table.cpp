@@ -56,7 +56,7 @@ std::string component_name(std::string_view name, std::string_view component) {
   return std::string(name) + "." + std::string(component);
 }
 
-/// Where bodies are turned, the deformation is an angle.
+/// The unit of a name's columns. Where bodies are turned, the deformation is an angle.
 std::string unit_of(const Name& name, const Columns& cases) {
   const auto tests = cases.texts.find("test");
   if (name.name != "deformation" || tests == cases.texts.end())
@@ -69,7 +69,7 @@ std::string unit_of(const Name& name, const Columns& cases) {
   return turning == std::ssize(tests->second) ? "rad" : "1 or rad";
 }
 
-/// Of one name, as many as it has components; none where no case has it.
+/// The columns of one name, as many as it has components; none where no case has it.
 std::vector<CaseColumn> columns_of(const Columns& cases, const Name& name) {
   const std::string key(name.name), unit = unit_of(name, cases);
   if (const auto found = cases.texts.find(key); found != cases.texts.end())
@@ -98,8 +98,9 @@ bool is_empty(const CaseColumn& column) {
                              [](double x) { return std::isnan(x); });
 }
 
-/// Between rows that have it, or of rows of one test, method and solver, of which some
-/// lack it: other methods and solvers do not read it, which tells them apart already.
+/// Whether the values differ between rows that have them, or only some rows of one test,
+/// method and solver have one: other methods and solvers do not read it, which tells them
+/// apart already.
 bool differs(const Columns& cases, const std::string& key,
              const std::vector<std::size_t>& rows) {
   std::set<std::string> values;
@@ -116,7 +117,7 @@ bool differs(const Columns& cases, const std::string& key,
          });
 }
 
-/// With the unit of its name, which has no value in any case.
+/// A column without values, with the unit of its name, which has no value in any case.
 CaseColumn empty_column(const std::string& name, const Name& of, std::size_t rows) {
   const Setting* setting = find_setting(of.name);
   if (setting != nullptr && !holds_numbers(setting->access.type))

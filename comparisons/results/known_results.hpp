@@ -35,7 +35,8 @@ OtherRevisions other_revisions(const StoredCases& stored);
 /// What a table or page says of cases of other revisions that it is made of.
 std::string note_of_taken(const OtherRevisions& others);
 
-/// Adds that to the notes of what is made of these results, where there are any.
+/// Adds note_of_taken to the notes of what is made of these results, where it says
+/// something.
 void add_note_of_taken(std::vector<std::string>& notes,
                        std::span<const CaseResult> results);
 
@@ -50,7 +51,7 @@ KnownResult known_figures(const StoredCases& stored);
 /// it.
 KnownResult known_from(const StoredCases& stored, MeshStore& meshes);
 
-/// Of known results in an equilibrium those alone that have their fields.
+/// Supplies known results, but those in an equilibrium only where they have their fields.
 KnownResult only_with_fields(const KnownResult& known);
 
 }  // namespace springcheck

@@ -15,6 +15,7 @@
 #include "comparisons/results/xdmf.hpp"
 #include "comparisons/store/open_result_file.hpp"
 #include "comparisons/store/overlay_file.hpp"
+#include "comparisons/store/stored_columns.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/output_file.hpp"
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <hdf5.h>
+
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -29,12 +31,14 @@ struct StoredKeys {
   std::map<std::string, std::size_t> rows;  // of the table of cases
   std::set<std::string> with_fields;        // keys
   OtherRevisions others;
-  // Keys of this program to those in the file, of cases that it has of others alone:
+  // Keys of this program to those in the file, for cases that the file has of other
+  // revisions alone:
   std::map<std::string, std::string> substitutes;
   OtherRevisions taken;  // of those others what Revisions::all takes
 };
 
-/// Of a file, or of one that is open (`file` is for messages). Throw like read_cases.
+/// The keys of a file, or of one that is open (`file` is for messages). They throw like
+/// read_cases.
 StoredKeys stored_keys(const std::filesystem::path& file);
 StoredKeys keys_in(hid_t root, const std::filesystem::path& file);
 
@@ -65,8 +69,8 @@ class ResultFile {
 
   /// Adds what another result file has and this one lacks: cases with their provenance,
   /// meshes, fields, maps, points of charts (see merged). Cases that both have stay as
-  /// they are here, but get fields they lack. With `keys`: of cases those alone, and no
-  /// maps or charts.
+  /// they are here, but get fields they lack. With `keys` those cases alone are added,
+  /// and no maps or charts.
   struct Absorbed {
     std::size_t added = 0, already_there = 0;
     std::vector<std::string> conflicts{};  // cases of other figures, in words
@@ -78,11 +82,12 @@ class ResultFile {
  private:
   void create();
 
-  /// One commit: what `change` does to the open file, wholly or not at all.
+  /// Commits what `change` does to the open file, wholly or not at all.
   void change(const std::function<void(hid_t root)>& change);
 
-  /// The same with another result file open, which its writer may change meanwhile:
-  /// `change` may be called again, and is committed when it saw one state of it.
+  /// Commits what `change` does with another result file open, which its writer may
+  /// change meanwhile: `change` may be called again, and is committed when it saw one
+  /// state of that file.
   void change_from(const std::filesystem::path& from,
                    const std::function<void(hid_t source, hid_t root)>& change);
 

@@ -10,17 +10,18 @@
 #include "comparisons/results/stored_chart.hpp"
 #include "comparisons/results/stored_map.hpp"
 #include "comparisons/store/open_result_file.hpp"
+#include "comparisons/store/stored_columns.hpp"
 
 namespace springcheck {
 namespace {
 
-/// What measures may cancel against: forces, torques and energies are sums of the same
-/// terms, times lengths of about a metre.
+/// The unit of what measures may cancel against: forces, torques and energies are sums of
+/// the same terms, times lengths of about a metre.
 std::string_view scale_of_unit(std::string_view unit) {
   return unit == "N m" || unit == "J" ? "N" : unit;
 }
 
-/// Largest measure of two rows among those of each scale, by which tiny ones are
+/// The largest measure of two rows among those of each scale, by which tiny ones are
 /// rounding.
 std::map<std::string_view, double> largest_measures(const Row& a, const Row& b) {
   std::map<std::string_view, double> largest;
@@ -34,9 +35,9 @@ std::map<std::string_view, double> largest_measures(const Row& a, const Row& b) 
   return largest;
 }
 
-/// Numbers that other instructions or another BLAS give for the same formula: up to 1e-9
-/// of themselves, or 1e-12 of the largest that they cancel against, as sums that vanish
-/// are.
+/// Whether numbers differ by rounding, as other instructions or another BLAS give them
+/// for the same formula: by up to 1e-9 of themselves, or 1e-12 of the largest that they
+/// cancel against, as sums that vanish do.
 bool is_rounding(const Row::mapped_type& a, const Row::mapped_type& b, double largest) {
   const auto* ours = std::get_if<std::vector<double>>(&a);
   const auto* theirs = std::get_if<std::vector<double>>(&b);
@@ -56,7 +57,7 @@ struct Difference {
   bool is_rounding;
 };
 
-/// Of two rows of a key the first column that differs by more than rounding, or else the
+/// The first column by which two rows of a key differ by more than rounding, or else the
 /// first that differs at all; but for times, provenance, and what older files lack.
 std::optional<Difference> difference(Row a, Row b) {
   const auto leave_out = [&](std::string_view name) {
@@ -84,7 +85,7 @@ std::optional<Difference> difference(Row a, Row b) {
   return found;
 }
 
-/// "a avx512 GenuineIntel, OpenBLAS 0.3.21 SkylakeX": of the row's session.
+/// What the row's session computed with: "avx512 GenuineIntel, OpenBLAS 0.3.21 SkylakeX".
 std::string computed_with(const Columns& sessions, const Row& row) {
   const auto session = static_cast<std::size_t>(
       std::get<std::vector<double>>(row.at("provenance")).front());
@@ -97,7 +98,7 @@ std::string computed_with(const Columns& sessions, const Row& row) {
   return told("instructions") + ", " + told("BLAS");
 }
 
-/// "compression, fem-stvk:q1".
+/// What a row is a case of: "compression, fem-stvk:q1".
 std::string question_of(const Row& row) {
   const auto text = [&](const char* name) {
     const auto found = row.find(name);

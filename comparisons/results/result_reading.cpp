@@ -11,6 +11,7 @@
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/store/open_result_file.hpp"
+#include "comparisons/store/stored_columns.hpp"
 #include "meshing/input_error.hpp"
 #include "meshing/text.hpp"
 
@@ -25,7 +26,8 @@ std::vector<Vector3> vectors(const std::vector<double>& values) {
   return all;
 }
 
-/// Of groups in the file: others would lead elsewhere.
+/// Throws std::runtime_error unless the names can be those of groups in the file: others
+/// would lead elsewhere.
 void check_names(const std::vector<std::string>& names, const char* column) {
   for (const std::string& name : names)
     if (name.empty() || name == "." || name.find('/') != std::string::npos)
@@ -69,7 +71,7 @@ struct Origin {
   std::string revision, date;
 };
 
-/// Of each case, by its session.
+/// The origin of each case, by its session.
 std::vector<Origin> origins_of(std::span<const double> sessions, hid_t root) {
   const auto provenance = hdf5::open_group(root, "provenance");
   const auto revisions = read_texts(provenance, "revision"),
@@ -108,7 +110,7 @@ Taken taken(const std::vector<std::string>& keys,
     else
       others.push_back(row);
   if (accepted == Revisions::all) {
-    // Of several the newest, of one date the last row:
+    // Of several cases the newest is taken, of one date the last row:
     std::ranges::sort(others, std::ranges::greater{},
                       [&](std::size_t row) { return std::pair(origins[row].date, row); });
     for (const std::size_t row : others) {

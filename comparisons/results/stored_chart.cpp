@@ -18,7 +18,7 @@
 namespace springcheck {
 namespace {
 
-/// "0.1,0.12;0.11": rounds of times.
+/// Rounds of times as text: "0.1,0.12;0.11".
 std::string text_of(const TimedRounds& times) {
   std::vector<std::string> rounds;
   for (const std::vector<double>& round : times)
@@ -42,7 +42,7 @@ TimedRounds times_in(const std::string& text) {
   }
 }
 
-/// Columns of the grids that check a truth.
+/// The prefix of the columns of the grids that check a truth.
 constexpr const char* of_check = "check_";
 
 void put_grids(Row& row, const std::string& prefix, const StoredChart::Grids& grids) {
@@ -145,7 +145,7 @@ ChartKind kind_named(const std::string& name) {
   throw std::runtime_error("a chart has a point of kind '" + name + "'");
 }
 
-/// Of older files, which keep no single times, the median alone.
+/// The times of a point. Older files, which keep no single times, give the median alone.
 TimedRounds times_of(const TableRows& points, std::size_t i) {
   const auto median = points.find_number("median", i);
   if (!median) return {};

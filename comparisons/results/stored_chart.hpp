@@ -17,8 +17,9 @@
 
 namespace springcheck {
 
-/// What a time is of, and never compared with the other: a static equilibrium, or a
-/// second of motion by explicit steps of .9 of the method's own stability limit.
+/// What a time is of: a static equilibrium, or a second of motion by explicit steps of .9
+/// of the method's own stability limit. Times of one kind are never compared with the
+/// other's.
 enum class ChartKind { equilibrium, motion };
 
 template <>
@@ -60,7 +61,7 @@ struct StoredChart {
     std::optional<double> simulated;        // [s] of motions
     std::string family{};                   // of the method; empty in older files
   };
-  /// The same case with its deviations from a truth.
+  /// The case `compared` is the case `key` with its deviations from the truth of `law`.
   struct Comparison {
     std::string key, law, compared;
   };
@@ -79,12 +80,13 @@ struct StoredChart {
   std::string revision{};  // of the numerics; empty in older files
 };
 
-/// Of scene, settings, the truth of its own law and the machine: charts of the same have
-/// the same, whatever points they hold. Times of two machines, or of two versions of the
-/// program, are never of one chart.
+/// The identity of a chart, made of scene, settings, the truth of its own law and the
+/// machine: charts with the same of these have the same identity, whatever points they
+/// hold. Times of two machines, or of two versions of the program, are never of one
+/// chart.
 std::string identity_of(const StoredChart& chart);
 
-/// The point of a model's case on so many threads; nullptr without.
+/// The point of a model's case on so many threads; nullptr where there is none.
 StoredChart::Point* find_point(StoredChart& chart, const Model& model,
                                const std::string& key, int threads);
 

@@ -23,7 +23,7 @@ struct StoredMap {
     std::string key;                       // of a case that the file may still lack
     std::optional<std::string> control{};  // key of that by which locking was judged
   };
-  /// See AtlasLimit, in the unit of the first axis's values.
+  /// A limit as in AtlasLimit, in the unit of the first axis's values.
   struct Limit {
     std::string method;
     std::optional<std::string> other;
@@ -41,11 +41,12 @@ struct StoredMap {
   MapState state = MapState::planned;
 };
 
-/// Whose numerics a map is of, with commas, where they are not this program's alone.
+/// The revisions whose numerics a map is of, with commas, where they are not this
+/// program's alone.
 std::string revisions_of(const StoredMap& map);
 
-/// Of scene, axes, points and revision: the same map has the same, with and without
-/// limits.
+/// The identity of a map, made of scene, axes, points and revision: the same map has the
+/// same identity, with and without limits.
 std::string identity_of(const StoredMap& map);
 
 /// Layout, within the group `maps` of a result file:

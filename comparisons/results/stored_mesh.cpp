@@ -91,32 +91,44 @@ std::size_t stored_cell_count(hid_t mesh) {
   return count;
 }
 
-void write_xdmf_mesh(std::ostream& out, hid_t mesh, const std::string& in_mesh) {
-  const std::size_t cells = stored_cell_count(mesh);
+pugi::xml_node append_element(pugi::xml_node parent, const char* name,
+                              const XmlAttributes& attributes) {
+  pugi::xml_node element = parent.append_child(name);
+  for (const auto& [attribute, value] : attributes)
+    element.append_attribute(attribute).set_value(value.c_str());
+  return element;
+}
+
+void append_data_item(pugi::xml_node parent, const std::string& dimensions,
+                      const std::string& place, XdmfNumbers numbers) {
+  const bool are_real = numbers == XdmfNumbers::real;
+  XmlAttributes attributes{{"Format", "HDF"},
+                           {"NumberType", are_real ? "Float" : "UInt"}};
+  if (are_real) attributes.emplace_back("Precision", "8");
+  attributes.emplace_back("Dimensions", dimensions);
+  append_element(parent, "DataItem", attributes).text().set(place.c_str());
+}
+
+void append_xdmf_mesh(pugi::xml_node grid, hid_t mesh, const std::string& in_mesh) {
+  const std::string cells = fmt::to_string(stored_cell_count(mesh));
+  std::string type = "Mixed", name = xdmf_topology, dimensions;
   if (hdf5::has_link(mesh, xdmf_topology)) {
-    fmt::print(out,
-               "<Topology TopologyType=\"Mixed\" NumberOfElements=\"{}\">"
-               "<DataItem Format=\"HDF\" NumberType=\"UInt\" Dimensions=\"{}\">"
-               "{}/{}</DataItem></Topology>\n",
-               cells, hdf5::row_count_of_table(mesh, xdmf_topology), in_mesh,
-               xdmf_topology);
+    dimensions = fmt::to_string(hdf5::row_count_of_table(mesh, xdmf_topology));
   } else {
     const auto table = std::ranges::find_if(cell_tables, [&](const CellTable& candidate) {
       return hdf5::has_link(mesh, candidate.name);
     });
     if (table == cell_tables.end()) throw std::runtime_error(in_mesh + " has no cells");
-    fmt::print(out,
-               "<Topology TopologyType=\"{}\" NumberOfElements=\"{}\">"
-               "<DataItem Format=\"HDF\" NumberType=\"UInt\" Dimensions=\"{} {}\">"
-               "{}/{}</DataItem></Topology>\n",
-               table->xdmf_name, cells, cells, node_count(table->type), in_mesh,
-               table->name);
+    type = table->xdmf_name;
+    name = table->name;
+    dimensions = fmt::format("{} {}", cells, node_count(table->type));
   }
-  fmt::print(out,
-             "<Geometry GeometryType=\"XYZ\"><DataItem Format=\"HDF\" "
-             "NumberType=\"Float\" Precision=\"8\" Dimensions=\"{} 3\">"
-             "{}/nodes</DataItem></Geometry>\n",
-             hdf5::row_count_of_table(mesh, "nodes"), in_mesh);
+  append_data_item(append_element(grid, "Topology",
+                                  {{"TopologyType", type}, {"NumberOfElements", cells}}),
+                   dimensions, in_mesh + "/" + name, XdmfNumbers::whole);
+  append_data_item(append_element(grid, "Geometry", {{"GeometryType", "XYZ"}}),
+                   fmt::format("{} 3", hdf5::row_count_of_table(mesh, "nodes")),
+                   in_mesh + "/nodes", XdmfNumbers::real);
 }
 
 }  // namespace springcheck

@@ -2,8 +2,10 @@
 
 #include <hdf5.h>
 
-#include <ostream>
+#include <pugixml.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "meshing/mesh.hpp"
 
@@ -15,9 +17,23 @@ namespace springcheck {
 /// four nodes a face, of triangles the last one twice.
 void write_stored_mesh(hid_t meshes, const Mesh& mesh);
 
-/// XDMF's topology and geometry of the mesh in a group, whose path in the file `in_mesh`
-/// names.
-void write_xdmf_mesh(std::ostream& out, hid_t mesh, const std::string& in_mesh);
+using XmlAttributes = std::vector<std::pair<const char*, std::string>>;
+
+/// Appends an element with these attributes and returns it.
+pugi::xml_node append_element(pugi::xml_node parent, const char* name,
+                              const XmlAttributes& attributes);
+
+/// Numbers of a dataset: doubles, or unsigned whole ones.
+enum class XdmfNumbers { real, whole };
+
+/// Appends a DataItem: `place` names a dataset, "results.h5:/meshes/...", of these
+/// dimensions.
+void append_data_item(pugi::xml_node parent, const std::string& dimensions,
+                      const std::string& place, XdmfNumbers numbers);
+
+/// Appends XDMF's topology and geometry of the mesh in a group, whose path in the file
+/// `in_mesh` names.
+void append_xdmf_mesh(pugi::xml_node grid, hid_t mesh, const std::string& in_mesh);
 
 std::size_t stored_cell_count(hid_t mesh);
 

@@ -1,35 +1,16 @@
 #include "comparisons/results/xdmf.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ostream.h>
 
 #include <cmath>
 
 #include "comparisons/results/stored_mesh.hpp"
-#include "comparisons/store/columns.hpp"
+#include "comparisons/store/stored_columns.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "meshing/output_file.hpp"
 
 namespace springcheck {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  return out;
-}
 
 /// "compression fem-stvk:q1 nu=0.25 deformation=0.05 0123abcd".
 std::string grid_name(const Columns& cases, std::size_t row) {
@@ -46,9 +27,34 @@ std::string grid_name(const Columns& cases, std::size_t row) {
   return name + " " + text("key").substr(0, 8);
 }
 
-void write_grids(std::ostream& out, const std::string& data, hid_t root,
-                 const std::map<std::string, std::string>& shown) {
-  fmt::print(out, "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n");
+void append_attribute(pugi::xml_node grid, const std::string& name, const char* type,
+                      const char* center, const std::string& dimensions,
+                      const std::string& place) {
+  append_data_item(
+      append_element(grid, "Attribute",
+                     {{"Name", name}, {"AttributeType", type}, {"Center", center}}),
+      dimensions, place, XdmfNumbers::real);
+}
+
+void append_fields(pugi::xml_node grid, hid_t fields, const std::string& in_case,
+                   std::size_t nodes, std::size_t cells) {
+  const std::string partial = hdf5::has_link(fields, "displacement") ? "" : "partial_";
+  for (const auto& [field, unit] : {std::pair{partial + "displacement", "m"},
+                                    {partial + "reaction", "N"},
+                                    {std::string("deviation"), "m"}})
+    if (hdf5::has_link(fields, field))
+      append_attribute(grid, fmt::format("{} [{}]", field, unit), "Vector", "Node",
+                       fmt::format("{} 3", nodes), in_case + "/" + field);
+  for (const std::string& field :
+       {partial + "cell_volume_ratio", partial + "spring_strain"})
+    if (hdf5::has_link(fields, field))
+      append_attribute(grid, field, "Scalar", "Cell", fmt::to_string(cells),
+                       in_case + "/" + field);
+}
+
+/// A grid for each case that is shown and has fields.
+void append_grids(pugi::xml_node domain, const std::string& data, hid_t root,
+                  const std::map<std::string, std::string>& shown) {
   const auto meshes = hdf5::open_group(root, "meshes"),
              fields = hdf5::open_group(root, "fields");
   const Columns cases = read_columns(hdf5::open_group(root, "cases"));
@@ -57,46 +63,25 @@ void write_grids(std::ostream& out, const std::string& data, hid_t root,
                       &sha256 = cases.texts.at("mesh")[row];
     const auto place = shown.find(key);
     if (place == shown.end() || !hdf5::has_link(fields, key)) continue;
-    const std::string& revision = place->second;
+    std::string name = grid_name(cases, row);
+    if (!place->second.empty()) name += " of revision " + place->second;
+    const pugi::xml_node grid = append_element(domain, "Grid", {{"Name", name}});
     const auto mesh = hdf5::open_group(meshes, sha256);
-    const std::size_t nodes = hdf5::row_count_of_table(mesh, "nodes"),
-                      cells = stored_cell_count(mesh);
-    const std::string in_mesh = fmt::format("{}:/meshes/{}", data, sha256);
-    const std::string in_case = fmt::format("{}:/fields/{}", data, key);
-    const auto arrays = hdf5::open_group(fields, key);
-    const std::string partial = hdf5::has_link(arrays, "displacement") ? "" : "partial_";
-    fmt::print(out, "<Grid Name=\"{}{}\">\n", escaped(grid_name(cases, row)),
-               revision.empty() ? "" : " of revision " + escaped(revision));
-    write_xdmf_mesh(out, mesh, in_mesh);
-    for (const auto& [field, unit] : {std::pair{partial + "displacement", "m"},
-                                      {partial + "reaction", "N"},
-                                      {std::string("deviation"), "m"}})
-      if (hdf5::has_link(arrays, field))
-        fmt::print(
-            out,
-            "<Attribute Name=\"{0} [{3}]\" AttributeType=\"Vector\" Center=\"Node\">"
-            "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" "
-            "Dimensions=\"{1} 3\">{2}/{0}</DataItem></Attribute>\n",
-            field, nodes, in_case, unit);
-    for (const std::string& field :
-         {partial + "cell_volume_ratio", partial + "spring_strain"})
-      if (hdf5::has_link(arrays, field))
-        fmt::print(out,
-                   "<Attribute Name=\"{0}\" AttributeType=\"Scalar\" Center=\"Cell\">"
-                   "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" "
-                   "Dimensions=\"{1}\">{2}/{0}</DataItem></Attribute>\n",
-                   field, cells, in_case);
-    fmt::print(out, "</Grid>\n");
+    append_xdmf_mesh(grid, mesh, fmt::format("{}:/meshes/{}", data, sha256));
+    append_fields(grid, hdf5::open_group(fields, key),
+                  fmt::format("{}:/fields/{}", data, key),
+                  hdf5::row_count_of_table(mesh, "nodes"), stored_cell_count(mesh));
   }
-  fmt::print(out, "</Domain>\n</Xdmf>\n");
 }
 
 }  // namespace
 
 void write_xdmf(const std::filesystem::path& file, const std::string& data, hid_t root,
                 const std::map<std::string, std::string>& cases) {
-  write_whole_stream(
-      file, [&](std::ostream& out) { write_grids(out, escaped(data), root, cases); });
+  pugi::xml_document document;
+  pugi::xml_node xdmf = append_element(document, "Xdmf", {{"Version", "3.0"}});
+  append_grids(xdmf.append_child("Domain"), data, root, cases);
+  write_whole_stream(file, [&](std::ostream& out) { document.save(out, ""); });
 }
 
 }  // namespace springcheck

@@ -19,12 +19,12 @@ struct CaseResult {
   std::string reason{};  // why in words; with ok and no flag what else is to be known
   Measures measures{};   // all empty when there is no equilibrium to measure
   Solution solution{};
-  // [m] displacement less the reference's, of each node; empty without a reference:
+  // Displacement of each node less the reference's [m]; empty without a reference:
   std::vector<Vector3> deviation{};
   History history{};       // of dynamics, where samples were asked for
   HistoryFrames frames{};  // the body at some of them
-  // Of the numerics that it was computed with, where they are not this program's alone;
-  // "a+b" of a motion that revision a began and b went on with:
+  // The revision of the numerics that it was computed with, where they are not this
+  // program's alone; "a+b" for a motion that revision a began and b went on with:
   std::string revision{};
 };
 
@@ -38,12 +38,13 @@ std::string key_of_identity(const std::string& identity,
                             const std::string& revision = "");
 std::string case_key(const Request& request, const Mesh& mesh);
 
-/// Whose stored figures are taken: those of this program's revision, or those of others
-/// as well, where there are none of this one.
+/// The revisions whose stored figures are taken: this program's, or others as well, where
+/// there are none of this one.
 enum class Revisions { own, all };
 
-/// Status and flags. Failed solutions keep the solver's word; else the first that applies
-/// of inverted (a corner Jacobian below 0), wrinkled, indefinite, ok.
+/// The status and flags of a case. Failed solutions keep the solver's word; others have
+/// the first that applies of inverted (a corner Jacobian below 0), wrinkled, indefinite,
+/// ok.
 struct Verdict {
   Status status;
   std::vector<Status> flags{};

@@ -10,7 +10,7 @@
 
 namespace springcheck {
 
-/// Where a case in dynamics is, and what was sampled on the way there.
+/// The state that a case in dynamics is in, and what was sampled on the way there.
 struct CaseCheckpoint {
   dynamics::Checkpoint march;
   History history{};
@@ -31,11 +31,11 @@ struct CheckpointOwner {
 void write_checkpoint(const std::filesystem::path& file, const CheckpointOwner& owner,
                       const CaseCheckpoint& checkpoint);
 
-/// Nothing where there is no such file. Throws InputError where it is no checkpoint, or
-/// one of another scene or mesh; the message tells which settings differ. The same for
-/// one of another revision of the numerics, unless it is accepted: then a warning says
-/// so, and what comes of it is of both revisions, "theirs+ours", in this program as in
-/// others.
+/// The checkpoint of the file; none where there is no such file. Throws InputError where
+/// it is no checkpoint, or one of another scene or mesh; the message tells which settings
+/// differ. It also throws for one of another revision of the numerics, unless that is
+/// accepted: then a warning says so, and what comes of it is of both revisions,
+/// "theirs+ours", in this program as in others.
 std::optional<CaseCheckpoint> read_checkpoint(const std::filesystem::path& file,
                                               const CheckpointOwner& owner,
                                               std::size_t nodes,

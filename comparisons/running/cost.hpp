@@ -7,8 +7,9 @@
 
 namespace springcheck {
 
-/// About how long requests take on one core, references included and each simulation once
-/// [s]; from measured runs of the five tests (cost.cpp), good to a factor of 3.
+/// An estimate of how long requests take on one core, references included and each
+/// simulation once [s]; it is from measured runs of the five tests (cost.cpp), good to a
+/// factor of 3.
 class CostEstimate {
  public:
   void add(const Request& request);

@@ -6,14 +6,14 @@
 
 namespace springcheck {
 
-/// The baseline of benchmarks: a lattice of springs as one writes it at first. Plain
-/// loops over springs and cells, square roots and divisions, positions and forces node by
-/// node, semi-implicit Euler; nothing vectorised, nothing renumbered, one thread, no
-/// supports.
+/// The baseline of benchmarks: a lattice of springs as one writes it at first. It has
+/// plain loops over springs and cells, square roots and divisions, positions and forces
+/// node by node, semi-implicit Euler, one thread and no supports; nothing is vectorised
+/// or renumbered.
 class NaiveSprings {
  public:
-  /// Of springs of constant rest length and volume correction of hexahedra. The nodes
-  /// start moved by `displacements` [m].
+  /// Takes springs of constant rest length with the volume correction of hexahedra. The
+  /// nodes start moved by `displacements` [m].
   NaiveSprings(const mss::Network& network, const std::vector<Vector3>& displacements);
 
   void advance(double dt);

@@ -41,7 +41,7 @@ Solution solve_or_break_down(const CaseSettings& settings, const Mesh& mesh, int
   }
 }
 
-/// At the full load.
+/// Whether the solution is an equilibrium at the full load.
 bool has_equilibrium(const Solution& solution) {
   if (solution.critical_wavelength) return false;
   return solution.status == SolveStatus::ok || solution.status == SolveStatus::indefinite;

@@ -13,8 +13,8 @@ using TimedRounds = std::vector<std::vector<double>>;
 
 inline constexpr int most_rounds = 3;
 
-/// Of all repetitions, each round counting the same: a restless one repeats more often.
-/// And the medians of the fastest and the slowest round.
+/// Quantiles over all repetitions, each round counting the same: a restless one repeats
+/// more often. There are also the medians of the fastest and the slowest round.
 struct Timing {
   int repetitions;
   double minimum, lower_quartile, median, upper_quartile, maximum;
@@ -37,9 +37,9 @@ Timing scaled(Timing timing, double less, double factor);
 /// by the rounds alone 11.
 bool is_less(const Timing& timing, const Timing& other);
 
-/// What a size is expected to take [s], from the seconds of smaller ones: the largest of
-/// them, and the growth to it from the one before, as a power from 1 to 5/2; from one
-/// alone in proportion. 0 without any.
+/// The time that a size is expected to take [s], from the seconds of smaller ones: that
+/// of the largest of them, with the growth to it from the one before, as a power from 1
+/// to 5/2; from one alone in proportion. It is 0 without any.
 double expected_seconds(const std::map<double, double>& smaller, double size);
 
 /// Times of a round of work that returns the seconds that count: one warm-up, then

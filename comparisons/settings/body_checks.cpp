@@ -10,13 +10,13 @@
 namespace springcheck {
 namespace {
 
-/// Other bodies have no grid whose nodes could be moved.
+/// Refuses distortion: bodies other than blocks have no grid whose nodes could be moved.
 void check_no_distortion(const Settings& settings, const Block& block) {
   if (block.distortion > 0)
     find(settings, "distortion")->refuse("none of it but in blocks");
 }
 
-/// Nor one that a kidney's cells could follow.
+/// Refuses distortion for a kidney, and all cells but free ones.
 void check_kidney(const Settings& settings, const Block& block) {
   check_no_distortion(settings, block);
   if (block.pattern == CellPattern::free_tetrahedron ||
@@ -27,7 +27,7 @@ void check_kidney(const Settings& settings, const Block& block) {
   throw InputError("key 'cell-type'", "", expected, "none");
 }
 
-/// A disc is round, and its cells are hexahedra.
+/// Refuses what does not suit a disc, which is round and whose cells are hexahedra.
 void check_disc(const Settings& settings, const Block& block) {
   check_no_distortion(settings, block);
   if (block.pattern != CellPattern::hexahedron)

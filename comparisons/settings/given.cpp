@@ -31,7 +31,7 @@ Given::Scalar scalar(std::string_view text) {
   return std::string(text);
 }
 
-/// In quotes that TOML reads back.
+/// The text in quotes that TOML reads back.
 std::string toml_text(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {

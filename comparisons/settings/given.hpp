@@ -24,7 +24,7 @@ class Given {
   };
   using Scalar = std::variant<bool, std::int64_t, double, std::string, Unreadable>;
 
-  /// place: "scene.toml:4:7: nu" or "--nu".
+  /// `place` is as "scene.toml:4:7: nu" or "--nu".
   Given(std::string place, Scalar value)
       : place_(std::move(place)), values_{std::move(value)} {}
   Given(std::string place, std::vector<Scalar> list)
@@ -48,13 +48,13 @@ class Given {
   Given(char) = delete;
   Given(std::nullptr_t) = delete;
 
-  /// From command-line text: commas separate the values of a list; each is read as a
-  /// truth value, an integer, a number or else as text.
+  /// The value of command-line text: commas separate the values of a list; each is read
+  /// as a truth value, an integer, a number or else as text.
   static Given from_text(std::string place, std::string_view text);
 
   [[nodiscard]] const std::string& place() const { return place_; }
 
-  /// The file that it stands in, or "--" of an option.
+  /// The file that it stands in, or "--" for an option.
   [[nodiscard]] std::string source() const;
 
   [[nodiscard]] double number(const std::string& expected) const;  // finite
@@ -68,12 +68,12 @@ class Given {
   [[nodiscard]] std::vector<std::string> texts() const;  // at least one
   [[nodiscard]] std::string joined() const;              // a list's with commas
   [[nodiscard]] std::string toml() const;                // as a scene file writes it
-  /// At least one, finite.
+  /// The value's numbers, at least one and all finite.
   [[nodiscard]] std::vector<double> any_numbers(
       const std::string& expected = "finite numbers") const;
   [[nodiscard]] std::array<std::int64_t, 3> three_integers() const;
 
-  /// So many finite ones.
+  /// The value's N numbers, all finite.
   template <std::size_t N>
   [[nodiscard]] std::array<double, N> numbers() const {
     std::array<double, N> all{};
@@ -83,21 +83,21 @@ class Given {
     return all;
   }
 
-  /// Those numbers with a unit, "10kPa", as numbers in the dimension's SI unit. Throws
-  /// InputError for a unit of another dimension.
+  /// The value whose numbers with a unit, "10kPa", are numbers in the dimension's SI
+  /// unit. Throws InputError for a unit of another dimension.
   [[nodiscard]] Given in_si_units(Dimension dimension) const;
 
   /// Whether in_si_units() has converted its first value.
   [[nodiscard]] bool had_units() const;
 
-  /// One of them, finite.
+  /// The value's only number in the dimension's SI unit, finite.
   [[nodiscard]] double in(Dimension dimension) const;
 
   /// Throws InputError for this value.
   [[noreturn]] void refuse(const std::string& expected) const;
 
-  /// The same for a name among its values that is none of the candidates, of which the
-  /// one that was meant is named.
+  /// Throws InputError for a name among its values that is none of the candidates, of
+  /// which the one that was meant is named.
   [[noreturn]] void refuse_name(std::string_view name,
                                 const std::vector<std::string_view>& candidates) const;
 
@@ -112,10 +112,10 @@ class Given {
   bool is_list_ = false;
 };
 
-/// As the user would write it, text in quotes.
+/// A value as the user would write it, text in quotes.
 std::string described(const Given::Scalar& value);
 
-/// The value of a number.
+/// The number that a value is; none where it is something else.
 std::optional<double> number_in(const Given::Scalar& value);
 
 }  // namespace springcheck

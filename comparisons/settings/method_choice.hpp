@@ -18,13 +18,14 @@ struct MethodChoice {
 
 CaseSettings with_method(CaseSettings settings, const MethodChoice& choice);
 
-/// Of a name in what was given. Throws InputError for an unknown method or element.
+/// The choice by a name in what was given. Throws InputError for an unknown method or
+/// element.
 MethodChoice method_choice(const Given& given, std::string_view name);
 
-/// Those of a list. Throws InputError where one is there twice.
+/// The choices by a list of names. Throws InputError where one is there twice.
 std::vector<MethodChoice> method_choices(const Given& given);
 
-/// Their names, "fem-hooke" and "fem-hooke:q2".
+/// The names of all choices, "fem-hooke" and "fem-hooke:q2".
 template <>
 std::vector<std::string_view> all_names<MethodChoice>();
 

@@ -10,7 +10,7 @@
 namespace springcheck {
 namespace {
 
-/// "N" or "NX,NY,NZ" behind a reference's '@'.
+/// The counts in "N" or "NX,NY,NZ" behind a reference's '@'.
 std::vector<int> reference_cells_of(const Given& given, const std::string& text) {
   const std::string expected =
       "a method, or METHOD:ELEMENT, METHOD:SOLVER or METHOD:ELEMENT:SOLVER, and behind "
@@ -31,7 +31,7 @@ std::vector<int> reference_cells_of(const Given& given, const std::string& text)
   return cells;
 }
 
-/// By which the method reaches the load.
+/// The solver of that name by which the method reaches the load.
 Solver reference_solver_of(const Given& given, const Method& method,
                            const std::string& name) {
   std::vector<std::string_view> names;
@@ -51,7 +51,7 @@ CaseSettings with_reference_method(CaseSettings settings,
   settings.elements.element = reference.element;
   if (reference.solver) settings.solver = reference.solver;
   if (reference.method.follows_solver) return settings;
-  // A body at rest under the load, whatever the case is.
+  // The reference is a body at rest under the load, whatever the case is.
   settings.solver.reset();
   return without_noise(settings);
 }

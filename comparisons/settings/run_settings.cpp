@@ -18,7 +18,7 @@ bool is_of_scene(const Given& given, const std::string& file) {
   return given.place().starts_with(file + ":");
 }
 
-/// Of settings that replace each other one stays: an option's, a sweep's or a table's
+/// Keeps one of the settings that replace each other: an option's, a sweep's or a table's
 /// rather than the scene's, which is `file`. Throws InputError where two have equal
 /// rights.
 void keep_one_of_each(Settings& settings, const std::string& file) {
@@ -67,7 +67,7 @@ void check_beside(const Settings& settings) {
     ratio->refuse("no dt-ratio beside a dt, which it would replace");
 }
 
-/// Settings that the test does not have.
+/// Refuses settings that the test does not have.
 void check_test(const Settings& settings, Test test) {
   for (const auto& [key, given] : settings) {
     const auto has = find_setting(key)->has;
@@ -80,7 +80,8 @@ void check_test(const Settings& settings, Test test) {
   }
 }
 
-/// Not that of `--over`, some of whose points may read it.
+/// Whether a value is that of the setting's own option, not that of `--over`, some of
+/// whose points may read it.
 bool is_own_option(const Given& given, const std::string& key) {
   return given.place() == "--" + key;
 }
@@ -89,7 +90,7 @@ bool is_read(const RunSettings& run, const Setting& setting) {
   return runs(run, [&](const CaseSettings& c) { return is_reader(c, setting); });
 }
 
-/// Settings that the run's test, methods and reference do not read.
+/// Refuses settings that the run's test, methods and reference do not read.
 void check_read(const RunSettings& run, const Settings& settings) {
   for (const auto& [key, given] : settings) {
     const Setting& setting = *find_setting(key);
@@ -101,8 +102,8 @@ void check_read(const RunSettings& run, const Settings& settings) {
   }
 }
 
-/// Each method once, whether its element is named or is that of the setting, which some
-/// method must be left to read.
+/// Refuses a method that is there twice, whether its element is named or is that of the
+/// setting; the setting must be left to some method to read.
 void check_elements(const RunSettings& run, const Settings& settings) {
   const auto names_element = [](const MethodChoice& choice) {
     return choice.element.has_value();
@@ -127,7 +128,7 @@ void check_elements(const RunSettings& run, const Settings& settings) {
   }
 }
 
-/// Where the load is negative: what is drawn apart comes together.
+/// Refuses a negative load under which what is drawn apart comes together.
 void check_reversed(const RunSettings& run, const Settings& settings) {
   const CaseSettings& common = run.common;
   if (common.dynamics.load.empty()) return;
@@ -149,7 +150,7 @@ Dimension dimension_of(const Setting& setting, Test test) {
   return entry_of(test).turns ? Dimension::angle : Dimension::fraction;
 }
 
-/// Whether a setting is given that stands in its place.
+/// Whether another setting is given that stands in place of this one.
 bool is_replaced(const Setting& setting, const Settings& settings) {
   return setting.replaces != 0 &&
          std::ranges::any_of(all_settings(), [&](const Setting& other) {

@@ -33,7 +33,7 @@ struct GivenSetting {
 };
 using GivenSettings = std::vector<GivenSetting>;
 
-/// Both lists, the second's values over the first's.
+/// Both lists, in which the second's values replace the first's.
 inline GivenSettings operator+(GivenSettings all, const GivenSettings& more) {
   all.insert(all.end(), more.begin(), more.end());
   return all;
@@ -50,8 +50,8 @@ bool deforms_little(const RunSettings& run);
 
 enum class Deformations { small, any };
 
-/// Of runs that name none, on their own mesh: fem-hooke:q1-sri where all deform little,
-/// else fem-stvk:q1-sri, as in tests without a deformation.
+/// The reference of runs that name none, on their own mesh: fem-hooke:q1-sri where all
+/// deform little, else fem-stvk:q1-sri, as in tests without a deformation.
 ReferenceMethod usual_reference(Deformations deformations);
 
 /// A request for each method, with the reference its deviations are measured against, the

@@ -11,9 +11,9 @@
 
 namespace springcheck {
 
-/// Where a setting may stand: in scene files alone, or also as an option of `run`, in
-/// sweeps and as an axis of `stability`. `plan` are those that say what a run
-/// compares: they are no axis.
+/// The places where a setting may stand: scene files alone, or also options of `run`,
+/// sweeps and axes of `stability`. `plan` are those that say what a run compares: they
+/// are no axis.
 enum class Standing { scene_file, everywhere, plan };
 
 /// What a chart and `advise` do with a setting: take it from scene and options, choose it
@@ -27,10 +27,10 @@ enum class Unread { refused, refused_as_option, accepted };
 
 /// How a setting's value enters a run, and how a case's key and JSON tell it.
 struct Access {
-  /// Of a run into which all settings further up in the table have been read. Throws
-  /// InputError.
+  /// Reads the setting of a run into which all settings further up in the table have been
+  /// read. Throws InputError.
   void (*read)(RunSettings&, const Given&);
-  /// Nothing, or null, where it is not told.
+  /// What keys and JSON tell of the setting; nothing, or null, where it is not told.
   nlohmann::json (*told)(const CaseSettings&) = nullptr;
   ValueType type;
 };
@@ -96,7 +96,7 @@ struct Setting : Particulars {
 /// Every setting, in the order in which they are read.
 std::span<const Setting> all_settings();
 
-/// The setting of that key; nullptr without one.
+/// The setting of that key; nullptr where there is none.
 const Setting* find_setting(std::string_view key);
 
 /// Whether test, method and solver of the case read it; or method and solver, whatever
@@ -104,20 +104,20 @@ const Setting* find_setting(std::string_view key);
 bool reads(const CaseSettings& settings, const Setting& setting);
 bool is_reader(const CaseSettings& settings, const Setting& setting);
 
-/// "without mss-custom as method or reference": why nothing reads it.
+/// Why nothing reads the setting: "without mss-custom as method or reference".
 std::string without_readers(const Setting& setting);
 
-/// What it is, and its default: "Poisson ratio, in (-1, 0.5)".
+/// What the setting is, and its default: "Poisson ratio, in (-1, 0.5)".
 std::string help_of(const Setting& setting);
 
 /// What names of methods get where the setting has that value: ", E-form", " (mss-cf)";
-/// nothing of a default, and of settings that are in no name.
+/// nothing for a default, and for settings that are in no name.
 std::string variant_of(const Setting& setting, const std::string& value);
 
 /// The case's method with its variants: "fem-stvk:q1-sri", "mss-cf, E-form, A = 0.5".
 std::string variant_label(const CaseSettings& settings);
 
-/// Their keys; those that are options alone.
+/// The keys of all settings; and of those alone that are options.
 std::vector<std::string_view> setting_keys();
 std::vector<std::string_view> option_keys();
 

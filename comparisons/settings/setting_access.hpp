@@ -1,6 +1,6 @@
 #pragma once
 
-// How settings are read and told: for setting_table.cpp alone.
+// How settings are read and told. This is for setting_table.cpp alone.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,8 +41,8 @@ nlohmann::json json_of(const std::optional<Value>& value) {
   return value ? json_of(*value) : nlohmann::json();
 }
 
-/// A list of any length, as options have it: a column of a result file holds texts, or
-/// lists of one length.
+/// The text of a list of any length, as options have it: a column of a result file holds
+/// texts, or lists of one length.
 template <auto number>
 nlohmann::json load_points(const CaseSettings& c) {
   const auto of_point = [](const dynamics::LoadPoint& point) { return point.*number; };
@@ -58,7 +58,8 @@ auto& part_of(auto& whole) {
     return part_of<members...>(whole.*member);
 }
 
-/// What was given to a reader that may need what has been read of the case so far.
+/// What a reader returns of what was given; it may need what has been read of the case so
+/// far.
 template <auto reader>
 auto read_with(const Given& given, const CaseSettings& so_far) {
   if constexpr (std::is_invocable_v<decltype(reader), const Given&>)
@@ -82,31 +83,31 @@ constexpr Access value{.read =
                        },
                        .type = type_read<reader>};
 
-/// The same of a value that keys and JSON do not tell.
+/// Access to a value that keys and JSON do not tell.
 template <auto reader, auto... members>
 constexpr Access untold{.read = value<reader, members...>.read,
                         .type = type_read<reader>};
 
-/// A value of the run, which its cases do not tell.
+/// Access to a value of the run, which its cases do not tell.
 template <auto reader, auto member>
 constexpr Access in_run{
     .read = [](RunSettings& run, const Given& given) { run.*member = reader(given); },
     .type = type_read<reader>};
 
-/// The same value, told otherwise.
+/// The access to the same value, told otherwise.
 template <class Told>
 constexpr Access telling(Access access, Told told) {
   access.told = told;
   return access;
 }
 
-/// The same value, of which more is understood than its reader's type says.
+/// The access to the same value, of which more is understood than its reader's type says.
 constexpr Access of_type(Access access, const ValueType& type) {
   access.type = type;
   return access;
 }
 
-/// A value whose names are digits.
+/// Access to a value whose names are digits.
 template <class T>
 constexpr Access in_digits(Access access) {
   return of_type(access, {.kind = ValueType::Kind::integer, .names = all_names<T>});
@@ -192,7 +193,7 @@ inline void read_mesh(RunSettings& run, const Given& given) {
   run.common.body.file = given.path();
 }
 
-/// The time in which the deformation is reached.
+/// Reads the rate, which gives the time in which the deformation is reached.
 inline void read_rate(RunSettings& run, const Given& given) {
   const double rate = given.positive_number();
   const CaseSettings& c = run.common;
@@ -231,7 +232,8 @@ inline nlohmann::json law_told(const CaseSettings& c) {
                      law.hardening_index);
 }
 
-/// Where the load swings, each 64th of a cycle is a piece of it.
+/// Reads the number of time steps; where the load swings, each 64th of a cycle is a piece
+/// of it.
 inline void read_time_steps(RunSettings& run, const Given& given) {
   const bool swings = run.common.dynamics.oscillation.has_value();
   run.common.tissue.steps = time_steps_of(given).value_or(swings ? 1 : 50);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which tests, methods and solvers read a setting: for setting_table.cpp alone.
+// Which tests, methods and solvers read a setting. This is for setting_table.cpp alone.
 
 #include "comparisons/settings/setting.hpp"
 
@@ -61,7 +61,8 @@ bool of_users_plate(const CaseSettings& c) {
   return !has_cells(c) && entry_of(c.test).*has_plate;
 }
 
-// With what becomes of the setting where nothing of the run reads it:
+// The readers of settings, with what becomes of a setting where nothing of the run reads
+// it:
 
 constexpr std::string_view without_time = "without a solver that goes through time";
 
@@ -76,7 +77,7 @@ constexpr Readers of_steps{goes_through_time, Unread::refused_as_option, without
     of_swings{swings, Unread::refused_as_option, without_time},
     of_histories{has_history, Unread::refused, without_time};
 
-/// The methods whose entry lists it.
+/// The readers that are the methods whose entry lists the setting.
 constexpr Readers of_methods{.of_methods = true},
     of_methods_as_option{.unread = Unread::refused_as_option, .of_methods = true},
     of_methods_alone{.unread = Unread::refused, .of_methods = true},
@@ -89,7 +90,7 @@ constexpr Readers of_methods{.of_methods = true},
     of_tissue_at_rest{has_no_inertia, Unread::refused_as_option,
                       "without a method of tissue whose solver is static", true};
 
-// Which runs need a setting:
+// Whether a run needs a setting:
 
 inline bool has_body_cells(const RunSettings& run) {
   return has_cells(run.common);

@@ -14,14 +14,14 @@ nlohmann::ordered_json schema_of(const Setting& setting);
 /// An object of these properties and no others.
 nlohmann::ordered_json schema_of_object(const nlohmann::ordered_json& properties);
 
-/// The same, none of which may be missing.
+/// An object of these properties and no others, none of which may be missing.
 nlohmann::ordered_json whole_object(const nlohmann::ordered_json& properties);
 
 /// A whole document: what it is, and which draft of JSON schema this is.
 nlohmann::ordered_json schema_document(const std::string& title,
                                        const nlohmann::ordered_json& schema);
 
-/// Of scene files: an object of settings.
+/// The JSON schema of scene files: an object of settings.
 nlohmann::ordered_json scene_schema();
 
 }  // namespace springcheck

@@ -14,7 +14,7 @@
 namespace springcheck {
 namespace {
 
-/// Not zero; `unit` is for messages.
+/// A vector other than zero; `unit` is for messages.
 Vector3 vector_of(const Given& given, const char* unit) {
   const auto numbers = given.numbers<3>();
   const Vector3 vector(numbers[0], numbers[1], numbers[2]);
@@ -25,7 +25,7 @@ Vector3 vector_of(const Given& given, const char* unit) {
 }  // namespace
 
 std::array<double, 3> size_of(const Given& given) {
-  // Far beyond any body, and their cubes stay far from overflow.
+  // These are far beyond any body, and their cubes stay far from overflow.
   constexpr double shortest = 1e-9, longest = 1e9;
   const auto size = given.numbers<3>();
   if (std::ranges::any_of(

@@ -42,15 +42,17 @@ int count_of(const Given& given) {
 /// K, n, gamma_lim and p of a law.
 std::array<double, 4> law_of(const Given& given);
 
-/// Of tissue's static solver; none: auto.
+/// The number of steps of tissue's static solver; none: auto.
 std::optional<int> time_steps_of(const Given& given);
 
-/// Times above 0, ascending, without their fractions; those, one for each, not all 0.
+/// Times above 0, ascending, as a path without its fractions; and the fractions, one for
+/// each time and not all 0.
 dynamics::LoadPath load_times_of(const Given& given);
 void set_fractions(dynamics::LoadPath& path, const Given& given);
 double cycles_of(const Given& given);
 
-/// Whether the body is, somewhere on the way from 0 to the gradient H of u = H X.
+/// Whether the body is turned inside out somewhere on the way from 0 to the gradient H of
+/// u = H X.
 bool turns_inside_out(const Eigen::Matrix3d& gradient);
 
 /// A strain or, in torsion, an angle: positive but in uniaxial, whose sign is free.

@@ -51,7 +51,7 @@ constexpr std::array units{
 };
 constexpr std::string_view degrees = "deg";
 
-/// The nearest to number x 10^exponent.
+/// The number nearest to number x 10^exponent.
 template <class Number>
 std::optional<Number> scaled(std::string_view number, int exponent) {
   constexpr int largest = 10'000;  // far beyond any number
@@ -73,7 +73,7 @@ std::optional<Number> scaled(std::string_view number, int exponent) {
   return value;
 }
 
-/// In long double, whose rounding is far below a double's.
+/// An angle in radians, computed in long double, whose rounding is far below a double's.
 std::optional<double> radians(std::string_view number) {
   const std::optional<long double> value = scaled<long double>(number, 0);
   if (!value) return std::nullopt;

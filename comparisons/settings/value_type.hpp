@@ -25,8 +25,8 @@ struct ValueType {
 
   Kind kind;                        // its name is that of JSON schemas
   std::size_t least = 1, most = 1;  // how many values; a single one needs no list
-  // Of text the names that there are; of numbers what is understood in their place.
-  // nullptr: any text, or no other.
+  // For text the names that there are; for numbers the names that are understood in their
+  // place. nullptr: any text, or no names.
   std::vector<std::string_view> (*names)() = nullptr;
 };
 
@@ -83,7 +83,7 @@ constexpr ValueType type_of() {
     return {.kind = text, .names = all_names<Value>};
 }
 
-/// JSON schema of it, where numbers may carry a unit of the dimension.
+/// The JSON schema of the type, in which numbers may carry a unit of the dimension.
 nlohmann::json schema_of(const ValueType& type, Dimension dimension = Dimension::none);
 
 }  // namespace springcheck

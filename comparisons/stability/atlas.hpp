@@ -26,14 +26,14 @@ struct AtlasPoint {
   std::optional<std::string> control{};  // key of that by which locking was judged
 };
 
-/// Along the first axis, in the order of its values from the first on, the place where a
+/// The place along the first axis, in the order of its values from the first on, where a
 /// method begins to fail.
 struct AtlasLimit {
   std::string method;
   std::optional<std::string> other;  // value of the second axis
-  // It holds at `low` and fails at `high`, within 1 % of it where that was bisected, of
-  // paths within .2 %. No low: it fails at the first value; no high: it holds at the
-  // last, or what failed tells nothing of the body (solver failure, not covered).
+  // It holds at `low` and fails at `high`, which are within 1 % where that was bisected,
+  // and within .2 % on paths. No low: it fails at the first value; no high: it holds at
+  // the last, or what failed tells nothing of the body (solver failure, not covered).
   std::optional<double> low{}, high{};
   Failure failure;  // at `high`
   std::string reason{};
@@ -47,10 +47,10 @@ struct Atlas {
 };
 
 /// Runs every method at every combination of the axes' values, and finds the limits along
-/// the first: of the deformation of bodies at rest by solver limit, else by bisection of
-/// cases. Locking is judged against the same law
-/// on q1-sri; of springs on hexahedra against fem-cauchy-born of their lattice; of others
-/// not. The runner keeps the map, at first without its limits. Throws InputError.
+/// the first: that of the deformation of bodies at rest by solver limit, others by
+/// bisection of cases. Locking is judged against the same law on q1-sri; for springs on
+/// hexahedra against fem-cauchy-born of their lattice; for others it is not judged. The
+/// runner keeps the map, at first without its limits. Throws InputError.
 Atlas make_atlas(const AtlasPlan& plan, CaseRunner& runner);
 
 }  // namespace springcheck

@@ -11,8 +11,8 @@ Table points_table(const Atlas& atlas, const AtlasPlan& plan);
 /// A row for each limit.
 Table limits_table(const Atlas& atlas, const AtlasPlan& plan);
 
-/// For a terminal: a map of letters for each method, the first axis upwards, the second
-/// to the right; what the letters mean.
+/// The maps for a terminal, one of letters for each method, the first axis upwards, the
+/// second to the right; and what the letters mean.
 std::string maps_text(const Atlas& atlas, const AtlasPlan& plan);
 
 }  // namespace springcheck

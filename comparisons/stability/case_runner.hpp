@@ -17,23 +17,25 @@ namespace springcheck {
 /// file holds is not computed again. Results have no fields.
 class CaseRunner {
  public:
-  /// file: to take cases from and add them to; none: they are kept until the end alone.
+  /// Takes cases from `file` and adds them to it; without one they are kept until the end
+  /// alone.
   CaseRunner(const std::optional<std::filesystem::path>& file, int parallel,
              Revisions revisions = Revisions::own);
 
-  /// In the order of the settings.
+  /// The results in the order of the settings.
   std::vector<CaseResult> run(const std::vector<CaseSettings>& settings);
 
-  /// Keys of cases, of those that are taken in the file, in the order of the settings.
+  /// The keys of cases in the order of the settings; those in the file for cases that are
+  /// taken from there.
   std::vector<std::string> keys_of(const std::vector<CaseSettings>& settings);
 
   /// Keeps a map of cases in the result file, if there is one.
   void keep(const StoredMap& map);
 
-  /// Of the cases so far, run or asked for their keys, those of other revisions.
+  /// The other revisions of the cases so far, run or asked for their keys.
   [[nodiscard]] OtherRevisions others() const;
 
-  /// How many there were that nothing held.
+  /// How many cases were computed, because nothing held them.
   [[nodiscard]] std::size_t computed() const { return written_.size(); }
 
  private:

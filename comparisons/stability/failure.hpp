@@ -23,6 +23,10 @@ enum class Failure {
   locking                // plate force far above a control's that does not lock
 };
 
+inline bool fails(Failure failure) {
+  return failure != Failure::none;
+}
+
 struct FailureName {
   Failure value;
   std::string_view name;
@@ -58,28 +62,30 @@ inline constexpr std::array value_names<Failure>{
         "with --locking: plate force or torque more than 10 % above that of the same law "
         "on q1-sri (fem-cauchy-born, for lattices); on hexahedra alone"}};
 
-// Definitions, each of a case alone but for locking.
+// The definitions of failures, each of a case alone but for locking.
 
 bool refuses(const CaseResult& result);
-/// Not converged short of the load, with a path that was stable as far as it was
-/// followed. Distinct from all failures of the body.
+/// Whether the solver did not converge short of the load, on a path that was stable as
+/// far as it was followed. This is distinct from all failures of the body.
 bool solver_fails(const CaseResult& result);
-/// Positions leave all bounds, see dynamics::march.
+/// Whether positions leave all bounds, see dynamics::march.
 bool blows_up(const CaseResult& result);
-/// Smallest corner Jacobian of a cell below 0; of solver limit, on the way.
+/// Whether the smallest corner Jacobian of a cell is below 0; for solver limit, on the
+/// way.
 bool inverts(const CaseResult& result);
-/// The path turns back, the energy falls without end, or what is left is another branch.
+/// Whether the path turns back, the energy falls without end, or what is left is another
+/// branch.
 bool ends_in_limit_point(const CaseResult& result);
-/// See is_wrinkled; of solver limit: the mode that becomes unstable is shorter than four
-/// cells.
+/// Whether it wrinkles, see is_wrinkled; for solver limit, whether the mode that becomes
+/// unstable is shorter than four cells.
 bool wrinkles(const CaseResult& result);
-/// See is_hourglassing.
+/// Whether it hourglasses, see is_hourglassing.
 bool hourglasses(const CaseResult& result);
-/// The tangent is not positive definite, now or, with a path that is followed beyond, on
-/// the way.
+/// Whether the tangent is not positive definite, now or, with a path that is followed
+/// beyond, on the way.
 bool loses_definiteness(const CaseResult& result);
-/// |force| on the moved plate, in torsion |torque|, more than a tenth above the
-/// control's, which must be an equilibrium of the same law on the same mesh without
+/// Whether |force| on the moved plate, in torsion |torque|, is more than a tenth above
+/// the control's, which must be an equilibrium of the same law on the same mesh without
 /// locking (q1-sri).
 bool locks(const CaseResult& result, const CaseResult& control);
 

@@ -56,7 +56,7 @@ class Descriptor {
       place += static_cast<std::uint64_t>(written);
     }
   }
-  /// Room that later writes are sure of.
+  /// Reserves room that later writes are sure of.
   void reserve(std::uint64_t size) const {
     if (size == 0) return;
     errno = posix_fallocate(number_, 0, static_cast<off_t>(size));
@@ -127,7 +127,7 @@ struct Journal {
   std::map<std::uint64_t, std::string> old_hashes;
 };
 
-/// None unless the journal is whole.
+/// A journal's content; none unless it is whole.
 std::optional<Journal> read_journal(std::string_view bytes) {
   if (bytes.size() < magic_size + 16 + hash_size || !bytes.starts_with(magic()))
     return std::nullopt;

@@ -16,7 +16,7 @@ namespace springcheck {
 ///     write_pages(file, overlay.writes());
 class OverlayFile {
  public:
-  /// Of an existing file; its present content shows through.
+  /// Takes an existing file, whose present content shows through.
   explicit OverlayFile(const std::filesystem::path& file);
   ~OverlayFile();
   OverlayFile(const OverlayFile&) = delete;
@@ -30,7 +30,7 @@ class OverlayFile {
   /// All writes since the construction.
   [[nodiscard]] const PageWrites& writes() const { return writes_; }
 
-  // What HDF5's driver calls; false when the disk fails.
+  // HDF5's driver calls these; they return false when the disk fails.
   bool read(std::uint64_t place, std::size_t size, char* bytes) const;
   bool write(std::uint64_t place, std::size_t size, const char* bytes);
   void resize(std::uint64_t size) { writes_.file_size = size; }

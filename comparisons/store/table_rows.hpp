@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/store/columns.hpp"
+#include "comparisons/store/stored_columns.hpp"
 #include "comparisons/store/hdf5.hpp"
 
 namespace springcheck {
@@ -13,10 +13,11 @@ namespace springcheck {
 void put(Row& row, const std::string& name, const std::optional<std::string>& text);
 void put(Row& row, const std::string& name, const std::optional<double>& number);
 
-/// Throws std::runtime_error where `what` has no such attribute, or an empty one.
+/// The text of an attribute. Throws std::runtime_error where `what` has no such
+/// attribute, or an empty one.
 std::string text_attribute(hid_t group, const char* name, const std::string& what);
 
-/// A new table in the group: row_of(part) of each part.
+/// Writes a new table into the group: row_of(part) of each part.
 template <class Part, class RowOf>
 void write_rows(hid_t group, const char* name, const std::vector<Part>& parts,
                 const RowOf& row_of) {
@@ -39,18 +40,18 @@ auto read_groups(hid_t root, const std::string& name, const Read& read) {
 /// A table that is read row by row; columns that none of its rows has need not be there.
 class TableRows {
  public:
-  /// what: it is a table of, for messages.
+  /// `what` is what it is a table of, for messages.
   TableRows(hid_t group, std::string what);
 
   [[nodiscard]] std::size_t count() const { return columns_.rows; }
 
-  /// None where the row lacks it.
+  /// The value in a row; none where the row lacks it.
   [[nodiscard]] std::optional<std::string> find_text(const std::string& name,
                                                      std::size_t row) const;
   [[nodiscard]] std::optional<double> find_number(const std::string& name,
                                                   std::size_t row) const;
 
-  /// Throw std::runtime_error where the row lacks it.
+  /// The value in a row. They throw std::runtime_error where the row lacks it.
   [[nodiscard]] std::string text(const std::string& name, std::size_t row) const;
   [[nodiscard]] double number(const std::string& name, std::size_t row) const;
 

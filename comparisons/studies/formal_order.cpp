@@ -18,7 +18,8 @@ bool has_glued_edges(const CaseSettings& settings) {
   return test.lower_plate && !slides;
 }
 
-/// Of the continuum: the method's own, or its lattice's, where they have one.
+/// Poisson's ratio of the continuum: the method's own, or its lattice's, where they have
+/// one.
 double poisson_ratio_of(const CaseSettings& settings) {
   const Method* springs = &settings.method;
   if (reads(settings.method, "lattice"))

@@ -26,15 +26,16 @@ struct SplitPlan {
   ThreeCases reference, reference_check;
 };
 
-/// What springs of a lattice (Method::lattice) would converge to, on the cells of the
-/// case: by q1-sri.
+/// What springs of a lattice (Method::lattice) would converge to, by q1-sri on the cells
+/// of the case.
 CaseSettings continuum_of(const CaseSettings& springs);
 
-/// Throws InputError unless `law` is one of finite elements, and fem-cauchy-born knows
-/// the springs' lattice.
+/// The plan of a split. Throws InputError unless `law` is one of finite elements, and
+/// fem-cauchy-born knows the springs' lattice.
 SplitPlan plan_split(const CaseSettings& springs, const Method& law);
 
-/// The simulations of the continua, in the order split_error takes their results.
+/// The simulations of the continua, in the order in which split_error takes their
+/// results.
 std::vector<Request> split_requests(const SplitPlan& plan);
 
 /// A quantity on one grid; empty where the run failed.
@@ -54,23 +55,23 @@ struct ConvergedValue {
 struct ContinuumValue {
   ConvergedValue converged;  // q1-sri; its error bound is at least the disagreement
   ConvergedValue check;      // q2
-  // Between the two: |value - value|, or the mean distance of the fields.
+  // The distance between the two: |value - value|, or the mean distance of the fields.
   std::optional<double> disagreement{};
   // Whether the two agree within the sum of the error bounds of their grids, and all runs
   // are ok.
   bool is_resolved;
 };
 
-/// A part of the error, and its error bound. The discretisation part's is Cauchy-Born's.
-/// Both continua err nearly alike on equal grids: the error bound of a law part is that
-/// of their difference, extrapolated grid by grid (converged_difference), and its
-/// distance from the part; at least the part's distance from the one that q2's grids
-/// give. (Of fields, the sum of both error bounds.)
+/// A part of the error, and its error bound. The bound of the discretisation part is
+/// Cauchy-Born's. Both continua err nearly alike on equal grids: the error bound of a law
+/// part is that of their difference, extrapolated grid by grid (converged_difference),
+/// and its distance from the part; it is at least the part's distance from the one that
+/// q2's grids give. For fields it is the sum of both error bounds.
 struct ErrorPart {
   std::optional<double> value{}, error_bound{};
 };
 
-/// One quantity, split. Of fields ("mean_deviation") the numbers are mean distances over
+/// One quantity, split. For fields ("mean_deviation") the numbers are mean distances over
 /// the nodes of the springs' mesh: from the converged reference law, but for the
 /// discretisation part, which is the springs' distance from the converged Cauchy-Born.
 /// Those parts do not add up to the springs' number; they bound it.

@@ -76,7 +76,7 @@ std::vector<Vector3> difference(std::vector<Vector3> a, const std::vector<Vector
   return a;
 }
 
-/// Of a case that is measured; empty where none was wanted.
+/// Why a case that is measured has no deviation; empty where none was wanted.
 std::string why_no_deviation(const Request& request,
                              std::span<const CaseResult* const> reference) {
   for (const CaseResult* run : reference)
@@ -193,7 +193,8 @@ class StudyRun {
         words_of(place, failure), failures_.size(), to_run_.size()));
   }
 
-  /// To the requests that wait for a simulation, each once.
+  /// Delivers a result without an answer to the requests that wait for a simulation, each
+  /// once.
   void deliver_without_answer(std::size_t place, const std::exception_ptr& failure) {
     const std::string reason = words_of(place, failure);
     for (const std::size_t i : simulations_[place].requests) {
@@ -207,8 +208,9 @@ class StudyRun {
     }
   }
 
-  /// A simulation is known by its key without a reference. Results of other revisions are
-  /// taken whole or not at all: nothing of this one is made of them.
+  /// The place of a case's simulation, which is known by its key without a reference.
+  /// Results of other revisions are taken whole or not at all: nothing of this one is
+  /// made of them.
   std::size_t place_of(const CaseSettings& settings) {
     const Mesh& mesh = meshes_.mesh(settings.body);
     const Request alone{.settings = settings};
@@ -230,8 +232,8 @@ class StudyRun {
     budget.take(bytes);
     CaseResult result;
     try {
-      // Isolated: a thread that waits for its own inner loops must not start another
-      // simulation meanwhile, whose time would count twice.
+      // The simulation is isolated: a thread that waits for its own inner loops must not
+      // start another simulation meanwhile, whose time would count twice.
       result = tbb::this_task_arena::isolate([&] {
         return simulate(simulation.settings, *simulation.mesh, threads_, watch_);
       });

@@ -41,8 +41,8 @@ struct Sweep {
   ReferenceMethod usual_reference{};             // of cases that name none
 };
 
-/// Whether any of them, by what the first of each of the [[cases]] is, takes that one:
-/// tissue takes none.
+/// Whether any case takes the usual reference, judged by what the first of each of the
+/// [[cases]] is: tissue takes none.
 bool takes_usual_reference(const Sweep& sweep);
 
 /// The shipped sweep of that name or the file at that path. Throws InputError with file,
@@ -52,11 +52,12 @@ Sweep read_sweep(const std::string& name_or_path, std::size_t most);
 /// How many combinations of values there are.
 std::size_t combination_count(const Sweep& sweep);
 
-/// The requests of one of them, for each of its methods; those of several combinations
-/// may be equal. Throws InputError where no test allows the combination.
+/// The requests of one combination, for each of its methods; those of several
+/// combinations may be equal. Throws InputError where no test allows the combination.
 std::vector<Request> requests_of(const Sweep& sweep, std::size_t combination);
 
-/// Of all combinations in order, for few of them: a request takes some 10 kB.
+/// The requests of all combinations in order, which are to be few: a request takes some
+/// 10 kB.
 std::vector<Request> all_requests(const Sweep& sweep);
 
 }  // namespace springcheck

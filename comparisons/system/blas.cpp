@@ -13,7 +13,7 @@
 
 #include "comparisons/system/memory.hpp"
 
-// Not in every cblas.h.
+// Some versions of cblas.h do not declare these.
 extern "C" void openblas_set_num_threads(int);
 extern "C" char* openblas_get_corename();
 extern "C" char* openblas_get_config();

@@ -12,7 +12,7 @@ namespace springcheck {
 struct Environment {
   std::string processor;     // as the machine calls it
   std::string machine;       // eight digits of its own, empty where it has none
-  std::string clock;         // of whom the frequency depends: see clock_policy
+  std::string clock;         // who sets the frequency, see clock_policy
   std::string instructions;  // of the kernels, and whose processor: "avx2 AuthenticAMD"
   std::string blas;          // version and kernels: "OpenBLAS 0.3.21 Haswell"
   std::string compiler;
@@ -21,11 +21,12 @@ struct Environment {
   int threads;  // of loops, at most
 };
 
-/// Of this process, now.
+/// The environment of this process, now.
 Environment environment();
 
-/// "AMD EPYC (machine 0123abcd), clock unknown, avx512 AuthenticAMD, OpenBLAS ..., GCC
-/// ..., -O3": all but cores and threads, which belong to each measurement.
+/// The environment as text: "AMD EPYC (machine 0123abcd), clock unknown, avx512
+/// AuthenticAMD, OpenBLAS ..., GCC ..., -O3". It has all but cores and threads, which
+/// belong to each measurement.
 std::string text_of(const Environment& environment);
 
 /// Sets what a process computes with, for as long as this lives: one thread for each call

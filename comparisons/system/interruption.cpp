@@ -21,7 +21,8 @@ struct Interruptions {
   std::list<std::filesystem::path> removed{};
 };
 
-/// Never destroyed: the program may end while the thread waits.
+/// What is to be done at an interruption. It is never destroyed: the program may end
+/// while the thread waits.
 Interruptions& interruptions() {
   static auto* const all = new Interruptions;
   return *all;
@@ -53,7 +54,7 @@ void wait_for_signal(int from_handler) {
   while (true) pause();  // with the lock: nothing that is undone may go on
 }
 
-/// None of the watched signals comes to a thread that is started while it lives.
+/// While it lives, none of the watched signals comes to a thread that is started.
 class SignalsBlocked {
  public:
   SignalsBlocked() {

@@ -7,12 +7,13 @@
 
 namespace springcheck {
 
-/// From here on SIGINT, SIGTERM and SIGHUP end the program after what is to be done
-/// before; another one meanwhile ends it at once. Signals that are ignored stay so.
+/// Starts to watch for signals: from here on SIGINT, SIGTERM and SIGHUP end the program
+/// after what is to be done before; another one meanwhile ends it at once. Signals that
+/// are ignored stay so.
 void watch_interruptions();
 
-/// While it lives, what is done before a signal ends the program, in a thread of its own
-/// while the others go on. What is given first comes first.
+/// Something that is done before a signal ends the program, as long as this lives, in a
+/// thread of its own while the others go on. What is given first comes first.
 class BeforeInterruption {
  public:
   explicit BeforeInterruption(std::function<void()> what);
@@ -24,8 +25,9 @@ class BeforeInterruption {
   std::list<std::function<void()>>::iterator place_;
 };
 
-/// While it lives, a file or folder that is removed as the last thing before a signal
-/// ends the program, which nobody may take for abandoned while that still writes.
+/// A file or folder that is removed, as long as this lives, as the last thing before a
+/// signal ends the program: nobody may take it for abandoned while the program still
+/// writes.
 class RemovedAtInterruption {
  public:
   explicit RemovedAtInterruption(std::filesystem::path path);

@@ -12,7 +12,8 @@
 namespace springcheck {
 namespace {
 
-/// A number of kilobytes that Linux tells under a name.
+/// The number of kilobytes that Linux tells under a name, in bytes; none where it tells
+/// none.
 std::optional<double> bytes_in(const char* file, const char* name) {
   std::ifstream info(file);
   for (std::string line; std::getline(info, line);)
@@ -30,7 +31,7 @@ std::optional<double> number_in(const std::filesystem::path& file) {
   return std::ifstream(file) >> value ? std::optional(value) : std::nullopt;
 }
 
-/// A number behind its name and a blank.
+/// The number behind its name and a blank in a file; none where there is no such name.
 std::optional<double> number_in(const std::filesystem::path& file,
                                 const std::string& name) {
   std::ifstream lines(file);
@@ -41,7 +42,7 @@ std::optional<double> number_in(const std::filesystem::path& file,
   return std::nullopt;
 }
 
-/// Names of a version's files.
+/// The names of the files of a version of control groups.
 struct GroupFiles {
   const char *limit, *used, *cached;
 };
@@ -49,8 +50,8 @@ constexpr GroupFiles version_1{"memory.limit_in_bytes", "memory.usage_in_bytes",
                                "total_inactive_file"},
     version_2{"memory.max", "memory.current", "inactive_file"};
 
-/// Of the group and those above it, up to the mount. A container sees its own group as
-/// the mount, whatever its path is outside.
+/// The memory that is left to the group and those above it, up to the mount. A container
+/// sees its own group as the mount, whatever its path is outside.
 double room_of_group(const std::filesystem::path& mount, std::filesystem::path group,
                      const GroupFiles& files) {
   double room = INFINITY;

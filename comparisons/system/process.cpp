@@ -18,7 +18,7 @@ std::runtime_error failure(const std::string& program, int error) {
   return std::runtime_error(program + ": " + std::generic_category().message(error));
 }
 
-/// Until it has ended, whoever asks for its status.
+/// Ends a program and waits until it has ended; its status stays for whoever asks for it.
 void end_program(pid_t program) {
   kill(program, SIGTERM);
   siginfo_t info;

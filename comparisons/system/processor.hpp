@@ -5,12 +5,12 @@
 
 namespace springcheck {
 
-/// As the machine calls it; "unknown" where it does not say.
+/// The processor's name as the machine calls it; "unknown" where it does not say.
 std::string processor_name();
 
-/// "avx2 AuthenticAMD": what the kernels are computed with here, and whose processor,
-/// since those of each have approximate roots of their own. Between two of them figures
-/// differ by rounding.
+/// What the kernels are computed with here, and whose processor it is: "avx2
+/// AuthenticAMD". The processors of each have approximate roots of their own: between two
+/// of them figures differ by rounding.
 std::string instructions();
 
 /// Who sets the processor's frequency, as Linux tells: "governor performance, boost on";

@@ -137,7 +137,7 @@ constexpr CatalogueEntry entries[] = {
 /// Minutes from which on a table is long.
 constexpr double long_from = 10;
 
-/// Under the name and title of the entry.
+/// The plan, whose table gets the name and title of the entry.
 TablePlan named(TablePlan plan, const CatalogueEntry& entry) {
   plan.make = [&entry, make = std::move(plan.make)](std::span<const CaseResult> results,
                                                     MeshStore& meshes) {

@@ -14,7 +14,7 @@
 
 namespace springcheck {
 
-/// Where a table's figures come from.
+/// The source of a table's figures.
 enum class Source {
   cases,         // simulations, which a result file keeps and gives back
   when_printed,  // computed or measured while it is printed: no result file has it
@@ -41,20 +41,21 @@ struct CatalogueEntry {
   Source source = Source::cases;
 };
 
-/// All of them, those of the thesis's printed figures first.
+/// All tables, those of the thesis's printed figures first.
 std::span<const CatalogueEntry> catalogue();
 
-/// The one of that name. Throws InputError where there is none.
+/// The table of that name. Throws InputError where there is none.
 const CatalogueEntry& table_named(std::string_view name);
 
-/// Whether it stands beside figures that the thesis printed.
+/// Whether a table stands beside figures that the thesis printed.
 bool is_of_printed_figures(const CatalogueEntry& entry);
 
-/// Whether it takes so long that `reproduce` leaves it out unless asked for all.
+/// Whether a table takes so long that `reproduce` leaves it out unless asked for all.
 bool takes_long(const CatalogueEntry& entry);
 
-/// Its plan, whose table has its name and title. `reference` replaces the default of
-/// requests(). Throws InputError for one beside our own tables, which have theirs.
+/// The plan of an entry, whose table has its name and title. `reference` replaces the
+/// default of requests(). Throws InputError for one beside our own tables, which have
+/// theirs.
 TablePlan plan_of(const CatalogueEntry& entry,
                   const std::optional<ReferenceMethod>& reference = std::nullopt);
 

@@ -45,7 +45,7 @@ std::optional<Table> filled_rows(const CatalogueEntry& entry, const std::string&
   return table;
 }
 
-/// Of all results or none.
+/// The table of all results; none where one is lacking.
 std::optional<Table> filled_whole(const CatalogueEntry& entry, const Find& find,
                                   MeshStore& meshes) {
   const TablePlan plan = plan_of(entry);

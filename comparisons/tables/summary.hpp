@@ -9,9 +9,9 @@
 
 namespace springcheck {
 
-/// In markdown: how all cases of the result file ended, how far mss-cf and fem-hencky are
-/// from the printed figures, and which rows are not ok. statuses: of the cases, by their
-/// keys; seconds: that it took.
+/// A summary in markdown: how all cases of the result file ended, how far mss-cf and
+/// fem-hencky are from the printed figures, and which rows are not ok. `statuses` are
+/// those of the cases, by their keys; `seconds` is the time that it took.
 std::string summary(std::span<const Table> tables,
                     const std::map<std::string, Status>& statuses, double seconds);
 

@@ -8,7 +8,7 @@ namespace springcheck {
 /// {name: text or {"description": text, ...}}}.
 nlohmann::ordered_json list_json();
 
-/// Its JSON schema.
+/// The JSON schema of list_json().
 nlohmann::ordered_json list_schema();
 
 }  // namespace springcheck

@@ -8,11 +8,11 @@
 // Cells of blocks as kernels see them.
 namespace springcheck::dynamics {
 
-/// Where a block's cells are in BlockArrays.
+/// The places of a block's cells in BlockArrays.
 struct BlockCells {
   std::size_t row, layer;  // of Block
   std::size_t count;       // with those that do not exist
-  // Without a grid, elements:
+  // Without a grid, the elements of each cell's corners:
   std::vector<std::array<std::uint32_t, 8>> corners;
 };
 

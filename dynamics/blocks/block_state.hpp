@@ -9,7 +9,7 @@
 
 namespace springcheck::dynamics {
 
-/// Where a block's numbers are: one array per component. The slots are dealt out to lanes
+/// The arrays of a block's numbers, one per component. The slots are dealt out to lanes
 /// in consecutive runs of `rows`, and the lanes stand side by side: slot s is the element
 /// (s mod rows) lanes + s / rows. A step of n slots thus is a step of n rows for all
 /// lanes at once, from registers to registers, whatever n; only at the end of the runs it
@@ -58,17 +58,18 @@ class BlockState {
 extern template class BlockState<float>;
 extern template class BlockState<double>;
 
-/// The internal forces of a block's cells, springs or other. Called for different blocks
-/// at the same time.
+/// The internal forces of a block's cells, springs or others. The functions are called
+/// for different blocks at the same time.
 template <class Real>
 struct BlockForces {
   using OnBlock = std::function<void(std::size_t block, const BlockArrays<Real>& arrays)>;
   std::size_t lanes;  // of the arrays it takes
   /// Writes the forces from displacements and velocities; they are zero before.
   OnBlock add;
-  /// Where cells act on each other through a number of the nodes between them: writes
-  /// what the block's cells contribute to nodal_sum, from the displacements; zero before.
-  /// `add` then finds there the sum over all blocks. None: there is no such number.
+  /// Writes what the block's cells contribute to nodal_sum, which is zero before, from
+  /// the displacements, where cells act on each other through a number of the nodes
+  /// between them. `add` then finds there the sum over all blocks. The function is empty
+  /// where there is no such number.
   OnBlock add_nodal_sums{};
 };
 

@@ -22,10 +22,10 @@ struct Block {
   std::vector<NodeIndex> nodes;      // of the mesh, slot by slot; no_node: empty
   std::vector<std::uint32_t> cells;  // of the mesh; no_cell: empty
   // In a grid, node (i, j, k) has the slot i + row j + layer k, and a cell has the number
-  // of the slot of its corner 0. Both 0 without a grid.
+  // of the slot of its corner 0. Both are 0 without a grid.
   std::size_t row = 0;
   std::size_t layer = 0;
-  // Without a grid: eight slots per cell, in the order of GridCell::corners.
+  // Without a grid, the eight slots of each cell, in the order of GridCell::corners:
   std::vector<std::array<std::uint32_t, 8>> corners{};
 
   [[nodiscard]] bool is_grid() const { return row != 0; }

@@ -17,7 +17,7 @@ namespace springcheck::dynamics::SPRINGCHECK_PATH {
 template <class Real>
 using CornerPacks = std::array<Pack<Real>, 8>;
 
-/// Of the block's arrays those that the cells read and those that they add to.
+/// The arrays of a block that the cells read and those that they add to.
 template <class Real, std::size_t read, std::size_t written>
 struct CellFields {
   std::array<Real*, read> from;
@@ -119,9 +119,10 @@ template <class Real, class Cells, class Visit>
 }
 
 /// Calls visit(number of the first cell, cells) for a block's cells, a register of them
-/// at a time. In a grid a cell's number is the element of its corner 0; it is called for
-/// every one, and must add zeros where no cell is; fields are finite there. Without a
-/// grid, cells beyond the last have the corners of some cell, and likewise.
+/// at a time. In a grid a cell's number is the element of its corner 0; visit is called
+/// for every one, and must add zeros where no cell is; the fields are finite there.
+/// Without a grid, cells beyond the last have the corners of some cell, and visit must
+/// add zeros for them too.
 template <bool in_grid, class Real, std::size_t read, std::size_t written, class Visit>
 inline void for_each_cell_pack(const BlockCells& cells, const BlockArrays<Real>& arrays,
                                const CellFields<Real, read, written>& fields,

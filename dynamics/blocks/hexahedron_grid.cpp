@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t no_body = ~std::uint32_t{0};
 
-/// For each cell and each of its faces the cell beyond; itself at the boundary.
+/// The cell beyond each face of each cell; at the boundary it is the cell itself.
 std::vector<std::array<std::uint32_t, 6>> neighbours_of(const Mesh& mesh) {
   struct Side {
     std::array<NodeIndex, 4> nodes;  // ascending

@@ -9,8 +9,8 @@
 
 namespace springcheck::dynamics {
 
-/// Where a hexahedron is in a grid. Corner x + 2 y + 4 z, each 0 or 1, stands at `at` +
-/// (x, y, z).
+/// The place of a hexahedron in a grid. Its corner x + 2 y + 4 z, with x, y and z each 0
+/// or 1, stands at `at` + (x, y, z).
 struct GridCell {
   std::array<int, 3> at;
   std::array<NodeIndex, 8> corners;
@@ -19,8 +19,9 @@ struct GridCell {
 
 /// The mesh's cells as parts of regular grids, in the mesh's order: whatever their shapes
 /// and however nodes and cells are numbered, neighbours through a face are neighbours in
-/// the grid. Nothing where the cells are not all hexahedra, or where no such grid exists:
-/// around some edge inside there are not four cells, or the grid closes on itself.
+/// the grid. Returns nothing where the cells are not all hexahedra, or where no such grid
+/// exists: around some edge inside there are not four cells, or the grid closes on
+/// itself.
 std::optional<std::vector<GridCell>> grid_of(const Mesh& mesh);
 
 }  // namespace springcheck::dynamics

@@ -12,7 +12,7 @@ struct LoadPoint {
 };
 using LoadPath = std::vector<LoadPoint>;
 
-/// In proportion to the time, to the full load at the end.
+/// The load that grows in proportion to the time and reaches the full load at the end.
 LoadPath ramp(double duration);
 
 /// sin(omega t) over so many cycles, a last one in part among them, in straight pieces of
@@ -27,7 +27,8 @@ double load_fraction(const LoadPath& path, double time);
 /// way is one piece.
 LoadPath turning_points(const LoadPath& path);
 
-/// Straight pieces that ended by a time, and the part of the present one that has passed.
+/// The number of straight pieces that have ended by a time, plus the part of the present
+/// one that has passed.
 double pieces_passed(const LoadPath& path, double time);
 
 }  // namespace springcheck::dynamics

@@ -193,7 +193,8 @@ class March {
 
   void follow_limit() {
     const double left = protocol_.duration - now_.time;
-    // Where no countable number of steps is stable, going on shows what becomes of it.
+    // Where the limit allows no countable number of steps, the step stays as it is: going
+    // on shows what becomes of the motion.
     if (!std::isfinite(now_.limit) || !(left / (protocol_.step_ratio * now_.limit) <
                                         std::numeric_limits<int>::max() - now_.step))
       return;

@@ -24,14 +24,14 @@ struct Protocol {
   LoadPath load{};                  // empty: ramp(duration)
 };
 
-/// A step was found to be above the stability limit.
+/// A step that was found to be above the stability limit.
 struct Excess {
   int step;      // after so many steps
   double dt;     // [s] there
   double limit;  // [s] there
 };
 
-/// Where a march is: enough to go on to the bit.
+/// The state of a march, enough to go on from it bit for bit.
 struct Checkpoint {
   State state;
   int step = 0;                    // steps made
@@ -57,10 +57,10 @@ struct Moment {
   double strain_energy;                  // [J]
 };
 
-/// Who follows a march. Empty functions are not called.
+/// The functions that follow a march. Empty ones are not called.
 struct Observers {
-  // Moments at equal distances in time on each straight piece of the load, its end among
-  // them:
+  // The number of moments, at equal distances in time, on each straight piece of the
+  // load, its end among them:
   int samples = 0;
   std::function<void(const Moment&)> sample{};
   std::function<void(const Checkpoint&)> checkpoint{};
@@ -82,8 +82,8 @@ struct MarchedBody {
   const Scene& scene;
   std::span<const double> masses;  // [kg] of each node
   PlainForces forces;
-  // Largest stable step in a state, at rest where there is none, from what was found
-  // near; see largest_stable_step. Leaves the motion in that state:
+  // The largest stable step in a state (at rest where none is given), from what was found
+  // in a state near it; see largest_stable_step. It leaves the motion in that state:
   std::function<StableStep(const std::optional<State>& state, const StableStep* near)>
       stable_step;
   std::string step_setters;  // what sets the limit, for messages: "nu = 0.4, ..."
@@ -97,9 +97,9 @@ struct MarchedBody {
 /// user set and that is above the limit at rest is refused unless forced, and so is an
 /// open one where the limit is infinite though nodes are free, or zero.
 ///
-/// Where the body then is, the limit is looked at again every 1000 steps and 40 times on
-/// each way that the load rises, falls or rests. An open step follows it. Of any step
-/// that is found above it, the solution's reason says so, and the log.
+/// The limit is looked at again, in the body's present state, every 1000 steps and 40
+/// times on each way that the load rises, falls or rests. An open step follows it. The
+/// log and the solution's reason tell of any step that is found above it.
 ///
 /// The march ends as diverged, with the step by which it was seen, within 100 steps where
 /// positions are no longer finite or a hundred body sizes away; and where a step that was

@@ -22,18 +22,19 @@ struct SmallMotions {
 /// their digits at least, and what is not linear stays in the last.
 inline constexpr double probe = 1e-4;
 
-/// About rest, with that amplitude; forces are left open.
+/// The system at rest, with an amplitude of `probe` cell edges; its forces are left
+/// empty.
 SmallMotions about_rest(std::span<const double> masses, std::vector<bool> is_free,
                         double cell_edge, bool has_dashpots);
 
-/// An entry per free component, in their order.
+/// A vector with one entry per free component, in their order.
 using Field = Eigen::VectorXd;
 
 /// v -> M^-1/2 (stiffness_factor K + dashpot_factor C) M^-1/2 v on the free components,
 /// by central differences of the forces.
 class Combination {
  public:
-  /// Refers to the system.
+  /// The combination refers to the system.
   Combination(const SmallMotions& system, double stiffness_factor, double dashpot_factor);
 
   [[nodiscard]] Eigen::Index size() const { return inverse_root_mass_.size(); }

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// By Lanczos' recurrence; without reorthogonalisation copies of converged values appear,
-/// which does not move the largest one.
+/// The largest eigenvalue, by Lanczos' recurrence. Without reorthogonalisation copies of
+/// converged values appear, which does not move the largest one.
 double largest_eigenvalue(const Combination& combination) {
   constexpr int iterations = 120;
   std::vector<double> diagonal, off_diagonal;
@@ -52,7 +52,8 @@ double largest_eigenvalue(const SmallMotions& system, double stiffness_factor,
   return largest_eigenvalue(Combination(system, stiffness_factor, dashpot_factor));
 }
 
-/// The largest value up to `high` with holds(dt), which holds below it, to 1e-4.
+/// The largest value up to `high` for which holds(dt) is true, to 1e-4; it is true for
+/// all smaller ones.
 template <class Holds>
 double bisected(double high, const Holds& holds) {
   if (holds(high)) return high;
@@ -91,8 +92,8 @@ class ExplicitConditions {
     return largest_eigenvalue(system_, dt, -1) <= tolerance_ &&
            largest_eigenvalue(system_, -dt * dt, 2 * dt) <= 4;
   }
-  /// Along a direction without dashpots the tolerance alone lets a step pass, and half
-  /// the step uses up half of it.
+  /// Whether every direction is damped. Along one without dashpots the tolerance alone
+  /// lets a step pass, and half the step uses up half of it.
   [[nodiscard]] bool all_is_damped(double dt) const {
     return largest_eigenvalue(system_, dt / 2, -1) < tolerance_ / 4;
   }
@@ -105,7 +106,8 @@ class ExplicitConditions {
 double explicit_limit(const SmallMotions& system, double undamped) {
   const ExplicitConditions conditions(system);
   if (!(conditions.rate() > 0)) return 0;
-  // Of a single mode c/k; no step above that of the softest direction is asked about.
+  // The limit of a single mode is c/k. No step above that of the softest direction is
+  // asked about.
   const double high = std::min(2 / conditions.rate(), undamped);
   const double limit = bisected(high, [&](double dt) { return conditions.hold(dt); });
   return conditions.all_is_damped(limit) ? limit : 0;

@@ -65,7 +65,8 @@ std::vector<Vector3> EquilibriumSearch::forces(double dt, const Positions& x,
   return sum;
 }
 
-/// Takes the tangent, shifted until it is positive definite; whether it was before.
+/// Takes the tangent, shifted until it is positive definite. Returns whether it was
+/// before.
 bool EquilibriumSearch::linearise(double dt, std::span<const Vector3> positions) {
   body_.assemble_tangent(dt, positions, system_.matrix());
   return prepare_shifted(system_);
@@ -108,8 +109,8 @@ double EquilibriumSearch::longest_way(const Field& change) const {
   return longest;
 }
 
-/// What least resists in the tangent taken last, by inverse iteration; it moves a node by
-/// a cell edge.
+/// The mode that least resists in the tangent taken last, by inverse iteration; it moves
+/// a node by a cell edge.
 EquilibriumSearch::Field EquilibriumSearch::softest_mode() {
   std::mt19937_64 random(seed);
   const auto unknowns = static_cast<Index>(std::ranges::count(is_free_, true));
@@ -120,8 +121,8 @@ EquilibriumSearch::Field EquilibriumSearch::softest_mode() {
 }
 
 /// Leaves a saddle along the softest mode, with the forces where they point along it and
-/// are more than round-off, by steps that double while the forces push on; whether they
-/// do at all.
+/// are more than round-off, by steps that double while the forces push on. Returns
+/// whether they do at all.
 bool EquilibriumSearch::leave_saddle(const SoughtEquilibrium& sought, Positions& there,
                                      Field& residual) {
   Field mode = softest_mode();
@@ -137,10 +138,10 @@ bool EquilibriumSearch::leave_saddle(const SoughtEquilibrium& sought, Positions&
   return left;
 }
 
-/// Goes on from `there` by the change, or a part of it; whether that leads nearer to an
-/// equilibrium: the residual falls. Where a body buckles it has to rise on the way, in a
-/// valley that bends; there the forces must not turn against the change. What is not a
-/// number is not nearer.
+/// Goes on from `there` by the change, or a part of it. Returns whether that leads nearer
+/// to an equilibrium, that is, whether the residual falls. Where a body buckles the
+/// residual has to rise on the way, in a valley that bends; there the forces must not
+/// turn against the change. A residual that is not a number is not nearer.
 bool EquilibriumSearch::step(const SoughtEquilibrium& sought, bool buckles, Field change,
                              Positions& there, Field& residual) {
   const double norm = residual.norm();
@@ -156,7 +157,7 @@ bool EquilibriumSearch::step(const SoughtEquilibrium& sought, bool buckles, Fiel
 }
 
 /// The largest change of the distance between two nodes of a cell, as a vector, over that
-/// distance at rest: of a displacement gradient between two states.
+/// distance at rest: a measure of the displacement gradient between two states.
 double EquilibriumSearch::largest_gradient(const Positions& from,
                                            const Positions& to) const {
   double largest = 0;

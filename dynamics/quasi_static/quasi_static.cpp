@@ -28,7 +28,8 @@ class Path {
         positions_(mesh.nodes()),
         forces_(mesh.nodes().size(), Vector3::Zero()) {}
 
-  /// Goes on to a load fraction in a time dt [s]; whether there was an equilibrium.
+  /// Goes on to a load fraction in a time dt [s]. Returns whether there was an
+  /// equilibrium.
   bool advance_to(double load_fraction, double dt) {
     auto found = search_.find({.dt = dt,
                                .load_fraction = load_fraction,
@@ -49,7 +50,7 @@ class Path {
     return true;
   }
 
-  /// Of the way that comes next, by which its states are judged.
+  /// Sets the step [s] of the way that comes next, by which its states are judged.
   void set_judged_step(double dt) { judged_step_ = dt; }
 
   /// How the searches since the last equilibrium ended.
@@ -114,8 +115,8 @@ class Path {
   int steps_ = 0;
 };
 
-/// A straight piece of the load, in parts of a step, 2^-most_halvings of it, so that
-/// times are met to the bit.
+/// A straight piece of the load, in parts of 2^-most_halvings of a step, so that times
+/// are met exactly.
 class Piece {
  public:
   Piece(const LoadPoint& from, const LoadPoint& to, int steps)
@@ -139,7 +140,7 @@ class Piece {
   std::int64_t end_;
 };
 
-/// Why the path ends on a piece of the load; nothing where it does not.
+/// Returns why the path ends on a piece of the load, or nothing where it does not.
 std::string follow(Path& path, const Piece& piece, const Observers& observers) {
   const auto samples_passed = [&](std::int64_t part) {
     return std::floor(piece.passed(part) * observers.samples + 1e-9);

@@ -26,23 +26,25 @@ class RememberingBody {
   /// Load at the load fraction 1 [N].
   [[nodiscard]] virtual std::vector<Vector3> load() const = 0;
 
-  /// Of the tangent: nodes of the cells.
+  /// The patches of the tangent: the nodes of each cell.
   [[nodiscard]] virtual statics::Patches patches() const = 0;
 
-  /// At the end of a step of dt [s] that leads to the positions [m]; the memories stay.
+  /// The forces at the end of a step of dt [s] that leads to the positions [m]; the
+  /// memories stay as they are.
   [[nodiscard]] virtual Forces forces_after(double dt,
                                             std::span<const Vector3> positions) = 0;
 
-  /// The symmetric part of the tangent there, minus the forces' derivative by the
-  /// positions [N/m]. forces_after was called last with the same.
+  /// Assembles the symmetric part of the tangent there, minus the forces' derivative by
+  /// the positions [N/m]. forces_after must have been called last with the same
+  /// arguments.
   virtual void assemble_tangent(double dt, std::span<const Vector3> positions,
                                 statics::BlockMatrix& tangent) = 0;
 
-  /// The memories become those after the step. forces_after was called last with the
-  /// same.
+  /// Makes the memories those after the step. forces_after must have been called last
+  /// with the same arguments.
   virtual void advance(double dt, std::span<const Vector3> positions) = 0;
 
-  /// With the memories as they are [J].
+  /// The free energy with the memories as they are [J].
   [[nodiscard]] virtual double free_energy(std::span<const Vector3> positions) const = 0;
 
   /// sqrt(tr C' - 3) where it is largest [-], C' = C/(det C)^(1/3): in simple shear the

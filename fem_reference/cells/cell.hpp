@@ -33,7 +33,8 @@ struct Cell {
   std::shared_ptr<const Shape> shape;
 };
 
-/// Where an element takes the dilatation t of a law psi = shape part + U(t):
+/// How an element takes the dilatation t of a law psi = shape part + U(t), and so its
+/// energy:
 ///
 ///     at_points        W = int psi dV
 ///     cell_mean        W = int shape part dV + V U(t),   t = (1/V) int t(F) dV
@@ -47,16 +48,17 @@ struct Cell {
 /// gives the figures that are known for this element: 13.822 and 6.397 %, .060333 N m.
 ///
 /// On a tetrahedron the first three are the same. On parallelepipeds F_mean is F at the
-/// centroid. Taken at the centroid of other cells
-/// the dilatation fails the patch test; both means pass it.
+/// centroid. Taken at the centroid of other cells the dilatation fails the patch test;
+/// both means pass it.
 /// Source: Nagtegaal, Parks and Rice, Comput. Methods Appl. Mech. Eng. 4 (1974) 153;
 /// Hughes, The Finite Element Method (1987), section 4.5.
 enum class DilatationTaken { at_points, cell_mean, of_mean_gradient, patch_mean };
 
-/// q1 and q2: at the points. q1_nodal: nodal patch mean. q1_sri: cell mean, for
-/// Cauchy-Born of the mean gradient, which is how the springs' volume correction sees a
-/// cell (Golec 2018, Eq. 5.19), but with green and for isochoric springs, as the laws
-/// that they follow have it, the cell mean.
+/// How the element of the settings takes it: q1 and q2 at the points, q1_nodal as the
+/// mean over nodal patches and q1_sri as the cell mean, but for Cauchy-Born of the mean
+/// gradient, which is how the springs' volume correction sees a cell (Golec 2018, Eq.
+/// 5.19). With green and for isochoric springs it is the cell mean again, as the laws
+/// that they follow have it.
 DilatationTaken dilatation_taken(const Settings& settings);
 
 /// A law as the cells integrate it.
@@ -65,8 +67,8 @@ struct CellLaw {
   DilatationTaken dilatation;
 };
 
-/// What a cell has of the nodal patches of its nodes with patch_mean; of other elements
-/// nothing.
+/// What a cell takes from the nodal patches of its nodes with patch_mean; other elements
+/// take nothing.
 struct FromNodalPatches {
   double own_part = 1;               // of the shape part, at the cell's own points
   Matrix3 stress = Matrix3::Zero();  // of a tetrahedron, by the nodal patches' F_n [Pa]

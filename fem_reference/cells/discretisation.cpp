@@ -13,7 +13,7 @@
 namespace springcheck::fem_reference {
 namespace {
 
-/// Of each of deal.II's vertices of a cell, the place in CellNodes.
+/// The place in CellNodes of each of deal.II's vertices of a cell.
 std::span<const std::uint8_t> deal_ii_order(CellType type) {
   static constexpr std::array<std::uint8_t, 5> pyramid{0, 1, 3, 2, 4};
   static constexpr std::array<std::uint8_t, 6> same{0, 1, 2, 3, 4, 5};

@@ -40,9 +40,9 @@ struct HexahedronKind {
 template <class Real>
 struct HexahedronBlock {
   dynamics::BlockCells cells;
-  // Where the cells are boxes, the component along each direction of the block:
+  // The component along each direction of the block, where the cells are boxes:
   std::array<std::size_t, 3> axes{0, 1, 2};
-  // The n-th of a cell is constants[n] where cells are alike, and else
+  // The n-th constant of a cell is constants[n] where cells are alike, and else
   // constants[n cells.count + number of the cell], 0 where there is no cell.
   std::vector<Real> constants{};
   std::vector<std::uint8_t> is_cell{};  // where cells are alike

@@ -34,9 +34,9 @@ template <class Real>
   return g;
 }
 
-/// From the columns of H those of -(I + H)(half_lambda tr(T) I + mu T), T = H + H^T +
-/// H^T H = 2 E: the moduli have the point's volume in them. No sum with I is formed, so
-/// that the digits of small strains are kept.
+/// Returns from the columns of H those of -(I + H)(half_lambda tr(T) I + mu T), where T =
+/// H + H^T + H^T H = 2 E. The moduli have the point's volume in them. No sum with I is
+/// formed, so that the digits of small strains are kept.
 template <class Real>
 [[gnu::always_inline]] inline std::array<Pack3<Real>, 3> minus_stress(
     const std::array<Pack3<Real>, 3>& h, Pack<Real> half_lambda, Pack<Real> mu) {
@@ -72,7 +72,8 @@ class Constants {
       return all(block_.constants[n]);
   }
 
-  /// 1, and 0 where no cell is; elsewhere the constants are 0 there.
+  /// Returns 1, or 0 where no cell is. For hexahedra it is always 1, since the constants
+  /// are 0 where no cell is.
   [[gnu::always_inline]] Pack<Real> is_cell(std::size_t cell) const {
     if constexpr (shapes == CellShapes::hexahedra)
       return all(Real(1));
@@ -93,8 +94,8 @@ class OnePoint {
   explicit OnePoint(const HexahedronBlock<Real>& block)
       : block_(block), constant_(block) {}
 
-  /// Component by component, and unrolled, so that registers hold what the next lines
-  /// need.
+  /// Works component by component, and unrolled, so that registers hold what the next
+  /// lines need.
   template <class Cells>
   [[gnu::always_inline]] void operator()(std::size_t cell, Cells& cells) const {
     std::array<P3, 3> h{};  // columns of H = sum_s m_s (x) b_s
@@ -164,7 +165,8 @@ template <class Real, CellShapes shapes>
 class EightPoints {
   using P = Pack<Real>;
   using P3 = Pack3<Real>;
-  /// Of each direction k, with the place (0 to 3) of a point among the other two.
+  /// The derivatives by each direction k, at the places (0 to 3) that a point has among
+  /// the other two directions.
   using Derivatives = std::array<std::array<P3, 4>, 3>;
 
  public:
@@ -231,7 +233,7 @@ class EightPoints {
     values[3][i] = (a + b) + (c + d);
   }
 
-  /// The same the other way round.
+  /// Does the same the other way round, from the points to the modes.
   [[gnu::always_inline]] void add_conjugate(std::size_t cell, std::size_t k,
                                             std::size_t i, const std::array<P3, 4>& sums,
                                             CornerPacks<Real>& g) const {

@@ -16,7 +16,7 @@ struct Stretched {
   double strain, first, second;
 };
 
-/// From H so that small strains keep their digits.
+/// The strain along n, computed from H so that small strains keep their digits.
 Stretched stretched(SpringStrain strain, const Vector3d& n, const Matrix3& H) {
   const Vector3d Hn = H * n, d = n + Hn;
   const double length = d.norm(), squares = 2 * n.dot(Hn) + Hn.squaredNorm();
@@ -95,7 +95,7 @@ std::vector<SpringDirection> springs_of_25_axes(double mu) {
   return springs;
 }
 
-/// Along the icosahedron's axes; of 16 also along the dodecahedron's.
+/// The springs along the icosahedron's axes; 16 axes include the dodecahedron's.
 std::vector<SpringDirection> virtual_springs(double mu, int axes) {
   if (axes == 25) return springs_of_25_axes(mu);
   using std::numbers::phi;

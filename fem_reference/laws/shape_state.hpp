@@ -4,13 +4,13 @@
 
 namespace springcheck::fem_reference {
 
-/// Of a law's shape part.
+/// The energy and the stress of a law's shape part.
 struct ShapeState {
   double energy;   // per undeformed volume [Pa]
   Matrix3 stress;  // first Piola-Kirchhoff stress [Pa]
 };
 
-/// Both of any law.
+/// The energy and the stress of any law's shape part.
 template <class Law>
 ShapeState shape_state(const Law& law, const Matrix3& displacement_gradient) {
   if constexpr (requires { law.shape_state(displacement_gradient); })

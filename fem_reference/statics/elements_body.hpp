@@ -15,14 +15,14 @@ class ElementsBody final : public statics::ElasticBody {
   [[nodiscard]] std::span<const Vector3> nodes() const override { return body_.nodes; }
   [[nodiscard]] double cell_edge() const override;
 
-  /// Hooke: yes.
+  /// Whether the law is Hooke's.
   [[nodiscard]] bool is_linear() const override;
 
-  /// No law but Hooke's has an energy where det F <= 0 at a Gauss point, or of the mean
-  /// around a node: infinite there.
+  /// The energy of any law but Hooke's is infinite where det F <= 0 at a Gauss point, or
+  /// for the mean around a node.
   State state(const Eigen::VectorXd& displacements) override;
 
-  /// The cells, and of q1_nodal behind them the nodal patches.
+  /// The cells, and for q1_nodal the nodal patches behind them.
   [[nodiscard]] statics::Patches patches() const override;
   void linearise(const Eigen::VectorXd& displacements) override;
   [[nodiscard]] Eigen::MatrixXd part(std::size_t patch) const override;
@@ -34,7 +34,7 @@ class ElementsBody final : public statics::ElasticBody {
   [[nodiscard]] double largest_volume_ratio(
       const Eigen::VectorXd& displacements) const override;
 
-  /// Of the displacements, which gradients are computed from.
+  /// The rounding of the displacements, from which gradients are computed.
   [[nodiscard]] double rounding(const Eigen::VectorXd& displacements) const override;
 
   /// int det F dV of each cell [m^3].

@@ -6,7 +6,8 @@
 
 namespace springcheck {
 
-/// As input for CalculiX, without pyramids, which it does not have. See write_mesh.
+/// Writes a mesh as input for CalculiX, without pyramids, which it does not have. See
+/// write_mesh.
 void write_inp(const Mesh& mesh, std::ostream& out);
 
 }  // namespace springcheck

@@ -19,8 +19,9 @@ void check_total(MshCursor& cursor, std::size_t expected, std::size_t got) {
                   std::to_string(got));
 }
 
-/// Behind the number of blocks of nodes or elements, the number of all of them, to be
-/// checked at the end, and two that say nothing new.
+/// Reads what follows the number of blocks of nodes or elements: the number of all of
+/// them, which is returned to be checked at the end, and two numbers that say nothing
+/// new.
 std::size_t read_total(MshCursor& cursor, std::size_t numbers_each) {
   const std::size_t total = cursor.count<Size>(bytes(cursor, 0, numbers_each));
   cursor.number<Size>();

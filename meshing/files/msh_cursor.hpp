@@ -14,7 +14,8 @@ class MshCursor {
   /// Throws InputError for what is not a regular file that can be read.
   explicit MshCursor(const std::filesystem::path& file);
 
-  /// From now on number() and real() read binary data, of the machine's byte order.
+  /// Makes number() and real() read binary data, in the machine's byte order, from now
+  /// on.
   void set_binary() { is_binary_ = true; }
   [[nodiscard]] bool is_binary() const { return is_binary_; }
 
@@ -34,8 +35,8 @@ class MshCursor {
   std::int64_t number();
   double real();
 
-  /// Such a number, of things that take so many bytes each at least: what the rest of the
-  /// file has no room for is refused before anybody reserves memory for it.
+  /// Such a number, of things that take so many bytes each at least. A number that the
+  /// rest of the file has no room for is refused before anybody reserves memory for it.
   template <class Binary>
   std::size_t count(std::size_t bytes_each);
   std::size_t text_count(std::size_t bytes_each);

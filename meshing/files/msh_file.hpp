@@ -47,7 +47,7 @@ struct MshFile {
   std::vector<MshElement> elements{};
   // Sets of physical groups that elements belong to, by their positive numbers:
   std::vector<std::vector<std::int64_t>> groups;
-  // By dimension and number of the physical group:
+  // The names of physical groups, by their dimension and number:
   std::map<std::pair<std::int64_t, std::int64_t>, std::string> names{};
 };
 

@@ -19,9 +19,9 @@ struct TaggedCells {
   std::vector<CellNodes> cells{};  // tetrahedra first, as Mesh sorts them
 };
 
-/// Those of the file's three-dimensional elements that are in a physical group, or all
-/// when none is. Throws InputError for none at all, nodes that are given twice or not at
-/// all, those that no element uses, and coordinates that are not finite.
+/// The cells of those three-dimensional elements of the file that are in a physical
+/// group, or of all when none is. Throws InputError for none at all, nodes that are given
+/// twice or not at all, those that no element uses, and coordinates that are not finite.
 TaggedCells tagged_cells(const std::string& file, const MshFile& msh,
                          double metres_per_unit);
 
@@ -51,7 +51,8 @@ struct TaggedSurfaces {
   std::set<std::string> elsewhere{};  // not on the boundary of those cells throughout
 };
 
-/// Throws InputError for boundary faces that one of them has twice, or across its nodes.
+/// The physical surfaces of the file. Throws InputError for boundary faces that one of
+/// them has twice, or across its nodes.
 TaggedSurfaces tagged_surfaces(const TaggedCells& cells, const MshFile& msh,
                                const std::vector<CellFace>& boundary);
 

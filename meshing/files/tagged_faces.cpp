@@ -28,7 +28,7 @@ bool turn_alike(const FaceNodes& a, FaceNodes b) {
   return a == b;
 }
 
-/// Of all cells, those that share one side by side.
+/// The faces of all cells, sorted so that the uses of one face stand side by side.
 std::vector<CellFace> sorted_faces(const TaggedCells& cells) {
   std::vector<CellFace> all;
   for (std::size_t c = 0; c < cells.cells.size(); ++c)
@@ -40,7 +40,8 @@ std::vector<CellFace> sorted_faces(const TaggedCells& cells) {
   return all;
 }
 
-/// Names a cell and, briefly, the other one in what was got.
+/// Throws InputError where two cells lie on the same side of a face. It names one cell
+/// and, briefly, the other one in what was got.
 void check_neighbours(const TaggedCells& cells, const CellFace& first,
                       const CellFace& second) {
   FaceNodes opposite = second.face;
@@ -52,17 +53,17 @@ void check_neighbours(const TaggedCells& cells, const CellFace& first,
                                name_of_cell(cells, first.cell)));
 }
 
-/// Of a physical group.
+/// The name of a physical group, or its number where it has no name.
 std::string name_of_group(const MshFile& msh, int dimension, std::int64_t group) {
   const auto named = msh.names.find({dimension, group});
   return named == msh.names.end() || named->second.empty() ? std::to_string(group)
                                                            : named->second;
 }
 
-/// Outward, as the cell has it; `refuse` throws.
+/// The face turned outward, as the cell has it; `refuse` throws.
 FaceNodes outward(FaceNodes face, const CellFace& of_cell, const auto& refuse) {
   if (!turn_alike(face, of_cell.face)) std::ranges::reverse(face.begin() + 1, face.end());
-  // Not even the other way round: a quadrilateral whose sides cross.
+  // A quadrilateral whose sides cross is not alike the other way round either.
   if (!turn_alike(face, of_cell.face))
     refuse("the nodes around the face", "them across it");
   return face;

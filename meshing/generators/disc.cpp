@@ -31,8 +31,8 @@ void check(const Disc& disc) {
                      std::to_string(disc.across));
 }
 
-/// Its bottom in gmsh's current model, the diameter 1, to be cut into rectangles; returns
-/// its surfaces.
+/// Adds the disc's bottom, of the diameter 1 and to be cut into rectangles, to gmsh's
+/// current model. Returns its surfaces.
 ::gmsh::vectorpair add_disc(const Disc& disc) {
   namespace geo = ::gmsh::model::geo;
   const int of_sector = std::max(1, disc.across / 4),

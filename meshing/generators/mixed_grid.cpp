@@ -80,7 +80,7 @@ std::vector<MixedCut> draw(const Grid& grid, std::mt19937_64& random) {
   return cuts;
 }
 
-/// Whether the face between the two is cut, the second of which may be missing.
+/// Whether the face between two cells, of which the second may be missing, is cut.
 bool is_cut(const std::vector<MixedCut>& cuts, std::size_t cell,
             std::optional<std::size_t> neighbour, std::size_t axis) {
   const FaceNeed own = need(cuts[cell], axis);
@@ -123,7 +123,7 @@ bool has_all_types(const std::vector<MixedGridCell>& cells) {
 }  // namespace
 
 std::vector<MixedGridCell> mixed_grid(const std::array<int, 3>& cells, unsigned seed) {
-  // Not the numbers that the distortion draws from the same seed:
+  // These are not the numbers that the distortion draws from the same seed.
   std::mt19937_64 random((std::uint64_t{1} << 32U) + seed);
   const Grid grid(cells);
   std::vector<MixedGridCell> drawn;

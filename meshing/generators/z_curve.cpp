@@ -36,7 +36,7 @@ std::uint64_t key(const Vector3& point, const Box& box) {
   return interleaved;
 }
 
-/// Where in the old order each point of the new one is.
+/// The place in the old order of each point of the new one.
 std::vector<std::size_t> order_of(const std::vector<Vector3>& points, const Box& box) {
   std::vector<std::uint64_t> keys;
   for (const Vector3& x : points) keys.push_back(key(x, box));

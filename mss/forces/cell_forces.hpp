@@ -38,7 +38,7 @@ void update_deformations(const Network& network, std::span<const Vector3> positi
 /// Pressure on a cell from the nodal patches of its nodes [Pa]: the mean of their p_n.
 double patch_pressure(const Network& network, const CellStates& states, std::size_t cell);
 
-/// Of the network's energy the part of all cells [J], see strain_energy.
+/// The part of all cells in the network's energy [J], see strain_energy.
 double cells_energy(const Network& network, const CellStates& states);
 
 /// Adds the cells' forces to `forces`: updates the states, then per cell

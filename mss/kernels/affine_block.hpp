@@ -42,19 +42,20 @@ inline constexpr std::array<std::array<std::size_t, 2>, 24> affine_springs = [] 
 template <class Real>
 struct AffineBlock {
   dynamics::BlockCells cells;
-  // The n-th of a cell is constants[n] where cells are alike, and else
+  // The n-th constant of a cell is constants[n] where cells are alike, and else
   // constants[n cells.count + number of the cell].
   std::vector<Real> constants{};
   std::vector<std::uint8_t> is_cell{};  // where cells are alike
-  // Of the icosahedron's axes and of the dodecahedron's dual to it: mu times their
-  // weight, see Axis; in squared lengths mu, and not read [Pa].
+  // The moduli of the icosahedron's axes and of those of the dodecahedron dual to it
+  // [Pa]: mu times their weight, see Axis. In squared lengths the first is mu, and the
+  // second is not read.
   Real axis_modulus, dual_axis_modulus;
   Real volume_modulus;  // kappa [Pa]
-  // With the volume correction on nodal patches, of each element: what makes of the nodal
-  // sum of V (det F - 1) over cells the node's part, an eighth of p_n, of a cell's
-  // pressure.
+  // With the volume correction on nodal patches, the factor of each element that makes of
+  // the nodal sum of V (det F - 1) over cells the node's part, an eighth of p_n, of a
+  // cell's pressure.
   std::vector<Real> pressure_per_sum{};
-  // With dashpots, of each cell and edge: c [kg/s], in the order of the springs.
+  // With dashpots, c of each cell and edge [kg/s], in the order of the springs.
   std::vector<Real> dashpots{};
 };
 

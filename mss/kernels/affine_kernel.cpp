@@ -16,7 +16,7 @@ namespace {
 
 using dynamics::Block;
 
-/// Which of affine_springs lies between two corners.
+/// The place in affine_springs of the spring between two corners.
 std::size_t place_of(std::size_t first, std::size_t second) {
   const auto found = std::ranges::find_if(affine_springs, [&](const auto& ends) {
     return (ends[0] == first && ends[1] == second) ||
@@ -37,7 +37,7 @@ std::array<double, 24> stiffnesses(const Network& network, std::uint32_t cell,
   return k;
 }
 
-/// See AffineBlock.
+/// The constants of alike cells, see AffineBlock.
 std::vector<double> alike_constants(const Eigen::Matrix3d& edges,
                                     const std::array<double, 24>& k) {
   std::vector<double> constants{edges.determinant()};
@@ -157,7 +157,7 @@ Correction correction_of(const Network& network) {
                                            : Correction::of_cells;
 }
 
-/// Of the icosahedron's axes and of the dodecahedron's, see AffineBlock.
+/// The weights of the icosahedron's axes and of the dodecahedron's, see AffineBlock.
 std::array<double, 2> axis_weights(const Network& network) {
   if (is_squared(network)) return {1, 0};
   const std::span<const Axis> axes = all_of(network.axes);

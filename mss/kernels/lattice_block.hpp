@@ -10,8 +10,8 @@
 namespace springcheck::mss {
 
 /// Steps (x, y, z) in a grid from a node to the one at a spring's other end. Of each pair
-/// of opposite ones that which comes later in a block: 3 edges, 6 face diagonals, 4 inner
-/// diagonals.
+/// of opposite steps there is the one that leads to the later node in a block: 3 edges, 6
+/// face diagonals, 4 inner diagonals.
 inline constexpr std::array<std::array<int, 3>, 13> lattice_steps{{{1, 0, 0},
                                                                    {-1, 1, 0},
                                                                    {0, 1, 0},
@@ -41,17 +41,18 @@ struct LatticeBlock {
   std::size_t row, layer;   // of dynamics::Block
   std::size_t rows, lanes;  // of dynamics::BlockArrays
 
-  // Where all cells are alike: of each step the rest vector [m], the stiffness k of one
-  // share [N/m] and k L [N]; of a cell its mean edges.
+  // Where all cells are alike: the rest vector [m] of each step, the stiffness k of one
+  // share [N/m] and k L [N]; and the mean edges of a cell.
   std::array<std::array<Real, 3>, 13> rest{};
   std::array<Real, 13> stiffness{}, tension{};
   std::array<std::array<Real, 3>, 3> fourfold_edges{};  // 4 X, 4 Y, 4 Z
   std::array<Real, 3> sixteenfold_area{};               // 16 X x Y [m^2]
   Real push_per_change{};  // -kappa/V0/4/16/64: force over 16-fold areas and 64-fold V
-  // In squared lengths, where their edges also lie along the axes: the component that is
-  // along each direction of the block; of a cell its edges there, with their sign; of
-  // each 1/(32 X^2), trace over squares of fourfold edges, and -kappa V0/(16 X^2), force
-  // over those edges and trace; of each step L^2, and k/(2 L^2) times 0, 1, 2 ...
+  // In squared lengths, where the alike cells' edges also lie along the axes: the
+  // component that is along each direction of the block; a cell's edges there, with their
+  // sign; for each edge 1/(32 X^2), trace over squares of fourfold edges, and -kappa
+  // V0/(16 X^2), force over those edges and trace; for each step L^2, and k/(2 L^2) times
+  // 0, 1, 2 ...
   std::array<std::size_t, 3> along{};
   std::array<Real, 3> box{}, trace_per_square{}, push_per_trace{};
   std::array<Real, 13> rest_square{};
@@ -60,9 +61,9 @@ struct LatticeBlock {
   std::array<std::vector<std::uint8_t>, 13> shares{};
   std::vector<std::uint8_t> is_cell{};
 
-  // Where they are not: X of each slot, with ghosts, k and k L of each spring, in squared
-  // lengths k/(2 L^2) and k/2, and of each cell V0 and by component and corner the
-  // gradients of F. 0 where there is none.
+  // Where the cells are not alike: X of each slot, with ghosts; k and k L of each spring,
+  // in squared lengths k/(2 L^2) and k/2; and of each cell V0 and, by component and
+  // corner, the gradients of F. They are 0 where there is no spring or cell.
   std::array<std::vector<Real>, 3> position{};
   std::array<std::vector<Real>, 13> stiffnesses{}, tensions{};
   std::vector<Real> cell_volumes{};

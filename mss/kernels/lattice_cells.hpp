@@ -6,15 +6,15 @@
 #include "mss/kernels/lattice_block.hpp"
 #include "mss/networks/network.hpp"
 
-// Where the cells and springs of a network are in blocks.
+// The places of a network's cells and springs in blocks.
 namespace springcheck::mss {
 
-/// By Green's strain: in squared lengths.
+/// Whether the springs follow Green's strain, and so are in squared lengths.
 inline bool is_squared(const Network& network) {
   return network.strain_measure == StrainMeasure::green;
 }
 
-/// A cell's spring where the grid has it: leaves `slot` by lattice_steps[step].
+/// A cell's spring where the grid has it: it leaves `slot` by lattice_steps[step].
 struct PlacedSpring {
   std::size_t slot;
   std::size_t step;
@@ -23,7 +23,7 @@ struct PlacedSpring {
   Vector3 rest;  // along the step
 };
 
-/// Of the cell's spring between two corners, numbered as in dynamics::GridCell.
+/// The place of the cell's spring between two corners, numbered as in dynamics::GridCell.
 PlacedSpring placed(const dynamics::Block& block, std::size_t cell, std::size_t first,
                     std::size_t second, const CellSpring& spring);
 
@@ -54,7 +54,7 @@ void for_each_placed(const Network& network, const dynamics::Block& block,
 }
 
 /// What the cells of a block have in common, if they do: the edges, as columns, and the
-/// volume; of each step the rest vector and one share's stiffness, 0 where there are
+/// volume; and for each step the rest vector and one share's stiffness, 0 where there are
 /// none.
 struct CommonShape {
   std::array<Vector3, 13> rest{};
@@ -65,8 +65,9 @@ struct CommonShape {
   bool alike = false;
 };
 
-/// Positions differ from those of a perfect grid by their rounding; numbers that go with
-/// a length by a few times that over the cells' edge, CommonShape::relative_rounding.
+/// Whether two numbers are equal but for rounding. Positions differ from those of a
+/// perfect grid by their rounding; numbers that go with a length by a few times that over
+/// the cells' edge, CommonShape::relative_rounding.
 bool equal_but_for_rounding(double a, double b, double relative_rounding);
 
 /// rounding: dynamics::rounding_of the rest positions.

@@ -15,11 +15,11 @@ template <class Real>
   return {load(field[0] + at), load(field[1] + at), load(field[2] + at)};
 }
 
-/// The forces on a block, but for alike boxes in squared lengths, a row of its lanes at a
-/// time. Springs and cells lead from a row
-/// to the next one and to those about a row, a layer and their sum of the grid further
-/// on. What they do to three neighbouring rows there is kept in registers until the last
-/// of their sources is reached, and then written once.
+/// The forces on a block, except for alike boxes in squared lengths, a row of its lanes
+/// at a time. Springs and cells lead from a row to the next one and to those about a row,
+/// a layer and their sum of the grid further on. What they do to three neighbouring rows
+/// there is kept in registers until the last of their sources is reached, and then
+/// written once.
 template <class Real, LatticeKind kind>
 class Stencil {
   using P = Pack<Real>;
@@ -58,8 +58,8 @@ class Stencil {
     }
   }
 
-  /// Pull of the springs that leave the row `at` by step s to the row `to`; added to
-  /// own_.
+  /// The pull of the springs that leave the row `at` by step s to the row `to`; it is
+  /// added to own_.
   template <std::size_t s>
   [[gnu::always_inline]] P3 pull(std::size_t at, std::size_t to) {
     if constexpr (!kind.face_diagonals &&
@@ -163,9 +163,10 @@ class Stencil {
       correct_varied(at, u, w, near, far);
   }
 
-  /// With the mean edges x, y, z = rest + change: V - V0 = dx.(y x z) + dy.(z x X) +
-  /// dz.(X x Y), X and Y at rest, which keeps the digits of small changes. dV/dx_a is
-  /// (+-y x z +-z x x +-x x y)/4 (Golec 2018, Eq. 5.20 with the right signs).
+  /// The correction of alike cells with the mean edges x, y, z = rest + change: V - V0 =
+  /// dx.(y x z) + dy.(z x X) + dz.(X x Y), X and Y at rest, which keeps the digits of
+  /// small changes. dV/dx_a is (+-y x z +-z x x +-x x y)/4 (Golec 2018, Eq. 5.20 with the
+  /// right signs).
   [[gnu::always_inline]] void correct_alike(std::size_t at, const std::array<P3, 4>& u,
                                             const std::array<P3, 4>& w,
                                             std::array<P3, 4>& near,
@@ -203,7 +204,8 @@ class Stencil {
     }
   }
 
-  /// H = sum u_a (x) G_a, f_a = -V kappa (det F - 1) cof F G_a.
+  /// The correction of cells that differ: H = sum u_a (x) G_a, f_a = -V kappa (det F - 1)
+  /// cof F G_a.
   [[gnu::always_inline]] void correct_varied(std::size_t at, const std::array<P3, 4>& u,
                                              const std::array<P3, 4>& w,
                                              std::array<P3, 4>& near,
@@ -233,7 +235,7 @@ class Stencil {
   const dynamics::BlockArrays<Real>& arrays_;
   const std::array<std::size_t, 5> far_;  // elements to the rows that springs lead to
   P3 here_, moving_, position_, own_;
-  // Not yet written: of the rows just before `at` + far_ and of those there.
+  // Forces not yet written: on the rows just before `at` + far_ and on those there.
   std::array<P3, 5> now_{}, next_{};
 };
 

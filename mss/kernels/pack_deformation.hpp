@@ -8,8 +8,8 @@
 // instruction set.
 namespace springcheck::mss::SPRINGCHECK_PATH {
 
-/// Added to a length's square: nothing beside any length, and a length of zero is no
-/// division by zero and pulls nowhere [m^2].
+/// The number added to a length's square [m^2]: it is nothing beside any length, and with
+/// it a length of zero is no division by zero and pulls nowhere.
 template <class Real>
 inline constexpr Real tiny_square = Real(1e-36);
 
@@ -26,7 +26,7 @@ template <class Real>
              larger<Real>(k * inverse_masses, all(std::numeric_limits<Real>::min())));
 }
 
-/// By columns, as everywhere in kernels.
+/// A matrix by columns, as everywhere in kernels.
 template <class Real>
 using PackMatrix = std::array<dynamics::SPRINGCHECK_PATH::Pack3<Real>, 3>;
 
@@ -36,7 +36,7 @@ struct PackVolume {
   dynamics::SPRINGCHECK_PATH::Pack<Real> change;  // det F - 1
 };
 
-/// The same of squared lengths: F in place of cof F, and tr E = tr H + |H|^2/2.
+/// The same numbers for squared lengths: F in place of cof F, and tr E = tr H + |H|^2/2.
 template <class Real>
 [[gnu::always_inline]] inline PackVolume<Real> trace_of(const PackMatrix<Real>& h) {
   using dynamics::SPRINGCHECK_PATH::dot;
@@ -47,8 +47,9 @@ template <class Real>
                               dot<Real>(h[2], h[2]))};
 }
 
-/// Of F = I + H. With its columns f and those of H, h: det F - 1 = h1.(f2 x f3) +
-/// h2.(f3 x e1) + h3.(e1 x e2), which keeps the digits of small changes.
+/// The cofactor and the change of volume of F = I + H. With the columns f of F and h of
+/// H, det F - 1 = h1.(f2 x f3) + h2.(f3 x e1) + h3.(e1 x e2), which keeps the digits of
+/// small changes.
 template <class Real>
 [[gnu::always_inline]] inline PackVolume<Real> volume_of(const PackMatrix<Real>& h) {
   using dynamics::SPRINGCHECK_PATH::cross;

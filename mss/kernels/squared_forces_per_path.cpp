@@ -11,8 +11,8 @@ namespace {
 
 using namespace dynamics::SPRINGCHECK_PATH;
 
-/// What the corners of a cell's face across x have together: of their vectors the sum,
-/// and the differences along y and along z.
+/// The vectors at the corners of a cell's face across x, taken together: their sum, and
+/// their differences along y and along z.
 template <class Real>
 struct Plane {
   Pack3<Real> all{}, along_y{}, along_z{};
@@ -20,10 +20,10 @@ struct Plane {
 
 /// Forces in squared lengths on a block of boxes alike whose edges lie along the axes; x,
 /// y and z are here the directions of the block. Stencil
-/// (lattice_forces_per_path.cpp) goes once through the rows of lanes, with more at hand than
-/// there are registers. Without roots it would wait for memory: here some rows at a time
-/// are gone through once for each row that springs lead to, and once for the cells, each
-/// time with little enough at hand.
+/// (lattice_forces_per_path.cpp) goes once through the rows of lanes, with more at hand
+/// than there are registers. Without roots it would wait for memory: here some rows at a
+/// time are gone through once for each row that springs lead to, and once for the cells,
+/// each time with little enough at hand.
 template <class Real, bool face_diagonals, bool correction, bool dashpots>
 class SquaredStencil {
   using P = Pack<Real>;
@@ -222,7 +222,8 @@ class SquaredStencil {
     return plane;
   }
 
-  /// Of a plane's forces those on its corners: +-x, +-y and +-z of the same size.
+  /// Adds a plane's forces to its corners: each of its parts acts there with the same
+  /// size, as +-x, +-y and +-z.
   [[gnu::always_inline]] static void add_to_plane(
       const std::array<Real*, 3>& force, const std::array<std::size_t, 4>& corners,
       std::size_t at, const Plane<Real>& forces) {
@@ -238,9 +239,9 @@ class SquaredStencil {
     }
   }
 
-  /// The cells. With the mean edges P_s, X_s at rest: tr E = sum (P_s^2 - X_s^2)/(2
-  /// X_s^2) and f_a = -kappa V0 tr E/4 sum +-P_s/X_s^2. On each face across x what both
-  /// cells do that meet there is added at once.
+  /// Adds the forces of the cells. With the mean edges P_s, X_s at rest, tr E = sum
+  /// (P_s^2 - X_s^2)/(2 X_s^2) and f_a = -kappa V0 tr E/4 sum +-P_s/X_s^2. On each face
+  /// across x what both cells do that meet there is added at once.
   void correct(std::size_t first, std::size_t last) {
     const auto displacement = arrays_.displacement, force = arrays_.force;
     const auto corners = corner_rows();
@@ -291,9 +292,9 @@ class SquaredStencil {
   const LatticeBlock<Real>& block_;
   const dynamics::BlockArrays<Real> arrays_;
   const std::array<std::size_t, 5> far_;  // elements to the rows that springs lead to
-  // From some rows to the next. Pulls not yet taken from the rows just before those that
-  // springs of the next row lead to, and from those; displacements of the face at the
-  // next row, and what the cell before it does there.
+  // What is kept from some rows to the next: pulls not yet taken from the rows just
+  // before those that springs of the next row lead to, and from those; displacements of
+  // the face at the next row, and what the cell before it does there.
   std::array<P3, 5> there_{}, ahead_{};
   Plane<Real> plane_, pushed_{};
 };

@@ -31,7 +31,7 @@ std::vector<Vector3> positions_of(const Network& network,
   return positions;
 }
 
-/// Those of nodal_forces and add_dashpot_forces, as they stand.
+/// The forces of nodal_forces and add_dashpot_forces, as they stand.
 dynamics::ForcesAt plain_forces(const Network& network, double damping_ratio) {
   return [&network, damping_ratio,
           room = std::make_shared<CellStates>()](const State& state) {

@@ -109,7 +109,7 @@ class ImplicitMotion final : public dynamics::Motion {
   void update_forces() {
     for (std::size_t n = 0; n < positions_.size(); ++n)
       positions_[n] = network_.rest_positions[n] + state_.displacements[n];
-    nodal_forces(network_, positions_, room_, forces_);
+    nodal_forces(network_, positions_, cell_states_, forces_);
     if (damping_ratio_ > 0)
       add_dashpot_forces(network_, damping_ratio_, positions_, state_.velocities,
                          forces_);
@@ -179,7 +179,7 @@ class ImplicitMotion final : public dynamics::Motion {
   statics::FreeTriangle triangle_;
   State state_;
   std::vector<Vector3> positions_, forces_;
-  CellStates room_;
+  CellStates cell_states_;
   double stiffness_ = 0;  // norm of the tangent's diagonal [N/m]
   SparseCholesky cholesky_;
 };

@@ -6,7 +6,7 @@
 namespace springcheck::mss {
 namespace {
 
-/// Which of a hexahedron's directions two of its corners differ in, as bits.
+/// The directions, as bits, in which two corners of a hexahedron differ.
 unsigned differing_directions(const LocalEdge& pair) {
   // In a grid's order corner i is at (x, y, z) of the unit cube, one bit each; and the
   // order is its own inverse.

@@ -5,7 +5,7 @@
 
 namespace springcheck::mss {
 
-/// On gradients stacked column by column: F_iJ is component 3 J + i.
+/// A matrix on gradients stacked column by column: F_iJ is component 3 J + i.
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
 
 /// det F - 1 of F = I + H, from H so that small changes keep their digits:

@@ -27,9 +27,9 @@ struct NetworkSettings {
   SpringModel model;
   StiffnessForm stiffness_form = StiffnessForm::shear_modulus;  // of nfd, fd and cf
   double diagonal_ratio = 1;                                    // A of fd and cf on cubes
-  // Of custom, which needs them, as they stand: they belong to the mesh's cell size, and
-  // the same material in cells of edge h' has the stiffness times h'/h, kappa unchanged.
-  // Without them std::invalid_argument is thrown.
+  // The constants of custom, which needs them, as they stand: they belong to the mesh's
+  // cell size, and the same material in cells of edge h' has the stiffness times h'/h,
+  // kappa unchanged. Without them std::invalid_argument is thrown.
   std::optional<LatticeConstants> constants{};
   VolumeCorrection volume_correction = VolumeCorrection::on;  // of vangelder and lloyd
   StrainMeasure strain_measure = StrainMeasure::engineering;

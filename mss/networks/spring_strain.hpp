@@ -6,8 +6,8 @@
 
 namespace springcheck::mss {
 
-/// Of each cell the engineering strain of largest magnitude among its springs, with its
-/// sign [-]:
+/// The engineering strain of largest magnitude among each cell's springs, with its sign
+/// [-]:
 ///
 ///     e = l/L - 1      springs of constant rest length L
 ///     e = |F n| - 1    virtual springs, along their axes n in the cell's F

@@ -64,7 +64,7 @@ inline constexpr double hencky_constant = 0.7, hencky_slope = 0.3;
 ///     (1/4) [x^2/((1 + x)(1 + b x)) + (ln(1 + y) - y)/a^2],   y = a x/(1 + b x)
 double hencky_energy(double x);
 
-/// W [J]. Of zero length infinite with logarithmic and hencky.
+/// W [J], infinite for zero length with logarithmic and hencky.
 inline double spring_energy(StrainMeasure measure, double stiffness, double rest_length,
                             double length) {
   double e = length - rest_length;
@@ -81,7 +81,8 @@ inline double spring_energy(StrainMeasure measure, double stiffness, double rest
   return stiffness / 2 * e * e;
 }
 
-/// Of a spring of stiffness 1: its tension T over its length, and dT/dl. length > 0.
+/// The pull of a spring of stiffness 1: its tension T over its length, and dT/dl, for
+/// length > 0.
 struct SpringPull {
   double over_length;
   double slope;
@@ -107,7 +108,7 @@ inline SpringPull spring_pull(StrainMeasure measure, double rest_length, double 
   return {.over_length = 1 - rest_length / length, .slope = 1};
 }
 
-/// First and second derivative of L s(l/L) by l: without unit, and [1/m]. length > 0.
+/// The first and second derivative of L s(l/L) by l: without unit, and [1/m]. length > 0.
 struct ElongationSlopes {
   double first;
   double second;
@@ -153,9 +154,9 @@ inline CubicVolume cubic_volume(double q) {
           .second = -2 * turned};
 }
 
-/// U [Pa] of a volume change t. With logarithmic and hencky infinite for t <= -1, of a
-/// cell pressed to nothing or turned inside out; with logarithmic and kappa < 0 (nu <
-/// 1/4) it falls without bound before.
+/// U [Pa] of a volume change t. With logarithmic and hencky it is infinite for t <= -1,
+/// that is, for a cell pressed to nothing or turned inside out; with logarithmic and
+/// kappa < 0 (nu < 1/4) it falls without bound before.
 inline double volume_energy(StrainMeasure measure, const VolumeModuli& moduli,
                             double change) {
   if (measure == StrainMeasure::engineering || measure == StrainMeasure::green)

@@ -36,7 +36,7 @@ struct VirtualSprings {
   [[nodiscard]] Matrix3 stress(const Matrix3& displacement_gradient) const;
   [[nodiscard]] Matrix9 tangent(const Matrix3& displacement_gradient) const;
 
-  /// Of U: the correction's, and with hencky the springs' share.
+  /// The moduli of U: the correction's, and with hencky the springs' share.
   [[nodiscard]] VolumeModuli moduli_of_volume() const;
 };
 

@@ -29,7 +29,7 @@ struct FourSpringForces {
 /// Nodes A, B, C, D, E at x = 0, zeta = 1, where it is at rest.
 Network network_of(const FourSprings& system);
 
-/// x: of C [m]; zeta: negative with A below B.
+/// The forces with C at x [m]; zeta is negative with A below B.
 FourSpringForces forces_at(const FourSprings& system, double x, double zeta);
 
 /// d2W/dx2 of the straight state x = 0 [N/m], from tangent_at; 2 k (2 - 1/|zeta|) on
@@ -40,8 +40,8 @@ double stiffness_of_centre(const FourSprings& system, double zeta);
 /// by symmetry. Bisected to 1e-15.
 double bifurcation(const FourSprings& system);
 
-/// Where C rests while A and B are held at zeta [m], to the right if it goes aside: 0 for
-/// |zeta| > 1/2, else l sqrt(1/4 - zeta^2) (Eq. 3.15).
+/// The place where C rests while A and B are held at zeta [m], to the right if it goes
+/// aside: 0 for |zeta| > 1/2, else l sqrt(1/4 - zeta^2) (Eq. 3.15).
 double centre_at_rest(const FourSprings& system, double zeta);
 
 /// A state of rest under a load that presses A down and B up.
@@ -51,9 +51,9 @@ struct FourSpringRest {
   double x;     // of C [m]
 };
 
-/// Where zeta comes to rest under the load when it starts from `zeta` and follows the net
-/// force, C at rest all the while: the next minimum of W + 2 F l zeta downhill.
-/// Throws std::runtime_error where there is none up to 10 l away.
+/// The state in which zeta comes to rest under the load when it starts from `zeta` and
+/// follows the net force, C at rest all the while: the next minimum of W + 2 F l zeta
+/// downhill. Throws std::runtime_error where there is none up to 10 l away.
 FourSpringRest rest_under(const FourSprings& system, double load, double zeta);
 
 /// Rests under a load that grows from 0 to steps * load_step, goes back to minus that and

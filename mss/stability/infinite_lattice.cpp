@@ -56,8 +56,8 @@ Vector3 in_zone(Vector3 phases) {
   return phases;
 }
 
-/// By steps along the axes that shrink where none leads down. A long wave stays one, and
-/// its direction is varied.
+/// The wave that a descent leads to, by steps along the axes that shrink where none leads
+/// down. A long wave stays one, and its direction is varied.
 LatticeWave descended(const Couplings& lattice, LatticeWave from) {
   const bool stays_long = is_long(from.phases);
   if (stays_long) from.phases.normalize();
@@ -85,7 +85,8 @@ LatticeWave descended(const Couplings& lattice, LatticeWave from) {
   return from;
 }
 
-/// From the lowest of the waves, which must be at least `descents`.
+/// The softest wave that descents from the lowest of `waves` lead to; there must be at
+/// least `descents` of them.
 LatticeWave softest_below(const Couplings& lattice, std::vector<LatticeWave> waves) {
   std::ranges::partial_sort(waves, waves.begin() + descents, {}, &LatticeWave::modulus);
   waves.resize(descents);

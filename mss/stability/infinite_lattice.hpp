@@ -24,11 +24,12 @@ struct Couplings {
 };
 Couplings couplings(const Network& cell, const Matrix3& deformation_gradient);
 
-/// Of the plane waves u_a = p exp(i q . X_a), energy per cell 1/2 p* D p:
+/// The dynamical matrix of the plane waves u_a = p exp(i q . X_a), whose energy per cell
+/// is 1/2 p* D p:
 ///
 ///     D(q) = sum over n of C_n exp(i t . n),   t = h q   [N/m]
 ///
-/// Hermitian, D(-q) = conj D(q), of period 2 pi in each component of t.
+/// It is Hermitian, with D(-q) = conj D(q), and of period 2 pi in each component of t.
 /// phases: t [rad per cell], q on the undeformed lattice.
 /// Source: Born and Huang, Dynamical Theory of Crystal Lattices (1954), section 24.
 Matrix3c dynamical_matrix(const Couplings& lattice, const Vector3& phases);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double strain_step = 0.01;
 constexpr double strain_tolerance = 1e-7;
-// Of largest_modulus: waves without energy at rest (mss-nfd) have moduli of either sign
-// there.
+// The round-off in parts of largest_modulus: waves without energy at rest (mss-nfd) have
+// moduli of either sign there.
 constexpr double round_off = 1e-10;
 
 Matrix3 stretched(double lateral, double axial) {
@@ -41,8 +41,8 @@ LateralEnergy lateral_energy(const Network& cell, double lateral, double axial) 
   return energy;
 }
 
-/// Of the waves that the state's mirror planes make equal the one with 0 <= t_y <= t_x
-/// and 0 <= t_z.
+/// The wave with 0 <= t_y <= t_x and 0 <= t_z among those that the state's mirror planes
+/// make equal.
 Vector3 named(const Vector3& phases) {
   const Vector3 t = phases.cwiseAbs();
   return {std::max(t.x(), t.y()), std::min(t.x(), t.y()), t.z()};

@@ -19,13 +19,13 @@ class NetworkBody final : public statics::ElasticBody {
   [[nodiscard]] Eigen::MatrixXd part(std::size_t patch) const override;
   [[nodiscard]] Eigen::MatrixXd positive_part(std::size_t patch) const override;
 
-  /// Over springs and damped edges, of |change of d|/L.
+  /// The root mean square of |change of d|/L over springs and damped edges.
   [[nodiscard]] double mean_gradient(const Eigen::VectorXd& field) const override;
 
   [[nodiscard]] double largest_volume_ratio(
       const Eigen::VectorXd& displacements) const override;
 
-  /// Of the positions, which lengths of springs are computed from.
+  /// The rounding of the positions, from which lengths of springs are computed.
   [[nodiscard]] double rounding(const Eigen::VectorXd& displacements) const override;
 
  private:

@@ -32,7 +32,8 @@ struct TissueConstants {
 /// (see tissue_cell.hpp), all of them 0 where there is no cell, but for alike ones.
 struct TissueBlock {
   dynamics::BlockCells cells;
-  // The n-th is constants[n] where cells are alike, and else at place_in_packs:
+  // The n-th constant of a cell is constants[n] where cells are alike, and else at
+  // place_in_packs:
   std::vector<double> constants{};
   std::vector<std::uint8_t> is_cell{};  // where cells are alike
   std::vector<double> memories{};       // A_1 to A_N, at place_in_packs
@@ -46,7 +47,7 @@ constexpr std::size_t tissue_memory_size(std::size_t branches) {
 
 inline constexpr std::size_t own_tissue_constants = 55;
 
-/// Where the n-th of so many numbers of a cell is: those of a register of cells lie
+/// The place of the n-th of so many numbers of a cell: those of a register of cells lie
 /// together, each number's side by side.
 constexpr std::size_t place_in_packs(std::size_t cell, std::size_t n, std::size_t size,
                                      std::size_t lanes) {

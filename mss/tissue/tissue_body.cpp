@@ -30,11 +30,12 @@ void for_each_cell(const TissueBody& body, std::span<Number> memories,
           right_cauchy_green(body.shape(c), positions_of(body, c, positions)));
 }
 
-/// Where a cell's nodes are from the first, in steps of 1e-9 of its size: equal for cells
-/// that are translations of each other.
+/// The places of a cell's nodes from the first one, in steps of 1e-9 of its size: equal
+/// for cells that are translations of each other.
 std::vector<std::int64_t> outline(const CornerPositions& x) {
   const double step = 1e-9 * std::cbrt(std::abs(cell_volume(x)));
-  // To a power of two, so that cells whose volumes differ by round-off share it.
+  // The step is rounded to a power of two, so that cells whose volumes differ by
+  // round-off share it.
   const double rounded = std::exp2(std::floor(std::log2(step)));
   std::vector<std::int64_t> places;
   for (Eigen::Index a = 1; a < x.cols(); ++a)

@@ -22,7 +22,7 @@ struct TissueBody {
   }
 };
 
-/// Of any cells; density [kg/m^3].
+/// The body of a mesh of any cells, of the density [kg/m^3].
 TissueBody build_tissue_body(const Mesh& mesh, const tissue::Solid& solid,
                              double density);
 
@@ -32,8 +32,8 @@ std::vector<double> memories_at_rest(const TissueBody& body);
 CornerPositions positions_of(const TissueBody& body, std::size_t cell,
                              std::span<const Vector3> positions);
 
-/// The stress of each cell at the end of a step that leads to the positions; advance: and
-/// the memories become those after the step.
+/// The stress of each cell at the end of a step that leads to the positions. advance also
+/// makes the memories those after the step.
 void stresses_after(const TissueBody& body, const tissue::MemoryStep& step,
                     std::span<const double> memories, std::span<const Vector3> positions,
                     std::span<tissue::PointStress> stresses);

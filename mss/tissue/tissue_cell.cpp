@@ -71,7 +71,8 @@ TissueShape tissue_shape(const CornerPositions& rest) {
   const Index n = rest.cols();
   shape.hourglasses.setZero(n, n);
   if (!has_hourglasses(shape)) return shape;
-  // About the nodes' mean, in the cell's own length: well conditioned.
+  // The functions are taken about the nodes' mean and in units of the cell's own length,
+  // so that the matrix is well conditioned.
   Eigen::Matrix<double, Eigen::Dynamic, 4> affine(n, 4);
   affine.col(0).setOnes();
   affine.rightCols<3>() =
@@ -123,7 +124,8 @@ TissueStiffness tissue_stiffness(const TissueShape& shape, const CornerPositions
       hourglass_length(shape.volume) * stress.strands.head<3>().sum() / 3;
   TissueStiffness K = TissueStiffness::Zero(3 * G.cols(), 3 * G.cols());
 
-  // At the springs' stiffness, and at the volume stress: V v F (G_a x G_b) x dx_b.
+  // One part is that at the springs' stiffness and at the volume stress: V v F (G_a x
+  // G_b) x dx_b.
   const CornerPositions SG = tissue::matrix_of(stress.strands) * G;
   for (Index a = 0; a < G.cols(); ++a)
     for (Index b = 0; b < G.cols(); ++b) {
@@ -135,7 +137,7 @@ TissueStiffness tissue_stiffness(const TissueShape& shape, const CornerPositions
                                         .finished();
     }
 
-  // By the change of both.
+  // The other part is by the change of both.
   const CornerPositions by_volume = V * cofactor_of(F) * G;
   K += (by_strands(shape, x, F) * tangent.strands +
         by_volume.reshaped() * tangent.volume.transpose()) *

@@ -41,7 +41,7 @@ std::array<Index, 8> nodes_at_corners(const TissueBody& body, const Block& block
   return at;
 }
 
-/// See TissueBlock.
+/// The constants of alike cells, see TissueBlock.
 std::vector<double> alike_constants(const Eigen::Matrix3d& edges) {
   const double volume = edges.determinant();
   std::vector<double> constants{volume, hourglass_length(volume)};
@@ -58,7 +58,7 @@ std::vector<double> own_constants(const TissueShape& shape,
     const Vector3 gradient = shape.gradients.col(nodes[a]);
     constants.insert(constants.end(), gradient.begin(), gradient.end());
   }
-  // Of the projection the eigenvectors to 1.
+  // The last constants are the projection's eigenvectors to the eigenvalue 1.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> projection(shape.hourglasses);
   for (Index m = 4; m < 8; ++m)
     for (const Index node : nodes)

@@ -19,8 +19,9 @@ struct TissueForces {
   std::function<std::vector<double>(const std::vector<dynamics::Block>& blocks)> memories;
 };
 
-/// On blocks of hexahedra, in a grid or not: nodal_forces of stresses_at, after a step of
-/// mss::advance where there is one, to 1e-12 of the largest force. The body outlives it.
+/// The forces on blocks of hexahedra, in a grid or not: nodal_forces of stresses_at,
+/// after a step of mss::advance where there is one, to 1e-12 of the largest force. The
+/// body outlives them.
 TissueForces tissue_kernel(const TissueBody& body,
                            const std::vector<dynamics::Block>& blocks,
                            dynamics::InstructionSet set);

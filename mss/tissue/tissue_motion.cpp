@@ -10,7 +10,7 @@ namespace {
 
 using dynamics::Block;
 
-/// None but of hexahedra.
+/// The blocks for the kernel, or none where the cells are not all hexahedra.
 std::optional<std::vector<Block>> blocks_for_kernel(const Mesh& mesh) {
   if (mesh.count(CellType::hexahedron) != mesh.cells().size()) return std::nullopt;
   if (const auto grid = dynamics::grid_of(mesh)) return dynamics::grid_blocks(*grid);

@@ -27,14 +27,14 @@ class TissueMotion final : public dynamics::Motion {
 
   void advance(const dynamics::StepTo& step) override;
   [[nodiscard]] dynamics::State state() const override { return motion_->state(); }
-  /// With the memories as they are.
+  /// The forces in a state with the memories as they are.
   [[nodiscard]] std::vector<Vector3> forces_at(const dynamics::State& state) override {
     return motion_->forces_at(state);
   }
-  /// Memories stay those of the step made last.
+  /// The memories stay those of the step made last.
   void restore(const dynamics::State& state) override { motion_->restore(state); }
 
-  /// As TissueForces has them.
+  /// The memories in the form of TissueForces::memories.
   [[nodiscard]] std::vector<double> memories() const;
 
  private:

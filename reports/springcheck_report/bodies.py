@@ -7,7 +7,7 @@ from itertools import groupby
 import methods
 import numpy as np
 import pandas as pd
-from study import case_text
+from case_words import case_text
 from strains import equivalent_strains
 from surface import outside
 

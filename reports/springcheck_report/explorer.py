@@ -8,7 +8,8 @@ import methods
 import numpy as np
 import pandas as pd
 from case_command import case_command
-from study import is_variant, load_columns, mesh_text, setting_columns
+from case_words import is_variant, mesh_text
+from study import load_columns, setting_columns
 
 # Plotly's names of matplotlib's markers.
 _MARKS = {"o": "circle", "s": "square", "D": "diamond", "d": "diamond-tall", "P": "cross", "X": "x", "*": "star"}

@@ -80,11 +80,12 @@ Aggregation aggregation(RowMatrix matrix, const Eigen::MatrixXd& near_null_space
   settings.set("PDE equations", 3);
   settings.set("aggregation: type", "Uncoupled");
   settings.set("aggregation: threshold", 0.0);
-  // A bound on the largest eigenvalue of D^-1 A instead of estimates that start at
-  // random; it is about 1.9 times too high, so that 2.5 of it is 4/3 of the eigenvalue.
+  // This is a bound on the largest eigenvalue of D^-1 A instead of estimates that start
+  // at random; it is about 1.9 times too high, so that 2.5 of it is 4/3 of the
+  // eigenvalue.
   settings.set("eigen-analysis: type", "Anorm");
   settings.set("aggregation: damping factor", 2.5);
-  // Its own cycle is not used.
+  // The library's own cycle is not used.
   settings.set("smoother: type", "do-nothing");
   settings.set("coarse: type", "do-nothing");
   settings.set("coarse: max size", 2000);

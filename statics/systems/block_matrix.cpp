@@ -31,8 +31,8 @@ BlockMatrix::BlockMatrix(Patches patches, std::size_t nodes)
 
 void BlockMatrix::assemble(
     const std::function<Eigen::MatrixXd(std::size_t patch)>& part) {
-  // At once 33 MB of nodal patches of 60 nodes. Rows are shared out so that every thread
-  // has some of any few patches.
+  // So many parts at once take 33 MB for nodal patches of 60 nodes. Rows are shared out
+  // so that every thread has some of any few patches.
   constexpr std::size_t at_once = 128, row_groups = 16;
   for (Matrix3& block : blocks_) block.setZero();
   std::vector<Eigen::MatrixXd> parts(std::min(at_once, patches_.size()));

@@ -13,8 +13,8 @@ using Patches = std::vector<std::vector<NodeIndex>>;
 
 /// A symmetric matrix in 3x3 blocks [N/m], one for every two nodes that share a patch,
 /// row by row, both triangles; of all components, prescribed ones too. Vectors hold all
-/// components, 3 node + component. In parallel, to the same bits on any number of
-/// threads: every row is summed by one of them, in the order of the patches.
+/// components, 3 node + component. It is summed in parallel, to the same bits on any
+/// number of threads: every row is summed by one of them, in the order of the patches.
 class BlockMatrix {
  public:
   BlockMatrix(Patches patches, std::size_t nodes);
@@ -28,7 +28,7 @@ class BlockMatrix {
 
   void scale(double by);
 
-  /// Between two nodes that share a patch.
+  /// The block between two nodes that share a patch.
   [[nodiscard]] Matrix3& block(NodeIndex row, NodeIndex column);
 
   [[nodiscard]] const Matrix3& diagonal(NodeIndex node) const {

@@ -16,7 +16,7 @@ class Chebyshev {
  public:
   explicit Chebyshev(const RowMatrix& matrix);
 
-  /// About A^-1 right, of the A that it was made of.
+  /// Returns about A^-1 right; `matrix` is the A that the smoother was made of.
   [[nodiscard]] Eigen::VectorXd from_zero(const RowMatrix& matrix,
                                           const Eigen::VectorXd& right) const;
 

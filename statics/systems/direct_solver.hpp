@@ -19,17 +19,17 @@ class DirectSolver {
  public:
   DirectSolver(const BlockMatrix& matrix, const Unknowns& unknowns);
 
-  /// To be called when the matrix has changed.
+  /// Factors the matrix; it must be called when that has changed.
   void prepare();
 
-  /// The like for one that cannot be negative: shifted where it is singular.
+  /// Does the like for a matrix that cannot be negative, shifted where it is singular.
   void prepare_semidefinite();
 
   [[nodiscard]] bool is_definite() const { return definite_; }
 
   [[nodiscard]] int factorisations() const { return factorisations_; }  // so far
 
-  /// None where what was prepared is not positive definite.
+  /// The solution, or none where what was prepared is not positive definite.
   [[nodiscard]] std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& right);
 
   /// Unit vector of the most negative curvature of a matrix that is not positive

@@ -17,7 +17,7 @@ class FreeTriangle {
   /// Refers to the unknowns. Throws std::length_error beyond 2^31 entries.
   FreeTriangle(const BlockMatrix& matrix, const Unknowns& unknowns);
 
-  /// Of a matrix of the same blocks.
+  /// The copy of a matrix of the same blocks.
   [[nodiscard]] const Eigen::SparseMatrix<double>& copy_of(const BlockMatrix& matrix);
 
  private:

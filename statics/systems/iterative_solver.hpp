@@ -19,11 +19,11 @@ class IterativeSolver {
   IterativeSolver(const BlockMatrix& matrix, const Unknowns& unknowns,
                   std::unique_ptr<Preconditioner> preconditioner, int iteration_limit);
 
-  /// To be called when the matrix has changed.
+  /// Prepares for the matrix; it must be called when that has changed.
   void prepare();
 
-  /// The like for one that cannot be negative, and may be singular: shifted by 1e-8 of
-  /// its largest entry.
+  /// Does the like for a matrix that cannot be negative, and may be singular: it is
+  /// shifted by 1e-8 of its largest entry.
   void prepare_semidefinite();
 
   /// Whether the matrix is positive definite, from a random right-hand side. Conjugate
@@ -40,7 +40,7 @@ class IterativeSolver {
     // still lowers the energy's quadratic model.
     bool converged;
   };
-  /// None on meeting a direction of negative curvature.
+  /// The answer, or none on meeting a direction of negative curvature.
   [[nodiscard]] std::optional<Answer> solve(const Eigen::VectorXd& right,
                                             double accuracy);
 

@@ -9,7 +9,7 @@ namespace springcheck::statics {
 
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// In parallel, to the same bits on any number of threads.
+/// The product, made in parallel, to the same bits on any number of threads.
 inline Eigen::VectorXd product(const RowMatrix& matrix, const Eigen::VectorXd& x) {
   Eigen::VectorXd result(matrix.rows());
   const int* const start = matrix.outerIndexPtr();

@@ -23,19 +23,19 @@ class System {
   [[nodiscard]] BlockMatrix& matrix() { return matrix_; }
   [[nodiscard]] const BlockMatrix& matrix() const { return matrix_; }
 
-  /// To be called when the matrix has changed.
+  /// Prepares the solver; it must be called when the matrix has changed.
   void prepare();
 
-  /// The like for one that cannot be negative, and may be singular.
+  /// Does the like for a matrix that cannot be negative, and may be singular.
   void prepare_semidefinite();
 
   /// Whether the matrix is positive definite. None where the iterative solver gave up
   /// before it could tell.
   [[nodiscard]] std::optional<bool> is_definite(std::mt19937_64& random);
 
-  /// Iteratively to the accuracy, relative to the right-hand side, or as far as the limit
-  /// of iterations lets it come, which counts as truncated. None where the matrix was
-  /// found not to be positive definite.
+  /// Solves, iteratively to the accuracy relative to the right-hand side, or as far as
+  /// the limit of iterations lets it come, which counts as truncated. Returns none where
+  /// the matrix was found not to be positive definite.
   [[nodiscard]] std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& right,
                                                      double accuracy);
 

@@ -77,7 +77,6 @@ BOOST_AUTO_TEST_CASE(a_motion_that_ends_early_is_compared_there) {
              "the load ends at 0: no deviation from bodies at rest");
 }
 
-// A traction's force grows with it, on the way and at the end.
 // Two layers of cells can go through themselves: nothing that bends holds them apart.
 BOOST_AUTO_TEST_CASE(a_motion_that_lost_its_turn_went_through_itself) {
   const auto result = [](const std::string& turn) -> Json {
@@ -96,6 +95,7 @@ BOOST_AUTO_TEST_CASE(a_motion_that_lost_its_turn_went_through_itself) {
   BOOST_TEST(result("100deg")["status"] == "ok");
 }
 
+// A traction's force grows with its load, on the way and at the end.
 BOOST_AUTO_TEST_CASE(a_traction_at_part_of_its_load) {
   const std::string pulled =
       "run traction --cells 3,3,3 --method mss-cf --solver verlet --damping 1 --json ";
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_traction_at_part_of_its_load) {
              boost::test_tools::tolerance(1e-9));
 }
 
-// 1e-5 of the deformations' size, as in march_test.
+// The bound is 1e-5 of the deformations' size, as in march_test.
 BOOST_AUTO_TEST_CASE(single_precision_is_near_double_and_not_it) {
   const std::string run = pressed + "--duration 0.2 --solver semi-implicit --method ";
   const Json fine = result_of(run + "mss-cf"),
@@ -161,8 +161,8 @@ BOOST_AUTO_TEST_CASE(the_history_is_in_the_json_and_in_the_result_file) {
   }
 }
 
-// Killed at no particular moment, again and again and later and later, until a state was
-// saved by a run that was killed.
+// The run is killed at no particular moment, again and again and later and later, until a
+// run that was killed had saved a state.
 BOOST_AUTO_TEST_CASE(a_killed_run_goes_on_to_the_bit) {
   for (const std::string precision : {"double", "float"}) {
     const std::string run =
@@ -236,7 +236,6 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_belongs_to_one_case_in_dynamics) {
   BOOST_TEST(!fs::exists(folder / "two.h5"));
 }
 
-// The file cannot hold what is to be saved: said on stderr, and the run goes on.
 // What comes of it is neither's own, and nothing takes it for that.
 BOOST_AUTO_TEST_CASE(a_run_goes_on_from_another_revision_as_both) {
   const std::string run =
@@ -257,6 +256,7 @@ BOOST_AUTO_TEST_CASE(a_run_goes_on_from_another_revision_as_both) {
   expect_bad_input("report both-result.h5 --out both", "1 of " + both);
 }
 
+// The file cannot hold what is to be saved: stderr says so, and the run goes on.
 BOOST_AUTO_TEST_CASE(a_full_disk_for_the_checkpoint_does_not_lose_the_run) {
   // 10 kB hold what is printed, and not 729 nodes.
   const Run full = run_springcheck(
@@ -292,7 +292,7 @@ BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_with_what_sets_it) {
   }
 }
 
-// With the limit at rest kept, these end diverged by step 800 of 886 or before.
+// With the limit at rest kept, these runs end diverged by step 800 of 886 or before.
 BOOST_AUTO_TEST_CASE(an_open_step_follows_the_limit_near_nu_one_half,
                      *boost::unit_test::label("slow")) {
   for (const char* run :
@@ -300,7 +300,7 @@ BOOST_AUTO_TEST_CASE(an_open_step_follows_the_limit_near_nu_one_half,
         "run torsion --method fem-explicit-8p --nu .499 --deformation 90deg "
         "--duration .09 "}) {
     const Json result = result_of(run + std::string("--solver semi-implicit --json"));
-    // At 90 degrees elements of eight points have a corner turned over.
+    // At 90 degrees elements of eight points have a corner turned inside out.
     BOOST_TEST((result["status"] == "ok" || result["status"] == "inverted"),
                result["reason"]);
     BOOST_TEST(result["dt"].get<double>() < result["dt_limit"].get<double>());

@@ -36,7 +36,8 @@ BOOST_AUTO_TEST_CASE(a_mesh_that_was_written_gives_the_same_results_when_read) {
                            "wrinkle_alternation", "wrinkle_amplitude"})
     BOOST_TEST(file[name].get<double>() == block[name].get<double>(),
                boost::test_tools::tolerance(1e-9));  // the centre of the plate, summed
-  // In millimetres it is another body: lengths 1000 times smaller, torques 1e-9.
+  // The same numbers in millimetres are another body: its lengths are 1000 times smaller,
+  // its torques 1e-9 times.
   const Json small =
       json_of("run torsion --mesh own.msh --mesh-unit mm" + options)["results"][0];
   BOOST_TEST(

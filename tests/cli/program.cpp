@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 #include <vector>
 
 #include "comparisons/commands/command_line.hpp"
@@ -22,7 +21,7 @@
 
 namespace {
 
-/// As main takes them.
+/// The words as pointers, in the form in which main takes them.
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
@@ -30,7 +29,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   return pointers;
 }
 
-/// As the program does, which would start again with a test's arguments.
+/// Chooses a fitting BLAS as the program does, which would start again with a test's
+/// arguments.
 void use_fitting_blas() {
   std::ifstream file("/proc/self/cmdline");
   std::vector<std::string> words;
@@ -42,29 +42,20 @@ void use_fitting_blas() {
     execv("/proc/self/exe", arguments.data());
 }
 
-struct RemoveFolder {
-  ~RemoveFolder() { fs::remove_all(folder); }
-};
-BOOST_TEST_GLOBAL_FIXTURE(RemoveFolder);
+const springcheck::OwnFolder& own_folder() {
+  use_fitting_blas();
+  static const springcheck::OwnFolder folder;
+  return folder;
+}
 
 }  // namespace
 
-const fs::path folder = [] {
-  use_fitting_blas();
-  std::string name = (fs::temp_directory_path() / "springcheck_cli_XXXXXX").string();
-  return fs::path(mkdtemp(name.data()));
-}();
-
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
+const fs::path folder = own_folder().path;
 
 namespace {
 
-/// As a shell would split them; empty where only a shell can, and for names of files in a
-/// folder it is not in yet.
+/// The words of the arguments as a shell would split them; empty where only a shell can,
+/// and for names of files in a folder that this process is not in yet.
 std::vector<std::string> split(const std::string& arguments) {
   wordexp_t words;
   if (arguments.find_first_of("*?[$") != std::string::npos ||

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/own_folder.hpp"
+
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
@@ -12,15 +14,15 @@ struct Run {
   std::string out, err;
 };
 
-std::string text_of(const fs::path& file);
+using springcheck::text_of;
 
-/// Where the program runs; removed at the end.
+/// The folder in which the program runs; it is removed at the end.
 extern const fs::path folder;
 
-/// Runs springcheck with these arguments in a folder of the test's own: in a child of
-/// this process, which has loaded the libraries, most of a short run's time. Where it is
-/// started by another (`before`) or the arguments need a shell, the program of the
-/// environment variable SPRINGCHECK.
+/// Runs springcheck with these arguments in a folder of the test's own, in a child of
+/// this process, which has loaded the libraries: they are most of a short run's time.
+/// Where it is started by another program (`before`) or the arguments need a shell, the
+/// program of the environment variable SPRINGCHECK is run.
 Run run_springcheck(const std::string& arguments, const std::string& before = "");
 
 Json json_of(const std::string& arguments);

@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(gates_do_not_write_over_their_inputs) {
 
 namespace {
 
-/// As if another program, with other formulas, had written the file.
+/// Changes the file as if another program, with other formulas, had written it.
 void make_foreign(const std::string& file) {
   std::ofstream(folder / "other.py") << R"(
 import hashlib, sys
@@ -224,8 +224,8 @@ with h5py.File(sys.argv[1], "r+") as file:
 
 }  // namespace
 
-// Of the same cases by a program with other formulas: nothing takes its figures unasked,
-// and what is made of them says so.
+// The file holds the same cases by a program with other formulas: nothing takes its
+// figures unasked, and what is made of them says so.
 BOOST_AUTO_TEST_CASE(figures_of_other_revisions_are_told) {
   std::ofstream(folder / "other.toml")
       << "scene = 'compression'\nmethod = ['mss-cf', 'fem-stvk']\ncells = [2, 2, 2]\n";
@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(figures_of_other_revisions_are_told) {
   expect_bad_input("chart compression --out other.h5 --sizes 2",
                    "a file of cases of revision");
 
-  // Its own stand beside the other's, which the page then leaves out.
+  // The program's own cases stand beside the other's, which the page then leaves out.
   BOOST_TEST(run_springcheck(sweep).status == 0);
   BOOST_TEST(run_springcheck(report).status == 0);
   const std::string page = text_of(folder / "other/index.html");
@@ -281,7 +281,7 @@ BOOST_AUTO_TEST_CASE(figures_of_other_revisions_are_told) {
   BOOST_TEST(run_springcheck(gate).status == 0);
 }
 
-// Nor is what was taken stored as this program's own.
+// What was taken from another revision is not stored as this program's own either.
 BOOST_AUTO_TEST_CASE(what_is_taken_of_other_revisions_stays_theirs) {
   const std::string accept = " --accept-other-revisions ",
                     table = "table 5.4 --format md ",

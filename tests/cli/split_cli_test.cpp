@@ -5,7 +5,8 @@
 
 BOOST_AUTO_TEST_SUITE(split_cli_test)
 
-// Beside a motion that ends without a load springs at rest have none.
+// Springs that are compared at rest with the end of a motion without a load have no load
+// either.
 BOOST_AUTO_TEST_CASE(without_a_load_there_is_nothing_to_split) {
   const Run run = run_springcheck(
       "run shearing --cells 2,2,2 --method mss-cf,fem-explicit-1p --load-times 1,2 "
@@ -35,7 +36,7 @@ BOOST_AUTO_TEST_CASE(split_is_an_object_for_springs_and_null_for_finite_elements
   const std::string key =
       split["quantities"]["volume_change"]["reference"]["grids"][2]["key"];
   BOOST_TEST(text_of(folder / "split.h5").find(key) != std::string::npos);
-  // Without --split there is none.
+  // Without --split the result has no split.
   BOOST_TEST(
       json_of("run shearing --method mss-cf --cells 2,2,2 --json")["results"][0]["split"]
           .is_null());

@@ -83,8 +83,8 @@ BOOST_AUTO_TEST_CASE(locking_is_judged_between_the_points_too) {
   BOOST_TEST(fails - holds <= 0.01 * fails);
 }
 
-// With next to no face diagonals mss-cf wrinkles, at 2.42 % on 10^3 cells; what is
-// printed of a path is as wide as it was followed, whatever the axis.
+// With next to no face diagonals mss-cf wrinkles, at 2.42 % on 10^3 cells. The limit
+// printed of a path is as wide as the path was followed, whatever the axis.
 BOOST_AUTO_TEST_CASE(a_paths_limit_is_known_to_its_resolution) {
   const Json tables = json_of(
       "stability compression --cells 4,4,4 --method mss-cf --diagonal-ratio .01 --nu "
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(a_limit_is_a_case_without_measures) {
   BOOST_TEST(result["volume_error"].is_null());
   BOOST_TEST(result["critical_wavelength"].get<double>() < 4);
   const double limit = result["definite_up_to_deformation"].get<double>();
-  // On the other side of it mss-nfd wrinkles, on this it does not.
+  // Above the limit mss-nfd wrinkles, below it does not.
   const auto status_at = [](double strain) {
     return json_of(
         "run compression --cells 4,4,4 --nu 0 --method mss-nfd --json "

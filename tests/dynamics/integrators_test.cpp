@@ -51,8 +51,8 @@ double error(Integrator integrator, int steps) {
 }  // namespace
 
 // On x' = Gamma x explicit Euler multiplies by 1 + dt Gamma, which is of modulus 1 on the
-// circle of radius 1/dt about -1/dt (Golec 2018, Eq. 2.32 and 2.33). Round-off of a few
-// products.
+// circle of radius 1/dt about -1/dt (Golec 2018, Eq. 2.32 and 2.33). The tolerance is
+// round-off of a few products.
 BOOST_AUTO_TEST_CASE(explicit_euler_multiplies_by_its_amplification_factor,
                      *boost::unit_test::tolerance(1e-13)) {
   constexpr double dt = 0.1;

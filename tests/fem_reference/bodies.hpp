@@ -21,7 +21,7 @@ inline constexpr double edge = 0.05;  // m, the cube's
 inline constexpr Element elements[] = {Element::q1, Element::q1_sri, Element::q1_nodal,
                                        Element::q2};
 
-/// Of all cell types, one each and together.
+/// The patterns of all cell types, one each and together.
 inline constexpr CellPattern patterns[] = {CellPattern::hexahedron,
                                            CellPattern::tetrahedron, CellPattern::prism,
                                            CellPattern::pyramid, CellPattern::mixed};
@@ -48,7 +48,7 @@ inline std::string words(CellPattern pattern) {
   return std::string(cell_patterns()[static_cast<std::size_t>(pattern)].name);
 }
 
-/// Nodes inside moved by up to the distortion times the cells' edge.
+/// A cube whose nodes inside are moved by up to the distortion times the cells' edge.
 inline Mesh cube(int cells, CellPattern pattern = CellPattern::hexahedron,
                  double distortion = 0) {
   return generate_block({.size = {edge, edge, edge},

@@ -22,9 +22,9 @@ double aitken(double coarse, double middle, double fine, double least_rate) {
   return fine + (fine - middle) * rate / (1 - rate);
 }
 
-/// Both discretisations have the same limit but for `band`. Clamped edges are singular:
-/// the rate of q1 is not a quarter, that of q2, whose coarsest grid has three cells, not
-/// yet the same.
+/// Expects both discretisations to have the same limit but for `band`. Clamped edges are
+/// singular: the rate of q1 is not a quarter, and that of q2, whose coarsest grid has
+/// three cells, is not yet the same.
 void expect_one_limit(Law law, const Vector3& strain, double angle, double band,
                       const std::function<double(const Measured&)>& measure) {
   const auto limit = [&](Element element, int cells, double least_rate) {
@@ -51,7 +51,7 @@ constexpr Law laws[] = {Law::cauchy_born, Law::hencky};
 
 }  // namespace
 
-// Bands: .02 points of volume at 20 %, a tenth of it at 5 %.
+// The bands are .02 points of volume at 20 %, and a tenth of it at 5 %.
 BOOST_AUTO_TEST_CASE(volume_errors_in_compression_converge_to_one_value) {
   for (const Law law : laws) {
     expect_one_limit(law, {0, 0, -0.05}, 0, 0.002, volume_error);
@@ -59,7 +59,8 @@ BOOST_AUTO_TEST_CASE(volume_errors_in_compression_converge_to_one_value) {
   }
 }
 
-// Bands: .05 % of the force; of Hencky's torque, whose two limits are .055 % apart, .1 %.
+// The bands are .05 % of the force and, for Hencky's torque, whose two limits are .055 %
+// apart, .1 %.
 BOOST_AUTO_TEST_CASE(forces_and_torques_converge_to_one_value,
                      *boost::unit_test::label("slow")) {
   for (const Law law : laws) expect_one_limit(law, {0.20, 0, 0}, 0, 0.0007, force);

@@ -23,7 +23,7 @@ inline Uniaxial state(double stretch, double lateral, double stress) {
   return {stress, {lateral, lateral}, stretch * lateral * lateral};
 }
 
-/// Hooke, small strain e = L - 1: stress E e, lateral strain -nu e.
+/// Hooke's law with the small strain e = L - 1: stress E e, lateral strain -nu e.
 inline Uniaxial hooke(double young_modulus, double nu, double stretch) {
   const double strain = stretch - 1;
   return state(stretch, 1 - nu * strain, young_modulus * strain);
@@ -94,27 +94,28 @@ inline CubicSprings golec_springs(double mu, double diagonal_ratio) {
   return {.edge = face + 8 * inner / 3, .face_diagonal = face, .inner_diagonal = inner};
 }
 
-/// mss-cf (mss-nfd: A = 0), with the volume correction kappa = lambda - mu.
+/// The lattice of mss-cf (mss-nfd: A = 0), with the volume correction kappa = lambda -
+/// mu.
 inline Lattice cf_lattice(double young_modulus, double nu, double diagonal_ratio) {
   const auto [mu, lambda] = moduli(young_modulus, nu);
   return cubic_lattice(golec_springs(mu, diagonal_ratio), lambda - mu);
 }
 
-/// mss-cf with springs from E as the thesis prints them (5.12), mu replaced by its value
-/// at nu = 1/4, and the right kappa.
+/// The lattice of mss-cf with springs from E as the thesis prints them (5.12), mu
+/// replaced by its value at nu = 1/4, and the right kappa.
 inline Lattice young_form_lattice(double young_modulus, double nu,
                                   double diagonal_ratio) {
   const auto [mu, lambda] = moduli(young_modulus, nu);
   return cubic_lattice(golec_springs(0.4 * young_modulus, diagonal_ratio), lambda - mu);
 }
 
-/// mss-fd: the springs of mss-cf without a correction.
+/// The lattice of mss-fd: the springs of mss-cf without a correction.
 inline Lattice fd_lattice(double young_modulus, double nu, double diagonal_ratio) {
   return cubic_lattice(golec_springs(moduli(young_modulus, nu).mu, diagonal_ratio), 0);
 }
 
-/// mss-baudet: per cell k_ed = E h (4 nu + 1)/(8 (1 + nu)) on edges, of which four cells
-/// share one, and 3 E h/(8 (1 + nu)) on inner diagonals; no correction.
+/// The lattice of mss-baudet: per cell k_ed = E h (4 nu + 1)/(8 (1 + nu)) on edges, of
+/// which four cells share one, and 3 E h/(8 (1 + nu)) on inner diagonals; no correction.
 inline Lattice baudet_lattice(double young_modulus, double nu) {
   return cubic_lattice({.edge = young_modulus * (4 * nu + 1) / (2 * (1 + nu)),
                         .face_diagonal = 0,
@@ -122,7 +123,8 @@ inline Lattice baudet_lattice(double young_modulus, double nu) {
                        0);
 }
 
-/// mss-affine: 5 mu/4 sum (|F n| - 1)^2 over the six axes of an icosahedron.
+/// The lattice of mss-affine: 5 mu/4 sum (|F n| - 1)^2 over the six axes of an
+/// icosahedron.
 inline Lattice affine_lattice(double young_modulus, double nu) {
   const auto [mu, lambda] = moduli(young_modulus, nu);
   Lattice lattice{.directions = {}, .kappa = lambda - mu};
@@ -148,8 +150,8 @@ inline Lattice turned(Lattice lattice, const Eigen::Vector3d& along_z,
   return lattice;
 }
 
-// For a cubic lattice. The lateral axes are those in which F stays diagonal: normals of
-// mirror planes (100, 110), or any (111, a threefold axis).
+// Two other directions of a cubic lattice. The lateral axes are those in which F stays
+// diagonal: normals of mirror planes (100, 110), or any (111, a threefold axis).
 inline Lattice along_110(const Lattice& lattice) {
   return turned(lattice, {1, 1, 0}, {0, 0, 1});
 }

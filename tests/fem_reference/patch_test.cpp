@@ -97,7 +97,8 @@ BOOST_AUTO_TEST_CASE(affine_fields_are_reproduced_on_cells_of_every_type) {
   }
 }
 
-// And so for every lattice's continuum, with the element that mirrors the springs.
+// Every lattice's continuum reproduces them too, with the element that mirrors the
+// springs.
 BOOST_AUTO_TEST_CASE(affine_fields_are_reproduced_by_every_lattice) {
   const Mesh mesh = warped_cube(2, CellPattern::mixed);
   const Matrix3 H = 0.2 * general_gradient();

@@ -6,7 +6,8 @@
 #include "tests/fem_reference/laws.hpp"
 #include "tests/referee/figures.hpp"
 
-// Where paths of finite elements lose their stability, by searches to the limit.
+// The places where paths of finite elements lose their stability, by searches to the
+// limit.
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
@@ -25,7 +26,7 @@ Solution end_of(const Mesh& mesh, const Scene& scene, const Settings& settings,
   return solve(mesh, scene, settings, {.to_limit = true, .linear_solver = linear_solver});
 }
 
-/// Strained along z by sliding plates.
+/// A body strained along z by sliding plates.
 Scene sliding_plates(double nu, double strain) {
   constexpr Held along_normal{false, false, true};
   return {.material = of_poisson_ratio(nu),

@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(traction_stretches_a_body_uniformly) {
 }
 
 // Whatever the field inside, the support carries the body's weight and the torque of it
-// about the origin, in the undeformed body. The cube's own: round-off, times the
+// about the origin, in the undeformed body. The tolerance is round-off, times the
 // condition of some 1e3.
 BOOST_AUTO_TEST_CASE(support_carries_the_weight_at_the_centre_of_any_cells) {
   const Vector3 gravity(-10, 0, 0), centre = Vector3::Constant(edge / 2);
@@ -183,8 +183,8 @@ BOOST_AUTO_TEST_CASE(body_is_free_of_force_after_a_rigid_motion) {
 }
 
 // Without load nothing moves, and a strain of 1e-9 is not taken for none: the reaction is
-// Hooke's to first order in the strain. A lattice has Hooke's tensor, but
-// q1_sri and q1_nodal take only kappa of it at means, so not the same elements.
+// Hooke's to first order in the strain. A lattice has Hooke's tensor, but q1_sri and
+// q1_nodal take only kappa of it at means, so that they are not the same elements.
 BOOST_AUTO_TEST_CASE(all_laws_meet_hookes_at_tiny_strain) {
   const Mesh mesh = cube(2);
   for (const Element element : elements) {
@@ -206,9 +206,9 @@ BOOST_AUTO_TEST_CASE(all_laws_meet_hookes_at_tiny_strain) {
   }
 }
 
-// A thousand times smaller and a million times stiffer, heavier by as much as it takes:
-// the same shape, forces times 1e6/1e6. Nothing absolute is hidden in the solver.
-// Newton's tolerance, times the condition.
+// A body a thousand times smaller and a million times stiffer, heavier by as much as it
+// takes, has the same shape, and forces times 1e6/1e6. Nothing absolute is hidden in the
+// solver. The tolerance is Newton's, times the condition.
 BOOST_AUTO_TEST_CASE(results_scale_with_units) {
   for_all_settings([&](const Settings& settings) {
     const auto run = [&](double length, double stiffness) {

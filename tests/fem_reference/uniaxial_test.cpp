@@ -22,7 +22,8 @@ BOOST_AUTO_TEST_SUITE(uniaxial_test)
 namespace {
 
 constexpr double E = 1e4;  // Pa
-// m. Squat: at 17 % of compression a block of 3 x 4 x 5 cm sways between its plates.
+// The block [m] is squat: at 17 % of compression one of 3 x 4 x 5 cm sways between its
+// plates.
 constexpr std::array<double, 3> size{0.05, 0.04, 0.03};
 
 struct LawCase {
@@ -72,7 +73,7 @@ std::vector<LawCase> exact_laws() {
   };
 }
 
-/// Those that are right at nu = 1/4 only.
+/// Laws that are right at nu = 1/4 only.
 std::vector<LawCase> other_laws() {
   using namespace homogeneous;
   return {
@@ -179,7 +180,8 @@ bool has_a_minimum(const homogeneous::Lattice& springs, double stretch) {
 
 }  // namespace
 
-// Uniaxial stress over E times the strain, along 100, 110 and 111.
+// The uniaxial stress over E times the strain is that of the referee, along 100, 110 and
+// 111.
 BOOST_AUTO_TEST_CASE(closed_lattice_solutions_are_the_referee_s) {
   using namespace homogeneous;
   for (const double nu : {0.25, 0.499}) {
@@ -195,7 +197,7 @@ BOOST_AUTO_TEST_CASE(closed_lattice_solutions_are_the_referee_s) {
           boost::test_tools::tolerance(1e-8));
     }
   }
-  // The thesis's springs from E at nu = 0: .667 E and -.167.
+  // The thesis's springs from E have .667 E and -.167 at nu = 0.
   const Uniaxial wrong = uniaxial(young_form_lattice(E, 0, 1), 1 + 1e-6);
   BOOST_TEST(std::abs(wrong.stress / (E * 1e-6) - 2. / 3) < 1e-5);
   BOOST_TEST(std::abs((wrong.lateral[0] - 1) / -1e-6 + 1. / 6) < 1e-5);

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-// Which folder of the repository includes which, held against docs/rooms.txt.
+// These functions hold which folder of the repository includes which against
+// docs/rooms.txt.
 
 /// A line of the list: "mss/forces: meshing mss/networks". A folder that ends in /** is
 /// that folder and all that is in it.

@@ -6,11 +6,14 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/own_folder.hpp"
+
 BOOST_AUTO_TEST_SUITE(arrows_test)
 
 namespace {
 
 namespace fs = std::filesystem;
+using springcheck::OwnFolder;
 
 const std::vector<Room> small_house = read_rooms(R"(
 # a cellar, and what stands on it
@@ -123,10 +126,11 @@ BOOST_AUTO_TEST_CASE(a_list_that_cannot_be_read_names_the_line) {
              "docs/rooms.txt:2: expected each folder once, got 'cellar'");
 }
 
-// However it is written: in brackets, by way of another folder, by a macro.
+// An include is found however it is written: in brackets, by way of another folder, by a
+// macro.
 BOOST_AUTO_TEST_CASE(every_include_of_ours_is_found) {
-  const fs::path root = fs::temp_directory_path() / "springcheck_arrows_test";
-  fs::remove_all(root);
+  const OwnFolder own;
+  const fs::path& root = own.path;
   for (const char* folder : {"cellar", "hall", "mine"})
     fs::create_directories(root / folder);
   std::ofstream(root / "mine" / "CMakeCache.txt") << "built here\n";
@@ -137,7 +141,6 @@ BOOST_AUTO_TEST_CASE(every_include_of_ours_is_found) {
                                                  "#include \"cellar/../hall/key.hpp\"\n"
                                                  "#  include DOOR\n";
   const Sources sources = sources_below(root, small_house);
-  fs::remove_all(root);
   BOOST_TEST(sources.files == std::vector<std::string>{"cellar/wine.inl"});
   std::vector<std::string> found;
   for (const Include& include : sources.includes)

@@ -22,8 +22,8 @@ CornerPositions frustum() {
 
 }  // namespace
 
-// By hand: a quarter of the way from the base of tetrahedron and pyramid, the middle of
-// prism and box.
+// By hand, the centroid is a quarter of the way from the base of a tetrahedron and a
+// pyramid, and the middle of a prism and a box.
 BOOST_AUTO_TEST_CASE(centroids_of_regular_cells_are_those_of_the_textbook) {
   CornerPositions x(3, 4);
   x << 1, 5, 1, 1, 2, 2, 6, 2, 3, 3, 3, 7;
@@ -39,8 +39,8 @@ BOOST_AUTO_TEST_CASE(centroids_of_regular_cells_are_those_of_the_textbook) {
   BOOST_TEST((cell_centroid(x) - Vector3(1, 2, 3)).norm() < round_off);
 }
 
-// A frustum with the sections s^2, s = 2 - z/2, whose middle wanders from 0 to 1/4:
-// V = int s^2, and int z s^2 of both moments, by hand.
+// The frustum has the sections s^2, s = 2 - z/2, whose middle wanders from 0 to 1/4: V =
+// int s^2, and int z s^2 of both moments, are computed by hand.
 BOOST_AUTO_TEST_CASE(centroid_of_a_leaning_frustum_is_that_of_its_sections) {
   const Vector3 c = cell_centroid(frustum());
   const double V = 21. / 4;
@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(centroid_of_a_leaning_frustum_is_that_of_its_sections) {
 }
 
 // Cells of warped faces that fill a box share its first moment: what one gains at a face
-// the other loses. Round-off of 400 cells.
+// the other loses. The tolerance is round-off of 400 cells.
 BOOST_AUTO_TEST_CASE(centroids_of_the_parts_make_that_of_the_whole) {
   for (const auto& [name, pattern, description] : cell_patterns()) {
     if (!keeps_grid(pattern)) continue;
@@ -65,8 +65,9 @@ BOOST_AUTO_TEST_CASE(centroids_of_the_parts_make_that_of_the_whole) {
   }
 }
 
-// Of one cell of warped faces: by a product of Gauss points of fourth degree over the
-// trilinear map, whose integrand of the first moment is of no higher one.
+// The centroid of one cell of warped faces is found by a product of Gauss points of
+// fourth degree over the trilinear map, whose integrand of the first moment is of no
+// higher one.
 BOOST_AUTO_TEST_CASE(centroid_of_a_warped_hexahedron_is_that_of_the_trilinear_map) {
   std::srand(3);  // Eigen's Random draws from rand()
   CornerPositions x(3, 8);

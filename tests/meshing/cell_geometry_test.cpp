@@ -69,7 +69,7 @@ double volume_by_quadrature(const HexahedronCorners& x) {
 
 }  // namespace
 
-// Exact on paper: round-off alone.
+// The volume is exact on paper, so that the tolerance is round-off alone.
 BOOST_AUTO_TEST_CASE(parallelepiped_has_the_volume_of_its_determinant,
                      *boost::unit_test::tolerance(1e-14)) {
   const Eigen::Matrix3d F =

@@ -66,12 +66,12 @@ BOOST_AUTO_TEST_CASE(bodies_apart_pass) {
       check_conformity(on_cube(box({0, 0, 1.001}, {1, 1, 2}), {second_cube})));
 }
 
-// Shares a face's place but not its nodes: never merged, or cracked.
+// The second cube shares a face's place but not its nodes: never merged, or cracked.
 BOOST_AUTO_TEST_CASE(two_nodes_in_one_place_are_refused) {
   check_refusal(on_cube(box({0, 0, 1}, {1, 1, 2}), {second_cube}),
                 "body: node 5: expected a place of its own, or cells merged there, got "
                 "node 9 in the same place");
-  // As near as coordinates printed to six digits:
+  // Nodes as near as coordinates printed to six digits are refused too.
   check_refusal(on_cube(box({1e-6, 0, 1}, {1.5, 1.5, 2}), {second_cube}),
                 "body: node 5: expected a place of its own, or cells merged there, got "
                 "node 9 in the same place");
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(node_hanging_in_a_face_is_refused) {
                 "inside the face of node 5, node 6, node 7, node 8");
 }
 
-// A prism with one corner on the middle of an edge of the cube, two of its own.
+// A prism has one corner on the middle of an edge of the cube, and two of its own.
 BOOST_AUTO_TEST_CASE(node_hanging_on_an_edge_is_refused) {
   check_refusal(
       on_cube({{0.5, 1, 1}, {0.5, 1, 2}, {0, 0, 2}, {1, 0, 2}}, {{4, 5, 8, 10, 11, 9}}),

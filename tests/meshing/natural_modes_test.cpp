@@ -15,7 +15,8 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// Masses m [kg] in a row, springs k [N/m] between neighbours, free at both ends.
+/// The stiffness of masses m [kg] in a row, with springs k [N/m] between neighbours, free
+/// at both ends.
 SparseMatrix chain(int masses, double k) {
   SparseMatrix K(masses, masses);
   for (int i = 0; i + 1 < masses; ++i) {
@@ -36,8 +37,9 @@ double square(double frequency) {
 
 }  // namespace
 
-// On paper: omega^2 = k (1/m1 + 1/m2), the masses moving against each other, x as 1/m.
-// Round-off of six digits: the shift is 1e-6 of the largest eigenvalue.
+// On paper omega^2 = k (1/m1 + 1/m2), where the masses move against each other, x as 1/m.
+// The tolerance is round-off and six digits more: the shift is 1e-6 of the largest
+// eigenvalue.
 BOOST_AUTO_TEST_CASE(two_masses_swing_against_each_other,
                      *boost::unit_test::tolerance(1e-9)) {
   const double k = 3, m1 = 2, m2 = 5;  // N/m, kg
@@ -51,7 +53,7 @@ BOOST_AUTO_TEST_CASE(two_masses_swing_against_each_other,
   BOOST_TEST(m1 * x[0] * x[0] + m2 * x[1] * x[1] == 1.);
 }
 
-// However rounding goes, with springs that differ by eight digits.
+// This holds however rounding goes, with springs that differ by eight digits.
 BOOST_AUTO_TEST_CASE(there_are_no_more_modes_than_masses) {
   for (int n = 2; n <= 40; ++n) {
     SparseMatrix stiffness(n, n);
@@ -67,7 +69,7 @@ BOOST_AUTO_TEST_CASE(there_are_no_more_modes_than_masses) {
   }
 }
 
-// On paper: omega_j = 2 sqrt(k/m) sin(pi j/(2 n)).
+// On paper omega_j = 2 sqrt(k/m) sin(pi j/(2 n)).
 BOOST_AUTO_TEST_CASE(a_chain_s_lowest_modes_come_in_order,
                      *boost::unit_test::tolerance(1e-9)) {
   constexpr int n = 500;
@@ -82,11 +84,11 @@ BOOST_AUTO_TEST_CASE(a_chain_s_lowest_modes_come_in_order,
                boost::test_tools::tolerance(1e-7));
 }
 
-// Six equal chains side by side: every value six times, as many zeros.
-BOOST_AUTO_TEST_CASE(equal_modes_are_all_found) {
-  constexpr int n = 40, chains = 6;
+// Equal chains stand side by side, so that every value comes as often, and there are as
+// many zeros. Stiff ones of small masses are no other problem.
+void find_all_of_equal_chains(int chains, int n, int count, double k) {
   std::vector<Eigen::Triplet<double>> entries;
-  const SparseMatrix one = chain(n, 1);
+  const SparseMatrix one = chain(n, k);
   for (int c = 0; c < chains; ++c)
     for (int j = 0; j < n; ++j)
       for (SparseMatrix::InnerIterator at(one, j); at; ++at)
@@ -94,21 +96,30 @@ BOOST_AUTO_TEST_CASE(equal_modes_are_all_found) {
   SparseMatrix K(n * chains, n * chains);
   K.setFromTriplets(entries.begin(), entries.end());
   const auto masses = diagonal(Eigen::VectorXd::Ones(n * chains));
-  const auto modes = natural_modes(K, masses, 3 * chains).value();
+  const auto modes = natural_modes(K, masses, count * chains).value();
   BOOST_TEST(modes.zero_modes == chains);
-  for (int j = 1; j <= 3; ++j)
+  for (int j = 1; j <= count; ++j)
     for (int c = 0; c < chains; ++c)
       BOOST_TEST(square(modes.frequencies[chains * (j - 1) + c]) ==
-                     4 * std::pow(std::sin(std::numbers::pi * j / (2 * n)), 2),
+                     4 * k * std::pow(std::sin(std::numbers::pi * j / (2 * n)), 2),
                  boost::test_tools::tolerance(1e-8));
   const Eigen::MatrixXd gram = modes.shapes.transpose() * modes.shapes;
   BOOST_TEST((gram - Eigen::MatrixXd::Identity(gram.rows(), gram.cols())).norm() < 1e-10);
-  const auto again = natural_modes(K, masses, 3 * chains).value();
+  const auto again = natural_modes(K, masses, count * chains).value();
   BOOST_TEST(bool(again.shapes == modes.shapes));  // the same bits
 }
 
-// Against Eigen's dense solver: a mass matrix that is not diagonal, and an unknown
-// without mass that the others' springs do not reach.
+BOOST_AUTO_TEST_CASE(equal_modes_are_all_found) {
+  find_all_of_equal_chains(14, 60, 3, 1);
+  find_all_of_equal_chains(6, 40, 3, 1);
+  for (const double k : {1e-18, 1., 1e18}) {
+    find_all_of_equal_chains(2, 300, 5, k);
+    find_all_of_equal_chains(3, 200, 2, k);
+  }
+}
+
+// The modes are compared with those of Eigen's dense solver: a mass matrix is not
+// diagonal, and an unknown is without mass and out of reach of the others' springs.
 BOOST_AUTO_TEST_CASE(masses_need_be_neither_diagonal_nor_definite) {
   constexpr int n = 60;
   SparseMatrix K = chain(n, 2), M(n, n);

@@ -83,7 +83,8 @@ BOOST_AUTO_TEST_CASE(corner_of_a_cube_has_the_tetrahedron_known_by_hand,
   BOOST_TEST(edge_ratio(x) == std::sqrt(2.));
 }
 
-// By hand, with s = sqrt(h^2 + 1/2): at the base h/s, at the apex h/s^3, times sqrt 2.
+// By hand, with s = sqrt(h^2 + 1/2), it is h/s at the base and h/s^3 at the apex, times
+// sqrt 2.
 BOOST_AUTO_TEST_CASE(flat_pyramid_is_judged_at_its_base_and_tall_one_at_its_apex,
                      *boost::unit_test::tolerance(1e-14)) {
   const double flat = std::sqrt(0.01 + 0.5), tall = std::sqrt(4 + 0.5);
@@ -91,7 +92,8 @@ BOOST_AUTO_TEST_CASE(flat_pyramid_is_judged_at_its_base_and_tall_one_at_its_apex
   BOOST_TEST(scaled_jacobian(pyramid(2)) == std::sqrt(2.) * 2 / std::pow(tall, 3));
 }
 
-// Its apex leans over one corner of the base, whatever the number of that corner.
+// The pyramid's apex leans over one corner of the base, whatever the number of that
+// corner.
 BOOST_AUTO_TEST_CASE(pyramid_may_start_at_any_corner_of_its_base,
                      *boost::unit_test::tolerance(1e-14)) {
   CornerPositions x = pyramid(2);
@@ -160,7 +162,7 @@ BOOST_AUTO_TEST_CASE(types_add_up_to_all, *boost::unit_test::tolerance(1e-13)) {
   BOOST_TEST(quality.all.histogram == histogram, boost::test_tools::per_element());
 }
 
-// By hand: the worst corners of a cube's six tetrahedra have edges 1, sqrt 2, sqrt 3 and
+// By hand, the worst corners of a cube's six tetrahedra have edges 1, sqrt 2, sqrt 3 and
 // determinant 1; all twelve edges of the pyramids' bases are 1, the others sqrt(3/4).
 BOOST_AUTO_TEST_CASE(blocks_of_cubes_have_the_qualities_known_by_hand,
                      *boost::unit_test::tolerance(1e-12)) {

@@ -34,7 +34,7 @@ Scene scene_with_plates(const std::vector<std::string>& regions) {
 
 }  // namespace
 
-// By hand, with E = 8 Pa; round-off.
+// The values are computed by hand with E = 8 Pa. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(lame_constants_have_their_textbook_values,
                      *boost::unit_test::tolerance(1e-15)) {
   struct Row {
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(prescribed_components_ascend_by_node_and_component) {
   BOOST_TEST(std::ranges::count(is_free, true) == 24 - 17);
 }
 
-// Sums and products of binary fractions: exact.
+// Sums and products of binary fractions are exact.
 BOOST_AUTO_TEST_CASE(prescribed_displacements_follow_their_plate_pin_or_gradient) {
   const Mesh mesh = generate_block({.size = {1, 1, 1}, .cells = {1, 1, 1}});
   Scene scene = scene_with_plates({"top"});

@@ -12,7 +12,7 @@ BOOST_AUTO_TEST_SUITE(sparse_cholesky_test)
 
 namespace {
 
-/// Of the five-point Laplacian on a square, and so many times the identity less.
+/// The matrix of the five-point Laplacian on a square, less so many times the identity.
 SparseCholesky::Matrix laplacian(int side, double shift = 0) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < side * side; ++i) {
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(memory_that_ends_is_no_answer) {
     } catch (const std::bad_alloc&) {
       ++refused;
     }
-    // As if it had never happened.
+    // The failure leaves no trace.
     BOOST_TEST_REQUIRE(cholesky.factor(matrix));
     BOOST_TEST((cholesky.solve(ones) == expected));
   }

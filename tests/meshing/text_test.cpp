@@ -6,8 +6,8 @@ using namespace springcheck;
 
 BOOST_AUTO_TEST_SUITE(text_test)
 
-// As the Unicode Standard has it (table 3-7): no longer forms, no halves of surrogates,
-// nothing beyond U+10FFFF.
+// UTF-8 is what the Unicode Standard has (table 3-7): no longer forms, no halves of
+// surrogates, nothing beyond U+10FFFF.
 BOOST_AUTO_TEST_CASE(utf8_is_told_from_other_bytes) {
   for (const char* text :
        {"", "scene", "\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x98\x80", "\xf4\x8f\xbf\xbf"})

@@ -23,7 +23,8 @@ Mesh lid(const std::array<Vector3, 4>& top) {
 
 }  // namespace
 
-// A rectangle's corners share it alike; a node of a grid has up to four. Round-off.
+// A rectangle's corners share it alike; a node of a grid has up to four. The tolerance is
+// round-off.
 BOOST_AUTO_TEST_CASE(nodes_of_a_grid_stand_for_quarters_of_their_faces,
                      *utf::tolerance(1e-12)) {
   const Mesh mesh = generate_block({.size = {0.6, 0.2, 1}, .cells = {3, 2, 1}});
@@ -40,7 +41,7 @@ BOOST_AUTO_TEST_CASE(nodes_of_a_grid_stand_for_quarters_of_their_faces,
 
 // int N_a dA over the trapezium with corners (0,0), (2,0), (1,1), (0,1): dA/dxi deta is
 // (3 - eta)/8 (its area 3/2), so the lower nodes get 1/4 (1 + 2/3)  = 5/12 each and the
-// upper ones 4/12, computed by hand. Round-off.
+// upper ones 4/12, computed by hand. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(nodes_of_a_trapezium_stand_for_their_shape_functions,
                      *utf::tolerance(1e-12)) {
   const Mesh mesh =
@@ -53,9 +54,10 @@ BOOST_AUTO_TEST_CASE(nodes_of_a_trapezium_stand_for_their_shape_functions,
 }
 
 // Whatever the plane face: the forces add up to stress times area, and their moment is
-// that of the resultant at the centroid, as sum A_a x_a = int x dA. Round-off.
+// that of the resultant at the centroid, as sum A_a x_a = int x dA. The tolerance is
+// round-off.
 BOOST_AUTO_TEST_CASE(traction_forces_have_the_loads_resultant_and_moment) {
-  // In the plane z = 1 + x/2.
+  // The face lies in the plane z = 1 + x/2.
   const Mesh mesh = lid({Vector3(0, 0, 1), Vector3(1.5, 0.25, 1.75), Vector3(1, 1, 1.5),
                          Vector3(-0.25, 1, 0.875)});
   const Vector3 stress(3, -1, 2);

@@ -51,7 +51,7 @@ std::vector<Vector3> twisted(const Mesh& mesh, double lower, double upper) {
 }  // namespace
 
 // Closed form; a layer takes less than half a turn, the column is moved by half its
-// height. Round-off.
+// height. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(a_twisted_column_shows_its_turn,
                      *boost::unit_test::tolerance(1e-13)) {
   for (const CellPattern pattern : {CellPattern::hexahedron, CellPattern::tetrahedron})
@@ -89,7 +89,8 @@ BOOST_AUTO_TEST_CASE(the_turn_is_that_of_one_plate_against_the_other,
              -450 * degree);
 }
 
-// As of elements whose field bends within them: half a turn and more in one layer.
+// The parts are like those of elements whose field bends within them: half a turn and
+// more in one layer.
 BOOST_AUTO_TEST_CASE(parts_of_cells_show_more_than_half_a_turn,
                      *boost::unit_test::tolerance(1e-13)) {
   const Mesh whole = block(CellPattern::hexahedron, {2, 2, 1});

@@ -52,7 +52,7 @@ inline constexpr NamedModel models[] = {{"mss-baudet", SpringModel::baudet},
                                         {"mss-fd", SpringModel::fd},
                                         {"mss-cf", SpringModel::cf}};
 
-/// Those and mss-affine.
+/// The models on cubes: those and mss-affine.
 inline constexpr NamedModel models_on_cubes[] = {
     models[0], models[1], models[2], models[3], {"mss-affine", SpringModel::affine}};
 
@@ -87,7 +87,7 @@ inline std::vector<Vector3> sum(std::vector<Vector3> a, const std::vector<Vector
   return a;
 }
 
-/// Of all the vectors as one: the root of the sum of squares.
+/// The norm of all the vectors as one: the root of the sum of squares.
 inline double norm(const std::vector<Vector3>& vectors) {
   double squares = 0;
   for (const Vector3& v : vectors) squares += v.squaredNorm();

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tests/own_folder.hpp"
 #include "tests/referee/figures.hpp"
 
 BOOST_AUTO_TEST_SUITE(calculix_test)
@@ -22,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace referee;
+using springcheck::OwnFolder;
 using Json = nlohmann::json;
 
 // CalculiX prints seven significant digits, so that a number is off by 5e-7 of itself at
@@ -35,24 +37,8 @@ constexpr double force_tolerance = 1e-6;  // relative
 // side were rounded the same way. As they are not, what is seen is below 1e-8.
 constexpr double volume_tolerance = 5e-7;  // of V0
 
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "springcheck_ccx_XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  [[nodiscard]] fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
-
 /// Runs the program and returns what it printed.
-std::string springcheck(const Folder& folder, const std::string& arguments) {
+std::string springcheck(const OwnFolder& folder, const std::string& arguments) {
   const char* program = std::getenv("SPRINGCHECK");
   if (!program) throw std::runtime_error("SPRINGCHECK is not set");
   const fs::path out = folder / "springcheck.out";
@@ -90,7 +76,7 @@ struct Measured {
   double volume_change;     // (V - V0)/V0
 };
 
-Measured by_springcheck(const Folder& folder, const Case& c, const std::string& law) {
+Measured by_springcheck(const OwnFolder& folder, const Case& c, const std::string& law) {
   const Json json = Json::parse(springcheck(
       folder, fmt::format("run {0} --method {1} --element q1 --reference {1}:q1 --nu {2} "
                           "--deformation {3} {4} --json",
@@ -102,7 +88,7 @@ Measured by_springcheck(const Folder& folder, const Case& c, const std::string& 
           .volume_change = result["volume_change"]};
 }
 
-Measured by_calculix(const Folder& folder, const Case& c, Kinematics kinematics,
+Measured by_calculix(const OwnFolder& folder, const Case& c, Kinematics kinematics,
                      double modulus) {
   const fs::path file = folder / "mesh.inp";
   springcheck(folder,
@@ -134,7 +120,7 @@ Measured by_calculix(const Folder& folder, const Case& c, Kinematics kinematics,
 void compare(const Case& c, const std::string& law, Kinematics kinematics) {
   BOOST_TEST_CONTEXT(
       fmt::format("{} {} {} nu {} {}", law, c.scene, c.deformation, c.nu, c.mesh)) {
-    const Folder folder;
+    const OwnFolder folder;
     const Measured ours = by_springcheck(folder, c, law);
     const Measured theirs = by_calculix(folder, c, kinematics, young_modulus);
     BOOST_TEST(ours.plate_force == theirs.plate_force,
@@ -196,7 +182,7 @@ BOOST_AUTO_TEST_CASE(they_agree_on_finer_meshes, *boost::unit_test::label("slow"
 
 // The comparison is worth something only if it sees a small slip: 3e-6 of the modulus.
 BOOST_AUTO_TEST_CASE(a_slip_in_the_material_is_seen) {
-  const Folder folder;
+  const OwnFolder folder;
   const Case c{"compression", 0.25, 0.05, fine.cube};
   const double ours = by_springcheck(folder, c, "fem-hooke").plate_force;
   const double slipped =
@@ -217,7 +203,7 @@ double by_the_second_program(const std::string& law, const std::string& strain) 
 // Three programs agree.
 BOOST_AUTO_TEST_CASE(calculix_gives_the_second_program_s_figures,
                      *boost::unit_test::tolerance(force_tolerance)) {
-  const Folder folder;
+  const OwnFolder folder;
   const double hooke = by_calculix(folder, {"compression", 0.25, 0.05, fine.cube},
                                    Kinematics::linear, young_modulus)
                            .plate_force;
@@ -242,7 +228,7 @@ BOOST_AUTO_TEST_CASE(every_surface_of_the_mesh_file_takes_a_pressure) {
                            {"y_max", "y_min", {0, x * z, 0}},
                            {"x_min", "x_max", {-y * z, 0, 0}},
                            {"x_max", "x_min", {y * z, 0, 0}}}) {
-    const Folder folder;
+    const OwnFolder folder;
     const fs::path file = folder / "mesh.inp";
     springcheck(folder, fmt::format("mesh compression --size {},{},{} --cells 3,2,4 "
                                     "--out '{}'",
@@ -260,7 +246,7 @@ BOOST_AUTO_TEST_CASE(every_surface_of_the_mesh_file_takes_a_pressure) {
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_calculix_is_named) {
-  const Folder folder;
+  const OwnFolder folder;
   const fs::path file = folder / "mesh.inp";
   springcheck(folder,
               fmt::format("mesh compression --cells 1,1,2 --out '{}'", file.string()));
@@ -279,7 +265,7 @@ BOOST_AUTO_TEST_CASE(a_missing_calculix_is_named) {
 
 // Here it stops at a set that the mesh file does not have.
 BOOST_AUTO_TEST_CASE(a_failed_calculix_is_a_failure) {
-  const Folder folder;
+  const OwnFolder folder;
   const fs::path file = folder / "mesh.inp";
   springcheck(folder,
               fmt::format("mesh compression --cells 1,1,2 --out '{}'", file.string()));

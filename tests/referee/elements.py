@@ -10,10 +10,11 @@ from typing import Callable
 import laws
 import numpy as np
 from blocks import Block, gauss_gradients
+from energies import (Determinants, Volumes, linear_in_volume, logarithmic_volume,
+                      mean_edges)
 from laws import (IDENTITY, cauchy_born, deviator, kirchhoff_of_hencky, lattice_directions,
                   pull_of_springs, trace, transposed)
-from springs import (Determinants, Volumes, lame, linear_in_volume, logarithmic_volume,
-                     mean_edges)
+from springs import lame
 
 STEP = 1e-6  # of central differences, of F and of an edge
 

@@ -52,12 +52,12 @@ inline std::vector<Row> rows_of(const std::string& path) {
   return rows;
 }
 
-/// Of tests/referee/figures/TOPIC.csv.
+/// The rows of tests/referee/figures/TOPIC.csv.
 inline std::vector<Row> rows(const std::string& topic) {
   return rows_of("tests/referee/figures/" + topic + ".csv");
 }
 
-/// Of a topic whose columns are case, quantity and value.
+/// A figure of a topic whose columns are case, quantity and value.
 inline double figure(const std::string& topic, const std::string& of_case,
                      const std::string& quantity) {
   std::vector<double> found;

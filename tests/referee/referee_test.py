@@ -7,8 +7,9 @@ import unittest
 import elements
 import numpy as np
 from blocks import Block
+from energies import Stars, Volumes
 from figures import FOLDER
-from springs import Stars, Volumes, affine, lattice
+from springs import affine, lattice
 
 BLOCK = Block((0.03, 0.02, 0.02), (3, 2, 2))
 

@@ -6,7 +6,8 @@ import elements
 import numpy as np
 from blocks import (Block, equilibrium, plate_force, plate_torque, shifted, turned,
                     volume_change)
-from springs import Stars, affine, lattice
+from energies import Stars
+from springs import affine, lattice
 
 E = 1e4
 CUBE = Block((0.05, 0.05, 0.05), (10, 10, 10))

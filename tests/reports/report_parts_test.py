@@ -15,6 +15,7 @@ import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 import sections  # noqa: E402
 from bodies import far_apart  # noqa: E402
+from case_words import method_name  # noqa: E402
 from content import Section, file_name, paragraph, table, table_links  # noqa: E402
 from figures import error_parts  # noqa: E402
 from figures.cost import pareto_front  # noqa: E402
@@ -22,7 +23,6 @@ from matplotlib.colors import to_rgb  # noqa: E402
 from numbers_shown import data, formatted, significant, with_bar  # noqa: E402
 from program import springcheck  # noqa: E402
 from sections import laws  # noqa: E402
-from study import method_name  # noqa: E402
 from surface import edges_in_plane, outside  # noqa: E402
 
 

@@ -13,6 +13,7 @@ import methods  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 import study as study_module  # noqa: E402
+from case_words import case_text  # noqa: E402
 from program import springcheck  # noqa: E402
 from sections.failures import failing_sentences, failures  # noqa: E402
 from sections.summary import _force, against_print  # noqa: E402
@@ -88,8 +89,8 @@ class Further(unittest.TestCase):
         cases = cases_of({"density": 1000.0}, {"density": 1060.0}, {"nu": 0.3}, fem("stvk", "q1"))
         self.assertEqual(list(cases.further), ["density 1000", "density 1060", "", ""])
         self.assertEqual(
-            study_module.case_text(cases.iloc[1]),
-            study_module.case_text(cases.iloc[0]).replace("1000", "1060"),
+            case_text(cases.iloc[1]),
+            case_text(cases.iloc[0]).replace("1000", "1060"),
         )
         self.assertFalse(cases.is_repeated.any())
 

@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(states_that_do_not_follow_their_supports_end_the_path) {
   BOOST_TEST(found.load_fraction > reached - 2. / 1024);
 }
 
-// To the resolution asked for.
+// The loads are found to the resolution asked for.
 BOOST_AUTO_TEST_CASE(a_limit_point_and_a_bifurcation_are_told_apart) {
   const PathLimit turns_back = limit_of(with_limit_point(.25), 1.25);
   BOOST_TEST((turns_back.end == PathEnd::limit_point));

@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(strains_of_branches_are_means_over_the_past,
     }
 }
 
-// Where (1 - (1+x) exp(-x)) has lost its digits: 2 (r tau)^2 x^2/2 = gamma^2.
+// The formula (1 - (1+x) exp(-x)) has lost its digits here: 2 (r tau)^2 x^2/2 = gamma^2.
 BOOST_AUTO_TEST_CASE(a_branch_slower_than_the_ramp_has_all_its_strain,
                      *boost::unit_test::tolerance(1e-7)) {
   const BranchStrain branch = branch_strain_after_ramp(1e8, 0.01, 0.1, 0);

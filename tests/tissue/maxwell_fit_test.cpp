@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(any_number_of_branches_stays_near_the_law_at_faster_rates) 
     }
 }
 
-// On rates that no sample has, to 50 1/s and far beyond.
+// The rates are such as no sample has, to 50 1/s and far beyond.
 BOOST_AUTO_TEST_CASE(stress_rises_with_the_rate_and_near_the_law) {
   for (const Organ& organ : organs())
     for (const int branches : {3, 6, 12}) {
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(errors_are_the_model_s_deviations) {
   BOOST_TEST(std::abs(errors.loss - 0.1) < 0.055);
 }
 
-// Eight decades of time, with about one branch to each.
+// The range covers eight decades of time, with about one branch to each.
 BOOST_AUTO_TEST_CASE(more_branches_hold_over_a_wider_range) {
   const FitRange wide{.strains = {0.01, 0.3},
                       .rates = {1e-3, 10},

@@ -82,8 +82,9 @@ Eigen::Matrix<double, 6, 6> whole_tangent(const Solid& solid, double duration,
 
 }  // namespace
 
-// Central differences of 1e-5: 1e-10 times third derivatives, and 1e-11 of round-off.
-// Steps from a hundredth of the shortest relaxation time to some of the longest.
+// Central differences of 1e-5 have errors of 1e-10 times third derivatives, and of 1e-11
+// of round-off. The steps go from a hundredth of the shortest relaxation time to some of
+// the longest.
 BOOST_AUTO_TEST_CASE(the_tangent_is_the_stress_s_derivative) {
   for (const Organ& organ : organs())
     for (const double bulk_ratio : {2., 500.}) {
@@ -98,7 +99,8 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_the_stress_s_derivative) {
     }
 }
 
-// So that an equilibrium of a step is a minimum. Round-off.
+// The tangent is symmetric, so that an equilibrium of a step is a minimum. The tolerance
+// is round-off.
 BOOST_AUTO_TEST_CASE(put_together_it_is_symmetric) {
   for (const Organ& organ : organs()) {
     const Solid solid{fit_maxwell_model(organ.law).model, 50};
@@ -109,9 +111,9 @@ BOOST_AUTO_TEST_CASE(put_together_it_is_symmetric) {
   }
 }
 
-// At rest nothing has hardened: only what follows at once, G f of a branch less and the
-// dashpot more, and the volume, - M/3 of each strand that is stretched with it. p < 2
-// leaves M' infinite there, and no NaN.
+// At rest nothing has hardened. Only what follows at once resists: G f of a branch less
+// and the dashpot more, and the volume, - M/3 of each strand that is stretched with it. p
+// < 2 leaves M' infinite there, and no NaN.
 BOOST_AUTO_TEST_CASE(at_rest_only_what_follows_at_once_resists) {
   const Solid solid{{.elastic = {400, 300},
                      .branches = {{0.5, {100, 200}}},

@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(five_branches_take_36_doubles) {
   BOOST_TEST(state_size(5) == 36U);
 }
 
-// Round-off of 1000 steps.
+// The tolerance is round-off of 1000 steps.
 BOOST_AUTO_TEST_CASE(rest_stays_at_rest_without_stress) {
   std::vector<double> state(state_size(3));
   set_to_rest(state);
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(a_past_fades_whatever_the_step) {
   }
 }
 
-// With C^-1 held or straight in time the update is exact: one step or a thousand.
+// With C^-1 held or straight in time the update is exact, in one step or a thousand.
 BOOST_AUTO_TEST_CASE(one_long_step_is_many_short_ones_where_c_is_held) {
   ShearedPoint one(model), many(model);
   one.move(0, 0.5, 0.1, 10);
@@ -175,7 +175,8 @@ BOOST_AUTO_TEST_CASE(the_dashpot_is_of_first_order) {
   BOOST_TEST(std::abs(order - 1) < 0.05, "order " << order);
 }
 
-// The closed forms of simple shear at any strain, here to 3; second order in dt.
+// The stresses are the closed forms of simple shear at any strain, here to 3, to second
+// order in dt.
 BOOST_AUTO_TEST_CASE(simple_shear_is_that_of_the_branches) {
   for (const double rate : {0.1, 5.}) {
     const double expected = constant_rate_stress(model, 3, rate);

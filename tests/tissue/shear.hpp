@@ -11,12 +11,12 @@ inline SymmetricTensor sheared(double strain) {
   return {1, 1 + strain * strain, 1, 0, 0, strain};
 }
 
-/// (F S F^T)_xy of it; J is 1, and the volume's part adds nothing.
+/// (F S F^T)_xy of the stress; J is 1, and the volume's part adds nothing.
 inline double shear_stress_of(const PointStress& stress, double strain) {
   return stress.strands[5] + strain * stress.strands[1];
 }
 
-/// In simple shear any bulk modulus does; this one is that of nu = .499.
+/// A solid with the bulk modulus of nu = .499; in simple shear any would do.
 inline Solid sheared_solid(const MaxwellModel& model) {
   return {model, bulk_ratio_of(0.499)};
 }

@@ -47,7 +47,7 @@ double stress_as_it_stands(const BipowerLaw& law, const StrainHistory& history,
 
 }  // namespace
 
-// All by parts here, by closed forms there; quadrature to 1e-10.
+// The stress is computed by parts here, by closed forms there; quadrature is to 1e-10.
 BOOST_AUTO_TEST_CASE(ramps_and_holds_are_the_closed_forms,
                      *boost::unit_test::tolerance(1e-9)) {
   for (const Organ& organ : organs())
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(a_jump_is_the_ideal_step, *boost::unit_test::tolerance(1e-1
                ideal_step_stress(spleen, 0.6, time).total());
 }
 
-// K r/Gamma(2-n) {t^(1-n) - 2 (t-T)^(1-n)}: superposition of ramps.
+// The stress is K r/Gamma(2-n) {t^(1-n) - 2 (t-T)^(1-n)}, by superposition of ramps.
 BOOST_AUTO_TEST_CASE(linear_stresses_of_ramps_add_up,
                      *boost::unit_test::tolerance(1e-9)) {
   const auto [K, n, limit, p] = linear;
@@ -160,9 +160,9 @@ BOOST_AUTO_TEST_CASE(what_is_no_history_is_refused) {
   refuses({{1}, {0.5}});  // the stress of a jump at its own time is infinite
 }
 
-// By the closed forms for ramps, and through a cycle by steps so small that the mean over
-// the past is summed as MaxwellModel defines it: rectangles of the middle, of second
-// order.
+// The stress is compared with the closed forms for ramps, and through a cycle with steps
+// so small that the mean over the past is summed as MaxwellModel defines it: by the
+// midpoint rule, which is of second order.
 BOOST_AUTO_TEST_CASE(branches_remember_any_history) {
   const MaxwellModel model{.elastic = {300, 200},
                            .branches = {{.02, {500, 900}}, {3, {400, 100}}},

@@ -18,9 +18,9 @@ struct TablePlan {
   std::function<Table(std::span<const CaseResult>, MeshStore&)> make;
   bool needs_fields = true;
 
-  // Of a table whose rows stand by themselves: how many of the requests belong to each
-  // row, its case and then its references; and the plan of some of its rows. Others are
-  // made of all results or not at all.
+  // For a table whose rows stand by themselves: how many of the requests belong to each
+  // row, its case and then its references; and the plan of some of its rows. Other tables
+  // are made of all results or not at all.
   std::vector<std::size_t> row_sizes{};
   std::function<TablePlan(const std::vector<std::size_t>& rows)> of_rows{};
 };

@@ -179,7 +179,7 @@ std::optional<ConvergedNumber> converged_load(std::span<const CaseResult> result
   return converged_number({settings(0), settings(1), settings(2)}, values);
 }
 
-/// In percent of the value.
+/// The error bound in percent of the value.
 Cell error_bound_cell(const std::optional<ConvergedNumber>& converged) {
   if (!converged) return {};
   return {100 * converged->error_bound / std::abs(converged->value)};

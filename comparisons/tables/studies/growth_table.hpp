@@ -16,8 +16,8 @@ namespace springcheck {
 Table growth_table(const std::vector<int>& across,
                    const std::vector<int>& across_directly, double most_seconds = 900);
 
-/// That of 10^3, 10^4, 10^5 and 10^6 cells, about, and for direct solvers up to 2 10^4;
-/// measured while the table is made.
+/// The plan of the growth table of 10^3, 10^4, 10^5 and 10^6 cells, about, and for direct
+/// solvers up to 2 10^4; it is measured while the table is made.
 TablePlan plan_growth_table();
 
 }  // namespace springcheck

@@ -79,7 +79,7 @@ std::optional<double> scaled(const std::optional<double>& value, double factor) 
   return value ? std::optional(factor * *value) : std::nullopt;
 }
 
-/// In percent of the converged reference, where that is not a difference itself.
+/// A part in percent of the converged reference, where that is not a difference itself.
 std::optional<double> percent(const std::optional<double>& part,
                               const SplitQuantity& quantity) {
   const bool is_force =

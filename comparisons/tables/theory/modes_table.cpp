@@ -30,7 +30,8 @@ struct SwingingBody {
   GivenSettings changes{};
 };
 
-/// On the tetrahedra there is room for the weak modes of elements averaged around nodes.
+/// The bodies of the table. On the tetrahedra there is room for the weak modes of
+/// elements averaged around nodes.
 const std::vector<SwingingBody>& bodies() {
   static const std::vector<SwingingBody> all{
       {"free cube", "compression", Hold::free, 30},

@@ -47,7 +47,7 @@ struct ComparisonRow {
   std::optional<double> ours{};             // in the unit of the quantity
   std::optional<double> difference{};       // ours - printed
   std::optional<double> reference_value{};  // the same quantity of the reference
-  // Of an extrapolated one, the order observed and the error bound:
+  // The observed order and the error bound of an extrapolated reference:
   std::optional<double> reference_order{}, reference_bar{};
   std::vector<std::optional<double>> further{};
 };
@@ -57,7 +57,8 @@ struct Comparison {
   std::vector<ComparisonRow> rows{};
 };
 
-/// Puts the results of each row's request and of its references, in this order, in.
+/// The comparison of a plan with the results of each row's request and of its references,
+/// in this order.
 Comparison compare(ComparisonPlan plan, std::span<const CaseResult> results);
 
 /// Every row names its reference, its status and the key of its case; a row without a
@@ -65,7 +66,8 @@ Comparison compare(ComparisonPlan plan, std::span<const CaseResult> results);
 /// law nearest to the thesis's finite elements, are from print.
 Table table_of(const Comparison& comparison);
 
-/// Its simulations, its rows each for itself, and table_of what is made of them.
+/// The plan of a comparison: its simulations, its rows each for itself, and table_of what
+/// is made of them.
 TablePlan table_plan(const ComparisonPlan& plan);
 
 }  // namespace springcheck

@@ -34,7 +34,7 @@ std::string reference_of(const CaseResult& result) {
   return result.request.reference ? reference_label(result.request) : "itself";
 }
 
-/// "nu 0, deformation 5 %, method mss-cf".
+/// The name of a row: "nu 0, deformation 5 %, method mss-cf".
 std::string row_name(const Comparison& comparison, const ComparisonRow& row) {
   std::string name;
   for (std::size_t i = 0; i < row.plan.labels.size(); ++i)
@@ -70,7 +70,8 @@ std::string worst_against_thesis(const Comparison& comparison,
       worst->plan.notes.empty() ? "" : ": see its notes in the table");
 }
 
-/// mss-cf against the thesis's own, and the law nearest to its FEM column.
+/// How far mss-cf is from the thesis's own, and from its FEM column the law nearest to
+/// that.
 std::string against_thesis(const Comparison& comparison) {
   std::string text = worst_against_thesis(comparison, "mss-cf");
   if (text.empty()) return "no printed figure of mss-cf to compare with";
@@ -116,7 +117,8 @@ Json json(const std::string& text) {
   return text.empty() ? Json() : Json(text);
 }
 
-/// What JSON tells besides, or by one word where tables to be read have several.
+/// What JSON tells besides the columns, or by one word where tables to be read have
+/// several.
 Json json_of(const ComparisonRow& row) {
   const CaseResult& result = row.result;
   Json flags = Json::array();

@@ -1,5 +1,7 @@
 #include "comparisons/tables/thesis/printed_figures.hpp"
 
+#include <array>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -16,6 +18,11 @@ Test test_named(const std::string& name) {
   throw std::logic_error("printed.csv: unknown test " + name);
 }
 
+std::vector<std::string> words_in(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
 }  // namespace
 
 std::vector<PrintedFigure> printed_figures(const std::string& table) {
@@ -28,10 +35,11 @@ std::vector<PrintedFigure> printed_figures(const std::string& table) {
       in_header = false;
       continue;
     }
-    std::array<std::string, 7> fields;
+    std::array<std::string, 9> fields;
     std::istringstream row(line);
     for (std::string& field : fields) std::getline(row, field, ',');
-    const auto& [name, test, method, nu, deformation, value, verdict] = fields;
+    const auto& [name, test, method, nu, deformation, value, verdict, notes,
+                 e_form_note] = fields;
     const Given amount = Given::from_text("printed.csv", deformation);
     if (name == table)
       figures.push_back({.test = test_named(test),
@@ -41,7 +49,9 @@ std::vector<PrintedFigure> printed_figures(const std::string& table) {
                              test == "torsion" ? Dimension::angle : Dimension::fraction),
                          .value = Given::from_text("printed.csv", value).finite_number(),
                          .text = value,
-                         .verdict = verdict});
+                         .verdict = verdict,
+                         .notes = words_in(notes),
+                         .e_form_note = e_form_note});
   }
   return figures;
 }

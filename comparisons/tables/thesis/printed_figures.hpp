@@ -16,6 +16,10 @@ struct PrintedFigure {
   double value;
   std::string text;     // the value as printed, with its digits
   std::string verdict;  // on instabilities: "yes", "no", or "" where none is printed
+  // Names of footnotes, see table_notes::text: of all rows made of the figure, or of
+  // those of one method, "mss-stvk:st-venants-volume"; and of a row of the E-forms.
+  std::vector<std::string> notes;
+  std::string e_form_note;
 };
 
 /// The figures of one table, in printed order.

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "comparisons/methods/methods.hpp"
@@ -13,69 +13,31 @@
 namespace springcheck {
 namespace {
 
-bool has(const std::vector<std::string_view>& names, std::string_view name) {
-  return std::ranges::find(names, name) != names.end();
-}
-
-/// A footnote of tables 5.1 to 5.4, and the rows that have it.
-struct NoteRule {
-  const char* note;
-  std::vector<std::string_view> methods;
-  std::vector<std::string_view> tables{};  // empty: all four
-  std::optional<double> nu{};
-  std::optional<bool> is_large{};   // of deformations above 10 %
-  bool has_young_form_too = false;  // which gets a row of its own
-
-  [[nodiscard]] bool holds(const std::string& table, const PrintedFigure& figure,
-                           const std::string& method) const {
-    return has(methods, method) && (tables.empty() || has(tables, table)) &&
-           (!nu || *nu == figure.nu) &&
-           (!is_large || *is_large == (figure.deformation > 0.1));
-  }
-};
-
 // The laws beside the FEM column.
-const std::vector<std::string_view> printed_laws{"fem-hencky", "fem-hooke", "fem-stvk"};
-const std::vector<std::string_view> of_st_venants_law{"fem-stvk", "mss-stvk",
-                                                      "mss-affine-stvk"};
+constexpr std::array<std::string_view, 3> printed_laws{"fem-hencky", "fem-hooke",
+                                                       "fem-stvk"};
 
-const std::vector<NoteRule>& note_rules() {
-  using namespace table_notes;
-  static const std::vector<NoteRule> all{
-      {fem_column, printed_laws},
-      {tension_mesh, printed_laws, {"5.2"}},
-      {small_strain, {"fem-hooke"}, {"5.4"}, {}, true},
-      {st_venants_volume, of_st_venants_law, {"5.1", "5.2"}, 0.499},
-      {table_notes::dynamics, {"mss-baudet", "mss-nfd", "mss-cf"}, {"5.3", "5.4"}},
-      {baudet, {"mss-baudet"}, {"5.3", "5.4"}},
-      {same_network, {"mss-baudet", "mss-nfd"}, {"5.1", "5.2"}, 0.25},
-      {no_compression, {"mss-nfd"}, {"5.1"}, 0, true},
-      {tension_nu_0, {"mss-cf", "mss-nfd"}, {"5.2"}, 0, false},
-      {no_tension, {"mss-cf", "mss-nfd"}, {"5.2"}, 0, true},
-      {young_form, {"mss-cf"}, {"5.1"}, 0, {}, true},
-      {young_form_wrinkles, {"mss-nfd"}, {"5.1"}, 0, {}, true}};
-  return all;
-}
-
-std::vector<std::string> notes_of(const std::string& table, const PrintedFigure& figure,
-                                  const std::string& method) {
+/// Footnotes of the figure for a row of the method: those that name it, and where the row
+/// is the figure's own those of all methods.
+std::vector<std::string> notes_of(const PrintedFigure& figure, std::string_view method,
+                                  bool is_own) {
   std::vector<std::string> notes;
-  for (const NoteRule& rule : note_rules())
-    if (rule.holds(table, figure, method)) notes.emplace_back(rule.note);
+  for (const std::string_view note : figure.notes) {
+    const std::size_t colon = note.find(':');
+    if (colon == note.npos ? is_own : note.substr(0, colon) == method)
+      notes.emplace_back(table_notes::text(note.substr(colon + 1)));
+  }
   return notes;
 }
 
 /// The row of a method, and that of its E-form where the printed value needs it.
-void add_rows(std::vector<PlannedRow>& rows, const std::string& table,
-              const PrintedFigure& figure, const std::string& method,
-              const Reference& reference) {
+void add_rows(std::vector<PlannedRow>& rows, const PrintedFigure& figure,
+              const std::string& method, const Reference& reference) {
   rows.push_back(row_of(figure, method, {}, reference));
-  rows.back().notes = notes_of(table, figure, method);
-  for (const NoteRule& rule : note_rules()) {
-    if (!rule.has_young_form_too || !rule.holds(table, figure, method)) continue;
-    rows.push_back(row_of(figure, method, {{"stiffness-form", "E"}}, reference));
-    rows.back().notes.emplace_back(rule.note);
-  }
+  rows.back().notes = notes_of(figure, method, true);
+  if (figure.e_form_note.empty()) return;
+  rows.push_back(row_of(figure, method, {{"stiffness-form", "E"}}, reference));
+  rows.back().notes.emplace_back(table_notes::text(figure.e_form_note));
 }
 
 /// What rows of a method that is not in the thesis are compared with: what was asked for,
@@ -123,7 +85,7 @@ PlannedRow row_of(const PrintedFigure& figure, const std::string& method,
   return row;
 }
 
-void add_unprinted(std::vector<PlannedRow>& rows, const std::string& table,
+void add_unprinted(std::vector<PlannedRow>& rows,
                    const std::vector<PrintedFigure>& figures, std::size_t i,
                    const Reference& asked) {
   if (!is_last_of_load(figures, i)) return;
@@ -135,7 +97,7 @@ void add_unprinted(std::vector<PlannedRow>& rows, const std::string& table,
       row.printed.reset();
       row.printed_text.clear();
       row.verdict.clear();
-      row.notes = notes_of(table, figure, method.name);
+      row.notes = notes_of(figure, method.name, false);
       rows.push_back(std::move(row));
     }
   }
@@ -149,10 +111,10 @@ std::vector<PlannedRow> printed_rows(const std::string& table,
     const PrintedFigure& figure = figures[i];
     if (figure.method == "fem")
       for (const std::string_view law : printed_laws)
-        add_rows(rows, table, figure, std::string(law), reference);
+        add_rows(rows, figure, std::string(law), reference);
     else
-      add_rows(rows, table, figure, figure.method, reference);
-    add_unprinted(rows, table, figures, i, reference);
+      add_rows(rows, figure, figure.method, reference);
+    add_unprinted(rows, figures, i, reference);
   }
   return rows;
 }

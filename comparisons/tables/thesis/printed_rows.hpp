@@ -11,7 +11,8 @@
 
 namespace springcheck {
 
-/// Of deviations and of the values beside ours; none: the default of requests().
+/// The reference of deviations and of the values beside ours; none: the default of
+/// requests().
 using Reference = std::optional<ReferenceMethod>;
 
 /// The only request of the scene with those changes.
@@ -25,7 +26,7 @@ PlannedRow row_of(const PrintedFigure& figure, const std::string& method,
 /// Appends rows of the methods that are not in the thesis, under the load of the i-th
 /// figure of a table, where the figures print another load after it: those of one load
 /// follow each other.
-void add_unprinted(std::vector<PlannedRow>& rows, const std::string& table,
+void add_unprinted(std::vector<PlannedRow>& rows,
                    const std::vector<PrintedFigure>& figures, std::size_t i,
                    const Reference& asked);
 

@@ -73,7 +73,7 @@ ComparisonPlan plan_deviation(const Reference& reference) {
   for (std::size_t i = 0; i < figures.size(); ++i) {
     std::vector<PlannedRow> rows{row_of(figures[i], figures[i].method, {}, reference)};
     rows.front().notes.emplace_back(table_notes::deviation);
-    add_unprinted(rows, "deviation", figures, i, reference);
+    add_unprinted(rows, figures, i, reference);
     for (PlannedRow& row : rows)
       row.labels.insert(row.labels.begin(), std::string(name_of(figures[i].test)));
     plan.rows.insert(plan.rows.end(), rows.begin(), rows.end());

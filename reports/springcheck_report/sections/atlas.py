@@ -1,12 +1,12 @@
 """The stability atlas: maps of how methods fail over two settings."""
 
 import numpy as np
+from case_words import counts_text, load_text, mesh_text
 from content import Figure, Section, file_name, paragraph, table
 from figures import failure_maps
 from markupsafe import Markup
 from numbers_shown import data, revision_text, significant
 from sections.atlas_theory import theory_on
-from study import counts_text, load_text, mesh_text
 
 _MOST_MAPS = 24
 _MOST_ROWS = 120

@@ -2,10 +2,10 @@
 
 import methods
 import numpy as np
+from case_words import counts_text, is_variant
 from content import Figure
 from figures import beams
 from method_style import NEUTRAL, line, shades
-from study import counts_text, is_variant
 
 
 def beams_against_theory(study):

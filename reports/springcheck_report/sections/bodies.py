@@ -4,6 +4,7 @@ import bodies
 import measures
 import methods
 import numpy as np
+from case_words import is_variant
 from content import Figure, Section, Viewer, measured_number, paragraph, table
 from figures import bodies as body_figures
 from markupsafe import Markup
@@ -11,7 +12,6 @@ from numbers_shown import significant
 from sections.beams import beams_against_theory, diagonal_ratio_beams
 from sections.cross_sections import cross_section
 from sections.slices import explorer_links
-from study import is_variant
 from surface import outside
 
 _TESTS = {

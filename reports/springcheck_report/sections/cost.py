@@ -2,9 +2,9 @@
 
 import measures
 import numpy as np
+from case_words import is_variant
 from content import Figure, Section, paragraph
 from figures import cost as cost_figures
-from study import is_variant
 
 
 def cost(study):

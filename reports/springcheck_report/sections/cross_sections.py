@@ -2,9 +2,9 @@
 
 import methods
 import numpy as np
+from case_words import is_variant
 from content import Figure
 from figures import cross_sections
-from study import is_variant
 from surface import edges_in_plane
 
 

@@ -1,11 +1,11 @@
 """Where methods fail."""
 
 import numpy as np
+from case_words import case_text, is_variant
 from content import Figure, Section, bullets, paragraph, table
 from figures import statuses
 from markupsafe import Markup
 from numbers_shown import significant
-from study import case_text, is_variant
 
 _WORDS = {
     "wrinkled": "wrinkles: free faces zigzag from cell to cell",

@@ -4,10 +4,10 @@ import json
 
 import measures
 import numpy as np
+from case_words import case_text, counts_text, is_variant, method_name
 from content import Figure
 from figures import curves
 from method_style import colour, shades
-from study import case_text, counts_text, is_variant, method_name
 
 _MOST_CURVES = 8
 _DASHES = ["-", "--", ":", "-."]

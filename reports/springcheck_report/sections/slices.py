@@ -1,8 +1,9 @@
 """Cases along one setting, all others the same, and the explorer's view of them."""
 
+from case_words import is_variant
 from content import paragraph
 from markupsafe import Markup
-from study import is_variant, problem_columns
+from study import problem_columns
 
 _MOST = 2  # the rest is in the explorer
 

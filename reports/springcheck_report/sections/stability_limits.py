@@ -2,12 +2,12 @@
 
 import methods
 import numpy as np
+from case_words import case_text, mesh_text, method_name
 from content import Figure, Section, paragraph, table
 from figures import curves
 from markupsafe import Markup
 from method_style import line
 from numbers_shown import data, significant
-from study import case_text, mesh_text, method_name
 
 _MOST_ROWS = 200
 _BY = {

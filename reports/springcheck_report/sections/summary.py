@@ -5,13 +5,14 @@ from operator import itemgetter
 import measures
 import methods
 import pandas as pd
+from case_words import case_text, is_variant
 from content import Section, bullets, columns, measured_number, paragraph, table
 from markupsafe import Markup
 from numbers_shown import formatted, significant
 from sections.answers import answers
 from sections.failures import failing_sentences
 from sections.thesis_tables import relative_size
-from study import FAILED, case_text, is_variant
+from study import FAILED
 
 # From half a percent on, below which volumes do not change; 5 % and 0.05 rad are small.
 _LEAST, _SMALL = 0.005, 0.051

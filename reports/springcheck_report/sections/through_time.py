@@ -3,13 +3,14 @@
 import measures
 import methods
 import numpy as np
+from case_words import case_text, method_name
 from content import Figure, Section, document_blocks, measured_number, paragraph, table, tabled_number
 from figures import rows as row_figures
 from markupsafe import Markup
 from method_style import colour
 from numbers_shown import formatted
 from sections.histories import histories
-from study import USABLE, case_text, is_through_time, method_name
+from study import USABLE, is_through_time
 
 _MOST_ROWS = 200
 

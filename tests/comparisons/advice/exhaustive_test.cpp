@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
@@ -8,6 +7,7 @@
 
 #include "comparisons/advice/advise.hpp"
 #include "comparisons/advice/chart_measurements.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -34,11 +34,8 @@ constexpr double most_times_the_cheapest = 1.5;
 
 /// A result file of the test's own.
 struct File {
-  std::filesystem::path path = std::filesystem::temp_directory_path() /
-                               fmt::format("exhaustive-{}-{}.h5", getpid(), ++files);
-  static inline int files = 0;
-  File() { std::filesystem::remove(path); }
-  ~File() { std::filesystem::remove(path); }
+  OwnFolder folder;
+  std::filesystem::path path = folder / "charts.h5";
 };
 
 ChartPlan plan_of(const Scene& scene, double poisson_ratio, int truth_across) {
@@ -90,7 +87,7 @@ double cheapest_sound(const Wish& wish, const ChartPlan& plan, Measurements& mea
   return least;
 }
 
-/// Of the model on those cells, held against the limit of grids twice as fine.
+/// The error of the model on those cells against the limit of grids twice as fine.
 double error_by_finer_truth(const Wish& wish, ChartPlan plan,
                             const StoredChart::Point& place) {
   const File file;
@@ -119,7 +116,7 @@ double cost_of(const StoredChart::Point& place, const Wish& wish,
 /// Times mean something where nothing else runs.
 enum class Costs { told, judged };
 
-/// Each from an empty file: what another search measured is not to help.
+/// Checks each tolerance from an empty file: what another search measured is not to help.
 void check(const Scene& scene, double poisson_ratio,
            const std::vector<double>& tolerances, int truth_across, Costs costs) {
   const ChartPlan plan = plan_of(scene, poisson_ratio, truth_across);

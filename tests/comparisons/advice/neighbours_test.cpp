@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_truth_is_carried_by_what_one_grid_shows_in_both_scenes) {
   BOOST_TEST(carried.error_bounds.volume.value() == 0.002 + 0.0006 / (0.12 / 2),
              boost::test_tools::tolerance(1e-10));
   BOOST_TEST(carried.error_bounds.deviation.value() == 0.003);
-  // In bending the answer is what displacements are told by.
+  // In bending no displacement is imposed: the answer takes its place.
   BOOST_TEST(carried_truth(truth, chart, here, there, std::nullopt, 0.003).imposed == 13,
              round_off);
 }

@@ -91,10 +91,10 @@ BOOST_AUTO_TEST_CASE(a_frame_has_whole_steps_below_the_limit) {
   const auto frame = frame_of(chart.points[0], 0.02);
   BOOST_TEST(frame.value().steps == 23);  // .02/.0009 = 22.2
   BOOST_TEST(frame->dt == 0.02 / 23, round_off);
-  // 1000 steps in 1.1 s, the upper quartile, of which .1 s of set-up:
+  // The 1000 steps take 1.1 s, the upper quartile, of which .1 s is set-up.
   BOOST_TEST(frame->seconds() == 23 * 1e-3, round_off);
 
-  // More steps than an int holds.
+  // The frame takes more steps than an int holds.
   BOOST_TEST(frame_of(chart.points[0], 1e12).value().dt > 0.99 * 0.9e-3);
 
   Wish wish = force_within(0.3);

@@ -9,8 +9,8 @@
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "meshing/input_error.hpp"
-#include "tests/comparisons/own_folder.hpp"
 #include "tests/comparisons/settings.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -197,7 +197,8 @@ BOOST_AUTO_TEST_CASE(the_key_knows_the_mesh_by_its_content) {
   BOOST_TEST(key(file, "head") != key(file, "foot"));
 }
 
-// On other cells a converged reference is the regular grid's of hexahedra.
+// On cells other than a grid's the converged reference is that of the regular grid of
+// hexahedra.
 BOOST_AUTO_TEST_CASE(references_on_named_cells_are_grids_of_hexahedra) {
   const Request on_same =
       requests(

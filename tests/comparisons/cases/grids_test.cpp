@@ -43,8 +43,8 @@ BOOST_AUTO_TEST_CASE(trilinear_fields_are_interpolated_exactly) {
     BOOST_TEST((found[n] - field_at(mixed.nodes()[n])).norm() < 1e-13);
 }
 
-// Along axes with an even number of cells (x and y here) squares are met too, between the
-// nodes as well; along the others not.
+// Along axes with an even number of cells (x and y here) squares are interpolated exactly
+// too, between the nodes as well; along the others they are not.
 BOOST_AUTO_TEST_CASE(quadratic_fields_are_interpolated_exactly_on_pairs_of_cells) {
   const auto field_at = [](const Vector3& x) {
     const auto [a, b, c] = std::tuple(x.x() / 0.05, x.y() / 0.03, x.z() / 0.02);

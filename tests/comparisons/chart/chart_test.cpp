@@ -2,17 +2,13 @@
 
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "comparisons/chart/chart_json.hpp"
-#include "comparisons/chart/chart_run.hpp"
+#include "comparisons/chart/chart_models.hpp"
 #include "comparisons/chart/chart_tables.hpp"
 #include "comparisons/chart/claims.hpp"
 #include "comparisons/chart/pareto.hpp"
-#include "comparisons/methods/methods.hpp"
-#include "meshing/input_error.hpp"
 #include "tests/comparisons/chart/example_chart.hpp"
-#include "tests/comparisons/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -185,7 +181,7 @@ BOOST_AUTO_TEST_CASE(rivals_may_take_a_place_on_the_front) {
   BOOST_TEST((chart.rivals(4, measure, 0).empty()));
   BOOST_TEST((chart.rivals(8, measure, 0).empty()));
 
-  // A faster one, itself .9 % short of a place.
+  // A faster model is itself .9 % short of a place.
   ExampleChart close;
   close.add("mss-cf", 4, 1, 12, 0.002);            // 20 % off
   close.add("mss-affine", 4, 2, 11.982, 0.002);    // 19.82 %
@@ -194,87 +190,6 @@ BOOST_AUTO_TEST_CASE(rivals_may_take_a_place_on_the_front) {
   BOOST_TEST((three.front(kind, measure, 0) == std::vector<std::size_t>{0, 2}));
   BOOST_TEST((three.rivals(2, measure, 0) == std::vector<std::size_t>{1}));
   BOOST_TEST((three.rivals(0, measure, 0).empty()));
-}
-
-BOOST_AUTO_TEST_CASE(claims_are_of_springs_that_follow_no_other_law) {
-  ExampleChart example;
-  for (const char* springs : {"mss-hencky", "mss-stvk", "mss-cf"})
-    example.add(springs, 4, 1, 14, 0.002);
-  example.add("fem-stvk:q1-sri", 4, 2, 13, 0.002);
-  example.add("fem-hencky:q1-sri", 4, 2, 13, 0.002);
-  const Chart chart = evaluated(example.chart, example.cases);
-  std::set<std::size_t> claimed;
-  for (const Claim& claim : claims(chart)) claimed.insert(claim.springs);
-  BOOST_TEST((claimed == std::set<std::size_t>{1, 2}));
-}
-
-BOOST_AUTO_TEST_CASE(claims_are_answered_by_quartiles_and_error_bounds) {
-  ExampleChart example;
-  example.add("mss-cf", 4, 1, 14, 0.002);           // 40 % off
-  example.add("fem-stvk:q1-sri", 4, 2, 13, 0.002);  // 30 %: closer by less than 12.5 %
-  example.add("fem-stvk:q1-sri", 2, 0.5, 13.5, 0.002);
-  const Chart chart = evaluated(example.chart, example.cases);
-  const std::vector<Claim> all = claims(chart);
-  BOOST_TEST_REQUIRE(all.size() == 3U);  // a measure each
-  const Claim& force = all[0];
-  BOOST_TEST((force.is_faster == Answer::yes));
-  BOOST_TEST((force.is_as_accurate == Answer::undecided));
-  BOOST_TEST(force.rival.value() == 2U);
-  BOOST_TEST((force.is_faster_at_equal_accuracy == Answer::no));
-  BOOST_TEST(
-      claim_text(chart, force) ==
-      "mss-cf on 4 across (1 s, 40 % off) is 2 times faster than fem-stvk:q1-sri on "
-      "4 across (2 s, 30 % off) and as far off, within 1 % or what the "
-      "converged solution is known to. "
-      "Not less accurate is fem-stvk:q1-sri on 2 across (0.5 s, 35 % off), 2 "
-      "times faster.");
-
-  example.cases.at("mss-cf4").measures.plate_force = 10.5;
-  example.chart.points[0].timing = around(2.1);
-  const Chart closer = evaluated(example.chart, example.cases);
-  const Claim claim = claims(closer).at(0);
-  BOOST_TEST((claim.is_faster == Answer::undecided));
-  BOOST_TEST((claim.is_as_accurate == Answer::yes));
-  BOOST_TEST(!claim.rival.has_value());
-  BOOST_TEST(claim_text(closer, claim)
-                 .ends_with("2.4 times closer. No finite elements of the chart are as "
-                            "accurate as it."));
-  BOOST_TEST((claim.is_faster_at_equal_accuracy == Answer::yes));
-
-  // Elements that were not run might have been.
-  example.add("fem-stvk:q2", 8, 1, 10, 0.002);
-  example.chart.points.back().timing.reset();
-  const Chart incomplete = evaluated(example.chart, example.cases);
-  const Claim open = claims(incomplete).at(0);
-  BOOST_TEST((open.is_faster_at_equal_accuracy == Answer::undecided));
-  BOOST_TEST(claim_text(incomplete, open).ends_with("; some of them were not run."));
-}
-
-BOOST_AUTO_TEST_CASE(elements_within_what_is_known_are_rivals) {
-  ExampleChart example;
-  example.add("mss-cf", 4, 1, 14, 0.002);
-  example.add("fem-stvk:q1-sri", 4, 0.5, 14.01, 0.002);
-  const Claim claim = claims(evaluated(example.chart, example.cases)).at(0);
-  BOOST_TEST((claim.is_as_accurate == Answer::undecided));
-  BOOST_TEST(claim.rival.value() == 1U);
-  BOOST_TEST((claim.is_faster_at_equal_accuracy == Answer::no));
-}
-
-BOOST_AUTO_TEST_CASE(errors_within_a_hundredth_are_equal) {
-  ExampleChart example;
-  example.add("mss-cf", 4, 1, 14, 0.00200);
-  example.add("fem-stvk:q1-sri", 4, 2, 14, 0.00199);
-  for (const char* key : {"mss-cf4 compared", "fem-stvk:q1-sri4 compared"})
-    example.cases.at(key).measures.reference_bar_l2_relative = 1e-9;
-  const auto deviation = [&] {
-    return claims(evaluated(example.chart, example.cases)).at(2);
-  };
-  BOOST_TEST((deviation().is_as_accurate == Answer::undecided));
-  example.cases.at("fem-stvk:q1-sri4 compared").measures.deviation_l2_relative = 0.0019;
-  BOOST_TEST((deviation().is_as_accurate == Answer::no));
-  // What the truth may be off on the elements' mesh counts too.
-  example.cases.at("fem-stvk:q1-sri4 compared").measures.reference_bar_l2_relative = 2e-4;
-  BOOST_TEST((deviation().is_as_accurate == Answer::undecided));
 }
 
 BOOST_AUTO_TEST_CASE(deviations_are_held_against_the_bar_of_their_own_mesh) {
@@ -291,7 +206,8 @@ BOOST_AUTO_TEST_CASE(deviations_are_held_against_the_bar_of_their_own_mesh) {
   BOOST_TEST((front["errors_told"] == nlohmann::ordered_json{0.002, 0.0005}));
 }
 
-// Of a method that this program does not have, as of one that is known.
+// The file may give the family of a method that this program does not have; that of one
+// that it has is known.
 BOOST_AUTO_TEST_CASE(the_family_of_a_point_is_the_files_or_else_its_methods) {
   ExampleChart example;
   example.add("mss-cf", 4, 2, 10, 0.002);
@@ -317,184 +233,6 @@ BOOST_AUTO_TEST_CASE(cells_across_are_cubes) {
   BOOST_TEST((cells_across({0.05, 0.05, 0.05}, 10) == Cells{10, 10, 10}));
   BOOST_TEST((cells_across({0.4, 0.4, 2.4}, 4) == Cells{4, 4, 24}));
   BOOST_TEST((cells_across({0.3, 0.1, 0.25}, 2) == Cells{6, 2, 5}));
-}
-
-// The foremost models first, the others added to the same chart.
-BOOST_AUTO_TEST_CASE(a_quick_chart_becomes_a_whole_one) {
-  const OwnFolder own;
-  const auto file = own.path / "chart.h5";
-  ChartPlan plan = quick_plan("compression", 1, 1);
-  plan.across = {2};
-  plan.truth_across = 1;
-  plan.repeat_for = 0.01;
-  const auto quick = chosen_models(plan.models, BodyShape::block);
-  for (const ChartModel& one : quick) {
-    BOOST_TEST((one.model.cells == CellType::hexahedron), name_of(one.model));
-    BOOST_TEST(one.model.linear_solver.empty(), name_of(one.model));
-    BOOST_TEST(find_method(one.model.method)->foremost > 0, name_of(one.model));
-  }
-  // Every family's foremost at rest: compared, whatever else is.
-  for (const Family family : {Family::springs, Family::finite_elements})
-    BOOST_TEST(std::ranges::count_if(quick, [&](const ChartModel& one) {
-                 return one.model.method == foremost(family).front()->name;
-               }) > 0);
-  const Chart first = make_chart(plan, file);
-  BOOST_TEST(first.truths.size() == 1u);
-  BOOST_TEST(first.points.size() == quick.size());
-  BOOST_TEST(charts_json({first})[0]["quick"] == true);
-
-  plan.models = ChartModels::all;
-  const Chart whole = make_chart(plan, file);
-  BOOST_TEST(whole.points.size() == chart_models().size());
-  BOOST_TEST(charts_json({whole})[0]["quick"] == false);
-  for (const ChartPoint& point : first.points) {
-    const auto same = std::ranges::find_if(whole.points, [&](const ChartPoint& other) {
-      return other.place.model == point.place.model;
-    });
-    BOOST_REQUIRE(same != whole.points.end());
-    BOOST_TEST((same->place.times == point.place.times));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_chart_is_measured_once_and_kept) {
-  const OwnFolder own;
-  const auto file = own.path / "chart.h5";
-  const ChartPlan plan{.scene = "compression",
-                       .options = {},
-                       .laws = truth_laws(),
-                       .across = {2},
-                       .threads = {1},
-                       .budget = 1,
-                       .repeat_for = 0.01,
-                       .jobs = 1,
-                       .retime = false,
-                       .least_models = 0,
-                       .truth_across = 1};
-  const Chart chart = make_chart(plan, file);
-  BOOST_TEST(chart.stored.law == "fem-stvk");
-  BOOST_TEST(chart.stored.imposed.value() == 0.05 * 0.05, round_off);
-  BOOST_TEST(chart.truths.size() == truth_laws().size());
-  BOOST_TEST(chart.points.size() == chart_models().size());
-  for (const ChartPoint& point : chart.points) {
-    BOOST_TEST_CONTEXT(name_of(point.place.model)) {
-      BOOST_TEST(point.is_ok());
-      BOOST_TEST(point.seconds().value() > 0);
-      BOOST_TEST(*point.place.setup < point.place.timing->maximum);
-      BOOST_TEST((point.place.timing->rounds == most_rounds ||
-                  point.place.timing->median > plan.repeat_for));
-      for (std::size_t i = 0; i < chart.truths.size(); ++i)
-        for (const ChartMeasure measure : all_values<ChartMeasure>())
-          BOOST_TEST(point.errors[i].of(measure).has_value());
-    }
-  }
-  // A law's own elements are closest to it where they are finest.
-  const auto q2 = [&](const std::string& model, const std::string& law) {
-    const auto found = std::ranges::find(
-        chart.points, model,
-        [](const ChartPoint& point) { return name_of(point.place.model); });
-    return found->errors.at(chart.truth_of(law).value()).force.value();
-  };
-  BOOST_TEST(q2("fem-stvk:q2", "fem-stvk") < q2("fem-stvk:q2", "fem-hencky"));
-  BOOST_TEST(q2("fem-hencky:q2", "fem-hencky") < q2("fem-stvk:q2", "fem-hencky"));
-
-  // All is there: the same times come back, from the file alone too.
-  const Chart again = make_chart(plan, file);
-  BOOST_TEST(charts_json({again}).dump() == charts_json({chart}).dump());
-  BOOST_TEST(charts_json(stored_charts(file, Revisions::own)).dump() ==
-             charts_json({chart}).dump());
-  for (const Table& table : chart_tables({chart})) {
-    BOOST_TEST(!table.rows.empty(), table.name);
-    for (const TableRow& row : table.rows)
-      BOOST_TEST(row.cells.size() == table.columns.size(), table.name);
-  }
-
-  // Further sizes join the points; those beyond the budget are kept without a time.
-  ChartPlan larger = plan;
-  larger.across = {4};
-  larger.budget = 1e-4;
-  const Chart grown = make_chart(larger, file);
-  BOOST_TEST(grown.points.size() == 2 * chart_models().size());
-  const auto left_out = std::ranges::count_if(grown.points, [](const ChartPoint& point) {
-    return !point.found && !point.place.timing;
-  });
-  BOOST_TEST(left_out > 0);
-
-  // The cheapest models at equilibrium get to the finest cells whatever the budget, and
-  // no more of them; a new time leaves none out again.
-  const auto reached = [](const Chart& all) {
-    std::set<std::string> models;
-    for (const ChartPoint& point : all.points)
-      if (point.place.kind == ChartKind::equilibrium && point.place.across == 4 &&
-          point.place.timing)
-        models.insert(name_of(point.place.model));
-    return models;
-  };
-  const std::set<std::string> within = reached(grown);
-  larger.least_models = static_cast<int>(within.size()) + 3;
-  const Chart before = make_chart(larger, file);
-  const std::set<std::string> beyond = reached(before);
-  BOOST_TEST(beyond.size() == within.size() + 3);
-  BOOST_TEST(std::ranges::includes(beyond, within));
-
-  // New times are of what had one, and of all of it.
-  larger.retime = true;
-  larger.least_models = 1000;
-  const Chart retimed = make_chart(larger, file);
-  BOOST_TEST((reached(retimed) == beyond));
-  BOOST_TEST_REQUIRE(retimed.points.size() == before.points.size());
-  for (std::size_t i = 0; i < before.points.size(); ++i) {
-    const StoredChart::Point &old = before.points[i].place,
-                             &now = retimed.points[i].place;
-    BOOST_TEST(now.key == old.key);
-    if (now.across == 4 && now.timing) BOOST_TEST((now.times != old.times));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(models_beyond_the_budget_are_of_different_names_and_never_fail) {
-  const OwnFolder own;
-  const ChartPlan plan{.scene = "compression",
-                       .options = {{"deformation", Given::from_text("test", "0.35")}},
-                       .laws = {},
-                       .across = {2, 3},
-                       .threads = {1},
-                       .budget = 1e-6,
-                       .repeat_for = 1e-6,
-                       .jobs = 1,
-                       .retime = false,
-                       .least_models = 1000,
-                       .truth_across = 1};
-  const Chart chart = make_chart(plan, own.path / "chart.h5");
-  std::map<std::string, int> timed;  // on 3 across, by what solvers share
-  std::set<std::string> failed;      // on 2
-  for (const ChartPoint& point : chart.points) {
-    if (point.place.kind != ChartKind::equilibrium || !point.place.timing) continue;
-    const std::string name = name_of(point.place.model);
-    if (point.place.across == 3) ++timed[name.substr(0, name.find(','))];
-    if (point.place.across == 2 && !point.is_ok()) failed.insert(name);
-  }
-  BOOST_TEST(timed.size() > 5U);
-  BOOST_TEST(!failed.empty());
-  for (const auto& [name, solvers] : timed) BOOST_TEST(solvers == 1, name);
-  for (const std::string& name : failed) BOOST_TEST(timed.count(name) == 0U, name);
-}
-
-BOOST_AUTO_TEST_CASE(scenes_without_an_answer_are_refused) {
-  const OwnFolder own;
-  ChartPlan plan{.scene = "",
-                 .options = {},
-                 .laws = {},
-                 .across = {2},
-                 .threads = {1},
-                 .budget = 1,
-                 .repeat_for = 1,
-                 .jobs = 1,
-                 .retime = false,
-                 .least_models = 0};
-  for (const char* scene : {"affine", "traction"}) {
-    plan.scene = scene;
-    BOOST_CHECK_THROW(make_chart(plan, own.path / "none.h5"), InputError);
-    BOOST_TEST(!std::filesystem::exists(own.path / "none.h5"));
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

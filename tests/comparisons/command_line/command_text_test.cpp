@@ -39,7 +39,7 @@ std::vector<Command> all_commands() {
   return commands;
 }
 
-/// Of "springcheck run compression | less", those of the first program.
+/// The words of the first program of an example: "springcheck run compression | less".
 std::vector<std::string> words_of(std::string_view example) {
   std::istringstream in{std::string(example.substr(0, example.find(" | ")))};
   std::vector<std::string> words;

@@ -16,7 +16,7 @@ std::string bytes_of(const std::vector<ParquetColumn>& columns) {
   return out.str();
 }
 
-/// Of hexadecimal digits, blanks between.
+/// The bytes that hexadecimal digits with blanks between them give.
 std::string bytes(std::string_view digits) {
   std::istringstream in{std::string(digits)};
   std::string all, two;
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_table_is_bytes_that_others_read) {
              "PAR1" + bytes(text_page + number_page + schema + rows + end) + "PAR1");
 }
 
-// More than fourteen columns and a long run take numbers of several bytes.
+// More than fourteen columns and a long run need numbers of several bytes.
 BOOST_AUTO_TEST_CASE(lists_and_runs_may_be_long) {
   std::vector<ParquetColumn> columns(20, {"x", std::vector<double>(1000, 1.)});
   const std::string all = bytes_of(columns);

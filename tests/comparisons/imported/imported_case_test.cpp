@@ -6,8 +6,8 @@
 #include "comparisons/imported/nodal_csv.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "tests/comparisons/imported/messages.hpp"
-#include "tests/comparisons/own_folder.hpp"
 #include "tests/comparisons/settings.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -36,9 +36,10 @@ std::vector<Vector3> affine_field(const Mesh& mesh, const Eigen::Matrix3d& gradi
 
 }  // namespace
 
-// In every test of the plates, beams, tractions and affine boundaries: what a method of
+// In every test of the plates, beams, tractions and affine boundaries, what a method of
 // ours computed has the same measures when another program computed it. The same
-// arithmetic on the same numbers, so bit by bit; the reference is deterministic.
+// arithmetic works on the same numbers, so they agree bit by bit; the reference is
+// deterministic.
 BOOST_AUTO_TEST_CASE(a_field_of_our_own_has_the_measures_it_had) {
   for (const char* scene : {"compression", "tension", "shearing", "torsion", "bending",
                             "uniaxial", "traction", "affine"}) {
@@ -146,14 +147,14 @@ BOOST_AUTO_TEST_CASE(detectors_judge_the_field) {
     return name_of(measured(run, {.displacements = field, .forces = {}}, meshes).status);
   };
   BOOST_TEST(status(u) == "ok");
-  // Free faces at x = 0: a zigzag of one cell's period along z, h/10 high.
+  // The free faces have a zigzag at x = 0 of one cell's period along z, h/10 high.
   std::vector<Vector3> zigzag = u, inside_out = u;
   for (NodeIndex n = 0; n < mesh.nodes().size(); ++n) {
     const Vector3& x = mesh.nodes()[n];
     const auto level = std::lround(x.z() / h);
     const bool is_inside = level > 0 && level < 6;
     if (is_inside && x.x() < h / 2) zigzag[n].x() += (level % 2 == 0 ? h : -h) / 10;
-    // One node inside pulled through the cells beside it.
+    // One node inside is pulled through the cells beside it.
     if ((x - Vector3::Constant(3 * h)).norm() < h / 2) inside_out[n].x() += 1.5 * h;
   }
   BOOST_TEST(status(zigzag) == "wrinkled");

@@ -4,10 +4,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include "comparisons/imported/nodal_csv.hpp"
-#include "comparisons/imported/node_finder.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "tests/comparisons/imported/messages.hpp"
-#include "tests/comparisons/own_folder.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -70,21 +69,6 @@ BOOST_AUTO_TEST_CASE(nodes_are_found_by_coordinates_to_a_millionth_of_an_edge) {
   BOOST_TEST(refusal(with_digits("6")) ==
              "mine.csv:3: point (0, 0, 6e-07): expected a node of the mesh, within 5e-07 "
              "m, got one that is 6e-07 m from the nearest, node 1 at (0, 0, 0)");
-}
-
-BOOST_AUTO_TEST_CASE(every_node_of_a_mesh_is_found_and_no_other_point) {
-  const Mesh fine = generate_block({.size = {0.05, 0.03, 0.02}, .cells = {10, 6, 4}});
-  const NodeFinder finder(fine);
-  BOOST_TEST(smallest_edge(fine) == 0.005, boost::test_tools::tolerance(1e-12));
-  for (NodeIndex n = 0; n < fine.nodes().size(); ++n)
-    for (const double off : {-0.9, 0., 0.9}) {
-      const Vector3 near =
-          fine.nodes()[n] + Vector3::Constant(off * finder.tolerance() / std::sqrt(3.));
-      BOOST_TEST((finder.at(near) == n));
-      BOOST_TEST(finder.nearest(near) == n);
-    }
-  BOOST_TEST(!finder.at({0.0025, 0, 0}).has_value());
-  BOOST_TEST(!finder.at({1e300, -1e300, 0}).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(nodes_without_a_force_have_none) {

@@ -11,7 +11,7 @@ namespace utf = boost::unit_test;
 BOOST_AUTO_TEST_SUITE(loads_test)
 
 // Half of a load is a load of its own: every measure is the one of a case that has it
-// whole. Against its direction as well. Round-off.
+// whole, against its direction as well. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(measures_are_of_the_load_that_was_reached) {
   constexpr double round_off = 1e-12;
   for (const std::string scene : {"compression", "tension", "shearing", "torsion",
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(measures_without_a_load_at_the_end) {
   BOOST_TEST(*m.mean_deviation == 0.);
   BOOST_TEST(!m.deviation_l2_relative.has_value());
 
-  // Of a path there is the length that it went, and the direction that it came from.
+  // A path has a length that it went, and a direction that it came from.
   CaseSettings path = settings;
   path.solver = Solver::verlet;
   path.dynamics.load = {{.time = 1, .fraction = -0.5}, {.time = 2, .fraction = 0}};

@@ -116,8 +116,8 @@ BOOST_AUTO_TEST_CASE(the_foremost_are_in_order) {
   BOOST_TEST(names_of(laws()) == "fem-hooke, fem-stvk, fem-hencky, fem-cauchy-born");
 }
 
-// In double precision every law has elements on tetrahedra; in single the kernels alone
-// step, which are for hexahedra.
+// In double precision every law has elements on tetrahedra; in single precision only the
+// kernels step, which are for hexahedra.
 BOOST_AUTO_TEST_CASE(elements_that_charts_move_are_those_of_the_cells) {
   using enum dynamics::Precision;
   const auto names = [](CellType cells, dynamics::Precision precision) {
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(a_law_that_springs_follow_is_one_of_finite_elements) {
   BOOST_TEST(followed_law(*find_method("mss-cf"), thesis_law()).name == "fem-hencky");
 }
 
-// Where a user may turn the correction off it is not there always.
+// The correction is not always there where a user may turn it off.
 BOOST_AUTO_TEST_CASE(a_volume_correction_is_in_the_network) {
   for (const Method& method : methods()) {
     if (!method.network) continue;
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(solvers_are_refused_that_an_entry_does_not_list) {
     }
 }
 
-// Words, not a status alone.
+// The refusal has words, not a status alone.
 BOOST_AUTO_TEST_CASE(a_refusal_says_why) {
   for (const Method& method : methods())
     for (const CellType cells : all_cell_types)

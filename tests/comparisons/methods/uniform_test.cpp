@@ -12,7 +12,7 @@ BOOST_AUTO_TEST_SUITE(uniform_test)
 
 namespace {
 
-/// Of a cube of 2^3 cells between sliding plates.
+/// The stress and contraction of a cube of 2^3 cells between sliding plates.
 struct Stretched {
   double stress;       // nominal, along the axis [Pa]
   double contraction;  // of its width

@@ -49,8 +49,8 @@ Eigen::VectorXd ritz(const SquareCantilever& b) {
 
 }  // namespace
 
-// b of the first three modes as tabulated: 1.87510407, 4.69409113, 7.85475744 squared
-// (Blevins 1979, table 8-1); digits as printed.
+// The values b of the first three modes are the tabulated 1.87510407, 4.69409113,
+// 7.85475744 squared (Blevins 1979, table 8-1), to the digits printed.
 BOOST_AUTO_TEST_CASE(euler_bernoulli_s_numbers_are_blevins_s, *utf::tolerance(1e-8)) {
   const double unit = std::sqrt(2e6 / 1000) * 0.4 / std::sqrt(12) / (2 * pi * 2.4 * 2.4);
   const double roots[] = {1.87510407, 4.69409113, 7.85475744};
@@ -59,8 +59,9 @@ BOOST_AUTO_TEST_CASE(euler_bernoulli_s_numbers_are_blevins_s, *utf::tolerance(1e
                roots[n - 1] * roots[n - 1] * unit);
 }
 
-// Against Ritz with powers up to the ninth, which is 1e-5 above for the third mode; and
-// a thin beam is Euler and Bernoulli's, to the order of (n a/L)^2.
+// The frequencies are compared with Ritz's with powers up to the ninth, which are 1e-5
+// above for the third mode. A thin beam is Euler and Bernoulli's, to the order of (n
+// a/L)^2.
 BOOST_AUTO_TEST_CASE(timoshenko_s_frequencies_are_ritz_s) {
   const Eigen::VectorXd expected = ritz(beam(0.4));
   for (int n = 1; n <= 3; ++n)

@@ -14,7 +14,7 @@ BOOST_AUTO_TEST_SUITE(suggestion_test)
 
 namespace {
 
-/// Each letter lost, doubled, and swapped with the next.
+/// The name with each letter lost, doubled, and swapped with the next.
 std::vector<std::string> misspellings(std::string_view name) {
   std::vector<std::string> all;
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -45,7 +45,8 @@ double share_of_right_ones(const std::vector<std::string_view>& names) {
 
 }  // namespace
 
-// More than a thousand of settings; of methods "mss-f" could be two, "mss-d" as well.
+// There are more than a thousand misspellings of settings. Of methods, "mss-f" could be
+// two, and "mss-d" as well.
 BOOST_AUTO_TEST_CASE(misspelt_names_lead_back) {
   BOOST_TEST(share_of_right_ones(setting_keys()) >= 0.95);
   std::vector<std::string_view> names;

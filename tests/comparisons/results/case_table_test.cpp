@@ -6,8 +6,8 @@
 
 #include "comparisons/results/result_file.hpp"
 #include "meshing/input_error.hpp"
-#include "tests/comparisons/own_folder.hpp"
 #include "tests/comparisons/settings.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -18,7 +18,7 @@ namespace {
 using Texts = std::vector<std::string>;
 using Numbers = std::vector<double>;
 
-/// At rest and through time, in a heavier body: cases that only settings tell apart.
+/// Cases that only settings tell apart: at rest, and through time in a heavier body.
 Columns four_cases() {
   const OwnFolder own;
   MeshStore meshes;

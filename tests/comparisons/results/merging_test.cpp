@@ -11,8 +11,8 @@
 #include "comparisons/store/overlay_file.hpp"
 #include "comparisons/system/blas.hpp"
 #include "comparisons/system/processor.hpp"
-#include "tests/comparisons/own_folder.hpp"
 #include "tests/comparisons/settings.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 namespace fs = std::filesystem;
@@ -105,8 +105,8 @@ BOOST_AUTO_TEST_CASE(merging_reads_beside_a_writer) {
   waitpid(child, nullptr, 0);
 }
 
-// As other processors and another BLAS make it: of the number itself, or of others that
-// cancel in it.
+// The rounding is such as other processors and another BLAS make: that of the number
+// itself, or of others that cancel in it.
 BOOST_AUTO_TEST_CASE(rounding_is_no_conflict_of_a_merge) {
   const OwnFolder own;
   MeshStore meshes;
@@ -125,7 +125,8 @@ BOOST_AUTO_TEST_CASE(rounding_is_no_conflict_of_a_merge) {
       absorbed.roundings[0]);
 }
 
-// By the measures that a sum may cancel against, not by those of another unit.
+// A number's rounding is told by the measures that a sum may cancel against, not by those
+// of another unit.
 BOOST_AUTO_TEST_CASE(rounding_is_told_by_the_measures_of_one_unit) {
   const OwnFolder own;
   const auto a = own.path / "a.h5", b = own.path / "b.h5";

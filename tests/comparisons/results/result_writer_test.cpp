@@ -3,8 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
-#include "tests/comparisons/own_folder.hpp"
 #include "tests/comparisons/settings.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 namespace fs = std::filesystem;

@@ -6,9 +6,10 @@
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/store/hdf5.hpp"
+#include "comparisons/store/stored_columns.hpp"
 #include "meshing/sha256.hpp"
-#include "tests/comparisons/own_folder.hpp"
 #include "tests/comparisons/settings.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 namespace fs = std::filesystem;
@@ -17,7 +18,7 @@ BOOST_AUTO_TEST_SUITE(revisions_test)
 
 namespace {
 
-/// Of two methods, with their reference.
+/// The results of two methods, with their reference.
 std::vector<CaseResult> two_results(MeshStore& meshes) {
   return run_study(
       requests(run_of("compression", {"cells=4,4,4", "method=mss-cf,fem-hooke"})), meshes,

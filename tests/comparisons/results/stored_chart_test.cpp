@@ -4,11 +4,11 @@
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/results/result_file.hpp"
-#include "comparisons/store/columns.hpp"
+#include "comparisons/store/stored_columns.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "meshing/input_error.hpp"
 #include "tests/comparisons/chart/example_chart.hpp"
-#include "tests/comparisons/own_folder.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(files_of_one_chart_give_all_its_points) {
   BOOST_TEST(truth.check->formal_order == 1.1);
   BOOST_TEST(truth.places_apart.value() == 0.02);
   BOOST_TEST((truth.has("t1") && truth.has("c") && !truth.has("mss-cf4")));
-  // As files have it that know no check.
+  // Files that know no check have none.
   BOOST_TEST(!charts[is_second ? 0 : 1].truths.at(0).check.has_value());
   BOOST_TEST_REQUIRE(both.points.size() == 3U);
   BOOST_TEST(both.points[0].key == "mss-cf4");

@@ -9,7 +9,7 @@
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/open_result_file.hpp"
 #include "meshing/input_error.hpp"
-#include "tests/comparisons/own_folder.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 

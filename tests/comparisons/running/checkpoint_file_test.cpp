@@ -15,8 +15,8 @@
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/lock_file.hpp"
 #include "meshing/input_error.hpp"
-#include "tests/comparisons/own_folder.hpp"
 #include "tests/comparisons/settings.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t nodes = 1000;
 
-/// Whose settings are no more than its name.
+/// A case whose settings are no more than its name.
 CheckpointOwner owner(const std::string& name) {
   return {.identity = "identity of " + name, .settings = {{"nu", 0.25}, {"scene", name}}};
 }
@@ -95,7 +95,7 @@ void check_same(const CaseCheckpoint& a, const CaseCheckpoint& b) {
   }
 }
 
-/// That reading is refused with a message that has all these parts.
+/// Expects that reading is refused with a message that has all these parts.
 void expect_refused(const fs::path& file, const std::string& key, std::size_t count,
                     const std::vector<std::string>& parts) {
   try {
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_is_read_as_it_was_written_to_the_bit) {
   BOOST_TEST(file_count(folder.path) == 1U);
 }
 
-// However often a program was killed in the middle of a save: one file is left, which the
+// However often a program was killed in the middle of a save, one file is left, which the
 // next save writes over.
 BOOST_AUTO_TEST_CASE(what_a_killed_save_left_is_written_over) {
   const OwnFolder folder;
@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_checkpoint_of_this_case_is_refused) {
   expect_refused(foreign, "ours", nodes, {"foreign.h5", "'layout'"});
 }
 
-// The same case, computed until then by other formulas: that must be asked for.
+// The case is the same, computed until then by other formulas: that must be asked for.
 BOOST_AUTO_TEST_CASE(a_checkpoint_of_another_revision_is_taken_when_asked_for) {
   const OwnFolder folder;
   const fs::path file = folder.path / "run.h5";

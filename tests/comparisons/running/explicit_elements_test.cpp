@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(histories_have_the_torques_of_the_end,
   }
 }
 
-// In 5 s with this drag the plate's force is .2 % off the equilibrium's (measured).
+// With this drag the plate's force is .2 % off the equilibrium's after 5 s (measured).
 BOOST_AUTO_TEST_CASE(their_measures_are_those_of_the_static_element,
                      *boost::unit_test::tolerance(5e-3)) {
   const CaseResult moved = simulated(explicit_case({"duration=5", "damping=.2"}));

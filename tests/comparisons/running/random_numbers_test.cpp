@@ -30,7 +30,7 @@ bool is_held() {
 
 }  // namespace
 
-/// In place of libc's in this whole process.
+/// Stands in place of libc's rand in this whole process.
 extern "C" int rand() noexcept {
   static const auto of_libc = reinterpret_cast<int (*)()>(dlsym(RTLD_NEXT, "rand"));
   if (draws++ < looked_at && !is_held()) ++draws_of_others;
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(direct_solvers_draw_alone) {
                                   "duration=1", "dt=1", "deformation=0.1%"}));
 }
 
-// Its products take no lock.
+// The products of multigrid take no lock.
 BOOST_AUTO_TEST_CASE(multigrid_draws_nothing) {
   (void)draws_alone("compression",
                     {"method=fem-hooke", "cells=12,12,12", "linear-solver=multigrid"});

@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(work_as_long_as_the_budget_runs_once) {
 BOOST_AUTO_TEST_CASE(larger_sizes_are_expected_to_grow_as_the_last_two_did) {
   BOOST_TEST(expected_seconds({}, 10) == 0);
   BOOST_TEST(expected_seconds({{10, 3}}, 20) == 6, boost::test_tools::tolerance(1e-12));
-  // From 1 to 5/2.
+  // The exponent expected is kept between 1 and 5/2.
   for (const auto& [exponent, expected] :
        {std::pair(1.5, 1.5), std::pair(0., 1.), std::pair(4., 2.5)})
     BOOST_TEST(expected_seconds({{1, 50}, {10, 1}, {40, std::pow(4, exponent)}}, 80) ==
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(rounds_count_together_and_by_their_medians) {
   const Timing timing = timing_of({{1, 2, 3}, {5}, {4, 4}});
   BOOST_TEST(timing.repetitions == 6);
   BOOST_TEST(timing.rounds == 3);
-  // Of 1, 1 + 1/12, ... 3, 25 times 5 and 25 times 4.
+  // The median is that of 1, 1 + 1/12, ... 3, 25 times 5 and 25 times 4.
   BOOST_TEST(timing.median == 4);
   BOOST_TEST(timing.lower_quartile == 1 + 18.5 / 12, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(timing.upper_quartile == 5);

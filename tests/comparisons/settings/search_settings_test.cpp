@@ -9,7 +9,8 @@ using namespace springcheck;
 
 BOOST_AUTO_TEST_SUITE(search_settings_test)
 
-// Nor have finite elements a solver that a case names; springs are what the case is.
+// Finite elements do not take the solver that the case names either; springs take what
+// the case has.
 BOOST_AUTO_TEST_CASE(elements_that_a_case_is_held_against_have_no_noise) {
   const auto reference = [](const std::string& name) {
     return requests(run_of("compression", {"method=mss-nfd", "reference=" + name,

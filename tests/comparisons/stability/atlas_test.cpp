@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "comparisons/stability/atlas_tables.hpp"
-#include "tests/comparisons/own_folder.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(steps_fail_from_their_limit_on) {
   }
 }
 
-// Along a deformation the path itself says where: no bisection of cases is needed.
+// Along a deformation the path itself gives the limit: no bisection of cases is needed.
 BOOST_AUTO_TEST_CASE(a_map_has_a_limit_for_every_column_and_method) {
   const AtlasPlan plan = plan_of("compression", {"deformation=1%:6%:3", "nu=0,0.25"},
                                  {{"cells", "6,6,6"}, {"method", "mss-cf,mss-nfd"}});
@@ -81,7 +81,8 @@ BOOST_AUTO_TEST_CASE(a_map_has_a_limit_for_every_column_and_method) {
              std::string::npos);
 }
 
-// Of finite elements too; with noise, which no path has, cases are bisected.
+// The paths of finite elements give limits too; with noise, which no path has, cases are
+// bisected.
 BOOST_AUTO_TEST_CASE(limits_of_elements_are_those_of_their_paths) {
   for (const bool has_noise : {false, true}) {
     const AtlasPlan plan = plan_of("compression", {"deformation=10%:50%:3"},

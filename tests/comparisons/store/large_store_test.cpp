@@ -1,10 +1,10 @@
 #include <boost/test/unit_test.hpp>
 #include <fstream>
 
-#include "comparisons/store/columns.hpp"
+#include "comparisons/store/stored_columns.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/overlay_file.hpp"
-#include "tests/comparisons/own_folder.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 namespace fs = std::filesystem;

@@ -7,8 +7,8 @@
 #include "comparisons/studies/split.hpp"
 #include "tests/comparisons/settings.hpp"
 
-// What a difference of two numbers converges to, by hand: at nu = 0, where the formal
-// order of q1-sri is 2. Tolerance: round-off.
+// What a difference of two numbers converges to is computed by hand at nu = 0, where the
+// formal order of q1-sri is 2. The tolerance is round-off.
 
 using namespace springcheck;
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double noise = 1e-8;
 
-/// Of a cube of 4, 8 and 16 cells.
+/// The grids of a cube of 4, 8 and 16 cells.
 ThreeCases grids() {
   return plan_split(case_of("compression", {"method=mss-cf", "nu=0", "cells=4,4,4"}),
                     *find_method("fem-hencky"))
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(a_small_last_change_is_no_convergence) {
   }
 }
 
-// By the order 1/2, of which (h2/h3)^p - 1 = sqrt(2) - 1.
+// The rest is that of the order 1/2, for which (h2/h3)^p - 1 = sqrt(2) - 1.
 BOOST_AUTO_TEST_CASE(changes_that_turn_back_or_grow_leave_the_finest_value) {
   const double rest = 1 / (std::sqrt(2.) - 1);
   const ConvergedNumber back = by_changes(1, -0.01);

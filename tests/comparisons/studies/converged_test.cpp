@@ -53,8 +53,9 @@ BOOST_AUTO_TEST_CASE(a_coarsest_grid_of_held_nodes_leaves_an_error_bound) {
   BOOST_TEST(result.measures.reference_bar_l2_relative.value() > 1e-3);
 }
 
-// Against a finer grid: the distance at the shared nodes and the volumes of the eight
-// fine cells in each coarse one, taken by hand. Exact: the same simulations.
+// Deviations from a finer grid are the distance at the shared nodes and the volumes of
+// the eight fine cells in each coarse one, taken by hand. They are exact: the simulations
+// are the same.
 BOOST_AUTO_TEST_CASE(deviations_from_a_finer_grid_are_taken_at_the_shared_nodes) {
   MeshStore meshes;
   const std::vector<std::string> changes{"method=fem-hencky", "deformation=.1"};
@@ -91,10 +92,10 @@ BOOST_AUTO_TEST_CASE(deviations_from_a_finer_grid_are_taken_at_the_shared_nodes)
              tolerance(1e-12));
 }
 
-// On cells that the coarsest grid does not refine. On the finest grid's own the case is
-// the reference itself, which is known no better for that: less well than at the coarsest
-// grid's nodes, which are farther from the plates' edges. Between the finest grid's nodes
-// the error bound of interpolation joins it, and covers what is seen there.
+// The case is on cells that the coarsest grid does not refine. On the finest grid's own
+// cells it is the reference itself, which is known no better for that: less well than at
+// the coarsest grid's nodes, which are farther from the plates' edges. Between the finest
+// grid's nodes the error bound of interpolation joins it, and covers what is seen there.
 BOOST_AUTO_TEST_CASE(on_other_cells_the_finest_grid_is_the_reference,
                      *boost::unit_test::label("slow")) {
   MeshStore meshes;
@@ -128,8 +129,9 @@ BOOST_AUTO_TEST_CASE(on_other_cells_the_finest_grid_is_the_reference,
 }
 
 // Under a traction deviations are divided by the reference's own face displacement, not
-// by one read off at the coarse nodes; with three grids, by what it converges to: beyond
-// the finest grid's, by less than the last change. Exact: the same simulations.
+// by one read off at the coarse nodes. With three grids they are divided by what it
+// converges to: beyond the finest grid's, by less than the last change. They are exact:
+// the simulations are the same.
 BOOST_AUTO_TEST_CASE(deviations_are_divided_by_the_reference_s_own_face_displacement) {
   MeshStore meshes;
   const std::vector<std::string> changes{"method=fem-hooke", "plates=glued",

@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(a_power_law_is_recovered_for_constant_and_changing_ratios,
       BOOST_TEST(*limit.order == p);
       BOOST_TEST(limit.value(0) == 2.);
       BOOST_TEST(limit.error_bound(0) == 2.25 * error);
-      // Below the formal order the observed one is taken, with more safety.
+      // Below the formal order the observed one is taken, with a larger safety factor.
       const Extrapolated slow = limit_of(h, q(h[0]), q(h[1]), q(h[2]), 1.3 * p);
       BOOST_TEST(slow.value(0) == 2.);
       BOOST_TEST(slow.error_bound(0) == 4 * error);
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(orders_out_of_range_are_replaced,
   BOOST_TEST(*slow.order == 0.4);
   BOOST_TEST(slow.value(0) == 10 - change - left);
   BOOST_TEST(slow.error_bound(0) == 4 * left);
-  // Of order .1, which is not observed, too.
+  // An order of .1, which does not count as observed, is taken for 1/2 too.
   const double slower = std::pow(2, -0.1);
   const Extrapolated crawls = limit_of({4, 2, 1}, 11, 10, 10 - slower);
   BOOST_TEST(!crawls.order.has_value());
@@ -187,7 +187,8 @@ BOOST_AUTO_TEST_CASE(limits_that_contradict_each_other_hold_both_intervals,
   BOOST_TEST(known.error_bound == 1.5);  // down to 9.5, where the other's ends
 }
 
-// Errors of C h^1.5 exactly: round-off. An error of zero has no logarithm.
+// The errors are C h^1.5 exactly, so that the tolerance is round-off. An error of zero
+// has no logarithm.
 BOOST_AUTO_TEST_CASE(fitted_order_is_the_exponent_of_a_power_law,
                      *boost::unit_test::tolerance(1e-12)) {
   const std::vector<double> sizes{0.5, 0.25, 0.1};
@@ -198,7 +199,7 @@ BOOST_AUTO_TEST_CASE(fitted_order_is_the_exponent_of_a_power_law,
   BOOST_TEST(!fitted_order(sizes, errors).has_value());
 }
 
-// Least squares of (0, 0), (1, 0), (2, 3) in logarithms: slope 3/2 by hand.
+// The least squares of (0, 0), (1, 0), (2, 3) in logarithms have the slope 3/2 by hand.
 BOOST_AUTO_TEST_CASE(fitted_order_is_the_least_squares_slope,
                      *boost::unit_test::tolerance(1e-12)) {
   const double e = std::exp(1.);

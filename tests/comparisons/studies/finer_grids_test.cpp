@@ -87,8 +87,8 @@ ConvergedNumber limit_of(const Quantity& quantity, const std::string& element,
                           quantity.formal_order);
 }
 
-/// By the order that three grids show, and 1.25 of what is then left on the finest: the
-/// rule of version 0.2.0.
+/// The limit by the order that three grids show, with 1.25 of what is then left on the
+/// finest as its error bound: the rule of version 0.2.0.
 ConvergedNumber by_observed_order(const std::array<double, 3>& values) {
   const double coarse_change = values[0] - values[1];
   const double fine_change = values[1] - values[2];
@@ -125,7 +125,7 @@ const std::array<Recorded, 4> table{{{"q1-sri", 4, {0.08, 6.7}, 0.11, {1.7, 5.4}
                                      {"q1-sri", 8, {0.03, 2.3}, 0.09, {2.0, 5.6}},
                                      {"q2", 4, {0.01, 7.7}, 0.11, {1.7, 8.0}}}};
 
-/// Within half a unit of the last printed digit.
+/// Whether a value is within half a unit of the last printed digit.
 bool is_printed(double value, double printed, double digit) {
   return std::abs(value - printed) <= 0.501 * digit;
 }

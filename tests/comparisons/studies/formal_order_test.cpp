@@ -20,8 +20,8 @@ double order_of(const char* scene, const std::vector<std::string>& changes) {
 
 }  // namespace
 
-// By hand: at nu = .3, k = 1.8, a = .7112 has 1.8 sin^2(64.0 deg) = 1.4542 and
-// 1.96 - a^2 = 1.4542. At 1/2 the equation is sin^2(a pi/2) = 1 - a^2.
+// By hand: at nu = .3 and k = 1.8, a = .7112 has 1.8 sin^2(64.0 deg) = 1.4542 and 1.96 -
+// a^2 = 1.4542. At 1/2 the equation is sin^2(a pi/2) = 1 - a^2.
 BOOST_AUTO_TEST_CASE(exponents_beside_a_clamped_edge) {
   BOOST_TEST(std::abs(clamped_edge_exponent(0.3) - 0.7112) < 5e-5);
   const double near_half = clamped_edge_exponent(0.5 - 1e-12);

@@ -27,7 +27,7 @@ CaseResult any_result_of(const std::string& scene, std::vector<std::string> chan
       .front();
 }
 
-/// Of a case that must be ok.
+/// The result of a case that must be ok.
 CaseResult result_of(const std::string& scene, const std::vector<std::string>& changes) {
   CaseResult result = any_result_of(scene, changes);
   BOOST_TEST_REQUIRE((result.status == Status::ok), name_of(result.status)
@@ -46,8 +46,8 @@ struct Law {
   std::function<double(double z, double nu)> volume_ratio;
 };
 
-// St-Venant-Kirchhoff: S = E e along the axis, e = (z^2 - 1)/2, and -nu e across it.
-// Hencky: Kirchhoff stress E ln z, and logarithmic strain -nu ln z across.
+// St-Venant-Kirchhoff has S = E e along the axis, e = (z^2 - 1)/2, and -nu e across it.
+// Hencky has the Kirchhoff stress E ln z, and the logarithmic strain -nu ln z across.
 const std::vector<Law> laws{
     {"fem-hooke", [](double z, double) { return E * (z - 1); },
      [](double z, double nu) { return z * std::pow(1 - nu * (z - 1), 2); }},
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(every_law_and_element_has_its_closed_form_in_uniaxial_stres
           }
 }
 
-// Nor do averages around nodes leave the homogeneous state of tetrahedra that are
+// Averages around nodes do not leave the homogeneous state of tetrahedra that are
 // pressed, near nu = 1/2 either.
 BOOST_AUTO_TEST_CASE(tetrahedra_averaged_around_nodes_stay_homogeneous,
                      *boost::unit_test::tolerance(1e-8)) {
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(tetrahedra_averaged_around_nodes_stay_homogeneous,
 }
 
 // Without plates that clamp it the lattice is its own continuum, whatever its springs.
-// mss-nfd and mss-baudet wrinkle when pressed: pulled here.
+// mss-nfd and mss-baudet wrinkle when pressed, and so are pulled here.
 BOOST_AUTO_TEST_CASE(springs_are_the_continuum_that_cauchy_born_takes_them_for,
                      *boost::unit_test::tolerance(1e-8)) {
   for (const std::string springs : {"mss-baudet", "mss-nfd", "mss-fd", "mss-cf",
@@ -124,8 +124,8 @@ BOOST_AUTO_TEST_CASE(springs_are_the_continuum_that_cauchy_born_takes_them_for,
     }
 }
 
-// Stress over E strain at -20 % along three directions of mss-cf's lattice. Scenes are
-// solved to 1e-8 of the force.
+// The stress over E strain is taken at -20 % along three directions of mss-cf's lattice.
+// Scenes are solved to 1e-8 of the force.
 BOOST_AUTO_TEST_CASE(lattice_is_not_isotropic_at_finite_strain,
                      *boost::unit_test::tolerance(1e-7)) {
   for (const std::string nu : {"0.25", "0.499"})
@@ -161,8 +161,8 @@ BOOST_AUTO_TEST_CASE(traction_on_a_sliding_body_is_the_inverse_of_uniaxial,
       }
 }
 
-// The glued plate holds against the load, and nothing else does. Bounded by the residual,
-// 1e-10 of the forces.
+// The glued plate holds against the load, and nothing else does. The error is bounded by
+// the residual, 1e-10 of the forces.
 BOOST_AUTO_TEST_CASE(glued_plate_holds_against_any_traction) {
   for (const char* method : {"mss-cf", "fem-hooke", "fem-stvk", "fem-hencky"})
     for (const char* element : {"q1-sri", "q2"}) {
@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(glued_plate_holds_against_any_traction) {
 }
 
 // Clapeyron's theorem: a dead traction's work, t.u A by the mean u of its face, is twice
-// what a linear body stores. Bounded by the residual, 1e-10 of the forces.
+// what a linear body stores. The error is bounded by the residual, 1e-10 of the forces.
 BOOST_AUTO_TEST_CASE(work_of_a_traction_is_twice_hooke_s_energy,
                      *boost::unit_test::tolerance(1e-9)) {
   for (const char* element : {"q1", "q1-sri", "q1-nodal", "q2"}) {
@@ -192,7 +192,8 @@ BOOST_AUTO_TEST_CASE(work_of_a_traction_is_twice_hooke_s_energy,
 }
 
 // The patch test of springs and elements at a gradient of any size, and P = F S of
-// St-Venant-Kirchhoff in closed form. Round-off, times the condition of the tangent.
+// St-Venant-Kirchhoff in closed form. The tolerance is round-off, times the condition of
+// the tangent.
 BOOST_AUTO_TEST_CASE(inside_follows_an_affine_boundary) {
   const std::string gradient = "gradient=.1,.04,-.03,.02,-.08,.05,-.01,.03,.06";
   for (const char* method : {"mss-baudet", "mss-fd", "mss-cf", "fem-hooke", "fem-stvk",

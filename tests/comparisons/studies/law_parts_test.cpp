@@ -98,7 +98,7 @@ SplitPlan plan_of(const Part& part) {
       *find_method(part.law));
 }
 
-/// Its name in the file.
+/// The grid's name in the file.
 std::string grid_of(const CaseSettings& settings) {
   return std::string(settings.elements.element.name) + " " +
          std::to_string(settings.body.block.cells[0]);
@@ -140,7 +140,7 @@ double known(const ByElementAndCells& values, double formal_order) {
   return fine + (fine - coarse) * rest_by_order(2, formal_order);
 }
 
-/// On so many cells across, twice and four times as many.
+/// The values on so many cells across, twice and four times as many.
 std::array<double, 3> on_grids(const ByElementAndCells& values,
                                const std::string& element, int coarsest) {
   const auto on = [&](int cells) {

@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(a_homogeneous_state_has_no_discretisation_part,
       BOOST_TEST(std::abs(*q.discretisation.value) < 1e-8);
       BOOST_TEST(std::abs(*q.law.value) > 1e-6);
     }
-  // Hencky: E ln z/z on the undeformed area; Cauchy-Born .906 E strain.
+  // Hencky's law has E ln z/z on the undeformed area, Cauchy-Born .906 E strain.
   const SplitQuantity& force = quantity(split, "plate_force");
   BOOST_TEST(*force.reference.converged.value == -10e3 * 0.0025 * std::log(0.8) / 0.8);
   BOOST_TEST(*force.law.value ==
@@ -187,7 +187,7 @@ BOOST_AUTO_TEST_CASE(parts_are_the_differences_of_what_is_shown) {
 
 // q1-sri: .1 + .08/4^k, limit .1 and error bound 2.25 * .005 (at nu = 0 the formal order
 // is 2); q2 the same for Cauchy-Born, but .2 and its own last change away for the law:
-// unresolved. Round-off.
+// unresolved. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(discretisations_that_disagree_beyond_their_bars_are_unresolved,
                      *boost::unit_test::tolerance(1e-9)) {
   const SplitPlan plan = plan_of("compression", {"cells=2,2,2", "method=mss-cf", "nu=0"});
@@ -210,7 +210,8 @@ BOOST_AUTO_TEST_CASE(discretisations_that_disagree_beyond_their_bars_are_unresol
   BOOST_TEST(*volume.cauchy_born.converged.error_bound == 2.25 * 0.005);
   BOOST_TEST(*volume.reference.converged.error_bound == 0.1);  // the disagreement
   BOOST_TEST(*volume.discretisation.value == 0.01);
-  // By q1-sri no difference between the laws, by q2 one of -.1: so much is not known.
+  // By q1-sri there is no difference between the laws, by q2 one of -.1: so much is not
+  // known.
   BOOST_TEST(*volume.law.value == 0.);
   BOOST_TEST(*volume.law.error_bound == 0.1);
   BOOST_TEST(*volume.cauchy_born.disagreement == 0.);
@@ -235,8 +236,8 @@ BOOST_AUTO_TEST_CASE(discretisations_that_disagree_beyond_their_bars_are_unresol
 }
 
 // Cauchy-Born .1 + .08/4^k and law .05 + .05/4^k by both elements: their difference is
-// .05 + .03/4^k, with an error bound of 4 * .001875, near the formal order
-// too: changes of differences show none for sure. Round-off.
+// .05 + .03/4^k, with an error bound of 4 * .001875, near the formal order too: changes
+// of differences show none for sure. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(the_bar_of_a_law_part_is_that_of_the_difference,
                      *boost::unit_test::tolerance(1e-9)) {
   const SplitPlan plan = plan_of("compression", {"cells=2,2,2", "method=mss-cf", "nu=0"});

@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(shared_simulations_run_once) {
   BOOST_TEST(results[0].key != results[1].key);
 }
 
-// The same numbers subtracted: bit by bit.
+// The same numbers are subtracted, so that they agree bit by bit.
 BOOST_AUTO_TEST_CASE(the_deviation_is_the_displacement_less_the_reference_s) {
   MeshStore meshes;
   std::vector<std::string> against_hooke = small;
@@ -182,8 +182,8 @@ BOOST_AUTO_TEST_CASE(too_many_cells_are_refused_before_allocating) {
   BOOST_CHECK_NO_THROW(check_memory("--cells", requests(run_of("compression", small))));
 }
 
-// However much memory there is: 2^31 entries are the most. 27 neighbours of a node of
-// q1, 64 on average of q2.
+// However much memory there is, 2^31 entries are the most. A node of q1 has 27
+// neighbours, one of q2 64 on average.
 BOOST_AUTO_TEST_CASE(matrices_that_solvers_cannot_count_are_refused) {
   const auto refusal = [](const std::string& method, int cells) -> std::string {
     const std::string n = std::to_string(cells);
@@ -210,8 +210,8 @@ BOOST_AUTO_TEST_CASE(matrices_that_solvers_cannot_count_are_refused) {
   BOOST_TEST(!is_counted("mss-cf", 207));
 }
 
-// Peaks as measured, within a tenth; of conjugate gradients by themselves no less, and
-// not more than by a half.
+// The estimates are within a tenth of the measured peaks; those of conjugate gradients by
+// themselves are no less, and not more by more than a half.
 BOOST_AUTO_TEST_CASE(the_estimate_is_of_the_linear_solver) {
   const auto gigabytes = [](const char* method, const char* nu, const char* cells,
                             const char* linear_solver) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "tests/comparisons/own_folder.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -74,7 +74,8 @@ BOOST_AUTO_TEST_CASE(groups_of_version_1_are_read) {
   BOOST_TEST(root.room() == 4500.);
 }
 
-// In a container the group's path is that outside, its files are the mount's.
+// In a container the group's path is the one outside, and its files are those of the
+// mount.
 BOOST_AUTO_TEST_CASE(a_container_s_own_group_is_found) {
   const Root root;
   root.put("proc/self/cgroup", "0::/docker/0123\n");

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// About sqrt(1/2), where the exponent changes, 1, and everything else.
+/// Numbers about sqrt(1/2), where the exponent changes, about 1, and everywhere else.
 std::vector<double> numbers() {
   std::vector<double> all{std::sqrt(0.5),
                           std::nextafter(std::sqrt(0.5), 0),

@@ -67,7 +67,7 @@ inline std::vector<double> even(int cells, double h) {
   return planes;
 }
 
-/// At distances that grow from h on.
+/// Planes at distances that grow from h on [m].
 inline std::vector<double> graded(int cells, double h) {
   std::vector<double> planes;
   for (int i = 0; i <= cells; ++i) planes.push_back(i * h * (1 + 0.02 * i));

@@ -25,7 +25,7 @@ BOOST_AUTO_TEST_CASE(loads_are_straight_between_their_points) {
   BOOST_TEST(pieces_passed(path, 8) == 3);
 }
 
-// To the bit, as loads grew before they had paths.
+// The ramp is, bit for bit, what loads were before they had paths.
 BOOST_AUTO_TEST_CASE(a_ramp_is_in_proportion_to_the_time) {
   const LoadPath path = ramp(0.3);
   for (const double time : {0., 0.1, 0.2, 0.3}) {

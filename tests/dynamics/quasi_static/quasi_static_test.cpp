@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(a_body_that_buckles_finds_the_stable_branch_and_tells_it) {
     BOOST_TEST(other.displacements[n].x() == solution.displacements[n].x());
 }
 
-// No stable state beside it: the path goes on as it is, and is judged.
+// There is no stable state beside it: the path goes on as it is, and is judged.
 BOOST_AUTO_TEST_CASE(an_equilibrium_without_a_stable_one_near_is_indefinite) {
   Pitchfork body(column(), 0);
   const Solution solution = solution_of(body, 1);
@@ -141,7 +141,8 @@ BOOST_AUTO_TEST_CASE(an_equilibrium_without_a_stable_one_near_is_indefinite) {
   for (const NodeIndex n : body.free()) BOOST_TEST(solution.displacements[n].x() == 0);
 }
 
-// To x = 2: no path leads there, however short the steps; they are halved to .0008.
+// The jump would be to x = 2: no path leads there, however short the steps; they are
+// halved to .0008.
 BOOST_AUTO_TEST_CASE(a_jump_to_another_branch_is_the_end_of_the_path) {
   Pitchfork body(column(), -1, .25);
   const Solution solution = solution_of(body, 1);

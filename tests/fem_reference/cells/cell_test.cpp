@@ -1,11 +1,13 @@
 #include "fem_reference/cells/cell.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <array>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <functional>
 
 #include "meshing/cell_geometry.hpp"
 #include "tests/fem_reference/bodies.hpp"
+#include "tests/fem_reference/cells/one_cell.hpp"
 #include "tests/fem_reference/laws.hpp"
 
 // One cell: its energy's derivatives, and what each place of the dilatation makes of it.
@@ -19,63 +21,6 @@ namespace {
 
 const auto round_off = boost::test_tools::tolerance(1e-12);
 
-constexpr std::array places{DilatationTaken::at_points, DilatationTaken::cell_mean,
-                            DilatationTaken::of_mean_gradient};
-constexpr double volume = edge * edge * edge;
-
-CellLaw cell_law(Law law, DilatationTaken taken, double nu = 0.3) {
-  return {.constitution =
-              constitution(of_poisson_ratio(nu), {.law = law, .element = Element::q1}),
-          .dilatation = taken};
-}
-
-/// A mesh's only cell, with a field at its nodes.
-struct OneCell {
-  OneCell(const Mesh& mesh, Element element) : body(discretise(mesh, element)) {}
-  [[nodiscard]] const Shape& shape() const { return *body.cells.front().shape; }
-  [[nodiscard]] CellVectors at_nodes(const Eigen::VectorXd& nodal_field) const {
-    return of_cell(nodal_field, body.cells.front());
-  }
-  [[nodiscard]] CellVectors at_nodes(
-      const std::function<Vector3(const Vector3&)>& field) const {
-    return at_nodes(nodal(body, field));
-  }
-  Discretisation body;
-};
-
-/// Nodes of a cell of no symmetry, with edges of about `edge` [m].
-std::vector<Vector3> corners_of_distorted(CellType type) {
-  std::vector<Vector3> x{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  switch (type) {
-    case CellType::tetrahedron:
-      x = {{0, 0, 0}, {1, 0, 0}, {0.5, 0.9, 0}, {0.5, 0.3, 0.8}};
-      break;
-    case CellType::pyramid:
-      x.emplace_back(0.5, 0.5, 0.7);
-      break;
-    case CellType::prism:
-      x = {{0, 0, 0}, {1, 0, 0}, {0.5, 0.9, 0}, {0, 0, 1}, {1, 0, 1}, {0.5, 0.9, 1}};
-      break;
-    case CellType::hexahedron:
-      for (int corner = 0; corner < 4; ++corner)
-        x.push_back(x[static_cast<std::size_t>(corner)] + Vector3::UnitZ());
-      break;
-  }
-  RandomVectors moved(0.15, 7);
-  for (Vector3& corner : x) corner = edge * (corner + moved());
-  return x;
-}
-
-Mesh mesh_of(const std::vector<Vector3>& nodes, const CellNodes& cell) {
-  return {"one cell", nodes, {cell}, {}};
-}
-
-Mesh distorted_cell(CellType type) {
-  CellNodes cell;
-  for (NodeIndex node = 0; node < node_count(type); ++node) cell.push_back(node);
-  return mesh_of(corners_of_distorted(type), cell);
-}
-
 /// A distorted cell of each type, and the triquadratic one.
 void for_all_cells(const std::function<void(const Mesh&, const OneCell&)>& test) {
   for (const CellType type : all_cell_types) BOOST_TEST_CONTEXT(name_of(type)) {
@@ -87,21 +32,15 @@ void for_all_cells(const std::function<void(const Mesh&, const OneCell&)>& test)
   test(mesh, {mesh, Element::q2});
 }
 
-/// u_x = c x z about the centre: H has c z at xx and c x at xz.
-constexpr double c = 6;  // 1/m, strains of up to .15
-Vector3 bent(const Vector3& X) {
-  return {c * (X.x() - edge / 2) * (X.z() - edge / 2), 0, 0};
-}
-
 Matrix3 rows(const CellVectors& a, const CellVectors& b) {
   return a * b.transpose();
 }
 
 }  // namespace
 
-// Along two random directions, at a random displacement. Errors as in laws.hpp: 1e-12 of
-// the moduli times derivatives by strains of up to 1; forces against stiffness times
-// displacement.
+// The derivatives are taken along two random directions, at a random displacement. Errors
+// are as in laws.hpp: 1e-12 of the moduli times derivatives by strains of up to 1; forces
+// are compared with stiffness times displacement.
 BOOST_AUTO_TEST_CASE(forces_and_tangent_are_derivatives_of_the_energy) {
   for_all_cells([](const Mesh&, const OneCell& cell) {
     const CellVectors u = cell.at_nodes(random_nodal(cell.body, 0.04 * edge));
@@ -128,8 +67,8 @@ BOOST_AUTO_TEST_CASE(forces_and_tangent_are_derivatives_of_the_energy) {
   });
 }
 
-// In an affine field all places see the same dilatation. Round-off: a pyramid's points
-// have 14 digits.
+// In an affine field all places see the same dilatation. The tolerance is round-off: a
+// pyramid's points have 14 digits.
 BOOST_AUTO_TEST_CASE(homogeneous_cell_has_the_laws_energy_wherever_dilatation_is_taken) {
   const Matrix3 H = general_gradient();
   for_all_cells([&](const Mesh& mesh, const OneCell& cell) {
@@ -156,8 +95,8 @@ BOOST_AUTO_TEST_CASE(homogeneous_cell_has_the_laws_energy_wherever_dilatation_is
   });
 }
 
-// No net force, and no torque about the deformed nodes (Hooke's: the undeformed).
-// Round-off.
+// The cell's forces have no net force, and no torque about the deformed nodes (Hooke's:
+// the undeformed). The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(cell_forces_balance) {
   for_all_cells([](const Mesh&, const OneCell& cell) {
     const CellVectors X = cell.at_nodes([](const Vector3& x) { return x; });
@@ -173,7 +112,8 @@ BOOST_AUTO_TEST_CASE(cell_forces_balance) {
   });
 }
 
-// A rigidly turned cell is free of force, and turns its forces along. Round-off.
+// A rigidly turned cell is free of force, and turns its forces along. The tolerance is
+// round-off.
 BOOST_AUTO_TEST_CASE(cell_forces_turn_along_with_the_cell) {
   const Matrix3 Q = rotation(2.3, {1, 3, -2});
   for_all_cells([&](const Mesh&, const OneCell& cell) {
@@ -191,7 +131,7 @@ BOOST_AUTO_TEST_CASE(cell_forces_turn_along_with_the_cell) {
   });
 }
 
-// At small strain: the stiffness has no zero modes but these. The next eigenvalue is some
+// At small strain the stiffness has no zero modes but these. The next eigenvalue is some
 // 1e-2 of the largest, rounding 1e-15 of it. (A triquadratic cell with a mean dilatation,
 // which no element is, would not resist the quadratic conformal maps.)
 BOOST_AUTO_TEST_CASE(only_rigid_motions_are_free_of_force) {
@@ -211,8 +151,8 @@ BOOST_AUTO_TEST_CASE(only_rigid_motions_are_free_of_force) {
 }
 
 // Which corner a cell begins with is nobody's choice: the energy is that of the nodes'
-// positions. Turned about the cell's axis, the names are again those of CellNodes.
-// Round-off.
+// positions. When the cell is turned about its axis, the names are again those of
+// CellNodes. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(energy_does_not_depend_on_the_corner_that_is_named_first,
                      *boost::unit_test::tolerance(1e-12)) {
   const struct {
@@ -235,7 +175,7 @@ BOOST_AUTO_TEST_CASE(energy_does_not_depend_on_the_corner_that_is_named_first,
   }
 }
 
-// The gradient is one in all of it: q1_sri is q1. Round-off.
+// The gradient is one in all of it: q1_sri is q1. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(tetrahedron_sees_one_dilatation_wherever_it_is_taken) {
   const OneCell cell(distorted_cell(CellType::tetrahedron), Element::q1);
   const CellVectors u = cell.at_nodes(random_nodal(cell.body, 0.04 * edge));
@@ -251,47 +191,6 @@ BOOST_AUTO_TEST_CASE(tetrahedron_sees_one_dilatation_wherever_it_is_taken) {
   }
 }
 
-// eps_xx = c z, eps_xz = c x/2 and int x^2 = int z^2 = h^5/12. The mean dilatation is
-// zero: a cell that takes one dilatation is spared K. Exact integrals: round-off.
-BOOST_AUTO_TEST_CASE(one_element_in_bending_has_its_closed_form_energy,
-                     *boost::unit_test::tolerance(1e-12)) {
-  const auto [lambda, mu] = lame_constants(of_poisson_ratio(0.3));
-  const double inertia = c * c * std::pow(edge, 5) / 12;
-  for (const Element element : elements) {
-    const OneCell cell(cube(1), element);
-    const auto energy_of = [&](DilatationTaken taken) {
-      return cell_state(cell_law(Law::hooke, taken), cell.shape(), cell.at_nodes(bent))
-          .energy;
-    };
-    BOOST_TEST(energy_of(DilatationTaken::at_points) ==
-               inertia * (1.5 * mu + lambda / 2));
-    BOOST_TEST(energy_of(DilatationTaken::cell_mean) == inertia * (1.5 * mu - mu / 3));
-    BOOST_TEST(energy_of(DilatationTaken::of_mean_gradient) ==
-               inertia * (1.5 * mu - mu / 3));
-  }
-}
-
-// A right prism on the half square x + y < h. There u_x = c x z about the centroid is of
-// the element's own kind, int x^2 dA = h^4/36 and int z^2 = h^3/12. Exact integrals:
-// round-off.
-BOOST_AUTO_TEST_CASE(one_prism_in_bending_has_its_closed_form_energy,
-                     *boost::unit_test::tolerance(1e-12)) {
-  const auto [lambda, mu] = lame_constants(of_poisson_ratio(0.3));
-  constexpr double h = edge;
-  const OneCell cell(
-      mesh_of({{0, 0, 0}, {h, 0, 0}, {0, h, 0}, {0, 0, h}, {h, 0, h}, {0, h, h}},
-              {0, 1, 2, 3, 4, 5}),
-      Element::q1);
-  const CellVectors u = cell.at_nodes([](const Vector3& X) -> Vector3 {
-    return {c * (X.x() - h / 3) * (X.z() - h / 2), 0, 0};
-  });
-  const CellState state =
-      cell_state(cell_law(Law::hooke, DilatationTaken::at_points), cell.shape(), u);
-  const double along_z = std::pow(h, 5) / 24, along_x = std::pow(h, 5) / 36;
-  BOOST_TEST(state.energy == c * c * ((mu + lambda / 2) * along_z + mu / 2 * along_x));
-  BOOST_TEST(gradient_square(cell.shape(), u) == c * c * (along_z + along_x));
-}
-
 BOOST_AUTO_TEST_CASE(cells_have_the_gauss_points_of_their_type) {
   const auto points = [](CellType type, Element element) {
     return OneCell(distorted_cell(type), element).shape().weights.size();
@@ -303,43 +202,8 @@ BOOST_AUTO_TEST_CASE(cells_have_the_gauss_points_of_their_type) {
   BOOST_TEST(points(CellType::hexahedron, Element::q2) == 27);
 }
 
-// det F = 1 + c z, smallest at the lower of the Gauss points z = +-h/(2 sqrt(3)) and 0 or
-// +-sqrt(3/5) h/2; int |H|^2 = c^2 int (x^2 + z^2), int det F = V. Round-off.
-BOOST_AUTO_TEST_CASE(cell_reports_the_smallest_jacobian_of_its_gauss_points,
-                     *boost::unit_test::tolerance(1e-12)) {
-  for (const Element element : elements) {
-    const OneCell cell(cube(1), element);
-    const CellState state = cell_state(cell_law(Law::hencky, DilatationTaken::at_points),
-                                       cell.shape(), cell.at_nodes(bent));
-    const double lowest = element == Element::q2 ? std::sqrt(0.6) : std::sqrt(1. / 3);
-    BOOST_TEST(state.smallest_jacobian == 1 - c * edge / 2 * lowest);
-    BOOST_TEST(gradient_square(cell.shape(), cell.at_nodes(bent)) ==
-               c * c * std::pow(edge, 5) / 6);
-    BOOST_TEST(deformed_volume(cell.shape(), cell.at_nodes(bent)) == volume);
-  }
-}
-
-// tr E = c z + c^2 (x^2 + z^2)/2: its mean is c^2 h^2/12, though the mean gradient is
-// zero. At the points of q2 (exact to fifth degree) its square gives the integral
-// c^2 h^2/12 + c^4/4 (h^4/40 + h^4/72) per volume. Round-off.
-BOOST_AUTO_TEST_CASE(st_venant_element_in_bending_tells_the_places_apart,
-                     *boost::unit_test::tolerance(1e-11)) {
-  const OneCell cell(cube(1), Element::q2);
-  const double K = young / (3 * (1 - 2 * 0.3)), s = c * c * edge * edge;
-  const auto energy_of = [&](DilatationTaken taken) {
-    return cell_state(cell_law(Law::st_venant_kirchhoff, taken), cell.shape(),
-                      cell.at_nodes(bent))
-        .energy;
-  };
-  const double shape_part = energy_of(DilatationTaken::of_mean_gradient);
-  BOOST_TEST(energy_of(DilatationTaken::cell_mean) - shape_part ==
-             volume * K / 2 * (s / 12) * (s / 12));
-  BOOST_TEST(energy_of(DilatationTaken::at_points) - shape_part ==
-             volume * K / 2 * (s / 12 + s * s / 4 * (1. / 40 + 1. / 72)));
-}
-
 // Hencky's energy of the cell's own volume: K/2 (ln V/V0)^2 V0, with the exact volume of
-// the deformed cell. The rest does not depend on K. Round-off.
+// the deformed cell. The rest does not depend on K. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(hencky_cell_knows_its_exact_volume,
                      *boost::unit_test::tolerance(1e-11)) {
   for (const CellType type : all_cell_types) {
@@ -361,7 +225,8 @@ BOOST_AUTO_TEST_CASE(hencky_cell_knows_its_exact_volume,
 }
 
 // Golec 2018, Eq. 5.19: V = X.(Y x Z) of the mean edge vectors is what the springs'
-// volume correction kappa/2 (V - V0)^2/V0 sees of a cubic cell. Round-off.
+// volume correction kappa/2 (V - V0)^2/V0 sees of a cubic cell. The tolerance is
+// round-off.
 BOOST_AUTO_TEST_CASE(cauchy_born_cell_sees_the_volume_of_its_mean_edges,
                      *boost::unit_test::tolerance(1e-11)) {
   const Mesh mesh = cube(1);

@@ -20,7 +20,7 @@ namespace {
 
 const auto round_off = boost::test_tools::tolerance(1e-12);
 
-/// Every element on irregular cells of every type, nodes in disorder.
+/// Calls the test with every element on irregular cells of every type, nodes in disorder.
 void for_all_bodies(const std::function<void(const Mesh&, const Discretisation&)>& test) {
   for (const CellPattern pattern : patterns) {
     const Mesh mesh = renumbered(warped_cube(3, pattern));
@@ -57,8 +57,8 @@ BOOST_AUTO_TEST_CASE(vertices_and_cells_keep_the_numbers_of_the_mesh) {
   });
 }
 
-// Both from exact integrals over bilinear faces: dV/dX_a = int grad N_a dV. Round-off: a
-// pyramid's points and weights have 14 digits.
+// Both follow from exact integrals over bilinear faces: dV/dX_a = int grad N_a dV. The
+// tolerance is round-off: a pyramid's points and weights have 14 digits.
 BOOST_AUTO_TEST_CASE(cells_have_the_exact_volume_and_its_exact_gradient) {
   for_all_bodies([](const Mesh& mesh, const Discretisation& body) {
     if (body.nodes.size() > body.vertices) return;  // other shape functions
@@ -98,8 +98,8 @@ BOOST_AUTO_TEST_CASE(triquadratic_nodes_lie_between_vertices) {
   BOOST_TEST(kinds[8] == 27);
 }
 
-// All fields of first degree, and the place X itself: of the Gauss points by values and
-// by gradients.
+// All fields of first degree, and the place X itself, are reproduced at the Gauss points
+// by values and by gradients.
 BOOST_AUTO_TEST_CASE(shape_functions_reproduce_affine_fields) {
   const Matrix3 H = general_gradient();
   for_all_bodies([&](const Mesh& mesh, const Discretisation& body) {
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(translated_cells_share_their_shape_and_others_do_not) {
   BOOST_TEST(body.cells.back().shape != body.cells.front().shape);
 }
 
-// As many shapes as a hexahedron is cut into, however many hexahedra there are.
+// There are as many shapes as a hexahedron is cut into, however many hexahedra there are.
 BOOST_AUTO_TEST_CASE(cells_of_a_regular_pattern_share_the_shapes_of_its_period) {
   for (const auto& [pattern, period] : {std::pair{CellPattern::prism, 2U},
                                         {CellPattern::pyramid, 6U},
@@ -175,8 +175,8 @@ BOOST_AUTO_TEST_CASE(cells_of_different_types_never_share_their_shape,
   BOOST_TEST(body.cells[1].shape->volume == 1. / 2);
 }
 
-// Weight of a warped body: total exact, and the same moments as the body itself, since
-// int sum_a N_a X_a dV = int X dV.
+// The weight of a warped body has the exact total, and the same moments as the body
+// itself, since int sum_a N_a X_a dV = int X dV.
 BOOST_AUTO_TEST_CASE(body_load_has_the_resultant_and_the_moment_of_its_density) {
   const Vector3 density(2, -3, 5);  // N/m^3
   for_all_bodies([&](const Mesh& mesh, const Discretisation& body) {
@@ -210,8 +210,8 @@ BOOST_AUTO_TEST_CASE(weight_acts_at_the_centre_of_a_distorted_cube) {
     }
 }
 
-// int N dA over a square face: a quarter of it at each corner for q1; 1/36 at corners,
-// 4/36 at edges' middles and 16/36 at the face's for q2.
+// int N dA over a square face is a quarter of it at each corner for q1; for q2 it is 1/36
+// at corners, 4/36 at edges' middles and 16/36 at the face's.
 BOOST_AUTO_TEST_CASE(traction_on_a_face_is_shared_out_consistently) {
   const Vector3 stress(7, 0, -11);  // Pa
   const Traction pull{.region = "top", .stress = stress};
@@ -232,8 +232,8 @@ BOOST_AUTO_TEST_CASE(traction_on_a_face_is_shared_out_consistently) {
   }
 }
 
-// On every side of the cube, of triangles, quadrilaterals or both: the force is the
-// stress times the area, and acts at the side's centre. Round-off.
+// On every side of the cube, of triangles, quadrilaterals or both, the force is the
+// stress times the area, and acts at the side's centre. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(traction_on_plane_sides_acts_at_their_centres) {
   const Vector3 stress(7, 5, -11);
   const std::map<std::string, Vector3> centres{
@@ -260,8 +260,8 @@ BOOST_AUTO_TEST_CASE(traction_on_plane_sides_acts_at_their_centres) {
     }
 }
 
-// On a side with curved faces: the area by the midpoint rule on the mesh's own bilinear
-// faces, exact to some 1e-4 (their area element is the root of a polynomial).
+// On a side with curved faces the area is found by the midpoint rule on the mesh's own
+// bilinear faces, exact to some 1e-4 (their area element is the root of a polynomial).
 BOOST_AUTO_TEST_CASE(traction_on_curved_sides_is_the_stress_times_the_area) {
   const Vector3 stress(7, 5, -11);
   const Mesh curved = warped_cube(3, CellPattern::hexahedron);

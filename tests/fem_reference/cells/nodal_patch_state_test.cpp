@@ -102,7 +102,8 @@ BOOST_AUTO_TEST_CASE(a_tetrahedron_alone_is_the_linear_element) {
                round_off);
 }
 
-// And of one cell that is no tetrahedron q1_sri's, whose mean dilatation is the cell's.
+// One cell that is no tetrahedron is the element q1_sri, whose mean dilatation is the
+// cell's.
 BOOST_AUTO_TEST_CASE(another_cell_alone_has_its_mean_dilatation) {
   for (const CellPattern pattern : {CellPattern::hexahedron, CellPattern::prism}) {
     const Mesh block = warped_cube(1, pattern);

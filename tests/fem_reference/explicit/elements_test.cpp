@@ -39,7 +39,8 @@ Eigen::Matrix3d some_gradient() {
 }  // namespace
 
 // Any homogeneous deformation is an equilibrium of the inner nodes, and by S = lambda
-// tr(E) I + 2 mu E the energy is the volume's times that of the law. Round-off.
+// tr(E) I + 2 mu E the energy is the volume's times that of the law. The tolerance is
+// round-off.
 BOOST_AUTO_TEST_CASE(affine_displacements_are_exact_on_any_hexahedra) {
   const Eigen::Matrix3d gradient = some_gradient();
   const Eigen::Matrix3d strain =
@@ -83,7 +84,8 @@ BOOST_AUTO_TEST_CASE(forces_turn_with_the_body) {
     }
 }
 
-// Central differences of the energy: the error of h^2 = 1e-10 of a quartic.
+// The forces are compared with central differences of the energy, whose error is the h^2
+// = 1e-10 of a quartic.
 BOOST_AUTO_TEST_CASE(forces_are_the_derivative_of_the_energy) {
   const Mesh mesh = distorted_cube(1, 0.2, Moved::all_nodes);
   const double step = 1e-5 * edge;
@@ -104,8 +106,8 @@ BOOST_AUTO_TEST_CASE(forces_are_the_derivative_of_the_energy) {
   }
 }
 
-// Of a single element's tangent six eigenvalues are zero, the rigid motions: hourglass
-// control leaves no other.
+// Six eigenvalues of a single element's tangent are zero, those of the rigid motions:
+// hourglass control leaves no other.
 BOOST_AUTO_TEST_CASE(only_rigid_motions_cost_nothing) {
   for (const Mesh& mesh : {cube(1), distorted_cube(1, 0.2, Moved::all_nodes)})
     for (const ExplicitElement element : explicit_elements) {
@@ -153,7 +155,7 @@ BOOST_AUTO_TEST_CASE(hourglass_modes_of_a_cube_have_their_energies,
 }
 
 // Both plates of a flat body hold all its nodes, in a state that is not homogeneous:
-// deal.II's reactions are the nodal forces of its element q1. Round-off.
+// deal.II's reactions are the nodal forces of its element q1. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(eight_points_are_the_implicit_solvers_q1) {
   const Mesh mesh = mapped(
       generate_block({.size = {edge, edge, edge / 3}, .cells = {3, 3, 1}}),

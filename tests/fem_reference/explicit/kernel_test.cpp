@@ -75,7 +75,7 @@ double difference(const Mesh& mesh, const Material& material, ExplicitElement el
 
 }  // namespace
 
-// Round-off of a few hundred operations in each type.
+// The tolerance is round-off of a few hundred operations in each type.
 BOOST_AUTO_TEST_CASE(kernels_equal_the_plain_loops) {
   on_meshes([](const Mesh& mesh, const std::string& name) {
     const Blocks blocks = blocks_of(mesh);
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(kernels_equal_the_plain_loops) {
   });
 }
 
-// Which of the two ways a block's nodes are read does not matter.
+// It does not matter in which of the two ways a block's nodes are read.
 BOOST_AUTO_TEST_CASE(cells_of_a_grid_need_no_grid) {
   const Mesh mesh = cube(8, CellPattern::hexahedron, 0.2);
   for (const ExplicitElement element : explicit_elements)

@@ -9,8 +9,8 @@
 #include "tests/fem_reference/laws.hpp"
 #include "tests/referee/figures.hpp"
 
-// That energies, stresses and tangents go together, the tests of all laws have: here, how
-// far these springs are from Hencky's law.
+// The tests of all laws check that energies, stresses and tangents go together; these
+// check how far the springs are from Hencky's law.
 
 using namespace springcheck;
 using namespace springcheck::fem_reference;
@@ -77,8 +77,8 @@ BOOST_AUTO_TEST_CASE(stress_is_as_far_off_henckys_as_the_referee_s) {
     }
 }
 
-// Springs of the thesis's lattice along one edge, compressed to .8: by hand the
-// function's value there.
+// Springs of the thesis's lattice along one edge are compressed to .8; the function's
+// value there is computed by hand.
 BOOST_AUTO_TEST_CASE(lattice_springs_have_the_fitted_function,
                      *boost::unit_test::tolerance(1e-13)) {
   const std::vector<SpringDirection> springs{{Eigen::Vector3d::UnitZ(), 2}};

@@ -31,9 +31,9 @@ double tangent_error(const Hencky& law, const Matrix3& H) {
 
 }  // namespace
 
-// A free bar of stretch l contracts by l^-nu; its Kirchhoff stress is E ln l, so
-// P = E ln l / l and psi = E/2 (ln l)^2: Hooke's law in logarithmic strain. Round-off, of
-// the moduli.
+// A free bar of stretch l contracts by l^-nu; its Kirchhoff stress is E ln l, so P = E ln
+// l / l and psi = E/2 (ln l)^2: Hooke's law in logarithmic strain. The tolerance is
+// round-off, of the moduli.
 BOOST_AUTO_TEST_CASE(bar_pulls_with_youngs_modulus_times_logarithmic_strain) {
   for (const double nu : poisson_ratios)
     for (const double l : {0.6, 0.8, 1.2, 1.7}) {
@@ -47,7 +47,8 @@ BOOST_AUTO_TEST_CASE(bar_pulls_with_youngs_modulus_times_logarithmic_strain) {
     }
 }
 
-// Kirchhoff stress 2 mu dev ln V + K ln J I, along the turned axes. Round-off.
+// Kirchhoff stress 2 mu dev ln V + K ln J I, along the turned axes. The tolerance is
+// round-off.
 BOOST_AUTO_TEST_CASE(kirchhoff_stress_is_linear_in_logarithmic_strain) {
   const Constitution law = hencky_at(0.3);
   const auto [lambda, mu] = lame_constants(of_poisson_ratio(0.3));
@@ -75,7 +76,7 @@ BOOST_AUTO_TEST_CASE(equal_stretches_need_no_case_of_their_own) {
 }
 
 // Where two stretches, or all three, differ by 1e-9, a plain quotient of differences
-// keeps seven digits; here the tangent matches differences of the stress as everywhere
+// keeps seven digits. Here the tangent matches differences of the stress as everywhere
 // else (laws.hpp: 1e-9 of the moduli at stretches of .7), and is that of equal stretches
 // to the 1e-9 by which the strain differs, times derivatives of the moduli of about 10.
 BOOST_AUTO_TEST_CASE(nearly_equal_stretches_lose_no_digits) {
@@ -95,7 +96,7 @@ BOOST_AUTO_TEST_CASE(nearly_equal_stretches_lose_no_digits) {
 }
 
 // F = diag(1, 1, 1 + e): P_zz = (lambda + 2 mu) ln(1 + e)/(1 + e), P_xx = lambda ln(1+e).
-// A strain of 1e-9 formed from F would keep seven digits. Round-off.
+// A strain of 1e-9 formed from F would keep seven digits. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(tiny_strains_keep_their_relative_accuracy,
                      *boost::unit_test::tolerance(1e-14)) {
   const Constitution law = hencky_at(0.3);

@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(dilatations_are_the_traces_and_the_jacobian,
   BOOST_TEST(volume_change(H).value == F.determinant() - 1);
 }
 
-// As for the stresses; log(1 + t) has derivatives of n!/(1 + t)^n.
+// The errors are as for the stresses; log(1 + t) has derivatives of n!/(1 + t)^n.
 BOOST_AUTO_TEST_CASE(volumetric_energies_have_their_derivatives) {
   for (const auto& [name, material, settings, law] : all_laws())
     for (const double t : {-0.3, -1e-3, 0., 0.4}) BOOST_TEST_CONTEXT(name << ", t " << t)
@@ -95,7 +95,8 @@ BOOST_AUTO_TEST_CASE(volumetric_energies_have_their_derivatives) {
       law);
 }
 
-// Round-off, of energies and stresses that are about a tenth of the moduli.
+// The tolerance is round-off, of energies and stresses that are about a tenth of the
+// moduli.
 BOOST_AUTO_TEST_CASE(energy_ignores_a_rotation_and_stress_turns_along) {
   for (const auto& [name, material, settings, law] : all_laws()) {
     if (settings.law == Law::hooke) continue;

@@ -53,8 +53,9 @@ BOOST_AUTO_TEST_CASE(steps_are_doubled_after_success) {
   BOOST_TEST(attempts[2].to == 1);
 }
 
-// After a failure half the size, as long as what failed is ahead; the smallest step is
-// of 1/1024 of the load, and tried twice: on stable states, then on any.
+// After a failure steps are of half the size as long as what failed is ahead. The
+// smallest step is of 1/1024 of the load, and is tried twice: on stable states, then on
+// any.
 BOOST_AUTO_TEST_CASE(steps_are_halved_after_failure) {
   const CapturedLog log;
   const Equilibrium found = Problem(3, st_venant, 0.25, -1.1).found();
@@ -100,7 +101,7 @@ BOOST_AUTO_TEST_CASE(steps_start_from_a_prediction) {
   }
 }
 
-// Tolerance: Newton's 1e-10 times the body's condition.
+// The tolerance is Newton's 1e-10 times the body's condition.
 BOOST_AUTO_TEST_CASE(steps_end_where_one_leap_would) {
   for (const Law law : {Law::st_venant_kirchhoff, Law::hencky, Law::cauchy_born}) {
     Problem problem(3, {.law = law, .element = Element::q1_sri}, 0.25, -0.2, 0.5);
@@ -114,8 +115,8 @@ BOOST_AUTO_TEST_CASE(steps_end_where_one_leap_would) {
   }
 }
 
-// dW/ds = sum r.du/ds: what the plates do is what the body stores. Errors of the
-// differences: Newton's 1e-10 over the step of 1e-2 of the motion.
+// dW/ds = sum r.du/ds: what the plates do is what the body stores. The errors of the
+// differences are Newton's 1e-10 over the step of 1e-2 of the motion.
 BOOST_AUTO_TEST_CASE(reactions_do_the_work_that_the_body_stores) {
   for (const Law law : laws)
     for (const Element element : elements)
@@ -177,7 +178,7 @@ BOOST_AUTO_TEST_CASE(a_path_ends_where_it_loses_stability_and_no_minimum_is_near
   BOOST_TEST(found.load_fraction < 1);
   BOOST_TEST(found.definite_up_to.value() == found.load_fraction);
 
-  // Up to there it is a minimum, and 2/1024 of the load further none is found.
+  // Up to there the state is a minimum, and 2/1024 of the load further none is found.
   const double at = found.load_fraction;
   for (const double factor : {0.5, 1., 1.01}) {
     const Equilibrium part =
@@ -230,7 +231,8 @@ BOOST_AUTO_TEST_CASE(a_turn_ends_where_the_path_does_whatever_the_load) {
              boost::test_tools::tolerance(.005));
 }
 
-// Plates driven through each other. The last state is that of the fraction reached.
+// The plates are driven through each other. The last state is that of the fraction
+// reached.
 BOOST_AUTO_TEST_CASE(giving_up_names_the_load_reached_and_what_steps_end_with) {
   Problem problem(3, st_venant, 0.25, -1.1);
   const Equilibrium found = problem.found();

@@ -126,7 +126,7 @@ Errors solved(int cells, CellPattern pattern, double nu, const Settings& setting
   statics::PotentialEnergy potential(elements, loading, statics::LinearSolver::direct);
   potential.set_load(1);
   std::mt19937_64 random(1);
-  // From the exact nodal values, the discrete solution is a few Newton steps away.
+  // The discrete solution is a few Newton steps away from the exact nodal values.
   const statics::Minimum found =
       statics::minimise(potential, exact, random, statics::Tangents::definite);
   BOOST_TEST_REQUIRE(found.found);

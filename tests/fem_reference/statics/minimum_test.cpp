@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(result_is_in_balance_with_the_load_on_its_supports) {
   BOOST_TEST((moved - problem.free_part(moved)).norm() == 0);
 }
 
-// St-Venant's cube at 45 %: indefinite. Asked for definite tangents, the search ends at
+// St-Venant's cube is indefinite at 45 %. Asked for definite tangents, the search ends at
 // once; allowed any, it falls until cells are inside out.
 BOOST_AUTO_TEST_CASE(indefinite_tangents_are_refused_or_gone_on_from_as_asked) {
   const Settings settings{.law = Law::st_venant_kirchhoff, .element = Element::q1_sri};
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_none_do_not_converge) {
   }
 }
 
-// Hencky's cube pulled at by dead loads far beyond what it bears.
+// Hencky's cube is pulled at by dead loads far beyond what it bears.
 BOOST_AUTO_TEST_CASE(hopeless_loads_run_away) {
   Problem problem(2, {.law = Law::hencky, .element = Element::q1}, 0.25, 0);
   for (Eigen::Index dof = 0; dof < problem.loading.forces.size(); dof += 3)

@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(a_free_body_has_six_rigid_modes_and_lumping_lowers_the_othe
     }
 }
 
-// At rest all laws are Hooke's: to round-off.
+// At rest all laws are Hooke's, to round-off.
 BOOST_AUTO_TEST_CASE(every_law_swings_alike_at_rest, *utf::tolerance(1e-7)) {
   Scene scene = free_body(0.3);
   scene.plates = {plate("bottom", all_components)};

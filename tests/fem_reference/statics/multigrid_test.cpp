@@ -27,8 +27,8 @@ Solution solved(const Mesh& mesh, const Scene& scene, const Settings& settings,
   return solve(mesh, scene, settings, {.linear_solver = solver});
 }
 
-/// Both solvers end in the same state, up to `band` of the largest displacement and
-/// reaction. Returns multigrid's.
+/// Checks that both solvers end in the same state, up to `band` of the largest
+/// displacement and reaction. Returns multigrid's solution.
 Solution check_same(const Mesh& mesh, const Scene& scene, const Settings& settings,
                     double band) {
   const Solution direct = solved(mesh, scene, settings, LinearSolver::direct),
@@ -80,7 +80,7 @@ struct Squeezed {
   [[nodiscard]] Eigen::VectorXd displacements(double strain) const {
     return nodal(body, [&](const Vector3& X) -> Vector3 {
       const double bulge = 0.25 * strain * (1 - std::pow(2 * X.z() / edge - 1, 2));
-      // Not quite square: no two eigenvalues are equal.
+      // The bulge is not quite square, so that no two eigenvalues are equal.
       return {bulge * (X.x() - edge / 2), 1.1 * bulge * (X.y() - edge / 2),
               -strain * X.z()};
     });
@@ -109,7 +109,8 @@ struct Squeezed {
 
 }  // namespace
 
-// Residuals of 1e-10 times the condition of these bodies, some 1e2 (1e4 at nu = .499).
+// The tolerances are residuals of 1e-10 times the condition of these bodies, some 1e2
+// (1e4 at nu = .499).
 BOOST_AUTO_TEST_CASE(multigrid_and_the_direct_solver_give_the_same_states) {
   const Scene squeezed = between_plates(material, {0.02 * edge, 0, -0.1 * edge}, 0.2);
   for (const Law law : {Law::hooke, Law::hencky})
@@ -119,8 +120,8 @@ BOOST_AUTO_TEST_CASE(multigrid_and_the_direct_solver_give_the_same_states) {
              {.law = Law::hooke, .element = Element::q1_sri}, 1e-6);
 }
 
-// Tetrahedra of a twelfth of a hexahedron's volume beside it, and elements that lock.
-// Residuals as above, condition up to 1e4.
+// The bodies have tetrahedra of a twelfth of a hexahedron's volume beside it, and
+// elements that lock. Residuals are as above, with a condition of up to 1e4.
 BOOST_AUTO_TEST_CASE(multigrid_solves_bodies_of_mixed_cells) {
   const Mesh mesh = cube(4, CellPattern::mixed, 0.2);
   for (const double nu : {0.25, 0.499})
@@ -143,8 +144,9 @@ BOOST_AUTO_TEST_CASE(multigrid_solves_bodies_under_traction) {
   check_same(cube(4), pulled, {.law = Law::hencky, .element = Element::q1_sri}, 1e-8);
 }
 
-// 3993 and 46,875 dofs: 11 and 12 iterations (up to 60^3 cells in large_test). A good
-// hierarchy needs the same number on all grids; less than 1.5 times is allowed.
+// The bodies have 3993 and 46,875 dofs, and take 11 and 12 iterations (up to 60^3 cells
+// in large_test). A good hierarchy needs the same number on all grids; less than 1.5
+// times is allowed.
 BOOST_AUTO_TEST_CASE(iterations_hardly_grow_with_the_number_of_cells) {
   const auto iterations = [](int cells) {
     const Solution solution =

@@ -27,14 +27,14 @@ struct Problem {
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 
-  /// `way`: the plate's position as a fraction of its motion, by load fraction.
+  /// `way` is the plate's position as a fraction of its motion, by load fraction.
   statics::Equilibrium found(const std::function<double(double)>& way = [](double s) {
     return s;
   }) {
     loading.displacements = [&](double s) { return supports.displacements(way(s)); };
     return statics::find_equilibrium(elements, loading, {});
   }
-  /// At the full load.
+  /// The minimum at the full load.
   statics::Minimum minimum(const Eigen::VectorXd& start,
                            statics::Tangents tangents = statics::Tangents::any) {
     statics::PotentialEnergy potential(elements, loading, statics::LinearSolver::direct);
@@ -46,7 +46,7 @@ struct Problem {
     statics::Unknowns(loading.is_free).clear_prescribed(all);
     return all;
   }
-  /// Plates moved, free nodes where they were.
+  /// The plates moved, with the free nodes where they were.
   [[nodiscard]] Eigen::VectorXd only_plates_moved() const {
     return supports.displacements(1);
   }

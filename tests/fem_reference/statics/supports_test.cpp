@@ -43,7 +43,7 @@ void check_numbered(const Mesh& mesh, const Scene& scene, const Expected& held,
   }
 }
 
-/// On the mesh as it is and with its nodes in disorder.
+/// Checks the supports on the mesh as it is and with its nodes in disorder.
 void check(const Mesh& mesh, const Scene& scene, const Expected& held,
            const Motion& motion) {
   check_numbered(mesh, scene, held, motion);
@@ -158,8 +158,8 @@ BOOST_AUTO_TEST_CASE(boundary_gradient_moves_the_whole_boundary) {
         [&](const Vector3& X, double s) -> Vector3 { return s * (H * X); });
 }
 
-// In every affine state: the intermediate nodes stay at the mean of their vertices.
-// Round-off.
+// The resultant and torque are kept in every affine state: the intermediate nodes stay at
+// the mean of their vertices. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(forces_on_vertices_keep_resultant_and_torque) {
   const Mesh mesh = distorted_cube(2, 0.2, Moved::all_nodes);
   const Discretisation body = discretise(mesh, Element::q2);

@@ -79,7 +79,8 @@ struct DeformedCell {
 
 }  // namespace
 
-// By central differences of 1e-6 cell edges: second order, and round-off of 1e-10.
+// The derivative is by central differences of 1e-6 cell edges: of second order, and with
+// a round-off of 1e-10.
 BOOST_AUTO_TEST_CASE(the_tangent_is_the_forces_derivative) {
   for (const CellPattern pattern : {CellPattern::hexahedron, CellPattern::tetrahedron}) {
     const DeformedCell at(pattern);
@@ -123,7 +124,7 @@ BOOST_AUTO_TEST_CASE(elastic_forces_are_the_energys_derivative) {
   }
 }
 
-// Pressed by 20 %, as springs are in mss/tissue.
+// The bodies are pressed by 20 %, as springs are in mss/tissue.
 BOOST_AUTO_TEST_CASE(a_column_is_not_stable_as_far_as_a_short_block) {
   const auto pressed = [](int height) {
     const Mesh mesh =
@@ -149,7 +150,8 @@ BOOST_AUTO_TEST_CASE(a_column_is_not_stable_as_far_as_a_short_block) {
   BOOST_TEST(!block.definite_up_to);
 }
 
-// Homogeneous: the closed form of the branches, second order in the step.
+// The body is homogeneous: the closed form of the branches holds, to second order in the
+// step.
 BOOST_AUTO_TEST_CASE(bodies_in_simple_shear_have_the_branches_stress) {
   const tissue::Solid solid = solid_of("spleen", 0.499);
   for (const CellPattern pattern : {CellPattern::hexahedron, CellPattern::tetrahedron})

@@ -4,7 +4,7 @@
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "meshing/input_error.hpp"
-#include "tests/meshing/files/test_directory.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -12,7 +12,7 @@ BOOST_AUTO_TEST_SUITE(cell_files_test)
 
 namespace {
 
-const TestDirectory directory("cell_files_test");
+const OwnFolder directory;
 
 /// One cell of each type but hexahedra, which other tests have, and apart: nodes 0 to 3 a
 /// tetrahedron, 4 to 8 a pyramid, 9 to 14 a prism.

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "meshing/input_error.hpp"
-#include "tests/meshing/files/test_directory.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -15,10 +15,12 @@ BOOST_AUTO_TEST_SUITE(mesh_files_test)
 
 namespace {
 
-class Directory : public TestDirectory {
- public:
-  Directory() : TestDirectory("mesh_files_test") {}
-};
+std::vector<std::string> files_in(const OwnFolder& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path))
+    names.push_back(entry.path().filename().string());
+  return names;
+}
 
 /// Two cells whose coordinates need all their digits.
 Mesh mesh_with_long_decimals() {
@@ -55,7 +57,7 @@ std::vector<Number> vtu_array(const std::string& text, const std::string& tag_en
 
 // Bit for bit: shortest decimals that read back as the same double.
 BOOST_AUTO_TEST_CASE(vtu_file_reads_back_to_the_same_mesh) {
-  const Directory directory;
+  const OwnFolder directory;
   const Mesh mesh = mesh_with_long_decimals();
   write_mesh(mesh, directory / "mesh.vtu");
   const std::string text = text_of(directory / "mesh.vtu");
@@ -78,7 +80,7 @@ BOOST_AUTO_TEST_CASE(vtu_file_reads_back_to_the_same_mesh) {
 
 // Bit for bit, and numbered from 1.
 BOOST_AUTO_TEST_CASE(inp_file_reads_back_to_the_same_mesh) {
-  const Directory directory;
+  const OwnFolder directory;
   const Mesh mesh = mesh_with_long_decimals();
   write_mesh(mesh, directory / "mesh.inp");
   const std::string text = text_of(directory / "mesh.inp");
@@ -105,7 +107,7 @@ BOOST_AUTO_TEST_CASE(inp_file_reads_back_to_the_same_mesh) {
 // CalculiX reads 20 characters of a number: more would cost the exponent. What fits are
 // 14 digits beside a sign, a point and an exponent: off by 5e-14 of the number at most.
 BOOST_AUTO_TEST_CASE(inp_file_has_no_number_of_more_than_20_characters) {
-  const Directory directory;
+  const OwnFolder directory;
   const std::vector<double> z{-1e-4 / 7, 1e-4 / 7, 1e-3 / 7};
   std::vector<Vector3> nodes;
   for (const double height : z)
@@ -129,7 +131,7 @@ BOOST_AUTO_TEST_CASE(inp_file_has_no_number_of_more_than_20_characters) {
 // CalculiX numbers the faces of 1-2-3-4, 5-6-7-8: S1 1-2-3-4, S2 5-8-7-6, S3 1-5-6-2,
 // S4 2-6-7-3, S5 3-7-8-4, S6 4-8-5-1. The cell with the face need not be the first one.
 BOOST_AUTO_TEST_CASE(inp_surfaces_name_the_faces_as_calculix_does) {
-  const Directory directory;
+  const OwnFolder directory;
   const std::vector<FaceNodes> as_calculix{{0, 3, 2, 1}, {8, 9, 10, 11}, {0, 1, 5, 4},
                                            {1, 2, 6, 5}, {2, 3, 7, 6},   {3, 0, 4, 7}};
   std::map<std::string, std::vector<FaceNodes>> regions;
@@ -149,17 +151,17 @@ BOOST_AUTO_TEST_CASE(inp_surfaces_name_the_faces_as_calculix_does) {
 
 BOOST_AUTO_TEST_CASE(finished_file_replaces_the_old_one_and_leaves_nothing_beside_it) {
   for (const char* name : {"mesh.msh", "mesh.vtu", "mesh.inp"}) {
-    const Directory directory;
+    const OwnFolder directory;
     std::ofstream(directory / name) << "old";
     write_mesh(mesh_with_long_decimals(), directory / name);
-    BOOST_TEST(directory.files() == std::vector<std::string>{name},
+    BOOST_TEST(files_in(directory) == std::vector<std::string>{name},
                boost::test_tools::per_element());
     BOOST_TEST(text_of(directory / name) != "old");
   }
 }
 
 BOOST_AUTO_TEST_CASE(unknown_extension_is_refused) {
-  const Directory directory;
+  const OwnFolder directory;
   const Mesh mesh = mesh_with_long_decimals();
   for (const auto& [name, got] : {std::pair{"mesh.stl", ".stl"}, {"mesh", "none"}}) {
     const std::string message = (directory / name).string() +
@@ -170,11 +172,11 @@ BOOST_AUTO_TEST_CASE(unknown_extension_is_refused) {
                             return true;
                           });
   }
-  BOOST_TEST(directory.files().empty());
+  BOOST_TEST(files_in(directory).empty());
 }
 
 BOOST_AUTO_TEST_CASE(place_that_cannot_be_written_is_reported) {
-  const Directory directory;
+  const OwnFolder directory;
   const Mesh mesh = mesh_with_long_decimals();
   for (const char* name : {"none/mesh.msh", "none/mesh.vtu", "none/mesh.inp"})
     BOOST_CHECK_EXCEPTION(write_mesh(mesh, directory / name), std::runtime_error,
@@ -185,17 +187,17 @@ BOOST_AUTO_TEST_CASE(place_that_cannot_be_written_is_reported) {
 }
 
 BOOST_AUTO_TEST_CASE(check_writable_leaves_no_trace) {
-  const Directory directory;
+  const OwnFolder directory;
   check_writable(directory / "new.vtu");
-  BOOST_TEST(directory.files().empty());
+  BOOST_TEST(files_in(directory).empty());
   std::ofstream(directory / "old.vtu") << "old";
   check_writable(directory / "old.vtu");
   BOOST_TEST(text_of(directory / "old.vtu") == "old");
-  BOOST_TEST(directory.files().size() == 1U);
+  BOOST_TEST(files_in(directory).size() == 1U);
 }
 
 BOOST_AUTO_TEST_CASE(check_writable_refuses_directories_and_missing_ones) {
-  const Directory directory;
+  const OwnFolder directory;
   const auto refuses = [&](const std::filesystem::path& file, const std::string& got) {
     BOOST_CHECK_EXCEPTION(check_writable(file), InputError, [&](const InputError& error) {
       BOOST_TEST(error.what() ==

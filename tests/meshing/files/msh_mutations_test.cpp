@@ -11,7 +11,7 @@
 #include "meshing/generators/generate_block.hpp"
 #include "meshing/generators/uniform_number.hpp"
 #include "meshing/input_error.hpp"
-#include "tests/meshing/files/test_directory.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -19,7 +19,7 @@ BOOST_AUTO_TEST_SUITE(msh_mutations_test)
 
 namespace {
 
-const TestDirectory directory("msh_mutations_test");
+const OwnFolder directory;
 
 /// A small mesh of all types in the four formats, as gmsh writes them.
 std::vector<std::string> sound_files() {
@@ -82,7 +82,7 @@ class Mutation {
     return text.substr(0, start) + (end == std::string::npos ? "" : text.substr(end));
   }
 
-  /// Where a word starts and how long it is.
+  /// The place where a word starts, and its length.
   std::pair<std::size_t, std::size_t> word(const std::string& text) {
     const std::size_t start = text.find_first_not_of(" \n", below(text.size() - 1));
     return {start, text.find_first_of(" \n", start) - start};
@@ -120,8 +120,9 @@ void limit_memory() {
 
 }  // namespace
 
-// 4 formats, 500 files each, one to three mutations a file. Any other exception than
-// InputError, a crash or a hang fails the test; a file that is read must be sound.
+// There are 4 formats, 500 files each, and one to three mutations a file. Any other
+// exception than InputError, a crash or a hang fails the test; a file that is read must
+// be sound.
 BOOST_AUTO_TEST_CASE(damaged_files_are_read_as_sound_meshes_or_refused) {
   const std::vector<std::string> texts = sound_files();
   limit_memory();
@@ -147,7 +148,7 @@ BOOST_AUTO_TEST_CASE(damaged_files_are_read_as_sound_meshes_or_refused) {
         } catch (const std::exception& error) {
           BOOST_ERROR("not an InputError: " << error.what());
         }
-        // A moment: they take a millisecond.
+        // The time is to be short: they take a millisecond.
         const std::chrono::duration<double> time =
             std::chrono::steady_clock::now() - start;
         BOOST_TEST(time.count() < 2);

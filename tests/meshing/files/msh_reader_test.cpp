@@ -7,7 +7,7 @@
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "meshing/input_error.hpp"
-#include "tests/meshing/files/test_directory.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -15,7 +15,7 @@ BOOST_AUTO_TEST_SUITE(msh_reader_test)
 
 namespace {
 
-const TestDirectory directory("msh_reader_test");
+const OwnFolder directory;
 
 std::filesystem::path file_with(const std::string& text) {
   const std::filesystem::path file = directory / "text.msh";

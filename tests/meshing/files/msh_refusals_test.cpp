@@ -3,7 +3,7 @@
 
 #include "meshing/files/msh_reader.hpp"
 #include "meshing/input_error.hpp"
-#include "tests/meshing/files/test_directory.hpp"
+#include "tests/own_folder.hpp"
 
 using namespace springcheck;
 
@@ -11,7 +11,7 @@ BOOST_AUTO_TEST_SUITE(msh_refusals_test)
 
 namespace {
 
-const TestDirectory directory("msh_refusals_test");
+const OwnFolder directory;
 const std::filesystem::path file = directory / "bad.msh";
 
 /// What read_msh says of a file, behind the file's name.
@@ -54,7 +54,8 @@ BOOST_AUTO_TEST_CASE(sound_text_is_not_refused) {
 
 BOOST_AUTO_TEST_CASE(what_is_no_file_to_read_is_refused) {
   BOOST_TEST(refusal(directory / "none.msh") ==
-             ": expected a gmsh file that can be read, got no such file (gmsh -3 BODY.geo -o BODY.msh makes one)");
+             ": expected a gmsh file that can be read, got no such file (gmsh -3 "
+             "BODY.geo -o BODY.msh makes one)");
   BOOST_TEST(refusal(directory / "") ==
              ": expected a gmsh file that can be read, got a directory");
   BOOST_TEST(refusal("/dev/zero") ==
@@ -169,7 +170,7 @@ BOOST_AUTO_TEST_CASE(bad_cells_are_named_by_their_tags) {
 }
 
 BOOST_AUTO_TEST_CASE(nonconforming_cells_are_named_by_the_tags_of_their_nodes) {
-  // Never merged, and a node hanging in the lower face.
+  // The first cells were never merged; the second have a node hanging in the lower face.
   BOOST_TEST(refusal_of(text("20 0 0 0\n21 1 0 0\n22 0 1 0\n23 0 0 -1\n", 4,
                              "12 4 2 0 1 20 22 21 23\n", 1)) ==
              ": node 1: expected a place of its own, or cells merged there, got node 20 "
@@ -181,7 +182,8 @@ BOOST_AUTO_TEST_CASE(nonconforming_cells_are_named_by_the_tags_of_their_nodes) {
 }
 
 BOOST_AUTO_TEST_CASE(bad_surfaces_are_named_with_their_elements) {
-  // Of no cell, inside, or partly so: no plate can be there, and nobody asks for one.
+  // Surfaces of no cell, inside the body, or partly so are no error: no plate can be
+  // there, and nobody asks for one.
   BOOST_TEST(refusal_of(text("5 5 5 5\n", 1, "12 2 2 7 1 1 2 5\n", 1)) == "no refusal");
   for (const char* faces :
        {"13 2 2 7 1 1 2 3\n14 2 2 7 1 1 2 4\n", "13 2 2 7 1 1 2 3\n14 2 2 7 1 1 3 2\n"})

@@ -33,7 +33,7 @@ double smallest_corner_sine(const Mesh& mesh) {
   double smallest = 1;
   for (const CellNodes& cell : mesh.cells()) {
     const CornerPositions x = corners(cell, mesh.nodes());
-    // All corners, of tetrahedra too.
+    // All corners count, those of tetrahedra too.
     for (Eigen::Index i = 0; i < x.cols(); ++i) {
       std::vector<Vector3> away;
       for (const auto& [a, b] : edges(type_of(cell)))
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(cells_fit_together_and_the_regions_are_the_whole_surface) {
     }
 }
 
-// Sums of up to 720 cells: round-off.
+// The tolerance is round-off of sums of up to 720 cells.
 BOOST_AUTO_TEST_CASE(cells_fill_the_block, *boost::unit_test::tolerance(1e-13)) {
   for (const CellPattern pattern : grid_patterns)
     BOOST_TEST(generate_block(block(pattern, {5, 3, 4})).volume() == 0.3 * 0.2 * 0.7);
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(grid_nodes_come_first_and_centres_behind) {
   const Mesh pyramids = generate_block(block(CellPattern::pyramid, {3, 2, 4}));
   for (std::size_t c = 0; c < 24; ++c) {
     const Vector3 centre = corners(grid.cells()[c], grid.nodes()).rowwise().mean();
-    // The mean of eight corners: round-off.
+    // The centre is the mean of eight corners, to round-off.
     BOOST_TEST((pyramids.nodes()[60 + c] - centre).norm() < 1e-15);
     for (std::size_t side = 0; side < 6; ++side)
       BOOST_TEST(pyramids.cells()[6 * c + side][4] == 60 + c);

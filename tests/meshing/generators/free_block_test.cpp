@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(cells_fit_together_and_the_regions_are_the_whole_surface) {
         for (const auto& [name, region] : mesh.regions())
           for (const FaceNodes& face : region.faces) in_regions.insert(ascending(face));
         BOOST_TEST((outside == in_regions));
-        // Sums of some thousand cells: round-off.
+        // The tolerance is round-off of sums of some thousand cells.
         BOOST_TEST(mesh.volume() == 0.3 * 0.2 * 0.7, boost::test_tools::tolerance(1e-12));
       }
     }
@@ -73,8 +73,8 @@ BOOST_AUTO_TEST_CASE(equal_blocks_get_equal_meshes) {
   }
 }
 
-// Cells of 0.05 m each way. The longer edges of tetrahedra belong to more of them; lines
-// from the middle of a tetrahedron are shorter than half its edge.
+// The cells are of 0.05 m each way. The longer edges of tetrahedra belong to more of
+// them; lines from the middle of a tetrahedron are shorter than half its edge.
 BOOST_AUTO_TEST_CASE(edges_are_about_as_long_as_asked_for) {
   for (const CellPattern pattern : free_patterns) {
     const double edge = mean_edge(generate_block(block(pattern, {6, 4, 14})));
@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(prisms_stand_in_as_many_layers_as_there_are_cells_along_z) 
   BOOST_TEST(mesh.nodes().size() == 6 * mesh.region("bottom").nodes.size());
 }
 
-// Of ten layers four are hexahedra, one is cut around its centres.
+// Of ten layers four are hexahedra, and one is cut around its centres.
 BOOST_AUTO_TEST_CASE(transition_has_hexahedra_in_the_lower_half_and_pyramids_on_them) {
   const Mesh mesh = generate_block(block(CellPattern::transition, {4, 3, 10}));
   BOOST_TEST(mesh.count(CellType::hexahedron) == 4U * 3 * 4);

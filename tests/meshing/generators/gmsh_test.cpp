@@ -6,6 +6,8 @@
 #include <boost/test/unit_test.hpp>
 #include <fstream>
 
+#include "tests/own_folder.hpp"
+
 using namespace springcheck;
 
 BOOST_AUTO_TEST_SUITE(gmsh_test)
@@ -20,7 +22,8 @@ const Block block{.size = {0.3, 0.2, 0.7}, .cells = {3, 2, 4}};
 BOOST_AUTO_TEST_CASE(msh_file_says_4_1_and_reads_back_through_gmsh,
                      *boost::unit_test::tolerance(1e-14)) {
   const Mesh mesh = generate_block(block);
-  const auto file = std::filesystem::temp_directory_path() / "springcheck_gmsh_test.msh";
+  const OwnFolder own;
+  const auto file = own / "block.msh";
   write_mesh(mesh, file);
   std::ifstream in(file);
   std::string header, version, format;
@@ -62,7 +65,6 @@ BOOST_AUTO_TEST_CASE(msh_file_says_4_1_and_reads_back_through_gmsh,
     }
   }
   gmsh::finalize();
-  std::filesystem::remove(file);
   BOOST_TEST((faces == std::map<std::string, std::size_t>{{"body", 24},
                                                           {"bottom", 6},
                                                           {"top", 6},

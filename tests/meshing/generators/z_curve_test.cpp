@@ -16,7 +16,7 @@ MeshParts row() {
   for (const int x : {2, 0, 1})
     for (const auto& [y, z] : {std::pair{1, 1}, {0, 0}, {0, 1}, {1, 0}})
       parts.nodes.emplace_back(x, y, z);
-  // Of each four, (y, z) = (0, 0), (1, 0), (0, 1), (1, 1) are number 1, 3, 2, 0.
+  // Of each four nodes, (y, z) = (0, 0), (1, 0), (0, 1), (1, 1) are number 1, 3, 2, 0.
   parts.cells = {{9, 1, 3, 11, 10, 2, 0, 8}, {5, 9, 11, 7, 6, 10, 8, 4}};
   return parts;
 }
@@ -33,7 +33,8 @@ BOOST_AUTO_TEST_CASE(nodes_follow_the_curve) {
   BOOST_TEST((along_z_curve(row()).nodes == expected));
 }
 
-// Not row by row: a quarter of the square is done before the next begins.
+// The curve does not go row by row: a quarter of the square is done before the next
+// begins.
 BOOST_AUTO_TEST_CASE(curve_fills_one_octant_after_the_other) {
   MeshParts square;
   for (const int y : {0, 1, 2, 3})

@@ -16,7 +16,8 @@ BOOST_AUTO_TEST_SUITE(affine_test)
 
 namespace {
 
-/// Below, at and above nu = 1/4, where the volume correction moves to the nodal patches.
+/// Poisson's ratios below, at and above 1/4, where the volume correction moves to the
+/// nodal patches.
 constexpr double poisson_ratios[] = {-0.5, 0, 0.25, 0.45, 0.499};
 
 /// E = 1 Pa and edges of 1 m: forces and energies are of the order of 1.
@@ -82,7 +83,7 @@ BOOST_AUTO_TEST_CASE(network_at_rest_is_free_of_force_and_energy) {
 
 // psi written out with F: six virtual springs (an icosahedron's axes) and kappa. Every
 // mean over a nodal patch is F itself, and hourglass springs are at their affine lengths.
-// Round-off of sums over up to 100 cells.
+// The tolerance is round-off of sums over up to 100 cells.
 BOOST_AUTO_TEST_CASE(
     affine_state_has_the_energy_and_stress_of_the_cauchy_born_continuum) {
   const Matrix3& F = some_deformation;
@@ -107,7 +108,7 @@ BOOST_AUTO_TEST_CASE(
         const std::vector<Vector3> x = mapped(F, mesh.nodes());
         BOOST_TEST(strain_energy(network, x) == mesh.volume() * psi,
                    boost::test_tools::tolerance(1e-12));
-        // Of the boundary's forces the virial is -V P, and there are none inside.
+        // The virial of the boundary's forces is -V P, and there are none inside.
         const std::vector<Vector3> forces = forces_at(network, x);
         Matrix3 virial = Matrix3::Zero();
         for (std::size_t n = 0; n < x.size(); ++n)
@@ -135,7 +136,7 @@ BOOST_AUTO_TEST_CASE(affine_state_has_the_energy_of_the_law_of_its_springs) {
   });
 }
 
-// Round-off, from lengths of 1.
+// The tolerance is round-off, from lengths of 1.
 BOOST_AUTO_TEST_CASE(hourglass_springs_are_at_rest_in_affine_states_alone) {
   for_each_network(2, [](const Mesh& mesh, const Network& network, double) {
     const auto longest = [&](const std::vector<Vector3>& x) {
@@ -155,7 +156,7 @@ BOOST_AUTO_TEST_CASE(hourglass_springs_are_at_rest_in_affine_states_alone) {
   });
 }
 
-// Round-off of sums of up to 100 forces at arms of about 3.
+// The tolerance is round-off of sums of up to 100 forces at arms of about 3.
 BOOST_AUTO_TEST_CASE(forces_and_their_moments_add_up_to_zero) {
   for_each_network(2, [](const Mesh&, const Network& network, double) {
     const std::vector<Vector3> x = deformed(network, 2);
@@ -168,7 +169,7 @@ BOOST_AUTO_TEST_CASE(forces_and_their_moments_add_up_to_zero) {
   });
 }
 
-// Round-off.
+// The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(energy_and_forces_turn_with_the_body) {
   const Matrix3 R = Eigen::AngleAxisd(1, Vector3(1, 2, 2) / 3).toRotationMatrix();
   for_each_network(2, [&](const Mesh&, const Network& network, double) {
@@ -205,8 +206,8 @@ BOOST_AUTO_TEST_CASE(forces_are_minus_the_gradient_of_the_energy) {
   });
 }
 
-// Along random ways, of the assembled matrix and of the product by patches. Tolerance as
-// above.
+// The derivative is taken along random ways, for the assembled matrix and for the product
+// by patches. The tolerance is as above.
 BOOST_AUTO_TEST_CASE(tangent_is_minus_the_slope_of_the_forces) {
   constexpr double step = 1e-5;
   for_each_network(2, [&](const Mesh&, const Network& network, double) {
@@ -286,7 +287,7 @@ BOOST_AUTO_TEST_CASE(patches_share_out_the_body) {
   });
 }
 
-// Virtual springs of sum k l^2 = 15 mu V, in equal parts on the edges of the cell.
+// The virtual springs have sum k l^2 = 15 mu V, in equal parts on the edges of the cell.
 BOOST_AUTO_TEST_CASE(dashpots_lie_on_the_edges) {
   for_each_network(2, [](const Mesh& mesh, const Network& network, double nu) {
     double sum = 0;

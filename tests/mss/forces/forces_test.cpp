@@ -27,7 +27,7 @@ std::vector<Vector3> deformed(const Network& network, unsigned seed) {
 }
 
 std::vector<Vector3> forces_at(const Network& network, const std::vector<Vector3>& x) {
-  // Not zero: the function is to overwrite them.
+  // The forces are not zero: the function is to overwrite them.
   std::vector<Vector3> forces(x.size(), Vector3::Constant(1e9));
   nodal_forces(network, x, forces);
   return forces;
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(forces_are_minus_the_gradient_of_the_energy) {
     }
 }
 
-// By hand, and exact in binary: k/2 e^2 and k e with k = 12, e = 2.
+// Energy and force by hand are k/2 e^2 and k e with k = 12, e = 2, exact in binary.
 BOOST_AUTO_TEST_CASE(stretched_spring_pulls_its_ends_together) {
   const Network network = one_spring();
   const std::vector<Vector3> x{Vector3(0, 0, 0), Vector3(0, 4, 0)};
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(network_at_rest_is_free_of_force_and_energy) {
   }
 }
 
-// Round-off of sums of 27 forces at arms of about 4.
+// The tolerance is round-off of sums of 27 forces at arms of about 4.
 BOOST_AUTO_TEST_CASE(forces_and_their_moments_add_up_to_zero) {
   for (const auto& [name, model] : models)
     for (const double nu : {-0.2, 0.25, 0.49}) {
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(dashpot_resists_along_its_axis_only,
   BOOST_TEST((forces[1] - Vector3(0, -12, 1)).norm() < 1e-14);
 }
 
-// Round-off of sums of 27 forces at arms of about 4.
+// The tolerance is round-off of sums of 27 forces at arms of about 4.
 BOOST_AUTO_TEST_CASE(dashpots_keep_both_momenta_and_take_energy) {
   for (const auto& [name, model] : models) {
     const Network network = soft_block(model, 0.25);
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(dashpots_keep_both_momenta_and_take_energy) {
   }
 }
 
-// Round-off of velocities of about 5.
+// The tolerance is round-off of velocities of about 5.
 BOOST_AUTO_TEST_CASE(dashpots_let_a_rigid_motion_pass) {
   const Network network = soft_block(SpringModel::cf, 0.25);
   const std::vector<Vector3> x = deformed(network, 5);

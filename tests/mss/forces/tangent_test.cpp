@@ -56,8 +56,8 @@ Eigen::VectorXd stacked_forces(const Network& network, const std::vector<Vector3
 
 }  // namespace
 
-// Central difference with a step of 1e-5 m: truncation of the order of step^2 =
-// 1e-10, round-off 1e-16/1e-5 = 1e-11 of the forces.
+// The slope is a central difference with a step of 1e-5 m: truncation is of the order of
+// step^2 = 1e-10, round-off 1e-16/1e-5 = 1e-11 of the forces.
 BOOST_AUTO_TEST_CASE(patches_add_up_to_minus_the_slope_of_the_forces) {
   constexpr double step = 1e-5;
   for (const auto& [name, model] : models)
@@ -82,8 +82,8 @@ BOOST_AUTO_TEST_CASE(patches_add_up_to_minus_the_slope_of_the_forces) {
       }
 }
 
-// Of every patch, cells and nodal patches: no negative eigenvalue is left, beyond
-// round-off, and energy along any field is as large as without.
+// The positive part of every patch, cells and nodal patches, has no negative eigenvalue
+// beyond round-off, and its energy along any field is as large as that of the patch.
 BOOST_AUTO_TEST_CASE(positive_parts_have_no_negative_eigenvalue) {
   const auto check = [](const Network& network, std::size_t& clamped) {
     const Tangent tangent = tangent_at(network, deformed(network, 1));
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(the_positive_part_of_a_positive_tangent_is_itself) {
   }
 }
 
-// Round-off: of a patch's matrix the other triangle is taken.
+// The tolerance is round-off: of a patch's matrix the other triangle is taken.
 BOOST_AUTO_TEST_CASE(
     assembly_is_the_lower_triangle_of_the_dense_one_over_the_free_components) {
   const Network network = soft_block(SpringModel::cf, 0.4);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double h = 0.005;  // m, the cells' edge
 
-/// Those that have kernels.
+/// The strain measures that have kernels.
 constexpr StrainMeasure measures[] = {StrainMeasure::engineering, StrainMeasure::green};
 
 /// What errors are measured by: of springs of constant rest length the largest k L, of
@@ -77,7 +77,8 @@ Bounds bounds_of(double nu) {
   return {.in_double = magnified * 1e-13, .in_float = magnified * 2e-6};
 }
 
-/// In both precisions, by every instruction set, with and without dashpots.
+/// Checks the kernels in both precisions, by every instruction set, with and without
+/// dashpots.
 void check_kernels(const Mesh& mesh, const Network& network, const Oracle& oracle,
                    const dynamics::State& state, const Bounds& bounds) {
   for (const InstructionSet set : dynamics::all_instruction_sets) {
@@ -112,7 +113,7 @@ struct NamedMesh {
   Mesh mesh;
 };
 
-/// About an axis that is none of its own.
+/// The mesh turned about an axis that is none of its own.
 Mesh turned(const Mesh& mesh) {
   const Matrix3 turn =
       Eigen::AngleAxisd(.7, Vector3(1, 2, 2).normalized()).toRotationMatrix();
@@ -152,7 +153,7 @@ Mesh turned_and_sheared(const Mesh& mesh) {
   return Mesh("sheared", std::move(nodes), mesh.cells(), {});
 }
 
-/// Cells in a grid or not, of any shape.
+/// Meshes of cells in a grid or not, of any shape.
 std::vector<NamedMesh> meshes_of_hexahedra() {
   return {{"distorted cube", block_of(CellPattern::hexahedron, 10, .2)},
           {"free hexahedra", block_of(CellPattern::free_hexahedron, 4, 0)},

@@ -64,8 +64,9 @@ Scene standing(double nu) {
 
 }  // namespace
 
-// On the safe side where damping and stiffness do not share their modes, and by no more
-// than a fifth (measured: 3 to 13 %). 1e-3: both are found by differences of forces.
+// The limit is on the safe side where damping and stiffness do not share their modes, and
+// by no more than a fifth (measured: 3 to 13 %). The tolerance is 1e-3, as both are found
+// by differences of forces.
 BOOST_AUTO_TEST_CASE(the_limit_is_at_most_that_of_all_rates_and_close_to_it) {
   for (const auto& [name, model] : models)
     for (const double nu : {0., .25, .4, .499})

@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(free_block_has_the_limits_of_the_referee_s_eigenvalues,
     expect("mss-cf", SpringModel::cf, "0.25", zeta);
 }
 
-// At rest all strain measures have the same tangent. What differs is that motions of
+// At rest all strain measures have the same tangent. They differ in that motions of
 // finite size probe it: 1e-6 is more than their curvature.
 BOOST_AUTO_TEST_CASE(strain_measures_have_the_same_limit_at_rest,
                      *boost::unit_test::tolerance(1e-6)) {
@@ -177,8 +177,8 @@ BOOST_AUTO_TEST_CASE(dynamics_is_stable_below_the_limit_and_diverged_above) {
         }
 }
 
-// From the limit at rest on, state by state as a march looks at them: within the 1 % that
-// is claimed of a search from nothing.
+// The limits are followed from the limit at rest on, state by state as a march looks at
+// them, within the 1 % that is claimed of a search from nothing.
 BOOST_AUTO_TEST_CASE(limits_found_near_are_those_found_from_nothing,
                      *boost::unit_test::tolerance(0.01)) {
   const Mesh mesh = cube(4, 0.005);

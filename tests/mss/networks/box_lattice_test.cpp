@@ -106,8 +106,8 @@ BOOST_AUTO_TEST_CASE(young_modulus_form_of_a_box_has_two_fifths_of_e) {
   }
 }
 
-// By hand, mu = 8. On a cube q_a = 2 + q_d, q_bc = 2 - q_d, and the smallest of all is
-// largest at q_d = 1. On 1 x 1 x sqrt(2) mu V/4 is 2 sqrt(2); the smallest would be
+// By hand, with mu = 8. On a cube q_a = 2 + q_d, q_bc = 2 - q_d, and the smallest of all
+// is largest at q_d = 1. On 1 x 1 x sqrt(2) mu V/4 is 2 sqrt(2); the smallest would be
 // largest at q_d = 3/4 sqrt(2), but the upright faces keep k_f >= k_c up to 3/5 sqrt(2)
 // alone.
 BOOST_AUTO_TEST_CASE(box_lattice_has_the_values_computed_by_hand,
@@ -129,8 +129,9 @@ BOOST_AUTO_TEST_CASE(box_lattice_has_the_values_computed_by_hand,
   BOOST_TEST(diagonal_ratios(r, {1, 1, root})[0] == 1);
 }
 
-// Against a search through q_d in steps of a thousandth of its range. A ratio between 1
-// and 10 is what keeps a lattice from wrinkling early; the upper end is never met.
+// The constants are compared with a search through q_d in steps of a thousandth of its
+// range. A ratio between 1 and 10 is what keeps a lattice from wrinkling early; the upper
+// end is never met.
 BOOST_AUTO_TEST_CASE(
     smallest_constant_is_the_largest_there_is_at_a_ratio_of_one_or_more) {
   std::mt19937 random(2);

@@ -33,7 +33,7 @@ CornerPositions prism(double a, double h) {
 }  // namespace
 
 // By hand: m = .843/2.5 = .3372, eta = .06382 on edges and .1124 on face diagonals, whose
-// square length is 2. V = 1, E = 6. To the digits given.
+// square length is 2. V = 1, E = 6. The tolerance is that of the digits given.
 BOOST_AUTO_TEST_CASE(cube_has_the_constants_computed_by_hand) {
   const Mesh mesh = cube(1, 1);
   const auto springs = springs_of(corners(mesh.cells()[0], mesh.nodes()));
@@ -58,8 +58,9 @@ BOOST_AUTO_TEST_CASE(pyramid_has_its_edges_and_the_base_s_diagonals) {
   }
 }
 
-// By hand with a = 1, h = 1.5, E = 6, mu = 2.4, in parts of V: triangle edges 1,
-// diagonals of square length 3.25 .24 * 3.25/2.25, upright ones 6/27 - .12.
+// By hand with a = 1, h = 1.5, E = 6 and mu = 2.4, in parts of V: the triangle's edges
+// have 1, diagonals of square length 3.25 have .24 * 3.25/2.25, and upright edges 6/27 -
+// .12.
 BOOST_AUTO_TEST_CASE(prism_has_the_constants_computed_by_hand,
                      *boost::unit_test::tolerance(1e-13)) {
   const CornerPositions x = prism(1, 1.5);
@@ -82,8 +83,8 @@ BOOST_AUTO_TEST_CASE(tetrahedron_has_none) {
 }
 
 // Beyond h/a = 1.8, for which its constants were tried, a prism's upright springs vanish
-// at h^2 = 25/6 a^2 (nu = 1/4); it does not lose its shape. Eigenvalues relative to E V,
-// far above round-off.
+// at h^2 = 25/6 a^2 (nu = 1/4); it does not lose its shape. The eigenvalues are relative
+// to E V, and far above round-off.
 BOOST_AUTO_TEST_CASE(prism_of_any_height_has_six_zero_modes_alone) {
   for (const double h : {0.1, 0.5, 1., 1.8, 3., 5.})
     for (const double nu : {-0.5, 0., 0.25, 0.45, 0.499})

@@ -54,7 +54,8 @@ BOOST_AUTO_TEST_CASE(equal_masses_of_a_pyramid_are_a_twentieth_of_its_height_too
   BOOST_TEST(cell_centroid(x).z() - centre(x, equal).z() == 3. / 20);
 }
 
-// Exact on paper for every cell: round-off. No cell of these falls back on equal shares.
+// The shares are exact on paper for every cell, so that the tolerance is round-off. None
+// of these cells falls back on equal shares.
 BOOST_AUTO_TEST_CASE(shares_keep_volume_and_centroid_of_distorted_cells) {
   for (const auto& [name, mesh] : distorted_cubes(3, 1))
     for (const CellNodes& cell : mesh.cells()) {

@@ -89,8 +89,8 @@ constexpr Material quarter{.young_modulus = 1e4, .poisson_ratio = 0.25, .density
 
 }  // namespace
 
-// 1.2, 0.4, 0.4 E: lambda = mu = 0.4 E at nu = 1/4, whatever the ratio of the diagonals.
-// Exact on paper: round-off.
+// The tensor has 1.2, 0.4, 0.4 E: lambda = mu = 0.4 E at nu = 1/4, whatever the ratio of
+// the diagonals. It is exact on paper, so that the tolerance is round-off.
 BOOST_AUTO_TEST_CASE(lattice_has_the_isotropic_tensor_for_every_diagonal_ratio,
                      *boost::unit_test::tolerance(1e-13)) {
   for (const double A : {0., 0.01, 1., 100.}) {
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(lattice_has_the_isotropic_tensor_for_every_diagonal_ratio,
   }
 }
 
-// All 81 entries; the tolerance is round-off relative to lambda + 2 mu.
+// All 81 entries are compared; the tolerance is round-off relative to lambda + 2 mu.
 BOOST_AUTO_TEST_CASE(volume_correction_makes_the_tensor_right_for_every_poisson_ratio) {
   for (const SpringModel model : {SpringModel::nfd, SpringModel::cf})
     for (const double nu : {-0.5, 0., 0.1, 0.25, 0.4, 0.499}) {
@@ -120,8 +120,8 @@ BOOST_AUTO_TEST_CASE(volume_correction_makes_the_tensor_right_for_every_poisson_
     }
 }
 
-// By hand, see uniform_stiffness, for every Poisson ratio that is asked for. All 81
-// entries; the tolerance is round-off.
+// The tensor is computed by hand (see uniform_stiffness), for every Poisson ratio that is
+// asked for. All 81 entries are compared; the tolerance is round-off.
 BOOST_AUTO_TEST_CASE(one_stiffness_makes_a_cubic_tensor) {
   for (const double nu : {0., 0.25, 0.499}) {
     const Material material{.young_modulus = 1e4, .poisson_ratio = nu, .density = 1000};
@@ -159,7 +159,8 @@ BOOST_AUTO_TEST_CASE(young_modulus_form_is_another_material_at_nu_0,
 }
 
 // By hand: C_1111 = (k_e + 2 k_f + 4/3 k_c)/h + kappa, C_1122 = (k_f + 4/3 k_c)/h +
-// kappa, C_1212 = (k_f + 4/3 k_c)/h with h = 5 mm, whatever the material. Round-off.
+// kappa, C_1212 = (k_f + 4/3 k_c)/h with h = 5 mm, whatever the material. The tolerance
+// is round-off.
 BOOST_AUTO_TEST_CASE(custom_lattice_has_the_tensor_of_its_own_constants,
                      *boost::unit_test::tolerance(1e-13)) {
   const Tensor4 C = homogenised_tensor(
@@ -177,7 +178,7 @@ BOOST_AUTO_TEST_CASE(custom_without_constants_is_named) {
       });
 }
 
-// As the command line has it.
+// The ratio is that of the command line.
 BOOST_AUTO_TEST_CASE(a_method_alone_has_a_diagonal_ratio_of_1) {
   BOOST_TEST(NetworkSettings{.model = SpringModel::cf}.diagonal_ratio == 1);
 }
@@ -280,7 +281,7 @@ BOOST_AUTO_TEST_CASE(only_nfd_and_cf_correct_the_volume) {
   }
 }
 
-// Sums of 24 numbers: round-off.
+// The tolerance is round-off of sums of 24 numbers.
 BOOST_AUTO_TEST_CASE(masses_add_up_to_the_body_and_a_corner_gets_an_eighth_of_its_cell,
                      *boost::unit_test::tolerance(1e-14)) {
   const Mesh mesh = notched_block(0.005);

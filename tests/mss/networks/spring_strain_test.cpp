@@ -46,7 +46,8 @@ BOOST_AUTO_TEST_CASE(stretched_cubes_are_strained_most_along_their_edges) {
 }
 
 // In simple shear the diagonals of the sheared faces have (1 +- .2, 1) as sides, the
-// inner ones (1 +- .2, 1, 1): of unequal magnitude, and shortened ones negative.
+// inner ones (1 +- .2, 1, 1): the strains are of unequal magnitude, and those of
+// shortened ones negative.
 BOOST_AUTO_TEST_CASE(sheared_cubes_are_strained_most_along_their_diagonals) {
   expect_everywhere(strains_of(SpringModel::cf, shear),
                     std::sqrt((1.2 * 1.2 + 1) / 2) - 1);

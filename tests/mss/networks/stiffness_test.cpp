@@ -20,8 +20,8 @@ void check(const LatticeStiffness& k, const LatticeStiffness& expected) {
 
 // All formulas are evaluated in a few operations: the tolerances are round-off.
 
-// By hand from k_c = 3 mu h/(3A+4), k_f = A k_c, k_e = k_f + 8/3 k_c; A is exact in
-// binary, and so are 3A+4 and the rest at A = 4.
+// The values are computed by hand from k_c = 3 mu h/(3A+4), k_f = A k_c, k_e = k_f +
+// 8/3 k_c; A is exact in binary, and so are 3A+4 and the rest at A = 4.
 BOOST_AUTO_TEST_CASE(shear_modulus_form_has_the_values_computed_by_hand,
                      *boost::unit_test::tolerance(1e-15)) {
   check(shear_modulus_form(1, 1, 0), {2, 0, 3. / 4});
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(both_forms_agree_at_a_quarter_and_nowhere_else) {
   }
 }
 
-// By hand: k_ed = E h (4 nu + 1)/(8 (1 + nu)), four of them at an edge.
+// By hand: k_ed = E h (4 nu + 1)/(8 (1 + nu)), and four of them lie at an edge.
 BOOST_AUTO_TEST_CASE(baudet_stiffness_has_the_values_computed_by_hand,
                      *boost::unit_test::tolerance(1e-15)) {
   check(baudet_stiffness(1, 0, 1), {1. / 2, 0, 3. / 8});
@@ -67,8 +67,8 @@ BOOST_AUTO_TEST_CASE(baudet_is_the_lattice_without_face_diagonals_at_a_quarter,
 }
 
 // By hand: with h = 1 C_11 and C_12 are 4 and 2, E = 4 - 8/6; with kappa = 4 they are 8
-// and 6, E = 8 - 72/14. Of the unstable lattices, the first has C_11 = 19, C_12 = -11,
-// E = 19 - 242/8 < 0, the second -80 and -90, whose E would be positive.
+// and 6, E = 8 - 72/14. Of the unstable lattices, the first has C_11 = 19, C_12 = -11 and
+// E = 19 - 242/8 < 0, the second has -80 and -90, and its E would be positive.
 BOOST_AUTO_TEST_CASE(axial_modulus_has_the_values_computed_by_hand,
                      *boost::unit_test::tolerance(1e-14)) {
   const LatticeStiffness k{.edge = 4. / 3, .face_diagonal = 2. / 3, .inner_diagonal = 1};
@@ -94,8 +94,9 @@ BOOST_AUTO_TEST_CASE(axial_modulus_of_the_thesis_s_lattice_is_young_s_modulus,
     }
 }
 
-// By hand from E (4 nu - 1)/(2 (1 + nu)(1 - 2 nu)); and the identity lambda - mu, whose
-// terms cancel by up to a factor of 10 here.
+// The values are computed by hand from E (4 nu - 1)/(2 (1 + nu)(1 - 2 nu)). They are also
+// compared with the identity lambda - mu, whose terms cancel by up to a factor of 10
+// here.
 BOOST_AUTO_TEST_CASE(volume_correction_supplies_lambda_minus_mu,
                      *boost::unit_test::tolerance(1e-13)) {
   struct Row {

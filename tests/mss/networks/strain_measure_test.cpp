@@ -15,9 +15,9 @@ namespace {
 constexpr double k = 3, L = 2;
 constexpr double lengths[] = {0.5, 1.9, 2, 2.3, 5};
 
-/// By four values around, of step 1e-3: truncation of the order of 1e-12 times the fifth
-/// derivative, which reaches 1e5 where springs are at a quarter of their length;
-/// round-off 1e-13.
+/// The slope by four values around, of step 1e-3: truncation is of the order of 1e-12
+/// times the fifth derivative, which reaches 1e5 where springs are at a quarter of their
+/// length; round-off is 1e-13.
 double slope(const std::function<double(double)>& f, double at) {
   constexpr double step = 1e-3;
   return (8 * (f(at + step) - f(at - step)) - f(at + 2 * step) + f(at - 2 * step)) /
@@ -27,7 +27,7 @@ const auto as_slopes = boost::test_tools::tolerance(1e-6);
 
 }  // namespace
 
-// By hand at twice the length: s = 1, 3/2, ln 2.
+// At twice the length s is 1, 3/2 and ln 2 by hand.
 BOOST_AUTO_TEST_CASE(energy_is_quadratic_in_the_strain,
                      *boost::unit_test::tolerance(1e-14)) {
   const double unit = k * L * L / 2;
@@ -52,8 +52,9 @@ BOOST_AUTO_TEST_CASE(pulls_are_slopes_of_the_energy) {
     }
 }
 
-// By Simpson's rule from 1 to 1.2 and to .8: truncation of about 1e-10. Where a spring's
-// pull is largest: on paper at lambda^2 = (.8 + sqrt(.64 + 4 .9 2.1))/1.8.
+// The energy is found by Simpson's rule from 1 to 1.2 and to .8, with a truncation of
+// about 1e-10. On paper a spring's pull is largest at lambda^2 = (.8 + sqrt(.64 + 4 .9
+// 2.1))/1.8.
 BOOST_AUTO_TEST_CASE(springs_of_henckys_lattice_have_the_fitted_pull) {
   for (const double end : {1.2, .8}) {
     const auto pull = [](double stretch) {  // over k L^2
@@ -74,7 +75,7 @@ BOOST_AUTO_TEST_CASE(springs_of_henckys_lattice_have_the_fitted_pull) {
   BOOST_TEST(std::abs(spring_pull(StrainMeasure::hencky, L, largest).slope) < 1e-15);
 }
 
-// Its energy at strains of 1e-9: quadratic, the cube is 1e-9 of it.
+// At strains of 1e-9 the energy is quadratic: the cubic term is 1e-9 of it.
 BOOST_AUTO_TEST_CASE(small_energies_keep_their_digits,
                      *boost::unit_test::tolerance(1e-8)) {
   for (const StrainMeasure measure : all_measures)
@@ -84,7 +85,8 @@ BOOST_AUTO_TEST_CASE(small_energies_keep_their_digits,
     }
 }
 
-// From 2 to l, of which the energy of springs at a constant length is a case.
+// The elongations go from 2 to l; the energy of springs at a constant length is a case of
+// them.
 BOOST_AUTO_TEST_CASE(elongations_and_their_slopes_go_together) {
   for (const StrainMeasure measure : all_measures)
     for (const double l : lengths) {
@@ -125,8 +127,9 @@ BOOST_AUTO_TEST_CASE(volume_pulls_are_slopes_of_the_energy) {
     }
 }
 
-// With hencky as Hencky's law, whatever kappa: ln^3 alone would fall without bound. The
-// slopes go on at J = 1/2; both sides of it differ by what 1e-9 changes.
+// With hencky the volume term behaves as in Hencky's law, whatever kappa: ln^3 alone
+// would fall without bound. The slopes go on at J = 1/2; both sides of it differ by what
+// 1e-9 changes.
 BOOST_AUTO_TEST_CASE(no_cell_is_pressed_to_nothing_by_its_volume_term) {
   for (const double kappa : {-3., 0., 3.}) {
     const VolumeModuli moduli{.kappa = kappa, .cubic = 2};

@@ -29,7 +29,7 @@ double energy_by_hand(const Matrix3& F) {
          law.volume_moduli.kappa / 2 * std::pow(F.determinant() - 1, 2);
 }
 
-/// In all measures, along all axes.
+/// Visits the laws in all measures, along all axes.
 template <class Visit>
 void for_each_law(const Visit& visit) {
   for (const StrainMeasure measure : all_measures)
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(energy_is_that_of_an_icosahedron_s_axes) {
   }
 }
 
-// Exact on paper: round-off.
+// The tangent is exact on paper, so that the tolerance is round-off.
 BOOST_AUTO_TEST_CASE(tangent_at_rest_is_that_of_hooke) {
   for_each_law([](const VirtualSprings& own) {
     const Matrix9 A = own.tangent(Matrix3::Zero());
@@ -107,8 +107,8 @@ BOOST_AUTO_TEST_CASE(direction_pressed_to_a_point_pulls_nowhere) {
   });
 }
 
-// mu E:E + lambda/2 (tr E)^2 whatever the body's orientation: exact on paper, so round-
-// off alone. Strains reach 60 %.
+// The energy is mu E:E + lambda/2 (tr E)^2 whatever the body's orientation: exact on
+// paper, so that the tolerance is round-off alone. Strains reach 60 %.
 BOOST_AUTO_TEST_CASE(squared_lengths_are_st_venant_kirchhoff_in_every_direction,
                      *boost::unit_test::tolerance(1e-13)) {
   const Matrix3 F = Matrix3::Identity() + random_gradient(1, 0.5);

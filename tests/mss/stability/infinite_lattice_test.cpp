@@ -42,7 +42,7 @@ Vector3 some_phases(unsigned seed) {
 
 // With edges alone each node hangs on three chains of springs k. Along one, 4 k
 // sin^2(t/2) is the dispersion relation of the chain; across, its tension k (l - 1)/l
-// takes the place of k. Round-off.
+// takes the place of k. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(edges_alone_have_the_dispersion_relation_of_a_chain) {
   constexpr double k = 3;
   const Network cell = cell_of(custom({k, 0, 0}, 0), 0.25);
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(edges_alone_have_the_dispersion_relation_of_a_chain) {
 }
 
 // sum over a lattice's springs of 2 (1 - cos t.n) k [(1 - L/|d|)(I - e e^T) + e e^T],
-// each once: whole constants, no cell. Round-off.
+// each once: whole constants, no cell. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(springs_add_up_one_by_one) {
   const LatticeStiffness k{.edge = 5, .face_diagonal = 2, .inner_diagonal = 1};
   const Network cell = cell_of(custom(k, 0), 0.25);
@@ -77,7 +77,8 @@ BOOST_AUTO_TEST_CASE(springs_add_up_one_by_one) {
               std::array{k.edge, k.face_diagonal,
                          k.inner_diagonal}[static_cast<std::size_t>(n.squaredNorm()) - 1];
           const Matrix3 along = d.normalized() * d.normalized().transpose();
-          // Once for n and once for -n: half of 2 (1 - cos t.n).
+          // Each spring is met once for n and once for -n: half of 2 (1 - cos t.n) is
+          // added.
           expected += (1 - std::cos(t.dot(n))) * stiffness *
                       ((1 - n.norm() / d.norm()) * (Matrix3::Identity() - along) + along);
         }
@@ -88,7 +89,7 @@ BOOST_AUTO_TEST_CASE(springs_add_up_one_by_one) {
 }
 
 // The network of a block, whose springs and cells are assembled for themselves, answers a
-// plane wave at its middle node as the infinite lattice does. Round-off.
+// plane wave at its middle node as the infinite lattice does. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(a_block_s_middle_node_feels_the_infinite_lattice) {
   const Mesh mesh = cube(4, h);
   const std::size_t middle = 62;
@@ -129,7 +130,7 @@ BOOST_AUTO_TEST_CASE(waves_and_their_mirror_images_are_conjugate_and_periodic) {
 // Springs in squared lengths are St-Venant and Kirchhoff's law whatever their ratio A: of
 // its second derivatives,
 //     Q = (m . S m) I + mu F F^T + (lambda + mu) F m (x) F m,  S the stress to E,
-// and no ratio is left. Round-off.
+// and no ratio is left. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(in_squared_lengths_long_waves_are_those_of_st_venant_and_kirchhoff) {
   const Matrix3 F = some_gradient(13), I = Matrix3::Identity();
   const Matrix3 strain = (F.transpose() * F - I) / 2;
@@ -153,7 +154,8 @@ BOOST_AUTO_TEST_CASE(in_squared_lengths_long_waves_are_those_of_st_venant_and_ki
     }
 }
 
-// D(R F) = R D(F) R^T: springs and volumes know nothing of a rotation. Round-off.
+// D(R F) = R D(F) R^T: springs and volumes know nothing of a rotation. The tolerance is
+// round-off.
 BOOST_AUTO_TEST_CASE(a_rotation_of_the_body_turns_polarisations_alone) {
   const Network cell = cell_of(in_shear_modulus_form(SpringModel::cf), 0.45);
   const Matrix3 F = some_gradient(11),
@@ -171,7 +173,7 @@ BOOST_AUTO_TEST_CASE(a_rotation_of_the_body_turns_polarisations_alone) {
 }
 
 // At rest the lattice with its correction is Hooke's solid: Q = mu I + (lambda + mu) m
-// m^T, the slowest wave transverse. Round-off of kappa, 30 mu.
+// m^T, and the slowest wave is transverse. The tolerance is round-off of kappa, 30 mu.
 BOOST_AUTO_TEST_CASE(long_waves_at_rest_are_those_of_hooke_s_law) {
   for (const double nu : {0., 0.25, 0.4, 0.49})
     for (const auto model : {SpringModel::nfd, SpringModel::cf}) {

@@ -117,9 +117,9 @@ BOOST_AUTO_TEST_CASE(the_first_wave_in_compression_is_lost_where_the_referee_s_i
           "A " << A << ", nu " << nu);
 }
 
-// At A = 10 and nu = 0 the first to go is a long wave, at 40.7 %. A grid of the zone
-// sees none of them: on one of 16 points along each axis the first loss is between 42 and
-// 43 %.
+// At A = 10 and nu = 0 the first to go is a long wave, at 40.7 %. A grid of the zone sees
+// none of the long waves: on one of 16 points along each axis the first loss is between
+// 42 and 43 %.
 BOOST_AUTO_TEST_CASE(many_face_diagonals_lose_long_waves_first) {
   const Network cell = cell_of(10, 0);
   const LatticeLimit limit = uniaxial_limit(cell, UniaxialLoad::compression, 0.9);
@@ -140,9 +140,9 @@ BOOST_AUTO_TEST_CASE(many_face_diagonals_lose_long_waves_first) {
   BOOST_TEST(lowest_on_grid(0.43) < 0);
 }
 
-// At nu = 0 St-Venant and Kirchhoff's law loses its first long wave at a stretch of
-// 2 - sqrt(2), and none in tension up to 100 %; the lattice in squared lengths then, for
-// A from 1 to 10. The bisection's 1e-7, twice.
+// At nu = 0 St-Venant and Kirchhoff's law loses its first long wave at a stretch of 2 -
+// sqrt(2), and none in tension up to 100 %. So does the lattice in squared lengths, for A
+// from 1 to 10. The tolerance is twice the bisection's 1e-7.
 BOOST_AUTO_TEST_CASE(in_squared_lengths_the_lattice_holds_as_far_as_its_law) {
   for (const double A : {1., 10.}) {
     const Network cell = cell_of(A, 0, StrainMeasure::green);

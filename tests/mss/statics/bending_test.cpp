@@ -40,8 +40,8 @@ double deflection(SpringModel model, int cells) {
 
 }  // namespace
 
-// To 1e-7: what the iterations leave of so small a load, 1e-8 of it, moves the soft end
-// further than itself.
+// The tolerance is 1e-7: what the iterations leave of so small a load, 1e-8 of it, moves
+// the soft end by more than that part of its way.
 BOOST_AUTO_TEST_CASE(cantilevers_of_few_cells_bend_as_the_referee_s,
                      *boost::unit_test::tolerance(1e-7)) {
   for (const auto& [name, model] : {std::pair("mss-cf", SpringModel::cf),

@@ -68,8 +68,8 @@ constexpr double position_tolerance = 1e-8;
 
 }  // namespace
 
-// Every node's force, recomputed: free nodes below the solver's own bound of 1e-10 of
-// the norm of all of them.
+// Every node's force is computed again: those on free nodes are below the solver's own
+// bound of 1e-10 of the norm of all of them.
 BOOST_AUTO_TEST_CASE(free_nodes_are_in_balance_to_the_bound_the_solver_states) {
   for (const auto& [name, model] : models_on_cubes)
     for (const double nu : {0., 0.25, 0.45}) {
@@ -84,14 +84,14 @@ BOOST_AUTO_TEST_CASE(free_nodes_are_in_balance_to_the_bound_the_solver_states) {
       BOOST_TEST(c.solution.strain_energy == strain_energy(c.network, x), name);
       for (const PrescribedComponent& held : prescribed_components(c.mesh, c.scene)) {
         const double imposed = prescribed_displacement(c.mesh, c.scene, held, 1);
-        // x - X of lengths of 2 cm: round-off
+        // x - X of lengths of 2 cm has round-off
         BOOST_TEST(std::abs(c.solution.displacements[held.node][held.component] -
                             imposed) < 1e-17);
       }
     }
 }
 
-// Bounded by the residual, 1e-10 of the forces.
+// The error is bounded by the residual, 1e-10 of the forces.
 BOOST_AUTO_TEST_CASE(reactions_carry_the_weight) {
   Scene scene = compression(0.3, 0.05);
   scene.gravity = {3, 0, -10};
@@ -122,8 +122,8 @@ BOOST_AUTO_TEST_CASE(compressed_block_stays_symmetric) {
       }
 }
 
-// Both plates turn alike: the body follows without strain. Round-off of the positions
-// (1e-17 m) times the stiffness (50 N/m).
+// Both plates turn alike, and the body follows without strain. The tolerance is round-off
+// of the positions (1e-17 m) times the stiffness (50 N/m).
 BOOST_AUTO_TEST_CASE(body_follows_a_rigid_rotation_of_both_plates_without_force) {
   for (const auto& [name, model] : models_on_cubes) {
     const Case c =
@@ -223,8 +223,9 @@ BOOST_AUTO_TEST_CASE(doubled_constants_double_the_force_and_move_nothing) {
              boost::test_tools::tolerance(1e-12));
 }
 
-// The plate's force is the slope of the energy it puts in. Central difference with a
-// step of 1e-3 of the strain: truncation 1e-6, times the curvature of the force.
+// The plate's force is the slope of the energy it puts in. It is a central difference
+// with a step of 1e-3 of the strain: truncation is 1e-6, times the curvature of the
+// force.
 BOOST_AUTO_TEST_CASE(plate_force_is_the_slope_of_the_energy) {
   constexpr double step = 1e-4;
   const auto energy = [](double strain) {
@@ -329,8 +330,8 @@ BOOST_AUTO_TEST_CASE(a_path_on_which_layers_lose_their_turn_ends_there) {
   BOOST_TEST((less.status == SolveStatus::ok), less.reason);
   const Solution whole_turn = solved_at(3, StrainMeasure::green, 370);
   BOOST_TEST((whole_turn.status == SolveStatus::no_equilibrium), whole_turn.reason);
-  // Where a cell is inside out at the full load that is told by its measures. (At 170
-  // degrees rounding decides whether the turn is still there.)
+  // Where a cell is inside out at the full load, its measures tell it. (At 170 degrees
+  // rounding decides whether the turn is still there.)
   const Solution inside_out = solved_at(3, StrainMeasure::green, 160);
   BOOST_TEST((inside_out.status == SolveStatus::ok), inside_out.reason);
 }

@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(small_uniaxial_strain_recovers_e_and_nu) {
       BOOST_TEST_CONTEXT("method " << static_cast<int>(model) << ", nu " << nu) {
         BOOST_TEST(force_on(c, "top").z() / (side * side * strain) == E,
                    boost::test_tools::tolerance(1e-5));
-        // The corner opposite the pinned one.
+        // This is the corner opposite the pinned one.
         const Vector3& u = c.solution.displacements.back();
         BOOST_TEST(std::abs(-u.x() / (side * strain) - nu) < 1e-5);
         BOOST_TEST(std::abs(-u.y() / (side * strain) - nu) < 1e-5);
@@ -200,8 +200,8 @@ BOOST_AUTO_TEST_CASE(traction_on_a_sliding_block_is_the_inverse_of_a_strain) {
     }
 }
 
-// Whatever the traction on a glued block: the plate balances force and moment. Bounded by
-// the residual, 1e-10 of the forces.
+// Whatever the traction on a glued block, the plate balances force and moment. The error
+// is bounded by the residual, 1e-10 of the forces.
 BOOST_AUTO_TEST_CASE(glued_plate_balances_a_tractions_force_and_moment) {
   const Vector3 traction(120, -60, 200);
   const Scene scene = pulled(0.3, all_components, traction);

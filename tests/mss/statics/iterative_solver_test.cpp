@@ -48,9 +48,10 @@ double distance(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
   return std::sqrt(squares);
 }
 
-/// Both residuals are below 1e-10 of the forces. The tangent's condition takes about two
-/// digits of that from displacements, and the volume correction near nu = 1/2 two more.
-/// With weight the strain energy is not stationary: it differs in the first order.
+/// Checks that both solvers agree. Both residuals are below 1e-10 of the forces. The
+/// tangent's condition takes about two digits of that from displacements, and the volume
+/// correction near nu = 1/2 two more. With weight the strain energy is not stationary: it
+/// differs in the first order.
 void check_agreement(const Both& both, double nu, const std::string& name) {
   const double tolerance = nu < 0.49 ? 1e-8 : 1e-6;
   BOOST_TEST((both.direct.status == SolveStatus::ok), name << both.direct.reason);
@@ -122,7 +123,8 @@ BOOST_AUTO_TEST_CASE(both_solvers_lose_the_equilibrium_at_the_same_load) {
   BOOST_TEST(iterative.definite_up_to.has_value());
 }
 
-// As the log prints it, to ten digits: more than the 1e-13 of round-off allowed.
+// The energy is what the log prints, to ten digits: its last digit is more than the 1e-13
+// of round-off allowed.
 BOOST_AUTO_TEST_CASE(energy_never_rises_from_one_iterate_to_the_next) {
   std::ostringstream text;
   const auto before = spdlog::default_logger();

@@ -57,7 +57,7 @@ struct Limit {
 
 }  // namespace
 
-// At 10^3 cells.
+// The limits are those of 10^3 cells.
 BOOST_AUTO_TEST_CASE(lattices_without_diagonals_wrinkle_in_compression) {
   const Mesh mesh = cube(10, h);
   for (const auto& [name, model, nu, tried] :
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(lattices_without_diagonals_wrinkle_in_compression) {
                boost::test_tools::tolerance(.01));
 }
 
-// At 10^3 cells.
+// The limits are those of 10^3 cells.
 BOOST_AUTO_TEST_CASE(mss_cf_buckles_or_is_turned_inside_out_in_compression) {
   const Mesh mesh = cube(10, h);
   for (const auto& [nu, expected, how] :
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(mss_cf_buckles_or_is_turned_inside_out_in_compression) {
         boost::test_tools::tolerance(.01));
 }
 
-// Of the thesis's beam.
+// The limit is that of the thesis's beam.
 BOOST_AUTO_TEST_CASE(mss_cf_has_no_equilibrium_in_long_tension) {
   const Mesh beam = generate_block({.size = {4 * h, 4 * h, 24 * h}, .cells = {4, 4, 24}});
   for (const double nu : {0., .1}) {
@@ -133,7 +133,8 @@ BOOST_AUTO_TEST_CASE(mss_cf_in_torsion_holds_as_far_as_the_referee_s) {
   }
 }
 
-// Plates turned by 370 degrees lie where 10 would bring them. On two layers of cells.
+// Plates turned by 370 degrees lie where 10 would bring them. The body has two layers of
+// cells.
 BOOST_AUTO_TEST_CASE(a_limit_in_torsion_does_not_depend_on_the_turn_asked_for) {
   const Mesh mesh = cube(2, h);
   const Network network =
@@ -211,7 +212,7 @@ BOOST_AUTO_TEST_CASE(a_state_that_is_not_accepted_ends_the_path) {
   BOOST_TEST(limit.next_load_fraction >= .437);
 }
 
-// Waves along an edge of the lattice, between plates far away.
+// The waves run along an edge of the lattice, between plates far away.
 BOOST_AUTO_TEST_CASE(the_wavelength_of_a_wave_is_found) {
   const Mesh mesh = cube(24, h);
   for (const int length : {2, 3, 4, 6, 8, 12}) {

@@ -24,8 +24,8 @@ constexpr double poisson_ratios[] = {0, 0.25, 0.45, 0.499};
 
 enum class Load { compression, shearing, torsion };
 
-/// By the program's own fem-hooke with q2 elements at 1e-4 [N, N m]: of the law's linear
-/// answer.
+/// The answer of the program's own fem-hooke with q2 elements, in proportion to 1e-4 [N,
+/// N m]: the law's linear answer.
 double triquadratic(Load load, std::size_t nu) {
   constexpr double forces[3][4] = {
       {2.5e-3, 2.6117840e-3, 2.9892941e-3, 3.2997675e-3},
@@ -82,7 +82,7 @@ struct Row {
   double errors[4][3];  // [%], of each Poisson ratio those of each load
 };
 
-/// To a tenth of a percent, as they are printed.
+/// Checks the errors to a tenth of a percent, as they are printed.
 void check(const Row& row) {
   const Mesh mesh = generate_block(block(row.pattern, row.distortion));
   for (std::size_t nu = 0; nu < 4; ++nu)

@@ -29,7 +29,7 @@ struct Answer {
   double volume_change;
 };
 
-/// way: of the upper plate over the side; angle [rad].
+/// way is that of the upper plate over the side; angle [rad].
 Answer answer(int cells, double nu, const NetworkSettings& settings, const Vector3& way,
               double angle = 0) {
   const Mesh mesh = cube(cells, side / cells);
@@ -79,8 +79,8 @@ std::string case_of(const Load& load, const std::string& springs, double nu) {
   return fmt::format("{} {} {} nu {}", load.test, load.amount, springs, nu);
 }
 
-/// Both have residuals below 1e-8 of the force. Volumes that change by less than 1e-5 are
-/// differences of larger ones.
+/// Expects the referee's figures. Both programs have residuals below 1e-8 of the force.
+/// Volumes that change by less than 1e-5 are differences of larger ones.
 void expect_the_referee_s(int cells, double nu, StrainMeasure measure,
                           const std::string& springs, const Load& load) {
   const auto figure = [&](const char* quantity) {
@@ -143,10 +143,10 @@ BOOST_AUTO_TEST_CASE(springs_of_henckys_lattice_are_the_referee_s) {
       expect_the_referee_s(5, nu, StrainMeasure::hencky, "hencky", load);
 }
 
-// Against the referee's elements of Hencky's law (q1-sri), from which springs of
-// engineering strain are 11 to 39 % off in compression by 20 %. What is left is the law's
-// part, of 25 virtual springs at most .3 %, and the discretisation's; of the lattice at
-// nu = .499 in tension together 16 %.
+// The springs are compared with the referee's elements of Hencky's law (q1-sri), from
+// which springs of engineering strain are 11 to 39 % off in compression by 20 %. What is
+// left is the law's part, of 25 virtual springs at most .3 %, and the discretisation's;
+// of the lattice at nu = .499 in tension the two together are 16 %.
 BOOST_AUTO_TEST_CASE(springs_of_henckys_law_come_near_its_elements) {
   NetworkSettings lattice = springs_in(StrainMeasure::hencky),
                   virtual_springs =

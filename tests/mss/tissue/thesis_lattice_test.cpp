@@ -37,7 +37,7 @@ double rms_of_ln(const std::string& organ, double rate) {
 
 }  // namespace
 
-// Closed forms on both sides.
+// Both sides have closed forms.
 BOOST_AUTO_TEST_CASE(the_thesis_s_force_is_as_far_off_as_the_referee_has_it,
                      *boost::unit_test::tolerance(1e-9)) {
   for (const std::string organ : {"spleen", "liver", "kidney"}) {
@@ -52,8 +52,9 @@ BOOST_AUTO_TEST_CASE(the_thesis_s_force_is_as_far_off_as_the_referee_has_it,
   }
 }
 
-// With n -> 0 and a limit out of reach the springs are linear, sigma = mu gamma at small
-// strain, mu = K/2.998; second order in gamma = 1e-4, first in n = 1e-9.
+// With n -> 0 and a limit out of reach the springs are linear: sigma = mu gamma at small
+// strain, with mu = K/2.998. The error is of second order in gamma = 1e-4 and of first in
+// n = 1e-9.
 BOOST_AUTO_TEST_CASE(without_its_powers_it_is_hooke_s_lattice) {
   for (const Elongation elongation : {Elongation::in_metres, Elongation::relative}) {
     const mss::ThesisTissue springs =
@@ -63,8 +64,8 @@ BOOST_AUTO_TEST_CASE(without_its_powers_it_is_hooke_s_lattice) {
   }
 }
 
-// What is printed makes another material of each size of cells, h^-n; the repair one.
-// Round-off.
+// What is printed makes another material of each size of cells, h^-n; the repair one. The
+// tolerance is round-off.
 BOOST_AUTO_TEST_CASE(only_the_repaired_force_is_a_material,
                      *boost::unit_test::tolerance(1e-12)) {
   const double n = tissue::law_of_organ("liver").linear_index;
@@ -76,7 +77,7 @@ BOOST_AUTO_TEST_CASE(only_the_repaired_force_is_a_material,
              stress(Elongation::in_metres, 0.005) * std::pow(4, -n));
 }
 
-// To and fro: the lattice is the same both ways.
+// The lattice is the same to and fro.
 BOOST_AUTO_TEST_CASE(its_stress_is_odd, *boost::unit_test::tolerance(1e-12)) {
   for (const Elongation elongation : {Elongation::in_metres, Elongation::relative})
     BOOST_TEST(mss::shear_stress(lattice("kidney", elongation), -0.4) ==

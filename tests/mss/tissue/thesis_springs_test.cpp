@@ -23,7 +23,8 @@ dynamics::QuasiStaticSettings in_steps(int steps) {
 
 }  // namespace
 
-// Homogeneous: the lattice's own sum, in any cells and number of steps.
+// The state is homogeneous: its stress is the lattice's own sum, in any cells and number
+// of steps.
 BOOST_AUTO_TEST_CASE(simple_shear_has_the_lattices_stress) {
   const Mesh mesh = cube(3, h);
   for (const auto elongation :
@@ -65,7 +66,7 @@ BOOST_AUTO_TEST_CASE(work_between_glued_plates_is_stored) {
   BOOST_TEST(integral == solution.strain_energy, boost::test_tools::tolerance(2e-3));
 }
 
-// Where all tensions vanish at once, and every tangent is infinite.
+// At rest all tensions vanish at once, and every tangent is infinite.
 BOOST_AUTO_TEST_CASE(springs_come_back_to_rest) {
   const Mesh mesh = cube(3, h);
   const Solution solution = move_thesis_springs(

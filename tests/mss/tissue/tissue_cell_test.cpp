@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(affine_motions_have_their_own_gradient) {
   }
 }
 
-// Central difference of 1e-5 in time, exact but for round-off: C is of second degree.
+// A central difference of 1e-5 in time is exact but for round-off: C is of second degree.
 BOOST_AUTO_TEST_CASE(the_rate_of_c_is_its_derivative) {
   for (const auto& [name, rest] : cells()) {
     const TissueShape shape = tissue_shape(rest);
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(the_rate_of_c_is_its_derivative) {
   }
 }
 
-// In any state, under any stress; round-off.
+// This holds in any state, under any stress. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(there_is_no_net_force_and_no_torque) {
   for (const auto& [name, rest] : cells())
     for (int i = 0; i < 5; ++i) {
@@ -208,7 +208,8 @@ BOOST_AUTO_TEST_CASE(forces_turn_with_the_body) {
   }
 }
 
-// Central differences of h/1e5: 1e-10 of third derivatives, 1e-11 of round-off.
+// Central differences of h/1e5 have errors of 1e-10 of third derivatives and 1e-11 of
+// round-off.
 BOOST_AUTO_TEST_CASE(stiffness_is_the_forces_derivative) {
   for (const auto& [name, rest] : cells())
     for (int i = 0; i < 3; ++i) {

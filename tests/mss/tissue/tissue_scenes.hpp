@@ -12,7 +12,7 @@ namespace springcheck::mss {
 inline constexpr double h = 0.005;       // [m]
 inline constexpr double density = 1000;  // [kg/m^3]
 
-/// With the branches fitted to an organ's law.
+/// The solid with the branches fitted to an organ's law.
 inline const tissue::Solid& solid_of(const std::string& organ, double nu = 0.499) {
   static std::map<std::pair<std::string, double>, tissue::Solid> solids;
   auto& solid = solids[{organ, nu}];

@@ -7,7 +7,7 @@
 #include "statics/systems/free_triangle.hpp"
 #include "tests/statics/systems/bodies.hpp"
 
-// Against dense sums.
+// Block matrices are compared with dense sums.
 
 using namespace springcheck;
 using namespace springcheck::statics;
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(same_bits_on_any_number_of_threads) {
   BOOST_TEST((product_on(1) == product_on(4)));
 }
 
-// The sums of the matrix, copied: to the bit.
+// The entries are the matrix's sums, copied bit for bit.
 BOOST_AUTO_TEST_CASE(triangle_has_the_entries_of_the_unknowns) {
   const Mesh mesh = cube(2);
   const Eigen::MatrixXd expected = dense(mesh, 0.2);

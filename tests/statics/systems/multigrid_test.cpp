@@ -12,8 +12,8 @@ BOOST_AUTO_TEST_SUITE(multigrid_test)
 using namespace springcheck;
 using namespace springcheck::statics;
 
-// 3629 and 44,999 unknowns: 11 and 13 iterations. A good hierarchy needs the same number
-// on all grids; less than 1.5 times is allowed.
+// The bodies have 3629 and 44,999 unknowns, and take 11 and 13 iterations. A good
+// hierarchy needs the same number on all grids; less than 1.5 times is allowed.
 BOOST_AUTO_TEST_CASE(iterations_hardly_grow_with_the_number_of_cells) {
   const auto iterations = [](int cells) {
     const Mesh mesh = cube(cells);
@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(iterations_hardly_grow_with_the_number_of_cells) {
   BOOST_TEST(coarse < 20);
 }
 
-// Its layers turn against each other at little cost in energy.
+// The body's layers turn against each other at little cost in energy.
 BOOST_AUTO_TEST_CASE(bending_of_a_slender_body_is_seen_by_the_coarse_levels) {
   const Mesh mesh = generate_block({.size = {.01, .01, .2}, .cells = {4, 4, 80}});
   System system(mesh.nodes(), patches(mesh), held_below(mesh), LinearSolver::multigrid);
@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(bending_of_a_slender_body_is_seen_by_the_coarse_levels) {
   BOOST_TEST(system.iterations().value() < 20);
 }
 
-// What conjugate gradients ask of a preconditioner. Round-off.
+// Conjugate gradients ask this of a preconditioner. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(cycle_is_symmetric_and_positive_and_leaves_prescribed_ones_alone) {
   const Mesh mesh = cube(10);
   const Unknowns unknowns(held_below(mesh));
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(cycle_is_symmetric_and_positive_and_leaves_prescribed_ones_
   }
 }
 
-// Galerkin's: A_coarser = P^T A P. Round-off.
+// The coarser matrices are Galerkin's: A_coarser = P^T A P. The tolerance is round-off.
 BOOST_AUTO_TEST_CASE(coarser_matrices_are_those_of_the_prolonged_motions) {
   const Mesh mesh = cube(10);
   const RowMatrix matrix = dense(mesh).sparseView();

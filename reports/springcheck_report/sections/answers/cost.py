@@ -5,7 +5,8 @@ from figures import nearness
 from markupsafe import Markup
 from numbers_shown import significant
 from sections.answers.words import SIZE, bold, case_number
-from sections.chart import answer_of, fewest_threads, load_of, point_of
+from sections.chart import load_of
+from sections.chart_figures import answer_of, fewest_threads, point_of
 
 _LEVEL = 1  # percent off the converged solution
 

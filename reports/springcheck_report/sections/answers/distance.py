@@ -3,12 +3,13 @@
 import measures
 import numpy as np
 import pandas as pd
+from case_words import mesh_text
 from content import Answer, Figure
 from figures import curves
 from markupsafe import Markup
 from sections.answers.words import SIZE, TESTS, bold, case_number, first_and_nearest, foremost_springs
 from sections.slices import longest_slices
-from study import USABLE, mesh_text
+from study import USABLE
 
 _LEAST_VALUES = 3  # of Poisson's ratio
 _LEAST_SHOWN = 0.001  # percent

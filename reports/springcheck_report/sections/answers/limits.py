@@ -1,13 +1,13 @@
 """Up to which deformation methods stay stable, over another setting."""
 
 import numpy as np
+from case_words import mesh_text
 from content import Answer, Figure
 from figures import curves
 from markupsafe import Markup
 from method_style import NEUTRAL
 from sections.answers.words import SIZE, TESTS, bold, case_number
 from sections.atlas import axis_label, case_of_map, conditions
-from study import mesh_text
 
 _NO_LIMITS = ("not covered", "solver failure")  # which say nothing of the body
 

@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(every_series_has_its_sizes_and_exponents,
                    last = *rows[1]->cells[seconds].number;
       BOOST_TEST(*rows[1]->cells[per_cell].number == 1e9 * last / many,
                  boost::test_tools::tolerance(1e-12));
-      // Of two sizes the fit is the slope between them.
+      // With two sizes the fit is the slope between them.
       BOOST_TEST(*rows[1]->cells[exponent].number ==
                      std::log(last / first) / std::log(many / few),
                  boost::test_tools::tolerance(1e-9));

@@ -38,7 +38,8 @@ std::complex<double> amplification(Integrator integrator, std::complex<double> r
 
 }  // namespace
 
-// 1 + dt Gamma and 1/(1 - dt Gamma), Golec 2018, Eq. 2.33 and 2.35; round-off.
+// The factors are 1 + dt Gamma and 1/(1 - dt Gamma), Golec 2018, Eq. 2.33 and 2.35. The
+// tolerance is round-off.
 BOOST_AUTO_TEST_CASE(the_euler_pair_has_the_thesis_s_amplification) {
   for (const Complex z :
        {Complex(-1, 0), Complex(-2.5, 1), Complex(0, 0.5), Complex(1, 2)}) {
@@ -60,8 +61,8 @@ BOOST_AUTO_TEST_CASE(oscillators_are_pairs_of_the_test_equation,
                    std::abs(amplification(integrator, rate(r, zeta))));
 }
 
-// Beyond zeta = 1 Gamma is two real rates, -zeta +- sqrt(zeta^2 - 1): the faster limits
-// explicit steps, the slower is the last to decay in implicit ones.
+// Beyond zeta = 1 Gamma is two real rates, -zeta +- sqrt(zeta^2 - 1): the faster one
+// limits explicit steps, the slower one is the last to decay in implicit ones.
 BOOST_AUTO_TEST_CASE(overdamped_oscillators_have_two_rates,
                      *boost::unit_test::tolerance(1e-13)) {
   const double zeta = 1.25, slow = 0.5, fast = 2;  // zeta^2 - 1 = .75^2
@@ -105,7 +106,8 @@ BOOST_AUTO_TEST_CASE(borders_lie_on_the_circles_of_figures_2_2_and_2_3) {
   }
 }
 
-// At zeta = 0 explicit Euler's radius leaves 1 with r^2/2 only: 1e-12 stand for 1.5e-6.
+// At zeta = 0 explicit Euler's radius leaves 1 with r^2/2 only, so that 1e-12 stands for
+// 1.5e-6.
 BOOST_AUTO_TEST_CASE(borders_are_those_on_paper) {
   for (const Integrator integrator : {Integrator::explicit_euler, symplectic[0],
                                       symplectic[1], Integrator::implicit_euler})

@@ -31,12 +31,13 @@ BOOST_AUTO_TEST_CASE(stress_relaxes_as_the_laws_does) {
   for (const TableRow& row : table.rows) {
     const double off = number(table, row, "off");
     BOOST_TEST_MESSAGE(row.cells[0].text << ' ' << row.cells[1].text << ' ' << off);
-    // Of what falls nothing is fitted: in percent of the stress before it fell.
+    // Nothing is fitted to a stress that falls: it is in percent of the stress before it
+    // fell.
     BOOST_TEST(std::abs(off) < (row.cells[1].text == "held" ? 3 : 10));
   }
 }
 
-// 2 % of G', 5 % of G''.
+// The bands are 2 % of G' and 5 % of G''.
 BOOST_AUTO_TEST_CASE(moduli_are_the_laws_from_a_tenth_to_100_radians_a_second) {
   const Table table = table_of("tissue-oscillation");
   BOOST_TEST(table.rows.size() == 12U);
@@ -46,8 +47,8 @@ BOOST_AUTO_TEST_CASE(moduli_are_the_laws_from_a_tenth_to_100_radians_a_second) {
                                          << ' ' << number(table, row, "loss_off"));
     BOOST_TEST(std::abs(number(table, row, "storage_off")) < 2);
     BOOST_TEST(std::abs(number(table, row, "loss_off")) < 5);
-    // Of the branches themselves the motion is off by its chords, .1 %, and by the start,
-    // 1 % of G'' after ten cycles.
+    // The motion is off the branches themselves by its chords, .1 %, and by the start, 1
+    // % of G'' after ten cycles.
     BOOST_TEST(
         number(table, row, "storage_springs") == number(table, row, "storage_branches"),
         boost::test_tools::tolerance(0.003));

@@ -29,7 +29,7 @@ BOOST_AUTO_TEST_CASE(springs_follow_the_law_where_the_thesiss_force_does_not) {
     auto& [sum, count] = squares[{row.cells[0].text, rate}];
     sum += std::pow(std::log(1 + off / 100), 2);
     ++count;
-    // To the table's digits: law and deviation give the stress.
+    // The law and the deviation give the stress to the table's digits.
     const double law = *row.cells[column(table, "law")].number;
     BOOST_TEST(*row.cells[column(table, "springs")].number == law * (1 + off / 100),
                boost::test_tools::tolerance(1e-12));
