@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::dynamics {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem_reference/laws/settings.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 #include "statics/search.hpp"
 
 namespace springcheck::fem_reference {

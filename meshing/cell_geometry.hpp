@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "meshing/basics/vector3.hpp"
 #include "meshing/cell_type.hpp"
-#include "meshing/vector3.hpp"
 
 namespace springcheck {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "meshing/on_face.hpp"
 #include "meshing/point_tree.hpp"
 

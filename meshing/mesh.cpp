@@ -10,10 +10,10 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/sha256.hpp"
+#include "meshing/basics/text.hpp"
 #include "meshing/cell_geometry.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/sha256.hpp"
-#include "meshing/text.hpp"
 
 namespace springcheck {
 namespace {
@@ -238,13 +238,9 @@ const Region& Mesh::region(const std::string& name) const {
   if (found == regions_.end()) {
     std::vector<std::string_view> names;
     for (const auto& [known, region] : regions_) names.push_back(known);
-    if (names.empty())
-      throw InputError(source_, "region",
-                       fmt::format("a surface with the name '{}'; in gmsh, Physical "
-                                   "Surface(\"{}\") = {{...}}; gives it, before meshing",
-                                   name, name),
-                       "none with a name");
-    throw InputError(source_, "region", fmt::format("one of {}", fmt::join(names, ", ")),
+    throw InputError(source_, "region",
+                     names.empty() ? "a surface with a name"
+                                   : fmt::format("one of {}", fmt::join(names, ", ")),
                      fmt::format("'{}'", name));
   }
   return found->second;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "meshing/basics/vector3.hpp"
 #include "meshing/cell_type.hpp"
-#include "meshing/vector3.hpp"
 
 namespace springcheck {
 

@@ -1,6 +1,6 @@
 #include "mss/solve.hpp"
 
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
 #include "mss/networks/spring_strain.hpp"
 #include "mss/statics/equilibrium.hpp"
 

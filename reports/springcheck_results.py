@@ -24,12 +24,12 @@ LAYOUT = 2
 _PAGE = 4096
 _MAGIC = b"springcheck journal 1\n".ljust(32, b"\0")
 CELLS = ["tetrahedra", "pyramids", "prisms", "hexahedra"]
-# Columns of a history, those of comparisons/measures/history.hpp.
-HISTORY = ["time", "load_fraction", "deformation", "volume_change"]
-HISTORY += [f"{name}_{axis}" for name in ("force", "torque") for axis in "xyz"]
-HISTORY += ["kinetic_energy", "strain_energy"]
 COMPONENTS = {3: ["x", "y", "z"], 9: ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"]}
-HISTORY += [f"stress_{component}" for component in COMPONENTS[9]]
+# Columns of a history in files of before 0.3.0, which do not name them.
+_UNNAMED = ["time", "load_fraction", "deformation", "volume_change"]
+_UNNAMED += [f"{name}_{axis}" for name in ("force", "torque") for axis in COMPONENTS[3]]
+_UNNAMED += ["kinetic_energy", "strain_energy"]
+_UNNAMED += [f"stress_{component}" for component in COMPONENTS[9]]
 
 
 @dataclass
@@ -79,12 +79,18 @@ class Results:
         """What a case in dynamics sampled on its way, a row per moment: time [s],
         load_fraction, deformation, volume_change, force and torque on the moved plate by
         axis ("force_x") [N, N m], kinetic_energy and strain_energy [J], mean_stress by
-        component ("stress_xx", in affine) [Pa], which older files do not have. None where
-        the file holds none. KeyError for an unknown case."""
+        component ("stress_xx", in affine) [Pa] and answer, the measure that answers the
+        test's load. Older files lack the last ones. None where the file holds none.
+        KeyError for an unknown case."""
         samples = self.fields(key).get("history")
         if samples is None:
             return None
-        return pd.DataFrame(samples, columns=HISTORY[: samples.shape[1]])
+
+        def names(file):
+            return file["fields"][key].attrs.get("history_columns")
+
+        told = _at_rest(self.path, names)
+        return pd.DataFrame(samples, columns=told.split() if told else _UNNAMED[: samples.shape[1]])
 
     def frames(self, key):
         """The body of a case in dynamics at some samples of its history, in their order: a
@@ -102,7 +108,8 @@ class Results:
     def field_names(self):
         """Names of the arrays that each case has, by key; without those that have none."""
         return _at_rest(
-            self.path, lambda file: {key: set(group) for key, group in file["fields"].items()}
+            self.path,
+            lambda file: {key: set(group) for key, group in file["fields"].items() if len(group)},
         )
 
     def mesh(self, key):

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "meshing/random_vector.hpp"
+#include "meshing/basics/random_vector.hpp"
 #include "statics/minimum.hpp"
 #include "statics/systems/nodal_vectors.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "meshing/scene.hpp"
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
+#include "meshing/loads/scene.hpp"
 #include "statics/elastic_body.hpp"
 #include "statics/loading.hpp"
 #include "statics/search.hpp"

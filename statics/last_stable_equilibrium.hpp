@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
 #include "statics/equilibrium.hpp"
 
 namespace springcheck::statics {

@@ -1,6 +1,6 @@
 #include "statics/loading.hpp"
 
-#include "meshing/turn.hpp"
+#include "meshing/loads/turn.hpp"
 #include "statics/systems/nodal_vectors.hpp"
 
 namespace springcheck::statics {

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::statics {
 

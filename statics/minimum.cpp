@@ -43,6 +43,31 @@ bool leave_saddle(PotentialEnergy& potential, PotentialEnergy::State& now,
   return fell;
 }
 
+/// Moves to a state of less energy along the direction, by the whole of it or a part;
+/// false where no part is found.
+bool search_along(PotentialEnergy& potential, Minimum& minimum, Eigen::VectorXd step,
+                  const Eigen::VectorXd& downhill) {
+  const ElasticBody& body = potential.body();
+  PotentialEnergy::State& now = minimum.state;
+  const Eigen::VectorXd& u = now.displacements;
+  if (!body.is_linear())
+    step *= std::min(1., largest_move * body.cell_edge() / potential.longest_move(step));
+  const double slope = downhill.dot(step);
+  // Energy differences below round-off cannot be judged; the residual then decides.
+  const double round_off = potential.energy_round_off(u, now.energy);
+  double factor = 1;
+  PotentialEnergy::State trial = potential.at(potential.moved(u, step));
+  while (!(trial.energy <= now.energy - 1e-4 * factor * slope + round_off)) {
+    factor /= 2;
+    minimum.inverted = trial.energy == INFINITY;
+    if (factor < (minimum.inverted ? nearest_to_inversion : 1e-8)) return false;
+    trial = potential.at(potential.moved(u, factor * step));
+  }
+  now = std::move(trial);
+  minimum.inverted = false;
+  return true;
+}
+
 }  // namespace
 
 Minimum minimise(PotentialEnergy& potential, Eigen::VectorXd start,
@@ -105,24 +130,8 @@ Minimum minimise(PotentialEnergy& potential, Eigen::VectorXd start,
       potential.clamp();
       direction = potential.solve(downhill, solver_accuracy(minimum.residual));
     }
-    if (!direction) return minimum;
-    Eigen::VectorXd& step = *direction;
-    if (!body.is_linear())
-      step *=
-          std::min(1., largest_move * body.cell_edge() / potential.longest_move(step));
-    const double slope = downhill.dot(step);
-    // Energy differences below round-off cannot be judged; the residual then decides.
-    const double round_off = potential.energy_round_off(u, now.energy);
-    double factor = 1;
-    PotentialEnergy::State trial = potential.at(potential.moved(u, step));
-    while (!(trial.energy <= now.energy - 1e-4 * factor * slope + round_off)) {
-      factor /= 2;
-      minimum.inverted = trial.energy == INFINITY;
-      if (factor < (minimum.inverted ? nearest_to_inversion : 1e-8)) return minimum;
-      trial = potential.at(potential.moved(u, factor * step));
-    }
-    now = std::move(trial);
-    minimum.inverted = false;
+    if (!direction || !search_along(potential, minimum, std::move(*direction), downhill))
+      return minimum;
   }
   minimum.found = false;
   return minimum;

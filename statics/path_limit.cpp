@@ -6,7 +6,7 @@
 #include <deque>
 #include <random>
 
-#include "meshing/random_vector.hpp"
+#include "meshing/basics/random_vector.hpp"
 #include "statics/potential_energy.hpp"
 
 namespace springcheck::statics {
@@ -22,8 +22,8 @@ constexpr double earlier = 1. / 32;     // of the load, in which a curvature cha
 constexpr unsigned seed = 1;  // of where iterations start that end at the same place
 
 /// The equilibrium that Newton's method leads to with the true tangent, or nothing where
-/// a tangent on the way is not positive definite, a residual is not finite, or it does not
-/// get there in a few corrections. `potential` then has the equilibrium's tangent.
+/// a tangent on the way is not positive definite, a residual is not finite, or it does
+/// not get there in a few corrections. `potential` then has the equilibrium's tangent.
 std::optional<PotentialEnergy::State> corrected(PotentialEnergy& potential,
                                                 Eigen::VectorXd u,
                                                 std::mt19937_64& random) {
@@ -110,22 +110,44 @@ bool turns_back(PotentialEnergy& potential, const Passed& earlier, const Passed&
                                       before.amplitude * std::sqrt(before.curvature);
 }
 
+PathLimit at_rest(PotentialEnergy& potential) {
+  const Eigen::VectorXd rest =
+      Eigen::VectorXd::Zero(3 * std::ssize(potential.body().nodes()));
+  return {.end = PathEnd::full_load,
+          .load_fraction = 0,
+          .next_load_fraction = 1,
+          .state = potential.at(rest),
+          .critical_mode = rest,
+          .curvature = 0,
+          .rest_curvature = 0,
+          .mode_rest_curvature = 0,
+          .steps = 0};
+}
+
+/// Tells how a path ended short of its load, with the mode that is least stable there.
+void set_end(PathLimit& limit, PotentialEnergy& potential, const Mode& mode,
+             bool was_rejected, const std::deque<Passed>& passed) {
+  limit.curvature = mode.curvature;
+  limit.critical_mode = potential.unknowns().spread(mode.shape);
+  potential.linearise(Eigen::VectorXd::Zero(limit.state.displacements.size()));
+  limit.mode_rest_curvature = potential.curvature_along(mode.shape);
+  if (was_rejected)
+    limit.end = PathEnd::rejected;
+  else if (mode.curvature > small * limit.mode_rest_curvature)
+    limit.end = PathEnd::solver;
+  else
+    limit.end = turns_back(potential, passed.front(), passed.back(), mode.shape)
+                    ? PathEnd::limit_point
+                    : PathEnd::bifurcation;
+}
+
 }  // namespace
 
 PathLimit follow_to_limit(PotentialEnergy& potential, double resolution,
                           const AcceptState& accept) {
   std::mt19937_64 random(seed);
-  const Eigen::VectorXd rest =
-      Eigen::VectorXd::Zero(3 * std::ssize(potential.body().nodes()));
-  PathLimit limit{.end = PathEnd::full_load,
-                  .load_fraction = 0,
-                  .next_load_fraction = 1,
-                  .state = potential.at(rest),
-                  .critical_mode = rest,
-                  .curvature = 0,
-                  .rest_curvature = 0,
-                  .mode_rest_curvature = 0,
-                  .steps = 0};
+  PathLimit limit = at_rest(potential);
+  const Eigen::VectorXd rest = limit.state.displacements;
   potential.linearise(rest);
   // Where conjugate gradients cannot tell whether rest is stable, the path's first step
   // shows it.
@@ -192,18 +214,7 @@ PathLimit follow_to_limit(PotentialEnergy& potential, double resolution,
     limit.next_load_fraction = 1;
     return limit;
   }
-  limit.curvature = mode.curvature;
-  limit.critical_mode = potential.unknowns().spread(mode.shape);
-  potential.linearise(rest);
-  limit.mode_rest_curvature = potential.curvature_along(mode.shape);
-  if (was_rejected)
-    limit.end = PathEnd::rejected;
-  else if (mode.curvature > small * limit.mode_rest_curvature)
-    limit.end = PathEnd::solver;
-  else
-    limit.end = turns_back(potential, passed.front(), passed.back(), mode.shape)
-                    ? PathEnd::limit_point
-                    : PathEnd::bifurcation;
+  set_end(limit, potential, mode, was_rejected, passed);
   return limit;
 }
 

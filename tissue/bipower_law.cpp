@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <ranges>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tissue/checks.hpp"
 
 namespace springcheck::tissue {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck::tissue {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tissue/checks.hpp"
 #include "tissue/non_negative_least_squares.hpp"
 

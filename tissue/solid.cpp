@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tissue/checks.hpp"
 
 namespace springcheck::tissue {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tissue/checks.hpp"
 
 namespace springcheck::tissue {

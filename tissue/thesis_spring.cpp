@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tissue/checks.hpp"
 
 namespace springcheck::tissue {

@@ -36,12 +36,16 @@ CaseSettings at_largest_load(const CaseSettings& settings, double reached) {
   return at_load(settings, largest);
 }
 
-CaseSettings in_last_direction(const CaseSettings& settings, double reached) {
+bool acts_backwards(const CaseSettings& settings, double reached) {
   double acted = reached;
   if (has_history(settings))
     for (const dynamics::LoadPoint& point : std::views::reverse(settings.dynamics.load))
       if (acted == 0) acted = point.fraction;
-  return at_load(settings, acted < 0 ? -1 : 1);
+  return acted < 0;
+}
+
+CaseSettings in_last_direction(const CaseSettings& settings, double reached) {
+  return at_load(settings, acts_backwards(settings, reached) ? -1 : 1);
 }
 
 CaseSettings without_noise(CaseSettings settings) {

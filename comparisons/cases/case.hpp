@@ -120,8 +120,11 @@ CaseSettings at_last_load(const CaseSettings& settings);
 /// the fraction that it reached.
 CaseSettings at_largest_load(const CaseSettings& settings, double reached);
 
-/// The case under the whole load, in the direction in which it acts at the fraction that
-/// was reached; where that is 0, in the direction in which it acted last.
+/// Whether the load acts against the whole one at the fraction that was reached; where
+/// that is 0, whether it did so when it acted last.
+bool acts_backwards(const CaseSettings& settings, double reached);
+
+/// The case under the whole load, in the direction in which it acts, or acted last.
 CaseSettings in_last_direction(const CaseSettings& settings, double reached);
 
 /// The case as one that others are held against, without noise on its solution.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fem_reference/laws/settings.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 #include "mss/networks/spring_model.hpp"
 
 namespace springcheck {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

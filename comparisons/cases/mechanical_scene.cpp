@@ -1,12 +1,14 @@
 #include "comparisons/cases/mechanical_scene.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "meshing/input_error.hpp"
-#include "meshing/traction.hpp"
+#include "comparisons/names/suggestion.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/loads/traction.hpp"
 
 namespace springcheck {
 namespace {
@@ -70,10 +72,34 @@ PlateGeometry plate_geometry(const CaseSettings& settings, const Mesh& mesh) {
   return {.centre = upper, .distance = distance};
 }
 
+/// Refuses a plate's surface that the mesh does not have. gmsh's surfaces without a name
+/// have their number as one.
+void check_surface(const Mesh& mesh, const char* key, const std::string& name) {
+  if (mesh.regions().contains(name) || mesh.surfaces_elsewhere().contains(name)) return;
+  std::vector<std::string_view> names;
+  for (const auto& [known, region] : mesh.regions()) names.push_back(known);
+  const std::string place = fmt::format("{}: {}", mesh.source(), key);
+  const auto is_number = [](std::string_view text) {
+    return text.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  if (name.empty()) throw InputError(place, "", "the name of a surface", "none");
+  if (!std::ranges::all_of(names, is_number)) refuse_name(place, "surface", name, names);
+  const std::string there =
+      names.empty() ? "a surface with the name"
+                    : fmt::format("one of {}, or the name", fmt::join(names, ", "));
+  throw InputError(place, "",
+                   fmt::format("{} '{}'; in gmsh, Physical Surface(\"{}\") = {{...}}; "
+                               "gives it, before meshing",
+                               there, name, name),
+                   names.empty() ? "none with a name" : fmt::format("'{}'", name));
+}
+
 }  // namespace
 
 Scene mechanical_scene(const CaseSettings& settings, const Mesh& mesh) {
   const Body& body = settings.body;
+  if (entry_of(settings.test).lower_plate) check_surface(mesh, "fixed", body.fixed);
+  if (entry_of(settings.test).upper_plate) check_surface(mesh, "moved", body.moved);
   const PlateGeometry plates = plate_geometry(settings, mesh);
   const double height = plates.distance;
   const bool slides =

@@ -15,8 +15,8 @@
 #include "dynamics/blocks/instruction_set.hpp"
 #include "dynamics/marching/march.hpp"
 #include "dynamics/motion.hpp"
+#include "meshing/loads/scene.hpp"
 #include "meshing/mesh.hpp"
-#include "meshing/scene.hpp"
 #include "mss/networks/network.hpp"
 
 namespace springcheck {

@@ -49,4 +49,12 @@ inline constexpr std::array value_names<Status>{
         "never alone, a flag beside one of the others: strains or rates leave the range "
         "to which the law of tissue was fitted"}};
 
+/// Whether a case of this status ended in an equilibrium, or at the end of its motion,
+/// and so has all measures and fields; but those of solver limit, which end where a path
+/// does.
+constexpr bool has_equilibrium(Status status) {
+  return status == Status::ok || status == Status::wrinkled ||
+         status == Status::inverted || status == Status::indefinite;
+}
+
 }  // namespace springcheck

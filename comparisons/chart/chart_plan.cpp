@@ -16,8 +16,8 @@
 #include "comparisons/studies/converged.hpp"
 #include "comparisons/studies/formal_order.hpp"
 #include "comparisons/system/environment.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/sha256.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/sha256.hpp"
 
 namespace springcheck {
 namespace {

@@ -10,7 +10,7 @@
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/running/progress.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "comparisons/build_info/build_info.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -41,14 +41,19 @@ Values values_of(const OptionText& option) {
   return {option.type, option.words};
 }
 
-/// The types and words of the command's positional values, one after the other.
-Values positional_values(const CommandText& command) {
+/// The types and words of the command's positional values, one after the other; with
+/// `is_first_given` of those that may stand behind the first.
+Values positional_values(const CommandText& command, bool is_first_given) {
   Values values;
-  for (const OptionText& option : command.options)
-    if (option.is_positional) {
-      values.type += (values.type.empty() ? "" : "|") + option.type;
-      values.words.insert(values.words.end(), option.words.begin(), option.words.end());
-    }
+  bool is_first = true;
+  for (const OptionText& option : command.options) {
+    if (!option.is_positional) continue;
+    const bool is_given = is_first && is_first_given && !option.may_be_repeated;
+    is_first = false;
+    if (is_given) continue;
+    values.type += (values.type.empty() ? "" : "|") + option.type;
+    values.words.insert(values.words.end(), option.words.begin(), option.words.end());
+  }
   return values;
 }
 
@@ -100,8 +105,11 @@ std::string bash_cases(const CommandText& command, bool several) {
 }
 
 std::string bash_case(const CommandText& command) {
-  const std::string otherwise = bash_values(positional_values(command)),
-                    of_several = bash_cases(command, true);
+  const std::string otherwise =
+      fmt::format("if [ -n \"$placed\" ]; then {}; else {}; fi",
+                  bash_values(positional_values(command, true)),
+                  bash_values(positional_values(command, false)));
+  const std::string of_several = bash_cases(command, true);
   std::string text =
       fmt::format("    {})\n      options={}\n      case $previous in\n{}", command.name,
                   in_quotes(joined(options_of(command))), bash_cases(command, false));
@@ -120,7 +128,7 @@ std::string bash_script(std::span<const CommandText> commands) {
   return fmt::format(R"(# bash completion of springcheck; see springcheck help completion
 _springcheck() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}}
-  local values= options= files= before= option= first=1 i
+  local values= options= files= before= option= placed= first=1 i
   COMPREPLY=()
   while [ "${{COMP_WORDS[first]}}" = --verbose ] && [ "$first" -lt "$COMP_CWORD" ]; do
     first=$((first + 1))
@@ -129,6 +137,8 @@ _springcheck() {{
     mapfile -t COMPREPLY < <(compgen -W '{} --help --version --verbose' -- "$current")
     return
   fi
+  # Whether the word behind the command is its first value.
+  [ "$COMP_CWORD" -gt $((first + 1)) ] && case ${{COMP_WORDS[first+1]}} in -*) ;; *) placed=1 ;; esac
   for ((i = COMP_CWORD - 1; i > first; i--)); do
     case ${{COMP_WORDS[i]}} in -*) option=${{COMP_WORDS[i]}}; break ;; esac
   done
@@ -251,10 +261,14 @@ std::string fish_lines(const CommandText& command) {
   std::string lines =
       fmt::format("complete -c springcheck -n __springcheck_has -f -a {} -d {}\n",
                   command.name, in_quotes(command.summary));
-  if (const Values values = positional_values(command); !values.type.empty())
-    lines += of_command + fish_values(values, false) + "\n";
-  else
-    lines += of_command + " -f\n";
+  for (const bool is_first_given : {false, true}) {
+    const Values values = positional_values(command, is_first_given);
+    lines += fmt::format(
+        "complete -c springcheck -n '__springcheck_has {}; and "
+        "{}__springcheck_placed'{}\n",
+        command.name, is_first_given ? "" : "not ",
+        values.type.empty() ? " -f" : fish_values(values, false));
+  }
   for (const OptionText& option : command.options) {
     if (option.is_positional) continue;
     lines += of_command;
@@ -276,6 +290,13 @@ function __springcheck_has # the command of that name, or none
     set -e words[2]
   end
   test "$words[2]" = "$argv"
+end
+function __springcheck_placed # whether the word behind the command is its first value
+  set -l words (commandline -opc)
+  while test "$words[2]" = --verbose
+    set -e words[2]
+  end
+  set -q words[3]; and not string match -q -- '-*' $words[3]
 end
 )"
       "complete -c springcheck -n __springcheck_has -f\n"

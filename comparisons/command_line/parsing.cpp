@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "comparisons/names/suggestion.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/text.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/text.hpp"
 
 namespace springcheck {
 namespace {

@@ -10,12 +10,12 @@
 #include "comparisons/chart/claims.hpp"
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/command_line/screen.hpp"
-#include "comparisons/commands/chart_options.hpp"
 #include "comparisons/commands/commands.hpp"
-#include "comparisons/commands/computing.hpp"
-#include "comparisons/commands/interrupted.hpp"
-#include "comparisons/commands/setting_options.hpp"
-#include "meshing/input_error.hpp"
+#include "comparisons/commands/options/chart_options.hpp"
+#include "comparisons/commands/options/computing.hpp"
+#include "comparisons/commands/options/interrupted.hpp"
+#include "comparisons/commands/options/setting_options.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

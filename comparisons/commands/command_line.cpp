@@ -12,7 +12,7 @@
 #include "comparisons/system/blas.hpp"
 #include "comparisons/system/interruption.hpp"
 #include "comparisons/system/terminal.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

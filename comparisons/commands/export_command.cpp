@@ -8,13 +8,13 @@
 
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/commands/commands.hpp"
-#include "comparisons/commands/input_options.hpp"
+#include "comparisons/commands/options/input_options.hpp"
 #include "comparisons/formats/parquet.hpp"
 #include "comparisons/formats/text_table.hpp"
 #include "comparisons/results/case_table.hpp"
 #include "comparisons/results/known_results.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/output_file.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/output_file.hpp"
 
 namespace springcheck {
 namespace {

@@ -7,14 +7,14 @@
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/commands.hpp"
-#include "comparisons/commands/input_options.hpp"
+#include "comparisons/commands/options/input_options.hpp"
 #include "comparisons/gates/gate_check.hpp"
 #include "comparisons/gates/gate_file.hpp"
 #include "comparisons/gates/gate_output.hpp"
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/settings/toml_values.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/output_file.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/output_file.hpp"
 
 namespace springcheck {
 namespace {

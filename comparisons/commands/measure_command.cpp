@@ -10,12 +10,12 @@
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/commands.hpp"
-#include "comparisons/commands/computing.hpp"
-#include "comparisons/commands/input_options.hpp"
-#include "comparisons/commands/interrupted.hpp"
-#include "comparisons/commands/result_json.hpp"
-#include "comparisons/commands/result_text.hpp"
-#include "comparisons/commands/setting_options.hpp"
+#include "comparisons/commands/options/computing.hpp"
+#include "comparisons/commands/options/input_options.hpp"
+#include "comparisons/commands/options/interrupted.hpp"
+#include "comparisons/commands/options/setting_options.hpp"
+#include "comparisons/commands/output/result_json.hpp"
+#include "comparisons/commands/output/result_text.hpp"
 #include "comparisons/imported/imported_case.hpp"
 #include "comparisons/imported/nodal_csv.hpp"
 #include "comparisons/imported/vtu_file.hpp"
@@ -24,7 +24,7 @@
 #include "comparisons/running/progress.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/settings/setting.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -7,14 +7,14 @@
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/commands.hpp"
-#include "comparisons/commands/input_options.hpp"
-#include "comparisons/commands/quality_text.hpp"
-#include "comparisons/commands/setting_options.hpp"
+#include "comparisons/commands/options/input_options.hpp"
+#include "comparisons/commands/options/setting_options.hpp"
+#include "comparisons/commands/output/quality_text.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/settings/scene_file.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/output_file.hpp"
 #include "meshing/files/mesh_files.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/output_file.hpp"
 
 namespace springcheck {
 namespace {
@@ -81,7 +81,7 @@ ExitStatus write_scene_mesh(const MeshOptions& options) {
 Action declare_mesh(CLI::App& parser) {
   const auto options = std::make_shared<MeshOptions>();
   add_scene(parser, options->scene);
-  options->settings.add_to(parser, is_any);
+  options->settings.add_to(parser, is_of_mesh);
   add_path(parser, "--out", options->file, "FILE", "a .msh, .vtu or .inp file")
       ->group(of_output);
   parser

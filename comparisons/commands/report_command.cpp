@@ -6,10 +6,10 @@
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/commands/commands.hpp"
-#include "comparisons/commands/input_options.hpp"
+#include "comparisons/commands/options/input_options.hpp"
 #include "comparisons/report/report.hpp"
 #include "comparisons/results/known_results.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -21,7 +21,7 @@
 #include "comparisons/sweeps/sweep_run.hpp"
 #include "comparisons/tables/computed_tables.hpp"
 #include "comparisons/tables/summary.hpp"
-#include "meshing/output_file.hpp"
+#include "meshing/basics/output_file.hpp"
 
 namespace springcheck {
 namespace {
@@ -72,19 +72,14 @@ bool is_computed_when_printed(const CatalogueEntry& entry) {
   return entry.source == Source::when_printed;
 }
 
-/// The requests that the file lacks, or whose fields it lacks where they are wanted and
-/// the case did not fail. Requests in `planned` are left out, and the keys of the others
-/// are added to it.
+/// The requests that the file does not hold, with fields where they are wanted. Requests
+/// in `planned` are left out, and the keys of the others are added to it.
 std::vector<Request> missing_of(std::vector<Request> requests, bool with_fields,
                                 const StoredKeys& stored, std::set<std::string>& planned,
                                 MeshStore& meshes) {
   std::erase_if(requests, [&](const Request& request) {
     const std::string key = case_key(request, meshes.mesh(request.settings.body));
-    const auto found = stored.statuses.find(key);
-    const bool is_there =
-        found != stored.statuses.end() &&
-        (!with_fields || found->second != Status::ok || stored.with_fields.contains(key));
-    return is_there || !planned.insert(key).second;
+    return holds(stored, key, with_fields) || !planned.insert(key).second;
   });
   return requests;
 }

@@ -3,8 +3,8 @@
 
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/commands/commands.hpp"
-#include "comparisons/commands/computing.hpp"
-#include "comparisons/commands/interrupted.hpp"
+#include "comparisons/commands/options/computing.hpp"
+#include "comparisons/commands/options/interrupted.hpp"
 #include "comparisons/commands/reproduce.hpp"
 
 namespace springcheck {

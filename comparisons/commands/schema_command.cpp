@@ -8,7 +8,8 @@
 
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/commands/commands.hpp"
-#include "comparisons/commands/result_json.hpp"
+#include "comparisons/commands/output/result_json.hpp"
+#include "comparisons/formats/table.hpp"
 #include "comparisons/gates/gate_keys.hpp"
 #include "comparisons/gates/gate_output.hpp"
 #include "comparisons/names/suggestion.hpp"
@@ -23,15 +24,17 @@ using Json = nlohmann::ordered_json;
 
 /// The JSON schema of all that `--json` prints.
 Json result_schema() {
-  const Json alternatives = {{{"$ref", "#/definitions/run"}},
-                             {{"$ref", "#/definitions/gate"}},
-                             {{"$ref", "#/definitions/list"}}};
+  const Json definitions{{"run", run_schema()},
+                         {"gate", gates::report_schema()},
+                         {"list", list_schema()},
+                         {"table", table_schema()}};
+  Json alternatives = Json::array();
+  for (auto one = definitions.begin(); one != definitions.end(); ++one)
+    alternatives.push_back({{"$ref", "#/definitions/" + one.key()}});
+  alternatives.push_back(
+      {{"type", "array"}, {"items", {{"$ref", "#/definitions/table"}}}});
   return schema_document("What springcheck prints with --json",
-                         {{"anyOf", alternatives},
-                          {"definitions",
-                           {{"run", run_schema()},
-                            {"gate", gates::report_schema()},
-                            {"list", list_schema()}}}});
+                         {{"anyOf", alternatives}, {"definitions", definitions}});
 }
 
 struct Schema {
@@ -72,7 +75,7 @@ Command schema_command() {
           .description = "Editors complete and check files by it.",
           .examples = {{"springcheck schema scene", "the keys of scene files"},
                        {"springcheck schema result",
-                        "what run, gate and list print with --json"}},
+                        "what commands print as JSON: cases, gates, lists, tables"}},
           .declare = declare_schema};
 }
 

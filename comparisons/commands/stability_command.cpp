@@ -6,13 +6,13 @@
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/commands.hpp"
-#include "comparisons/commands/computing.hpp"
-#include "comparisons/commands/input_options.hpp"
-#include "comparisons/commands/interrupted.hpp"
-#include "comparisons/commands/setting_options.hpp"
+#include "comparisons/commands/options/computing.hpp"
+#include "comparisons/commands/options/input_options.hpp"
+#include "comparisons/commands/options/interrupted.hpp"
+#include "comparisons/commands/options/setting_options.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/stability/atlas_tables.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -10,15 +10,15 @@
 
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/commands/commands.hpp"
-#include "comparisons/commands/computing.hpp"
-#include "comparisons/commands/input_options.hpp"
-#include "comparisons/commands/interrupted.hpp"
+#include "comparisons/commands/options/computing.hpp"
+#include "comparisons/commands/options/input_options.hpp"
+#include "comparisons/commands/options/interrupted.hpp"
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/running/cost.hpp"
 #include "comparisons/running/memory.hpp"
 #include "comparisons/sweeps/planned_cases.hpp"
 #include "comparisons/sweeps/sweep_run.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {
@@ -57,12 +57,9 @@ std::vector<PlannedCase> missing_of(const std::vector<PlannedCase>& wanted,
         options.revisions == Revisions::all && other != stored.substitutes.end();
     const std::string& key = is_accepted ? other->second : own_key;
     const auto known = stored.statuses.find(key);
-    // A refused case never has fields.
-    const bool is_there = known != stored.statuses.end() &&
-                          (!sweep.with_fields || stored.with_fields.contains(key) ||
-                           known->second == Status::refused);
     const bool failed = known != stored.statuses.end() && known->second != Status::ok;
-    if (options.only_failed ? failed : options.recompute || !is_there)
+    if (options.only_failed ? failed
+                            : options.recompute || !holds(stored, key, sweep.with_fields))
       missing.push_back(planned);
   }
   return missing;

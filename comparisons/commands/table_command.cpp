@@ -7,14 +7,14 @@
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/command_line/screen.hpp"
 #include "comparisons/commands/commands.hpp"
-#include "comparisons/commands/computing.hpp"
-#include "comparisons/commands/input_options.hpp"
-#include "comparisons/commands/interrupted.hpp"
+#include "comparisons/commands/options/computing.hpp"
+#include "comparisons/commands/options/input_options.hpp"
+#include "comparisons/commands/options/interrupted.hpp"
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/results/kept_results.hpp"
 #include "comparisons/results/known_results.hpp"
 #include "comparisons/tables/computed_tables.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -134,6 +134,29 @@ std::string format_table(const Table& table, TableFormat format) {
   return {};
 }
 
+Json table_schema() {
+  const Json text{{"type", "string"}}, texts{{"type", "array"}, {"items", text}},
+      text_or_null{{"type", {"string", "null"}}};
+  const auto object = [](const Json& properties) {
+    Json names = Json::array();
+    for (auto one = properties.begin(); one != properties.end(); ++one)
+      names.push_back(one.key());
+    return Json{{"type", "object"}, {"properties", properties}, {"required", names}};
+  };
+  const auto list_of = [](const Json& items) {
+    return Json{{"type", "array"}, {"items", items}};
+  };
+  const Json column =
+      object({{"key", text}, {"heading", text}, {"format", text_or_null}});
+  const Json row = object({{"notes", texts}, {"case", text_or_null}, {"cases", texts}});
+  return object({{"springcheck", text},
+                 {"table", text},
+                 {"title", text},
+                 {"columns", list_of(column)},
+                 {"rows", list_of(row)},
+                 {"notes", texts}});
+}
+
 std::string format_tables(const std::vector<Table>& tables, TableFormat format) {
   const bool is_json = format == TableFormat::json;
   std::string text = is_json ? "[\n" : "";

@@ -66,6 +66,9 @@ struct Table {
 /// JSON have all digits and all keys.
 std::string format_table(const Table& table, TableFormat format);
 
+/// The JSON schema of a table's JSON, which has a value for each column in each row.
+nlohmann::ordered_json table_schema();
+
 /// One after the other; as JSON one array.
 std::string format_tables(const std::vector<Table>& tables, TableFormat format);
 

@@ -9,8 +9,8 @@
 #include "comparisons/command_line/manual_page.hpp"
 #include "comparisons/command_line/options.hpp"
 #include "comparisons/front/front_commands.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/output_file.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/output_file.hpp"
 
 namespace springcheck {
 namespace {

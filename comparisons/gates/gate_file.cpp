@@ -9,7 +9,7 @@
 
 #include "comparisons/gates/gate_table.hpp"
 #include "comparisons/settings/setting_values.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck::gates {
 namespace {

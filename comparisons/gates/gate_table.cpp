@@ -8,7 +8,7 @@
 
 #include "comparisons/gates/gate_keys.hpp"
 #include "comparisons/names/suggestion.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck::gates {
 namespace {

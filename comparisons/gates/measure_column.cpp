@@ -10,7 +10,7 @@
 
 #include "comparisons/measures/measure_list.hpp"
 #include "comparisons/names/suggestion.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck::gates {
 namespace {

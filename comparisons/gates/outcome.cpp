@@ -1,5 +1,5 @@
 #include "comparisons/gates/outcome.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 
 #include "comparisons/names/suggestion.hpp"
 #include "comparisons/settings/setting.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck::gates {
 namespace {

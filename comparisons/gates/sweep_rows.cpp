@@ -9,7 +9,7 @@
 #include <span>
 
 #include "comparisons/studies/extrapolation.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck::gates {
 namespace {

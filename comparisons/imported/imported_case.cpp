@@ -9,9 +9,9 @@
 #include "comparisons/imported/nodal_vectors.hpp"
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/running/simulate.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/sha256.hpp"
-#include "meshing/text.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/sha256.hpp"
+#include "meshing/basics/text.hpp"
 
 namespace springcheck {
 namespace {

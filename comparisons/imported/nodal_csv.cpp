@@ -12,7 +12,7 @@
 #include <string>
 
 #include "comparisons/imported/nodal_vectors.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

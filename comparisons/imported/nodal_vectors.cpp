@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

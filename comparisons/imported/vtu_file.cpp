@@ -13,7 +13,7 @@
 
 #include "comparisons/imported/nodal_vectors.hpp"
 #include "comparisons/imported/vtk_numbers.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {
@@ -38,16 +38,15 @@ class VtuFile {
     std::stringstream content;
     content << in.rdbuf();
     const std::string text = content.str();
-    const auto parsed = document_.load_buffer(
-        text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
+    const auto parsed = document_.load_buffer(text.data(), text.size(),
+                                              pugi::parse_default, pugi::encoding_utf8);
     if (!parsed)
       throw InputError(
           fmt::format("{}:{}", name_,
                       1 + std::count(text.begin(), text.begin() + parsed.offset, '\n')),
           "", "XML; binary data inline as base64, not appended raw",
-          static_cast<std::size_t>(parsed.offset) >= text.size()
-              ? "the end of the file"
-              : parsed.description());
+          static_cast<std::size_t>(parsed.offset) >= text.size() ? "the end of the file"
+                                                                 : parsed.description());
     root_ = document_.child("VTKFile");
     if (attribute(root_, "type") != "UnstructuredGrid")
       refuse("", "a VTKFile of type UnstructuredGrid",

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "meshing/traction.hpp"
+#include "meshing/loads/traction.hpp"
 
 namespace springcheck {
 namespace {

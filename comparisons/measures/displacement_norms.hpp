@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck {
 

@@ -7,10 +7,25 @@
 #include "comparisons/measures/measures.hpp"
 
 namespace springcheck {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// The measure that answers the load, along the whole load all the way.
+double answer_along(const CaseSettings& settings, const Measures& measures,
+                    double load_fraction) {
+  const Measure* const answer = find_measure(entry_of(settings.test).answer);
+  if (answer == nullptr) return none;
+  const double value = measure_of(measures, answer->name).value_or(none);
+  const bool is_reversed =
+      answer->traits.along_last_load && acts_backwards(settings, load_fraction);
+  return is_reversed ? -value : value;
+}
+
+}  // namespace
 
 HistorySample history_sample(const CaseSettings& settings, const Mesh& mesh,
                              const dynamics::Moment& moment) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   Solution there{};
   there.displacements = moment.displacements;
   there.reactions = moment.reactions;
@@ -44,7 +59,8 @@ HistorySample history_sample(const CaseSettings& settings, const Mesh& mesh,
           P(1, 2),
           P(2, 0),
           P(2, 1),
-          P(2, 2)};
+          P(2, 2),
+          answer_along(settings, measures, moment.load_fraction)};
 }
 
 void keep_frame(HistoryFrames& frames, std::size_t sample,

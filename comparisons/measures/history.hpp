@@ -12,13 +12,15 @@ namespace springcheck {
 /// A moment of a case in dynamics, in the order of history_columns: time [s], load
 /// fraction, deformation (no number in tests without one), volume change (V - V0)/V0,
 /// force [N] and torque [N m] on the moved plate (no numbers without one), kinetic and
-/// strain energy [J], the measure mean_stress [Pa] (no numbers but in affine).
-inline constexpr std::array<std::string_view, 21> history_columns{
+/// strain energy [J], the measure mean_stress [Pa] (no numbers but in affine), the
+/// measure that answers the test's load (of a vector its length; no number in affine),
+/// along the whole load wherever the path has gone.
+inline constexpr std::array<std::string_view, 22> history_columns{
     "time",           "load_fraction", "deformation", "volume_change", "force_x",
     "force_y",        "force_z",       "torque_x",    "torque_y",      "torque_z",
     "kinetic_energy", "strain_energy", "stress_xx",   "stress_xy",     "stress_xz",
     "stress_yx",      "stress_yy",     "stress_yz",   "stress_zx",     "stress_zy",
-    "stress_zz"};
+    "stress_zz",      "answer"};
 using HistorySample = std::array<double, history_columns.size()>;
 using History = std::vector<HistorySample>;
 

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "comparisons/cases/test.hpp"
-#include "meshing/vector3.hpp"
+#include "meshing/basics/vector3.hpp"
 
 namespace springcheck {
 
@@ -89,6 +89,7 @@ struct Measure {
     bool (*is_of)(const TestName&) = [](const TestName&) { return true; };
     bool in_percent = false;  // how people read it
     bool is_time = false;     // which only one session on one machine can compare
+    bool along_last_load = false;  // positive along the load that acted last
   } traits{};
 };
 
@@ -162,7 +163,7 @@ inline constexpr Measure table[] = {
     {"plate_force", &M::plate_force, "plate force", "N",
      "component of force along the imposed motion or the traction, positive where the "
      "body resists; once the load is gone along what it was",
-     {.is_of = with_pushed_plate}},
+     {.is_of = with_pushed_plate, .along_last_load = true}},
     {"plate_force_norm", &M::plate_force_norm, "resultant force", "N",
      "length of force",
      {.is_of = with_upper_plate}},
@@ -227,7 +228,7 @@ inline constexpr Measure table[] = {
      {.compared = is_deviation, .in_percent = true}},
     {"tip_deflection", &M::tip_deflection, "tip deflection", "m",
      "displacement of the end face's centre along gravity",
-     {.is_of = of_beam}},
+     {.is_of = of_beam, .along_last_load = true}},
     {"tip_euler_bernoulli", &M::tip_euler_bernoulli, "tip by Euler and Bernoulli", "m",
      "the tip by Euler and Bernoulli's theory",
      {.compared = never, .is_of = of_beam}},

@@ -10,7 +10,7 @@
 #include "comparisons/measures/beam_measures.hpp"
 #include "comparisons/measures/displacement_norms.hpp"
 #include "meshing/cell_geometry.hpp"
-#include "meshing/traction.hpp"
+#include "meshing/loads/traction.hpp"
 
 namespace springcheck {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck {
 

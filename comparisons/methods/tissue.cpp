@@ -9,8 +9,8 @@
 
 #include "comparisons/methods/protocol.hpp"
 #include "fem_reference/tissue/solve_tissue.hpp"
-#include "meshing/scene.hpp"
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
+#include "meshing/loads/scene.hpp"
 #include "mss/tissue/solve_tissue.hpp"
 #include "mss/tissue/thesis_springs.hpp"
 #include "mss/tissue/tissue_motion.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "comparisons/cases/case.hpp"
-#include "meshing/natural_modes.hpp"
+#include "statics/systems/natural_modes.hpp"
 
 namespace springcheck {
 

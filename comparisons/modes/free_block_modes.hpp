@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "meshing/natural_modes.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
+#include "statics/systems/natural_modes.hpp"
 
 namespace springcheck {
 

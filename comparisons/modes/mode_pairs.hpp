@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "meshing/natural_modes.hpp"
+#include "statics/systems/natural_modes.hpp"
 
 namespace springcheck {
 

@@ -15,8 +15,8 @@
 #include "comparisons/tables/stored_tables.hpp"
 #include "comparisons/tables/theory_curves.hpp"
 #include "comparisons/vocabulary/vocabulary.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/output_file.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/output_file.hpp"
 
 namespace springcheck {
 

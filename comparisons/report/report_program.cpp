@@ -12,8 +12,8 @@
 #include "comparisons/shipped/shipped.hpp"
 #include "comparisons/system/process.hpp"
 #include "comparisons/system/temporary_folder.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/output_file.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/output_file.hpp"
 
 namespace springcheck {
 namespace {

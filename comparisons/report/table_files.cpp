@@ -5,7 +5,7 @@
 
 #include "comparisons/chart/chart_tables.hpp"
 #include "comparisons/tables/catalogue.hpp"
-#include "meshing/output_file.hpp"
+#include "meshing/basics/output_file.hpp"
 
 namespace springcheck {
 namespace {

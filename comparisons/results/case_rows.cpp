@@ -9,7 +9,7 @@
 #include <ranges>
 
 #include "comparisons/settings/case_json.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {
@@ -110,13 +110,10 @@ void check_measures(const StoredCase& stored, const Reader& reader) {
     reader.refuse(*name, "finite numbers", "others");
   // A case of solver limit that ended short of the load has a critical wavelength.
   const bool is_limit = stored.measures.critical_wavelength.has_value();
-  const bool has_equilibrium =
-      !is_limit &&
-      (stored.status == Status::ok || stored.status == Status::indefinite ||
-       stored.status == Status::wrinkled || stored.status == Status::inverted);
-  if (stored.measures.volume_error.has_value() != has_equilibrium)
-    reader.refuse("volume_error", has_equilibrium ? "a number" : "none",
-                  fmt::format("{} with status {}", has_equilibrium ? "none" : "one",
+  const bool is_measured = !is_limit && has_equilibrium(stored.status);
+  if (stored.measures.volume_error.has_value() != is_measured)
+    reader.refuse("volume_error", is_measured ? "a number" : "none",
+                  fmt::format("{} with status {}", is_measured ? "none" : "one",
                               name_of(stored.status)));
 }
 

@@ -1,8 +1,25 @@
 #include "comparisons/results/layout.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "comparisons/measures/history.hpp"
+
 namespace springcheck {
 
 const std::vector<Described>& file_layout() {
+  static const std::string fields = fmt::format(
+      "of nodes displacement [m], reaction [N] (unless measured without forces), "
+      "deviation [m] (displacement less the reference's); of cells cell_volume_ratio, "
+      "spring_strain (of springs, the strain of largest size); named partial_... when "
+      "the case ended without an equilibrium; empty where it was computed with fields "
+      "and has none. Through time with `history` also history, a row for each sample of "
+      "{} (stress is mean_stress, in affine; answer "
+      "the measure that answers the test's load), columns that the attribute "
+      "history_columns names with spaces between, and the body at up to 24 of these "
+      "samples (fewer of large bodies), one after the other: frame_sample (its row of "
+      "history, from 0), frame_displacement [m], frame_cell_volume_ratio",
+      fmt::join(history_columns, ", "));
   static const std::vector<Described> parts{
       {"/", "attribute layout: 2"},
       {"/cases",
@@ -33,17 +50,7 @@ const std::vector<Described>& file_layout() {
        "(model, kind, across, cells, nodes, threads, key, left_out, setup, simulated, "
        "times, repetitions, minimum, lower_quartile, median, upper_quartile, maximum), "
        "comparisons (key, law, compared)"},
-      {"/fields/KEY",
-       "of nodes displacement [m], reaction [N] (unless measured without forces), "
-       "deviation [m] (displacement less the reference's); of cells cell_volume_ratio, "
-       "spring_strain (of springs, the strain of largest size); named partial_... when "
-       "the case ended without an equilibrium. Through time with `history` also "
-       "history, a row for each sample: time, load_fraction, deformation, "
-       "volume_change, force and torque (x, y, z), kinetic_energy, strain_energy, "
-       "stress (xx to zz: mean_stress, in affine), and the body at up to 24 of these "
-       "samples (fewer of large bodies), one after the other: frame_sample (its row of "
-       "history, from 0), "
-       "frame_displacement [m], frame_cell_volume_ratio"}};
+      {"/fields/KEY", fields}};
   return parts;
 }
 

@@ -1,6 +1,7 @@
 #include "comparisons/results/result_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,8 @@
 #include "comparisons/store/open_result_file.hpp"
 #include "comparisons/store/overlay_file.hpp"
 #include "comparisons/store/stored_columns.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/output_file.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/output_file.hpp"
 
 namespace springcheck {
 namespace {
@@ -46,8 +47,8 @@ void write_frames(hid_t group, const HistoryFrames& frames, const Mesh& mesh) {
 
 void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
   const Solution& solution = result.solution;
-  if (solution.displacements.empty()) return;
   const auto group = hdf5::create_group(fields, result.key);
+  if (solution.displacements.empty()) return;  // asked for, and there are none
   const std::string partial = result.measures.volume_error ? "" : "partial_";
   hdf5::write_table(group, partial + "displacement", solution.displacements);
   if (!solution.reactions.empty())
@@ -59,6 +60,8 @@ void write_fields(hid_t fields, const CaseResult& result, const Mesh& mesh) {
     for (const HistorySample& sample : result.history)
       rows.insert(rows.end(), sample.begin(), sample.end());
     hdf5::write_table(group, "history", rows, history_columns.size());
+    hdf5::write_attribute(group, "history_columns",
+                          fmt::format("{}", fmt::join(history_columns, " ")));
     write_frames(group, result.frames, mesh);
   }
   if (!solution.spring_strains.empty())
@@ -80,6 +83,13 @@ std::filesystem::path checked(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+bool holds(const StoredKeys& stored, const std::string& key, bool with_fields) {
+  const auto known = stored.statuses.find(key);
+  return known != stored.statuses.end() &&
+         (!with_fields || known->second == Status::refused ||
+          stored.with_fields.contains(key));
+}
 
 ResultFile::ResultFile(const std::filesystem::path& file)
     : file_(checked(file)), lock_(file_) {
@@ -163,7 +173,7 @@ void ResultFile::put(std::span<const CaseResult> results, bool with_fields,
   stored_.rows.merge(new_rows);
   for (const CaseResult& result : answers) {
     stored_.statuses[result.key] = result.status;
-    if (with_fields && !result.solution.displacements.empty())
+    if (with_fields)
       stored_.with_fields.insert(result.key);
     else
       stored_.with_fields.erase(result.key);

@@ -37,6 +37,10 @@ struct StoredKeys {
   OtherRevisions taken;  // of those others what Revisions::all takes
 };
 
+/// Whether a case is there, and where they are wanted its fields, or it was computed with
+/// them and has none, as one that was refused.
+bool holds(const StoredKeys& stored, const std::string& key, bool with_fields);
+
 /// The keys of a file, or of one that is open (`file` is for messages). They throw like
 /// read_cases.
 StoredKeys stored_keys(const std::filesystem::path& file);

@@ -12,8 +12,8 @@
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/store/open_result_file.hpp"
 #include "comparisons/store/stored_columns.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/text.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/text.hpp"
 
 namespace springcheck {
 namespace {

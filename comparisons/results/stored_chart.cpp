@@ -13,7 +13,7 @@
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/store/open_result_file.hpp"
 #include "comparisons/store/table_rows.hpp"
-#include "meshing/sha256.hpp"
+#include "meshing/basics/sha256.hpp"
 
 namespace springcheck {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/results/result_file.hpp"
-#include "comparisons/store/stored_columns.hpp"
 #include "comparisons/store/open_result_file.hpp"
+#include "comparisons/store/stored_columns.hpp"
 #include "comparisons/store/table_rows.hpp"
-#include "meshing/sha256.hpp"
+#include "meshing/basics/sha256.hpp"
 
 namespace springcheck {
 namespace {

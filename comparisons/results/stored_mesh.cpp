@@ -7,6 +7,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "comparisons/results/xdmf_elements.hpp"
 #include "comparisons/store/hdf5.hpp"
 
 namespace springcheck {
@@ -89,24 +90,6 @@ std::size_t stored_cell_count(hid_t mesh) {
     if (hdf5::has_link(mesh, table.name))
       count += hdf5::row_count_of_table(mesh, table.name);
   return count;
-}
-
-pugi::xml_node append_element(pugi::xml_node parent, const char* name,
-                              const XmlAttributes& attributes) {
-  pugi::xml_node element = parent.append_child(name);
-  for (const auto& [attribute, value] : attributes)
-    element.append_attribute(attribute).set_value(value.c_str());
-  return element;
-}
-
-void append_data_item(pugi::xml_node parent, const std::string& dimensions,
-                      const std::string& place, XdmfNumbers numbers) {
-  const bool are_real = numbers == XdmfNumbers::real;
-  XmlAttributes attributes{{"Format", "HDF"},
-                           {"NumberType", are_real ? "Float" : "UInt"}};
-  if (are_real) attributes.emplace_back("Precision", "8");
-  attributes.emplace_back("Dimensions", dimensions);
-  append_element(parent, "DataItem", attributes).text().set(place.c_str());
 }
 
 void append_xdmf_mesh(pugi::xml_node grid, hid_t mesh, const std::string& in_mesh) {

@@ -4,8 +4,6 @@
 
 #include <pugixml.hpp>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "meshing/mesh.hpp"
 
@@ -16,20 +14,6 @@ namespace springcheck {
 /// several types also `xdmf_topology`, the same cells as XDMF reads them; `regions/NAME`,
 /// four nodes a face, of triangles the last one twice.
 void write_stored_mesh(hid_t meshes, const Mesh& mesh);
-
-using XmlAttributes = std::vector<std::pair<const char*, std::string>>;
-
-/// Appends an element with these attributes and returns it.
-pugi::xml_node append_element(pugi::xml_node parent, const char* name,
-                              const XmlAttributes& attributes);
-
-/// Numbers of a dataset: doubles, or unsigned whole ones.
-enum class XdmfNumbers { real, whole };
-
-/// Appends a DataItem: `place` names a dataset, "results.h5:/meshes/...", of these
-/// dimensions.
-void append_data_item(pugi::xml_node parent, const std::string& dimensions,
-                      const std::string& place, XdmfNumbers numbers);
 
 /// Appends XDMF's topology and geometry of the mesh in a group, whose path in the file
 /// `in_mesh` names.

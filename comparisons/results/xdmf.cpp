@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "comparisons/results/stored_mesh.hpp"
-#include "comparisons/store/stored_columns.hpp"
+#include "comparisons/results/xdmf_elements.hpp"
 #include "comparisons/store/hdf5.hpp"
-#include "meshing/output_file.hpp"
+#include "comparisons/store/stored_columns.hpp"
+#include "meshing/basics/output_file.hpp"
 
 namespace springcheck {
 namespace {
@@ -63,13 +64,14 @@ void append_grids(pugi::xml_node domain, const std::string& data, hid_t root,
                       &sha256 = cases.texts.at("mesh")[row];
     const auto place = shown.find(key);
     if (place == shown.end() || !hdf5::has_link(fields, key)) continue;
+    const auto own_fields = hdf5::open_group(fields, key);
+    if (hdf5::links(own_fields).empty()) continue;
     std::string name = grid_name(cases, row);
     if (!place->second.empty()) name += " of revision " + place->second;
     const pugi::xml_node grid = append_element(domain, "Grid", {{"Name", name}});
     const auto mesh = hdf5::open_group(meshes, sha256);
     append_xdmf_mesh(grid, mesh, fmt::format("{}:/meshes/{}", data, sha256));
-    append_fields(grid, hdf5::open_group(fields, key),
-                  fmt::format("{}:/fields/{}", data, key),
+    append_fields(grid, own_fields, fmt::format("{}:/fields/{}", data, key),
                   hdf5::row_count_of_table(mesh, "nodes"), stored_cell_count(mesh));
   }
 }

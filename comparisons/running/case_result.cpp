@@ -8,7 +8,7 @@
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/settings/case_json.hpp"
-#include "meshing/sha256.hpp"
+#include "meshing/basics/sha256.hpp"
 
 namespace springcheck {
 

@@ -13,13 +13,13 @@
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/overlay_file.hpp"
 #include "comparisons/system/processor.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/output_file.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/output_file.hpp"
 
 namespace springcheck {
 namespace {
 
-constexpr long long layout = 4;
+constexpr long long layout = 5;
 
 std::vector<Vector3> vectors(const std::vector<double>& numbers) {
   std::vector<Vector3> all;
@@ -72,27 +72,88 @@ void check_revision(const std::filesystem::path& file, const std::string& revisi
                file.string(), revision, build_info::revision);
 }
 
-CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& owner,
-                    std::size_t nodes, Revisions revisions) {
-  const auto refuse = [&](const std::string& entity, const std::string& expected,
-                          const std::string& got) {
-    throw InputError(file.string(), entity, expected, got);
-  };
-  const auto root = hdf5::open_file(file);
-  const auto number = [&](const char* name) {
-    const auto values = hdf5::read_numbers(root, name);
+/// What an open checkpoint has. Throws InputError where it is not as expected.
+class Reader {
+ public:
+  Reader(hid_t root, const std::filesystem::path& file)
+      : root_(root), file_(file.string()) {}
+
+  [[noreturn]] void refuse(const std::string& entity, const std::string& expected,
+                           const std::string& got) const {
+    throw InputError(file_, entity, expected, got);
+  }
+
+  [[nodiscard]] double number(const char* name) const {
+    const auto values = hdf5::read_numbers(root_, name);
     if (!values || values->size() != 1)
       refuse(fmt::format("attribute '{}'", name),
              "a number, in a checkpoint of springcheck", "none");
     return values->front();
-  };
-  if (number("layout") != static_cast<double>(layout))
-    refuse("attribute 'layout'", fmt::to_string(layout),
-           fmt::to_string(number("layout")));
+  }
+
+  [[nodiscard]] int count(const char* name) const {
+    const double value = number(name);
+    if (!(value >= 0 && value <= std::numeric_limits<int>::max()))
+      refuse(fmt::format("attribute '{}'", name), "a number of steps",
+             fmt::to_string(value));
+    return static_cast<int>(value);
+  }
+
+  [[nodiscard]] std::vector<double> table(const char* name,
+                                          std::optional<std::size_t> size) const {
+    const auto values = hdf5::read_table(root_, name);
+    if (!values || (size && values->size() != *size))
+      refuse(fmt::format("table '{}'", name), fmt::format("{} numbers", size.value_or(0)),
+             fmt::to_string(values ? values->size() : 0));
+    return *values;
+  }
+
+ private:
+  hid_t root_;
+  std::string file_;
+};
+
+History history(hid_t root, const Reader& reader) {
+  History samples;
+  if (!hdf5::has_link(root, "history")) return samples;
+  const std::vector<double> rows = reader.table("history", std::nullopt);
+  constexpr std::size_t columns = history_columns.size();
+  if (rows.size() % columns != 0)
+    reader.refuse("table 'history'", fmt::format("rows of {} numbers", columns),
+                  fmt::format("{} numbers", rows.size()));
+  for (std::size_t i = 0; i < rows.size(); i += columns)
+    std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(i), columns,
+                samples.emplace_back().begin());
+  return samples;
+}
+
+HistoryFrames frames(hid_t root, const Reader& reader, std::size_t nodes) {
+  HistoryFrames kept;
+  if (!hdf5::has_link(root, "frame_sample")) return kept;
+  const std::vector<double> samples = reader.table("frame_sample", std::nullopt);
+  const std::vector<double> all =
+      reader.table("frame_displacement", 3 * nodes * samples.size());
+  for (std::size_t f = 0; f < samples.size(); ++f) {
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(3 * nodes * f);
+    kept.push_back({.sample = static_cast<std::size_t>(samples[f]),
+                    .displacements = vectors(
+                        {begin, begin + static_cast<std::ptrdiff_t>(3 * nodes)})});
+  }
+  return kept;
+}
+
+/// Throws InputError, or warns, where the checkpoint is not of this layout, this case,
+/// this revision or this kind of processor; returns the revision, empty of this one.
+std::string checked_revision(hid_t root, const Reader& reader,
+                             const std::filesystem::path& file,
+                             const CheckpointOwner& owner, Revisions revisions) {
+  if (reader.number("layout") != static_cast<double>(layout))
+    reader.refuse("attribute 'layout'", fmt::to_string(layout),
+                  fmt::to_string(reader.number("layout")));
   const auto identity = hdf5::read_text(root, "identity");
   if (!identity)
-    refuse("attribute 'identity'", "a checkpoint that tells what was asked",
-           "none, as of programs before 0.3.0");
+    reader.refuse("attribute 'identity'", "a checkpoint that tells what was asked",
+                  "none, as of programs before 0.3.0");
   if (*identity != owner.identity)
     refuse_other(file, owner,
                  nlohmann::json::parse(hdf5::read_text(root, "settings").value_or("{}"),
@@ -106,57 +167,34 @@ CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& ow
         "{}: computed with instructions {}, here they are {}: the digits of an "
         "uninterrupted run come back only to rounding",
         file.string(), set, instructions());
-  const auto count = [&](const char* name) {
-    const double value = number(name);
-    if (!(value >= 0 && value <= std::numeric_limits<int>::max()))
-      refuse(fmt::format("attribute '{}'", name), "a number of steps",
-             fmt::to_string(value));
-    return static_cast<int>(value);
-  };
-  const auto table = [&](const char* name, std::optional<std::size_t> size) {
-    const auto values = hdf5::read_table(root, name);
-    if (!values || (size && values->size() != *size))
-      refuse(fmt::format("table '{}'", name), fmt::format("{} numbers", size.value_or(0)),
-             fmt::to_string(values ? values->size() : 0));
-    return *values;
-  };
+  return is_own ? "" : continued(revision);
+}
+
+CaseCheckpoint read(const std::filesystem::path& file, const CheckpointOwner& owner,
+                    std::size_t nodes, Revisions revisions) {
+  const auto root = hdf5::open_file(file);
+  const Reader reader(root, file);
+  std::string revision = checked_revision(root, reader, file, owner, revisions);
   CaseCheckpoint checkpoint{
-      .march = {.state = {.displacements = vectors(table("displacement", 3 * nodes)),
-                          .velocities = vectors(table("velocity", 3 * nodes))},
-                .step = count("step"),
-                .time = number("time"),
-                .dt = number("dt"),
-                .last_dt = number("last_dt"),
-                .steps_left = count("steps_left"),
-                .limit = number("limit"),
-                .look_evaluations = count("look_evaluations")},
-      .revision = is_own ? "" : continued(revision)};
+      .march = {.state = {.displacements =
+                              vectors(reader.table("displacement", 3 * nodes)),
+                          .velocities = vectors(reader.table("velocity", 3 * nodes))},
+                .step = reader.count("step"),
+                .time = reader.number("time"),
+                .dt = reader.number("dt"),
+                .last_dt = reader.number("last_dt"),
+                .steps_left = reader.count("steps_left"),
+                .limit = reader.number("limit"),
+                .look_evaluations = reader.count("look_evaluations")},
+      .history = history(root, reader),
+      .frames = frames(root, reader, nodes),
+      .revision = std::move(revision)};
   if (hdf5::has_link(root, "stiffest"))
-    checkpoint.march.stiffest = table("stiffest", 3 * nodes);
+    checkpoint.march.stiffest = reader.table("stiffest", 3 * nodes);
   if (hdf5::read_numbers(root, "excess_limit"))
-    checkpoint.march.excess = {.step = count("excess_step"),
-                               .dt = number("excess_dt"),
-                               .limit = number("excess_limit")};
-  if (hdf5::has_link(root, "history")) {
-    const std::vector<double> rows = table("history", std::nullopt);
-    constexpr std::size_t columns = history_columns.size();
-    for (std::size_t i = 0; i + columns <= rows.size(); i += columns) {
-      HistorySample& sample = checkpoint.history.emplace_back();
-      std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(i), columns, sample.begin());
-    }
-  }
-  if (hdf5::has_link(root, "frame_sample")) {
-    const std::vector<double> samples = table("frame_sample", std::nullopt);
-    const std::vector<double> all =
-        table("frame_displacement", 3 * nodes * samples.size());
-    for (std::size_t f = 0; f < samples.size(); ++f) {
-      const auto begin = all.begin() + static_cast<std::ptrdiff_t>(3 * nodes * f);
-      checkpoint.frames.push_back(
-          {.sample = static_cast<std::size_t>(samples[f]),
-           .displacements =
-               vectors({begin, begin + static_cast<std::ptrdiff_t>(3 * nodes)})});
-    }
-  }
+    checkpoint.march.excess = {.step = reader.count("excess_step"),
+                               .dt = reader.number("excess_dt"),
+                               .limit = reader.number("excess_limit")};
   return checkpoint;
 }
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "comparisons/system/memory.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

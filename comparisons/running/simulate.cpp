@@ -17,11 +17,11 @@
 #include "comparisons/running/progress.hpp"
 #include "comparisons/settings/case_json.hpp"
 #include "comparisons/store/lock_file.hpp"
-#include "meshing/breakdown.hpp"
-#include "meshing/output_file.hpp"
-#include "meshing/scene.hpp"
-#include "meshing/stopwatch.hpp"
-#include "meshing/turn.hpp"
+#include "meshing/basics/breakdown.hpp"
+#include "meshing/basics/output_file.hpp"
+#include "meshing/basics/stopwatch.hpp"
+#include "meshing/loads/scene.hpp"
+#include "meshing/loads/turn.hpp"
 
 namespace springcheck {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
 
 namespace springcheck {
 namespace {

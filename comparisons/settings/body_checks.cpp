@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "comparisons/settings/setting.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

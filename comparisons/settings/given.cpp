@@ -9,7 +9,7 @@
 #include <ranges>
 
 #include "comparisons/names/suggestion.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 

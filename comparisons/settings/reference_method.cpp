@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "comparisons/methods/methods.hpp"
+#include "comparisons/names/suggestion.hpp"
 #include "comparisons/settings/setting_values.hpp"
 
 namespace springcheck {
@@ -83,6 +84,8 @@ ReferenceMethod reference_named(const Given& given) {
   const std::string grid = text.substr(at + 1);
   if (grid == "converged")
     reference.grid = ReferenceGrid::converged;
+  else if (!nearest(grid, {"converged"}).empty())
+    given.refuse_name(grid, {"converged"});
   else
     reference.cells = reference_cells_of(given, grid);
   return reference;

@@ -8,7 +8,7 @@
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/case_json.hpp"
 #include "comparisons/settings/run_settings.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -9,7 +9,7 @@
 #include "comparisons/settings/body_checks.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/settings/setting_values.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

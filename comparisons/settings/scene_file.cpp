@@ -6,7 +6,7 @@
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/settings/toml_values.hpp"
 #include "comparisons/shipped/shipped.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -225,9 +225,9 @@ constexpr Setting table[] = {
      "of explicit steps: double or float"},
     {"history", motion, chosen, of_histories,
      telling(in_motion<count_of<0, 1'000'000>, &Dynamics::history>, history_told), "0",
-     "samples of deformation, volume, plate force and torque, and energies at equal "
-     "distances in time, on each straight piece of the load; in dynamics and of tissue; "
-     "0: none", {.counts = true}},
+     "samples of deformation, volume, plate force and torque, energies and what answers "
+     "the load at equal distances in time, on each straight piece of the load; in "
+     "dynamics and of tissue; 0: none", {.counts = true}},
 
     {"organ", living, unused, of_methods_alone, {read_organ, {}, type_of<tissue::Organ>()}, {},
      "liver, kidney or spleen: Golec 2018's law of it, for methods of tissue",

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tissue/maxwell_fit.hpp"
 
 namespace springcheck {

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "comparisons/names/suggestion.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {
@@ -76,6 +76,9 @@ std::optional<TomlFile> shipped_file(const std::string& name,
   for (const TomlKind& other : every_kind)
     if (shipped_file(name, other.shipped()))
       refuse_kind(place, kind, fmt::format("'{}', a {}", name, other.name), other);
+  if (kind.name == "scene" && name.ends_with(".msh"))
+    throw InputError(place, "", fmt::format("a scene, and behind it --mesh {}", name),
+                     fmt::format("the mesh '{}'", name));
   std::vector<std::string> names;
   for (const ShippedFile& one : kind.shipped())
     names.push_back(std::filesystem::path(one.name).stem().string());

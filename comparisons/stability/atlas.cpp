@@ -12,7 +12,7 @@
 #include "comparisons/running/memory.hpp"
 #include "comparisons/stability/atlas_cases.hpp"
 #include "comparisons/stability/atlas_limits.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

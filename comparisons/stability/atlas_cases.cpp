@@ -4,7 +4,7 @@
 
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/scene_file.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

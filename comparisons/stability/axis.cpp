@@ -11,7 +11,7 @@
 #include "comparisons/names/suggestion.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/settings/value_range.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

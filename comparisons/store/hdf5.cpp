@@ -5,7 +5,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "meshing/text.hpp"
+#include "meshing/basics/text.hpp"
 
 namespace springcheck::hdf5 {
 namespace {

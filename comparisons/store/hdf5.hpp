@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "meshing/vector3.hpp"
+#include "meshing/basics/vector3.hpp"
 
 namespace springcheck::hdf5 {
 

@@ -15,8 +15,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "meshing/input_error.hpp"
-#include "meshing/sha256.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/sha256.hpp"
 
 namespace springcheck {
 namespace {

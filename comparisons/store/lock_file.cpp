@@ -11,7 +11,7 @@
 #include <string>
 #include <system_error>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

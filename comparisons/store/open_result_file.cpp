@@ -10,8 +10,8 @@
 
 #include "comparisons/store/journal.hpp"
 #include "comparisons/store/lock_file.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/output_file.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/output_file.hpp"
 
 namespace springcheck {
 

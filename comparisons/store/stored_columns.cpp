@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "comparisons/store/hdf5.hpp"
-#include "meshing/text.hpp"
+#include "meshing/basics/text.hpp"
 
 namespace springcheck {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/studies/converged_number.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

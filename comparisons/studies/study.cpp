@@ -16,8 +16,8 @@
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/studies/converged.hpp"
 #include "comparisons/system/memory.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck {
 namespace {

@@ -15,7 +15,7 @@
 #include "comparisons/settings/toml_values.hpp"
 #include "comparisons/settings/value_range.hpp"
 #include "comparisons/shipped/shipped.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "dynamics/blocks/instruction_set.hpp"
-#include "meshing/sha256.hpp"
+#include "meshing/basics/sha256.hpp"
 
 namespace springcheck {
 namespace {

@@ -25,7 +25,7 @@
 #include "comparisons/tables/tissue/relaxation_table.hpp"
 #include "comparisons/tables/tissue/tissue_table.hpp"
 #include "comparisons/tables/tissue/torsion_table.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 namespace {

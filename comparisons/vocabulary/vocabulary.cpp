@@ -108,7 +108,16 @@ Json list_of_tests() {
   Json entries;
   for (const TestName& test : value_names<Test>)
     entries[std::string(test.name)] = {{"answer", test.answer},
+                                       {"turns", test.turns},
                                        {"description", test.description}};
+  return entries;
+}
+
+Json list_of_statuses() {
+  Json entries;
+  for (const auto& status : value_names<Status>)
+    entries[std::string(status.name)] = {{"equilibrium", has_equilibrium(status.value)},
+                                         {"description", status.description}};
   return entries;
 }
 
@@ -214,7 +223,7 @@ constexpr std::array lists{
     List{"tests", list_of_tests},
     List{"measures", list_of_measures},
     List{"compared", [] { return described(value_names<Compared>); }},
-    List{"statuses", [] { return described(value_names<Status>); }},
+    List{"statuses", list_of_statuses},
     List{"failures", failures},
     List{"gate-keys", [] { return described(gates::gate_keys()); }},
     List{"result-file", [] { return described(file_layout()); }},

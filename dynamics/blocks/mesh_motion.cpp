@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "meshing/traction.hpp"
+#include "meshing/loads/traction.hpp"
 
 namespace springcheck::dynamics {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dynamics/blocks/explicit_motion.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::dynamics {
 

@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "dynamics/marching/march_checks.hpp"
-#include "meshing/breakdown.hpp"
-#include "meshing/traction.hpp"
+#include "meshing/basics/breakdown.hpp"
+#include "meshing/loads/traction.hpp"
 
 namespace springcheck::dynamics {
 namespace {

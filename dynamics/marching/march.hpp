@@ -9,7 +9,7 @@
 #include "dynamics/marching/load_path.hpp"
 #include "dynamics/marching/stable_step.hpp"
 #include "dynamics/motion.hpp"
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
 
 namespace springcheck::dynamics {
 

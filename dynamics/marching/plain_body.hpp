@@ -2,7 +2,7 @@
 
 #include "dynamics/marching/march.hpp"
 #include "dynamics/precision.hpp"
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
 
 namespace springcheck::dynamics {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "meshing/random_vector.hpp"
-#include "meshing/turn.hpp"
+#include "meshing/basics/random_vector.hpp"
+#include "meshing/loads/turn.hpp"
 
 namespace springcheck::dynamics {
 namespace {

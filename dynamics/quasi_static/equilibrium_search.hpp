@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "dynamics/quasi_static/remembering_body.hpp"
+#include "meshing/loads/scene.hpp"
 #include "meshing/mesh.hpp"
-#include "meshing/scene.hpp"
 #include "statics/systems/system.hpp"
 
 namespace springcheck::dynamics {

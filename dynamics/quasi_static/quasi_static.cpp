@@ -10,7 +10,7 @@
 #include <string>
 
 #include "dynamics/quasi_static/equilibrium_search.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::dynamics {
 namespace {

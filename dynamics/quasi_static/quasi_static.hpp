@@ -2,7 +2,7 @@
 
 #include "dynamics/marching/march.hpp"
 #include "dynamics/quasi_static/remembering_body.hpp"
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
 
 namespace springcheck::dynamics {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "meshing/vector3.hpp"
+#include "meshing/basics/vector3.hpp"
 #include "statics/systems/block_matrix.hpp"
 
 namespace springcheck::dynamics {

@@ -8,7 +8,7 @@
 
 #include "fem_reference/cells/cell_shapes.hpp"
 #include "fem_reference/cells/triquadratic.hpp"
-#include "meshing/traction.hpp"
+#include "meshing/loads/traction.hpp"
 
 namespace springcheck::fem_reference {
 namespace {

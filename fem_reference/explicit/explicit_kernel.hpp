@@ -3,7 +3,7 @@
 #include "dynamics/blocks/block_state.hpp"
 #include "dynamics/blocks/instruction_set.hpp"
 #include "fem_reference/explicit/explicit_element.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::fem_reference {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fem_reference/explicit/explicit_element.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::fem_reference {
 

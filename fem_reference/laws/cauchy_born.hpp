@@ -5,7 +5,7 @@
 #include "fem_reference/laws/dilatation.hpp"
 #include "fem_reference/laws/hencky_springs.hpp"
 #include "fem_reference/laws/settings.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::fem_reference {
 

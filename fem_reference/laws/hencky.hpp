@@ -2,7 +2,7 @@
 
 #include "fem_reference/laws/dilatation.hpp"
 #include "fem_reference/laws/shape_state.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::fem_reference {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fem_reference/laws/dilatation.hpp"
-#include "meshing/logarithm.hpp"
+#include "meshing/basics/logarithm.hpp"
 
 namespace springcheck::fem_reference {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem_reference/laws/dilatation.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::fem_reference {
 

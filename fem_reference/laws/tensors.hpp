@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshing/vector3.hpp"
+#include "meshing/basics/vector3.hpp"
 
 namespace springcheck::fem_reference {
 

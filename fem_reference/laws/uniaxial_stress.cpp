@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-#include "meshing/breakdown.hpp"
+#include "meshing/basics/breakdown.hpp"
 
 namespace springcheck::fem_reference {
 

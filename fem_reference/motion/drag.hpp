@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::fem_reference {
 

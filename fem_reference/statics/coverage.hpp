@@ -4,7 +4,7 @@
 #include <string>
 
 #include "fem_reference/laws/settings.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::fem_reference {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "fem_reference/cells/discretisation.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::fem_reference {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fem_reference/laws/settings.hpp"
-#include "meshing/natural_modes.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
+#include "statics/systems/natural_modes.hpp"
 
 namespace springcheck::fem_reference {
 

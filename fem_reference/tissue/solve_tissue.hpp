@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/quasi_static/quasi_static.hpp"
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
 #include "tissue/solid.hpp"
 
 namespace springcheck::fem_reference {

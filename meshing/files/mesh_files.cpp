@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <string>
 
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/output_file.hpp"
+#include "meshing/basics/text.hpp"
 #include "meshing/files/inp_writer.hpp"
 #include "meshing/files/msh_writer.hpp"
 #include "meshing/files/vtu_writer.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/output_file.hpp"
-#include "meshing/text.hpp"
 
 namespace springcheck {
 

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <fstream>
 
-#include "meshing/input_error.hpp"
-#include "meshing/text.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/text.hpp"
 
 namespace springcheck {
 namespace {

@@ -9,9 +9,9 @@
 #include <limits>
 #include <set>
 
+#include "meshing/basics/text.hpp"
 #include "meshing/files/msh_cursor.hpp"
 #include "meshing/files/msh_sections.hpp"
-#include "meshing/text.hpp"
 
 namespace springcheck {
 namespace {

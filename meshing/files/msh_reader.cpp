@@ -6,9 +6,9 @@
 
 #include <cmath>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/conformity.hpp"
 #include "meshing/files/tagged_cells.hpp"
-#include "meshing/input_error.hpp"
 
 namespace springcheck {
 

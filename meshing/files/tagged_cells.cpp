@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/cell_geometry.hpp"
-#include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/cell_geometry.hpp"
 #include "meshing/files/tagged_cells.hpp"
-#include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {

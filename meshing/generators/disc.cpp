@@ -9,11 +9,11 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/generators/between_plates.hpp"
 #include "meshing/generators/extent.hpp"
 #include "meshing/gmsh/cells.hpp"
 #include "meshing/gmsh/session.hpp"
-#include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include "meshing/basics/vector3.hpp"
 #include "meshing/generators/block.hpp"
-#include "meshing/vector3.hpp"
 
 namespace springcheck {
 

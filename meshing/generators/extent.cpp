@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/generators/extent.hpp"
 #include "meshing/generators/free_block.hpp"
 #include "meshing/generators/grid_block.hpp"
-#include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {

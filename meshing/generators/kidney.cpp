@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/generators/between_plates.hpp"
 #include "meshing/generators/extent.hpp"
 #include "meshing/gmsh/algorithms.hpp"
 #include "meshing/gmsh/cells.hpp"
 #include "meshing/gmsh/session.hpp"
-#include "meshing/input_error.hpp"
 
 namespace springcheck {
 namespace {

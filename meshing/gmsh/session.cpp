@@ -2,7 +2,7 @@
 
 #include <gmsh.h>
 
-#include "meshing/random_numbers.hpp"
+#include "meshing/basics/random_numbers.hpp"
 
 namespace springcheck {
 

@@ -5,7 +5,7 @@
 #include "dynamics/blocks/instruction_set.hpp"
 #include "dynamics/marching/march.hpp"
 #include "dynamics/precision.hpp"
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
 #include "mss/networks/network.hpp"
 
 namespace springcheck::mss {

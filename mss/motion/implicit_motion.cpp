@@ -6,12 +6,12 @@
 #include <string>
 
 #include "dynamics/supports.hpp"
-#include "meshing/breakdown.hpp"
-#include "meshing/sparse_cholesky.hpp"
-#include "meshing/traction.hpp"
+#include "meshing/basics/breakdown.hpp"
+#include "meshing/loads/traction.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/forces/tangent.hpp"
 #include "statics/systems/free_triangle.hpp"
+#include "statics/systems/sparse_cholesky.hpp"
 
 namespace springcheck::mss {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "meshing/cell_geometry.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 #include "mss/networks/cells.hpp"
 
 namespace springcheck::mss {

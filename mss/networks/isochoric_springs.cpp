@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "meshing/logarithm.hpp"
+#include "meshing/basics/logarithm.hpp"
 
 namespace springcheck::mss {
 namespace {

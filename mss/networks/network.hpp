@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "meshing/loads/scene.hpp"
 #include "meshing/nodal_patches.hpp"
-#include "meshing/scene.hpp"
 #include "mss/networks/cells.hpp"
 #include "mss/networks/spring_model.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 namespace springcheck::mss {
 

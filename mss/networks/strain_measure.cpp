@@ -1,6 +1,6 @@
 #include "mss/networks/strain_measure.hpp"
 
-#include "meshing/logarithm.hpp"
+#include "meshing/basics/logarithm.hpp"
 
 namespace springcheck::mss {
 

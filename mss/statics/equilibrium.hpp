@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
 #include "mss/networks/network.hpp"
 #include "statics/equilibrium.hpp"
 

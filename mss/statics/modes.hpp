@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "meshing/natural_modes.hpp"
 #include "mss/networks/network.hpp"
+#include "statics/systems/natural_modes.hpp"
 
 namespace springcheck::mss {
 

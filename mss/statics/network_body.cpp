@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "meshing/traction.hpp"
+#include "meshing/loads/traction.hpp"
 #include "mss/forces/forces.hpp"
 #include "statics/systems/nodal_vectors.hpp"
 

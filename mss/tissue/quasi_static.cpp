@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "meshing/traction.hpp"
+#include "meshing/loads/traction.hpp"
 #include "statics/systems/block_matrix.hpp"
 
 namespace springcheck::mss {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
 #include "mss/tissue/quasi_static.hpp"
 
 namespace springcheck::mss {

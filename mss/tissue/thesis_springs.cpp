@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meshing/stopwatch.hpp"
-#include "meshing/traction.hpp"
+#include "meshing/basics/stopwatch.hpp"
+#include "meshing/loads/traction.hpp"
 #include "mss/forces/forces.hpp"
 #include "mss/forces/tangent.hpp"
 #include "statics/systems/block_matrix.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/marching/march.hpp"
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
 #include "mss/tissue/tissue_motion.hpp"
 
 namespace springcheck::mss {

@@ -13,7 +13,7 @@
   const words = (text) => (text ?? "").replaceAll("_", " ");
 
   function rows(role, place) {
-    const found = allCases.namesOf(role).map((name) => [allCases.heading(name), allCases.value(name, place), name]);
+    const found = allCases.namesOf(role).map((name) => [allCases.heading(name), allCases.shown(name, place), name]);
     return found.filter(([, value]) => value !== null);
   }
 

@@ -1,5 +1,6 @@
 """Cases in words: names of methods, loads, meshes."""
 
+import measures
 import methods
 import numpy as np
 
@@ -56,7 +57,7 @@ def load_words(case):
         if np.isfinite(traction).all():
             return f"{np.linalg.norm(traction) / 1e3:.3g} kPa"
         return ""
-    if case.test == "torsion":
+    if measures.turns(case.test):
         return f"{np.degrees(case.deformation):.4g}°"
     return f"{100 * case.deformation:.4g} %"
 

@@ -13,6 +13,12 @@ const allCases = (function () {
     return found && (found.values[found.codes ? found.codes[place] : place] ?? null);
   }
 
+  /* The same in the unit that people read it in, which its heading names. */
+  function shown(name, place) {
+    const found = value(name, place), factor = column(name)?.factor;
+    return (factor ?? 1) !== 1 && found !== null ? Number((factor * found).toPrecision(15)) : found;
+  }
+
   return {
     ready,
     get isThere() { return data !== null; },
@@ -24,6 +30,7 @@ const allCases = (function () {
     get count() { return count(); },
     column,
     value,
+    shown,
     heading(name) {
       const { label, unit } = column(name);
       return unit ? `${label} [${unit}]` : label;

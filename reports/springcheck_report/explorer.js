@@ -153,7 +153,7 @@
       const shown = explorerPlot.number(choice, name, place) ?? (ok(place) ? null : explorerPlot.foot(choice, name, current));
       if (shown === null) return;
       const ring = element("i");
-      ring.style.left = `${x._offset + x.d2p(value(choice.x, place))}px`;
+      ring.style.left = `${x._offset + x.d2p(allCases.shown(choice.x, place))}px`;
       ring.style.top = `${y._offset + y.d2p(shown)}px`;
       rings.append(ring);
     });
@@ -167,12 +167,12 @@
     const places = current.flatMap((series) => series.places);
     const used = settings.filter((name) => places.some((place) => value(name, place) !== null));
     const names = ["key", "name", "status", "test", "cells", ...used.filter((name) => name !== choice.x), choice.x, ...choice.y.filter((name) => name !== choice.x)];
-    return { names, rows: places.map((place) => names.map((name) => value(name, place) ?? "")) };
+    return { names, rowsOf: (cell) => places.map((place) => names.map((name) => cell(name, place) ?? "")) };
   }
   function csv() {
     const quoted = (cell) => (/[",\n]/.test(String(cell)) ? `"${String(cell).replaceAll('"', '""')}"` : String(cell));
-    const { names, rows } = sheet();
-    return [names, ...rows].map((row) => row.map(quoted).join(",")).join("\n") + "\n";
+    const { names, rowsOf } = sheet();
+    return [names, ...rowsOf(value)].map((row) => row.map(quoted).join(",")).join("\n") + "\n";
   }
   function fillTable() {
     const count = current.reduce((sum, { places }) => sum + places.length, 0);
@@ -181,7 +181,7 @@
   }
   function showRows() {
     if (table.querySelector("table")) return;
-    const { names, rows } = sheet();
+    const { names, rowsOf } = sheet(), rows = rowsOf(allCases.shown);
     const box = element("div", { className: "scroll" }), found = element("table");
     const head = found.createTHead().insertRow();
     for (const name of names) head.append(element("th", { scope: "col", textContent: allCases.heading(name) }));

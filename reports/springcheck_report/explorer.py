@@ -9,6 +9,7 @@ import numpy as np
 import pandas as pd
 from case_command import case_command
 from case_words import is_variant, mesh_text
+from measures import Column
 from study import load_columns, setting_columns
 
 # Plotly's names of matplotlib's markers.
@@ -17,18 +18,19 @@ _MARKS |= {"^": "triangle-up", "v": "triangle-down", "<": "triangle-left", ">": 
 _MARKS |= {"h": "hexagon", "H": "hexagon2", "8": "octagon", "1": "y-down-open", "2": "y-up-open", "3": "y-left-open"}
 _DASHES = {"-": "solid", "--": "dash", ":": "dot", "-.": "dashdot"}
 
-# Measures that no column of the file is: differences from finite elements on the same problem, in percent.
-_COMPARED = {
-    "answer_difference": ("force, torque or tip off elements", "%"),
-    "volume_difference": ("volume off elements", "% of V0"),
-}
+# Measures that no column of the file is: differences from finite elements on the same problem.
+_COMPARED = [
+    Column("answer_difference", "force, torque or tip off elements", "%", 100),
+    Column("volume_difference", "volume off elements", "% of V0", 100),
+]
 
 
 def explorer_data(study):
-    """{file, columns: {key: {label, unit, role, kind, values, codes}}, looks: of methods, answers: the measure
-    that each test answers with, usual: methods that are shown at first, statuses: their colours}. values: of
-    every case; where they repeat each once, and codes: the place of each case's own, -1 for none. role: "name"
-    of what tells cases apart in words, "setting", "measure"; kind: "number" or "text"."""
+    """{file, columns: {key: {label, unit, factor, role, kind, values, codes}}, looks: of methods, answers: the
+    measure that each test answers with, usual: methods that are shown at first, statuses: their colours}. values:
+    of every case; where they repeat each once, and codes: the place of each case's own, -1 for none. factor: of
+    measures, what turns the value into the unit. role: "name" of what tells cases apart in words, "setting",
+    "measure"; kind: "number" or "text"."""
     tables = [table for table in (study.cases, study.limits) if not table.empty]
     cases = pd.concat(tables) if len(tables) > 1 else tables[0]
     parts = [_names(study, cases), _settings(study, cases), _measures(cases)]
@@ -95,20 +97,12 @@ def _settings(study, cases):
 
 
 def _measures(cases):
-    found = dict(_COMPARED)
-    for column, label, unit in measures.columns():
-        if column in cases and _is_number(cases[column]):
-            found[column] = label, unit
+    there = [column for column in measures.columns() if column.name in cases and _is_number(cases[column.name])]
     # Even where every case failed:
     answers = {answer.column for test, answer in measures.answers().items() if (cases.test == test).any()}
     return {
-        name: {
-            "label": label,
-            "unit": unit,
-            "role": "measure",
-            **_column(100 * cases[name] if name in _COMPARED else cases[name]),
-        }
-        for name, (label, unit) in found.items()
+        name: {"label": label, "unit": unit, "factor": factor, "role": "measure", **_column(cases[name])}
+        for name, label, unit, factor in [*_COMPARED, *there]
         if cases[name].notna().any() or name in answers
     }
 

@@ -2,12 +2,12 @@
 
 /* The explorer's curves as plotly draws them: a panel for each measure. */
 const explorerPlot = (function () {
-  const value = allCases.value;
+  const { shown, value } = allCases;
   const { distinct, ok } = selection;
 
   /* Its value as the axis has it. */
   const number = (choice, name, place) => {
-    const found = value(name, place);
+    const found = shown(name, place);
     return found !== null && choice.log.includes("y") ? Math.abs(found) || null : found;
   };
   /* Where crosses of failed cases without a value stand: below all values. */
@@ -30,7 +30,7 @@ const explorerPlot = (function () {
         const labels = own.flatMap((curve, i) => [...(i ? [""] : []), ...curve.places.map(() => curve.label)]);
         const common = (of, called) => ({
           type: "scatter", name: escaped(own.length > 1 ? `${method} (${own.length} curves)` : own[0].label), legendgroup: method,
-          x: of.map((place) => place === null ? null : value(choice.x, place)), customdata: of, hoverinfo: "text",
+          x: of.map((place) => place === null ? null : shown(choice.x, place)), customdata: of, hoverinfo: "text",
           xaxis: panel ? `x${panel + 1}` : "x", yaxis: panel ? `y${panel + 1}` : "y",
           text: of.map((place, i) => place === null ? "" : `<b>${escaped(called[i])}</b><br>${escaped(told(place, [choice.x, name])).replaceAll("\n", "<br>")}`),
         });
@@ -58,7 +58,7 @@ const explorerPlot = (function () {
     const lines = names.map((name) => {
       const { label, unit } = allCases.column(name);
       const judge = ["answer_difference", "volume_difference"].includes(name) && value("judge", place);
-      return `${label} = ${value(name, place) ?? "none"}${unit ? ` ${unit}` : ""}${judge ? ` (of ${judge})` : ""}`;
+      return `${label} = ${shown(name, place) ?? "none"}${unit ? ` ${unit}` : ""}${judge ? ` (of ${judge})` : ""}`;
     });
     return [...lines, `${value("status", place).replaceAll("_", " ")}, case ${value("key", place).slice(0, 8)}`].join("\n");
   }

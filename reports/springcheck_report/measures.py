@@ -1,12 +1,12 @@
-"""What the program tells of its measures and tests (data/vocabulary.json, as `springcheck list
-measures` and `tests` print it)."""
+"""What the program tells of its measures, tests and statuses (data/vocabulary.json, as `springcheck
+list measures`, `tests` and `statuses` print it)."""
 
 from typing import NamedTuple
 
 import numpy as np
 from springcheck_results import COMPONENTS
 
-_measures, _tests = {}, {}
+_measures, _tests, _statuses = {}, {}, {}
 
 
 class Answer(NamedTuple):
@@ -21,6 +21,7 @@ def learn(vocabulary):
     """Before anything is asked."""
     _measures.update(vocabulary["measures"])
     _tests.update(vocabulary["tests"])
+    _statuses.update(vocabulary["statuses"])
 
 
 def label(name):
@@ -44,20 +45,42 @@ def numbers():
     return [name for name, entry in _measures.items() if entry["components"] == 1]
 
 
+class Column(NamedTuple):
+    """A number of a result file, and what it is multiplied by to have the unit that people read it in."""
+
+    name: str
+    label: str
+    unit: str
+    factor: float
+
+
 def columns():
-    """(column, label, unit) of every number, of vectors and matrices by component."""
+    """Of every measure, of vectors and matrices by component."""
     found = []
     for name, entry in _measures.items():
+        shown = entry["shown_unit"], entry["shown_factor"]
         found += [
-            (f"{name}.{component}", f"{entry['label']}, {component}", entry["unit"])
+            Column(f"{name}.{component}", f"{entry['label']}, {component}", *shown)
             for component in COMPONENTS.get(entry["components"], [])
-        ] or [(name, entry["label"], entry["unit"])]
+        ] or [Column(name, entry["label"], *shown)]
     return found
 
 
 def answer_name(test):
     """The measure that a test's load is answered with; "" of a test without one."""
     return _tests.get(test, {}).get("answer", "")
+
+
+def answer_in(case):
+    """The case's number of the measure that its test's load is answered with, of a vector its
+    length, in SI; NaN where there is none."""
+    name = answer_name(case.test)
+    if not name:
+        return np.nan
+    components = COMPONENTS.get(_measures[name]["components"], [])
+    if components:
+        return np.linalg.norm([case.get(f"{name}.{component}", np.nan) for component in components])
+    return case[name]
 
 
 def answer(test):
@@ -78,6 +101,16 @@ def answers():
 def answer_names():
     """Measures that answer a test's load."""
     return {entry["answer"] for entry in _tests.values() if entry["answer"]}
+
+
+def turns(test):
+    """Whether the test's deformation is an angle."""
+    return _tests.get(test, {}).get("turns", False)
+
+
+def equilibria():
+    """Statuses of cases that ended in an equilibrium, stable or not."""
+    return [name for name, entry in _statuses.items() if entry["equilibrium"]]
 
 
 def off(name, values, others):

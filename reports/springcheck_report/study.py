@@ -18,7 +18,6 @@ _NUMBERS = ["load_fraction", "steps", "provenance"]
 
 # Statuses whose measures are those of an equilibrium worth comparing.
 USABLE = "ok"
-FAILED = ["no_equilibrium", "diverged", "not_converged"]
 
 
 @dataclass
@@ -200,13 +199,13 @@ def prepared(cases, settings):
     cases = pd.concat([cases, pd.DataFrame(further, index=cases.index)], axis=1)
     cases["whole_problem"], cases["whole_deformation"] = _problems(cases, settings), cases.deformation
     loads = load_columns(settings)
-    has_end = ~cases.status.isin(FAILED) & (cases.solver != "limit") & cases.load_fraction.notna()
+    has_end = cases.status.isin(measures.equilibria()) & (cases.solver != "limit") & cases.load_fraction.notna()
     cases["ends_early"] = has_end & (cases.load_fraction != 1)
     reached = cases.load_fraction.where(cases.ends_early, 1)
     whole = {key: load_words(case) for key, case in cases[cases.ends_early].iterrows()}
     cases[loads] = cases[loads].astype(float).mul(reached, axis=0)
     cases["problem"] = _problems(cases, settings)
-    added = {"kind": _kind, "name": method_name, "load": load_text, "answer": _answer}
+    added = {"kind": _kind, "name": method_name, "load": load_text, "answer": measures.answer_in}
     values = [[of(row) for of in added.values()] for _, row in cases.iterrows()]
     for place, name in enumerate(added):
         cases[name] = [value[place] for value in values]
@@ -258,13 +257,6 @@ def _kind(case):
 def is_through_time(case):
     """Whether a case ends a motion instead of being an equilibrium."""
     return case.kind != "measured" and case.solver not in (None, "static")
-
-
-def _answer(case):
-    if case.test == "traction":
-        return np.linalg.norm([case.get(f"face_displacement.{axis}", np.nan) for axis in "xyz"])
-    answer = measures.answer(case.test)
-    return case[answer.column] if answer else np.nan
 
 
 def _counterparts(cases):

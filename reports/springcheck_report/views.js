@@ -48,40 +48,105 @@ const viewsReady = (async function () {
     return select;
   };
 
-  function viewer(element) {
-    const groups = tests[element.dataset.test];
-    if (!groups || !groups.length) return;
-    element.hidden = false;
+  function controlsOf(element, groups) {
     const controls = made("div", { className: "controls" });
     const names = made("div", { className: "names" });
     const plot = made("div", { className: "plot" });
     const way = made("div", { className: "controls way" });
     element.append(controls, names, plot, way);
-    const group = choice("Case", groups.map((g, i) => [i, g.label]), controls);
-    const method = choice("method", [], controls);
-    const reference = choice("reference", [], controls);
-    const quantity = choice("colour", Object.entries(quantities).map(([name, { label }]) => [name, label]), controls);
-    const slider = labelled("time", made("input", { type: "range", min: 0, step: 1 }), way);
-    const moment = way.appendChild(made("output"));
-    let camera = { eye: { x: 1.35, y: -1.95, z: 0.85 }, up: { x: 0, y: 0, z: 1 } };
+    return {
+      names, plot, way,
+      group: choice("Case", groups.map((g, i) => [i, g.label]), controls),
+      method: choice("method", [], controls),
+      reference: choice("reference", [], controls),
+      quantity: choice("colour", Object.entries(quantities).map(([name, { label }]) => [name, label]), controls),
+      slider: labelled("time", made("input", { type: "range", min: 0, step: 1 }), way),
+      moment: way.appendChild(made("output")),
+    };
+  }
+
+  /* Offers the bodies of a kind, and chooses the one of before, or one that is usual. */
+  function offer(select, bodies, isOfKind) {
+    const options = bodies.map((body, i) => [i, body]).filter(([, body]) => isOfKind(body))
+      .map(([i, body]) => [i, body.name + (body.status === "ok" ? "" : ` (${body.status.replaceAll("_", " ")})`)]);
+    const before = select.selectedOptions[0]?.text;
+    select.replaceChildren(...options.map(([value, text]) => new Option(text, value)));
+    const first = options.findIndex(([i, text]) => before ? text === before : bodies[i].is_usual);
+    if (first >= 0) select.selectedIndex = first;
+    select.parentElement.hidden = options.length === 0;
+  }
+
+  /* "t = 0.25 s, 50 % of the load; fem-stvk as it ends", or "...; fem-explicit-stvk at t = 0.251 s": of the body
+     that is gone through, then of the other one where it is at another moment. */
+  function toldMoment(pair, bodies) {
+    const [first, other] = (bodies[1]?.frames.length ?? 0) > (bodies[0]?.frames.length ?? 0) ? [1, 0] : [0, 1];
+    const state = pair[first];
+    if (!state || state.time === undefined) return "";
+    const text = `t = ${state.time.toPrecision(3)} s, ${(100 * state.load).toPrecision(3)} % of the load`;
+    if (!pair[other] || pair[other].time?.toPrecision(3) === state.time.toPrecision(3)) return text;
+    const when = pair[other].time === undefined ? "as it ends" : `at t = ${pair[other].time.toPrecision(3)} s`;
+    return `${text}; ${bodies[other].name} ${when}`;
+  }
+
+  /* Where the plot's scenes are looked at from: where one is turned, the others turn, too. */
+  function lookAt(plot) {
+    const look = { camera: { eye: { x: 1.35, y: -1.95, z: 0.85 }, up: { x: 0, y: 0, z: 1 } } };
+    function follow(change) {
+      const moved = scenes.find((name) => change[`${name}.camera`]);
+      if (!moved) return;
+      look.camera = change[`${moved}.camera`];
+      const others = {};
+      for (const name of scenes)
+        if (name !== moved && JSON.stringify(plot.layout[name].camera) !== JSON.stringify(look.camera))
+          others[`${name}.camera`] = structuredClone(look.camera);
+      if (Object.keys(others).length) Plotly.relayout(plot, others);
+    }
+    look.listen = () => ["plotly_relayouting", "plotly_relayout"].forEach((event) => plot.on(event, follow));
+    return look;
+  }
+
+  /* Draws the plot while it is in view, and the last few that were: browsers allow few contexts, and Plotly leaves
+     its own to the garbage collector. */
+  function keepAlive(plot, draw, forget) {
+    const state = {
+      async show() {
+        if (alive.includes(state)) return;
+        alive.push(state);
+        await loadPlotly();
+        if (!alive.includes(state)) return;
+        draw();
+        while (alive.length > mostAlive) alive.shift().rest();
+      },
+      rest() {
+        for (const canvas of plot.querySelectorAll("canvas"))
+          canvas.getContext("webgl")?.getExtension("WEBGL_lose_context")?.loseContext();
+        window.Plotly?.purge(plot);
+        forget();
+        delete plot.dataset.drawn;
+      },
+    };
+    new IntersectionObserver((entries) => {
+      if (entries.some((entry) => entry.isIntersecting)) state.show();
+    }, { rootMargin: "200px" }).observe(plot);
+  }
+
+  function viewer(element) {
+    const groups = tests[element.dataset.test];
+    if (!groups || !groups.length) return;
+    element.hidden = false;
+    const { group, method, reference, quantity, slider, moment, names, plot, way } = controlsOf(element, groups);
+    const look = lookAt(plot);
     let drawn = false;
+    let mesh = null, chosenPairs = [], range = null;
+    const chosen = () => [method, reference].map((s) => (s.value === "" ? null : groups[group.value].bodies[s.value]));
 
     function fill() {
-      const bodies = groups[group.value].bodies;
-      const fits = (kind) => bodies.map((body, i) => [i, body])
-        .filter(([, body]) => (body.kind === "finite elements") === kind)
-        .map(([i, body]) => [i, body.name + (body.status === "ok" ? "" : ` (${body.status.replaceAll("_", " ")})`)]);
-      for (const [select, options] of [[method, fits(false)], [reference, fits(true)]]) {
-        const before = select.selectedOptions[0]?.text;
-        select.replaceChildren(...options.map(([value, text]) => new Option(text, value)));
-        const first = options.findIndex(([i, text]) => before ? text === before : bodies[i].is_usual);
-        if (first >= 0) select.selectedIndex = first;
-        select.parentElement.hidden = options.length === 0;
-      }
+      const { bodies } = groups[group.value];
+      const isReference = (body) => body.kind === "finite elements";
+      offer(method, bodies, (body) => !isReference(body));
+      offer(reference, bodies, isReference);
       toTheEnd();
     }
-    const chosen = () => [method, reference].map((s) => (s.value === "" ? null : groups[group.value].bodies[s.value]));
-    let mesh = null, chosenPairs = [], range = null;
     function toTheEnd() {
       mesh = unpackedMesh(meshes[groups[group.value].mesh]);
       chosenPairs = pairs(chosen());
@@ -103,39 +168,13 @@ const viewsReady = (async function () {
       moment.value = toldMoment(pair, bodies);
       const list = traces(mesh, pair, quantity.value);
       if (range?.quantity !== quantity.value) range = { ...ranges(mesh, chosenPairs, quantity.value), quantity: quantity.value };
-      const shown = layout(range, quantity.value, Boolean(own && theirs), camera);
+      const shown = layout(range, quantity.value, Boolean(own && theirs), look.camera);
       const settings = { responsive: true, displaylogo: false, displayModeBar: false, scrollZoom: false };
       Plotly.react(plot, list, shown, settings).then(() => {
         plot.dataset.drawn = "yes";
-        if (drawn) return;
+        if (!drawn) look.listen();
         drawn = true;
-        const follow = (change) => {
-          const moved = scenes.find((name) => change[`${name}.camera`]);
-          if (moved) turn(change[`${moved}.camera`], moved);
-        };
-        plot.on("plotly_relayouting", follow);
-        plot.on("plotly_relayout", follow);
       });
-    }
-    /* "t = 0.25 s, 50 % of the load; fem-stvk as it ends", or "...; fem-explicit-stvk at t = 0.251 s": of the body
-       that is gone through, then of the other one where it is at another moment. */
-    function toldMoment(pair, bodies) {
-      const [first, other] = (bodies[1]?.frames.length ?? 0) > (bodies[0]?.frames.length ?? 0) ? [1, 0] : [0, 1];
-      const state = pair[first];
-      if (!state || state.time === undefined) return "";
-      const text = `t = ${state.time.toPrecision(3)} s, ${(100 * state.load).toPrecision(3)} % of the load`;
-      if (!pair[other] || pair[other].time?.toPrecision(3) === state.time.toPrecision(3)) return text;
-      const when = pair[other].time === undefined ? "as it ends" : `at t = ${pair[other].time.toPrecision(3)} s`;
-      return `${text}; ${bodies[other].name} ${when}`;
-    }
-    /* The other scenes look from where this one does. */
-    function turn(to, from) {
-      camera = to;
-      const change = {};
-      for (const name of scenes)
-        if (name !== from && JSON.stringify(plot.layout[name].camera) !== JSON.stringify(to))
-          change[`${name}.camera`] = structuredClone(to);
-      if (Object.keys(change).length) Plotly.relayout(plot, change);
     }
     /* For links to the body of a case. */
     const groupOf = (key) => groups.findIndex((one) => one.bodies.some((body) => body.cases.includes(key)));
@@ -155,28 +194,7 @@ const viewsReady = (async function () {
     quantity.addEventListener("change", draw);
     slider.addEventListener("input", draw);
     fill();
-
-    const state = {
-      async show() {
-        if (alive.includes(state)) return;
-        alive.push(state);
-        await loadPlotly();
-        if (!alive.includes(state)) return;
-        draw();
-        while (alive.length > mostAlive) alive.shift().rest();
-      },
-      rest() {
-        // Browsers allow few contexts; Plotly leaves its own to the garbage collector.
-        for (const canvas of plot.querySelectorAll("canvas"))
-          canvas.getContext("webgl")?.getExtension("WEBGL_lose_context")?.loseContext();
-        window.Plotly?.purge(plot);
-        drawn = false;
-        delete plot.dataset.drawn;
-      },
-    };
-    new IntersectionObserver((entries) => {
-      if (entries.some((entry) => entry.isIntersecting)) state.show();
-    }, { rootMargin: "200px" }).observe(plot);
+    keepAlive(plot, draw, () => { drawn = false; });
   }
   document.querySelectorAll(".viewer").forEach(viewer);
 })();

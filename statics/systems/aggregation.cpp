@@ -12,7 +12,7 @@
 #include <memory>
 #include <mutex>
 
-#include "meshing/random_numbers.hpp"
+#include "meshing/basics/random_numbers.hpp"
 
 namespace springcheck::statics {
 namespace {

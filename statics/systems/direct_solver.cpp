@@ -1,7 +1,7 @@
 #include "statics/systems/direct_solver.hpp"
 
-#include "meshing/breakdown.hpp"
-#include "meshing/random_vector.hpp"
+#include "meshing/basics/breakdown.hpp"
+#include "meshing/basics/random_vector.hpp"
 
 namespace springcheck::statics {
 namespace {

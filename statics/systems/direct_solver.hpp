@@ -3,8 +3,8 @@
 #include <optional>
 #include <random>
 
-#include "meshing/sparse_cholesky.hpp"
 #include "statics/systems/free_triangle.hpp"
+#include "statics/systems/sparse_cholesky.hpp"
 
 namespace springcheck::statics {
 

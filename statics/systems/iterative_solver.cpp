@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "meshing/random_vector.hpp"
+#include "meshing/basics/random_vector.hpp"
 #include "statics/systems/free_triangle.hpp"
 
 namespace springcheck::statics {

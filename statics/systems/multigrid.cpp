@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "meshing/sparse_cholesky.hpp"
 #include "statics/systems/aggregation.hpp"
 #include "statics/systems/chebyshev.hpp"
 #include "statics/systems/direct_solver.hpp"
+#include "statics/systems/sparse_cholesky.hpp"
 
 namespace springcheck::statics {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "meshing/vector3.hpp"
+#include "meshing/basics/vector3.hpp"
 
 namespace springcheck::statics {
 

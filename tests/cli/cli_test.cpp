@@ -177,9 +177,9 @@ BOOST_AUTO_TEST_CASE(text_and_json_tell_how_springs_differ_from_their_method_s_d
 BOOST_AUTO_TEST_CASE(a_table_shows_the_columns_that_have_values) {
   const std::string affine = run_springcheck("run affine").out,
                     traction = run_springcheck("run traction").out;
-  BOOST_TEST(affine.find("affine deviation %") != std::string::npos);
+  BOOST_TEST(affine.find("affine deviation [%]") != std::string::npos);
   BOOST_TEST(affine.find("plate force") == std::string::npos);
-  BOOST_TEST(traction.find("face z m") != std::string::npos);
+  BOOST_TEST(traction.find("face z [m]") != std::string::npos);
   BOOST_TEST(traction.find("tip m") == std::string::npos);
 }
 
@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(what_is_printed_has_a_format) {
   const std::string run = "run compression --cells 2,2,2 --method mss-cf ";
   const Run csv = run_springcheck(run + "--format csv"),
             markdown = run_springcheck(run + "--format md");
-  BOOST_TEST(csv.out.starts_with("method,status,volume change %,plate force N,"), csv.out);
+  BOOST_TEST(csv.out.starts_with("method,status,volume change [%],plate force [N],"), csv.out);
   BOOST_TEST(lines(csv.out) == 2U, csv.out);
   const double volume_change = json_of(run + "--json")["results"][0]["volume_change"];
   BOOST_TEST(csv.out.find(fmt::format("mss-cf,ok,{},", 100 * volume_change)) !=

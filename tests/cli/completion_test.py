@@ -135,6 +135,17 @@ class Completion(unittest.TestCase):
         self.assertNotIn("compression", self.fish("springcheck help run "))
         self.assertNotIn("5.1", self.fish("springcheck sweep nu --out table "))
 
+    def test_the_second_value_is_not_offered_as_the_first(self):
+        self.assertIn("thesis", self.bash("springcheck gate "))
+        self.assertNotIn("thesis", self.bash("springcheck gate thesis "))
+        self.assertIn("my results.h5", self.bash("springcheck gate thesis "))
+        self.assertEqual(self.bash("springcheck run compression --force-dt "), [])
+        self.assertIn("mine.toml", self.bash("springcheck merge all.h5 part.h5 "))
+        self.assertIn("thesis", self.fish("springcheck gate "))
+        self.assertNotIn("thesis", self.fish("springcheck gate thesis "))
+        self.assertIn("mine.toml", self.fish("springcheck gate thesis "))
+        self.assertNotIn("compression", self.fish("springcheck run compression --force-dt "))
+
     def test_options_that_take_several_files(self):
         self.assertIn("mine.toml", self.bash("springcheck table 5.1 --from x.h5 mi"))
         self.zsh("springcheck table 5.1 --from x.h5 --fro", "--from x.h5 --from")

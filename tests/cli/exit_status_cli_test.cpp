@@ -145,6 +145,10 @@ BOOST_AUTO_TEST_CASE(bad_input_exits_2_before_computing) {
   expect_bad_input("table 5.1 --from nowhere.h5", "nowhere.h5");
   expect_bad_input("list colours", "methods, scenes");
   expect_bad_input("mesh compression --out mesh.stl", ".msh, .vtu or .inp");
+  expect_bad_input("run compression --reference fem-stvk@convergd",
+                   "did you mean 'converged'?");
+  expect_bad_input("run compression --reference fem-stvk@x",
+                   "@NX,NY,NZ, @N or @converged");
   expect_bad_input("mesh compression --cells 5000,5000,5000 --out m.msh", "GB");
   expect_bad_input("reproduce --out /proc/nowhere", "/proc/nowhere");
   expect_bad_input("reproduce --out ''", "expected a path");

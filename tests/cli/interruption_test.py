@@ -120,6 +120,7 @@ class Interruption(unittest.TestCase):
                                    stdout=subprocess.DEVNULL, stderr=writing,
                                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
         self.wait_until_it_catches(program, signal.SIGINT)
+        time.sleep(2)  # it has something to say only once the command has begun
         program.send_signal(signal.SIGINT)
         time.sleep(0.5)
         self.assertIsNone(program.poll())

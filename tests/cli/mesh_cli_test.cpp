@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <fstream>
+#include <sstream>
 
 BOOST_AUTO_TEST_SUITE(mesh_cli_test)
 
@@ -59,12 +60,46 @@ BOOST_AUTO_TEST_CASE(meshes_that_cannot_be_used_are_bad_input) {
   run_springcheck("mesh compression --cells 1,1,1 --out good.msh");
   expect_bad_input("run compression --mesh none.msh", "none.msh");
   expect_bad_input("run compression --mesh good.msh --moved lid",
-                   "expected one of bottom, top, x_max, x_min, y_max, y_min, got 'lid'");
+                   "good.msh: moved: unknown surface 'lid', expected one of bottom, top, "
+                   "x_max, x_min, y_max, y_min");
+  expect_bad_input("run compression --mesh good.msh --fixed botom",
+                   "fixed: unknown surface 'botom', did you mean 'bottom'?");
+  expect_bad_input("run compression --mesh good.msh --moved ''",
+                   "moved: expected the name of a surface, got none");
+  expect_bad_input("run good.msh", "expected a scene, and behind it --mesh good.msh");
+  expect_bad_input("mesh compression --method mss-cf", "unknown option '--method'");
   const std::string good = text_of(folder / "good.msh");
   std::ofstream(folder / "half.msh") << good.substr(0, good.size() / 2);
   expect_bad_input("run compression --mesh half.msh", "half.msh");
   expect_bad_input("run compression --cell-type cubes", "one of hexahedron");
   expect_bad_input("run compression --cell-type mixed --distortion 3", "Jacobian");
+}
+
+// gmsh numbers the surfaces that nobody has named.
+BOOST_AUTO_TEST_CASE(surfaces_without_a_name_go_by_their_numbers) {
+  run_springcheck("mesh compression --cells 1,1,1 --out named.msh");
+  std::string text = text_of(folder / "named.msh");
+  const std::string end = "$EndPhysicalNames\n";
+  const std::size_t first = text.find("$PhysicalNames"), last = text.find(end);
+  BOOST_TEST_REQUIRE(last != std::string::npos);
+  const std::string names = text.substr(first, last - first);
+  text.erase(first, last + end.size() - first);
+  std::ofstream(folder / "numbered.msh") << text;
+  const auto number_of = [&](const std::string& name) {
+    const std::size_t line = names.rfind('\n', names.find('"' + name + '"'));
+    std::istringstream words(names.substr(line + 1));
+    int dimension = 0, number = 0;
+    words >> dimension >> number;
+    return std::to_string(number);
+  };
+  const std::string run = "run compression --method mss-cf --mesh numbered.msh ";
+  expect_bad_input(run,
+                   "or the name 'bottom'; in gmsh, Physical Surface(\"bottom\") = "
+                   "{...}; gives it, before meshing, got 'bottom'");
+  const std::string plates =
+      "--fixed " + number_of("bottom") + " --moved " + number_of("top");
+  BOOST_TEST(run_springcheck(run + plates).status == 0);
+  expect_bad_input(run + "--fixed 0" + number_of("bottom"), "or the name '0");
 }
 
 // Van Gelder's springs make no material of a chosen Poisson ratio; the correction moves

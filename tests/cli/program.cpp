@@ -110,13 +110,18 @@ Run run_springcheck(const std::string& arguments, const std::string& before) {
   }
   Run run{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
           text_of(folder / "out"), text_of(folder / "err")};
-  if (arguments.find(" --json") != std::string::npos && run.out.starts_with('{'))
-    check_json(arguments, run.out);
+  const bool is_json = arguments.find(" --json") != std::string::npos ||
+                       arguments.find(" --format json") != std::string::npos;
+  if (is_json && run.out.starts_with('{')) check_json(arguments, run.out);
   return run;
 }
 
 Json json_of(const std::string& arguments) {
   return Json::parse(run_springcheck(arguments).out);
+}
+
+Json result_of(const std::string& arguments) {
+  return json_of(arguments)["results"][0];
 }
 
 std::size_t lines(const std::string& text) {

@@ -27,6 +27,9 @@ Run run_springcheck(const std::string& arguments, const std::string& before = ""
 
 Json json_of(const std::string& arguments);
 
+/// The first case that a command tells of.
+Json result_of(const std::string& arguments);
+
 std::size_t lines(const std::string& text);
 
 void expect_bad_input(const std::string& arguments, const std::string& part_of_message);

@@ -11,7 +11,7 @@
 
 #include "fem_reference/cells/discretisation.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 
 // Meshes, fields and scenes that several tests of the solver are made from.
 namespace springcheck::fem_reference {

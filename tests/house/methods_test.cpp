@@ -31,7 +31,7 @@ const std::vector<std::regex>& questions() {
 bool may_name_methods(const std::string& file) {
   static const std::vector<std::string> all{
       "comparisons/bench.cpp",                          // what it times
-      "comparisons/commands/result_json.cpp",           // an example of a result
+      "comparisons/commands/output/result_json.cpp",    // an example of a result
       "comparisons/modes/body_modes.cpp",               // whose modes the table has
       "comparisons/settings/setting_table.cpp",         // a default
       "comparisons/tables/",                            // what the studies run

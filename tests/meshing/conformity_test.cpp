@@ -5,8 +5,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/input_error.hpp"
 
 using namespace springcheck;
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 #include "mss/networks/network.hpp"
 
 // What several tests of the mass-spring systems are made from.

@@ -3,6 +3,10 @@
 import os
 import re
 import subprocess
+import unittest
+
+# Of tests that are left out unless all of a file is asked for.
+slow = unittest.skipUnless("SPRINGCHECK_SLOW_TESTS" in os.environ, "slow")
 
 
 def springcheck(*arguments, check=True):

@@ -15,7 +15,7 @@ from pathlib import Path
 sys.path[:0] = [str(Path(__file__).parent)]
 import numpy as np  # noqa: E402
 import page_text  # noqa: E402
-from program import springcheck  # noqa: E402
+from program import slow, springcheck  # noqa: E402
 
 
 class SmallFiles(unittest.TestCase):
@@ -60,6 +60,7 @@ class SmallFiles(unittest.TestCase):
         for name in ("chart", "atlas", "tissue", "through-time", "speed", "modes"):
             self.assertIsNone(page_text.section(page, name), name)
 
+    @slow
     def test_failed_and_refused_cases_alone(self):
         file = self.folder / "failed.h5"
         springcheck("run", "compression", "--method", "mss-nfd,mss-lloyd", "--cells", "4,4,4", "--nu",
@@ -69,6 +70,7 @@ class SmallFiles(unittest.TestCase):
         self.assertIn("refused (its springs need tetrahedra", page)
         self.assertIn('id="failures"', page)
 
+    @slow
     def test_a_mesh_of_a_file_and_other_tests(self):
         file = self.folder / "kidney.h5"
         springcheck("run", "kidney", "--cells", "4,4,4", "--out", file)
@@ -90,6 +92,7 @@ class SmallFiles(unittest.TestCase):
         self.assertEqual(ended.returncode, 2)
         self.assertEqual((self.folder / "report" / "index.html").read_text(), "<p>my page</p>")
 
+    @slow
     def test_broken_fields_are_left_out(self):
         import h5py
 
@@ -103,6 +106,7 @@ class SmallFiles(unittest.TestCase):
             made["cases"]["cell_volume_ratio_min"][...] = np.nan
         self.assertIn('id="figure-bodies_compression"', self.page_of(file))
 
+    @slow
     def test_a_page_stays_whole_when_the_next_is_ended(self):
         report = self.folder / "report"
         shutil.copytree(self.report_of_one, report)

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 using namespace springcheck;
 using namespace springcheck::tissue;

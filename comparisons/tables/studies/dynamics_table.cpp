@@ -4,33 +4,29 @@
 
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/tables/thesis/printed_figures.hpp"
+#include "comparisons/tables/thesis/thesis_tables.hpp"
 
 namespace springcheck {
 namespace {
 
-/// A table's measure, and what turns it into printed units: raw figures are printed in
-/// SI, those in true units are smaller by E L^2 or E L^3, L a hundredth.
-struct Printed {
-  const char* table;
-  const char* name;
-  Measures::Value Measures::*measure;
-  double factor, raw_factor;
-};
-constexpr std::array<Printed, 4> printed_tables{
-    {{"5.1", "e [%]", &Measures::volume_error, 100, 100},
-     {"5.2", "e [%]", &Measures::volume_error, 100, 100},
-     {"5.3", "resultant [1e-4 N]", &Measures::plate_force_norm, 1e4, 1},
-     {"5.4", "torque [1e-6 N m]", &Measures::plate_torque, 1e6, 1}}};
-
 constexpr std::string_view thesis_method = "mss-cf";
 
 /// What is printed of it and computed here.
-std::vector<std::pair<Printed, PrintedFigure>> figures() {
-  std::vector<std::pair<Printed, PrintedFigure>> all;
-  for (const Printed& printed : printed_tables)
-    for (const PrintedFigure& figure : printed_figures(printed.table))
-      if (figure.method == thesis_method) all.emplace_back(printed, figure);
+std::vector<std::pair<Quantity, PrintedFigure>> figures() {
+  std::vector<std::pair<Quantity, PrintedFigure>> all;
+  for (const char* table : {"5.1", "5.2", "5.3", "5.4"})
+    for (const PrintedFigure& figure : printed_figures(table))
+      if (figure.method == thesis_method)
+        all.emplace_back(printed_quantity(table), figure);
   return all;
+}
+
+/// The same of a body in raw units: what is printed in 1e-4 N or 1e-6 N m is in N or N m
+/// there, since with lengths that are a hundred times larger forces grow by E L^2 and
+/// torques by E L^3.
+Quantity of_raw_units(Quantity quantity) {
+  if (quantity.unit != "%") quantity.factor = 1;
+  return quantity;
 }
 
 /// Static, dynamic in SI units, dynamic in raw ones.
@@ -75,21 +71,20 @@ Table filled(std::span<const CaseResult> results) {
           "crossed it a few times before the figure is read."}};
   const auto all = figures();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto& [printed, figure] = all[i];
+    const auto& [quantity, figure] = all[i];
     const CaseResult &still = results[3 * i], &moved = results[3 * i + 1],
                      &raw = results[3 * i + 2];
-    const auto value = [&, at = &printed](const CaseResult& result, double factor) {
-      const auto& measured = result.measures.*(at->measure);
-      return value_or_status(measured ? std::optional(factor * *measured) : std::nullopt,
-                             result);
+    const auto value = [](const CaseResult& result, const Quantity& of) {
+      return value_or_status(value_of(of, result.measures), result);
     };
     TableRow row{.cells = {name_of(figure.test), figure.nu,
                            deformation_text(figure.test, figure.deformation),
-                           printed.name, figure.value, value(still, printed.factor)},
-                 .cases = {still.key, moved.key, raw.key}};
-    for (const auto& [result, factor] :
-         {std::pair(&moved, printed.factor), std::pair(&raw, printed.raw_factor)}) {
-      row.cells.push_back(value(*result, factor));
+                           heading(quantity), figure.value, value(still, quantity)},
+                 .cases = {still.key, moved.key, raw.key},
+                 .in_json = {{"unit", quantity.unit}}};
+    for (const auto& [result, of] :
+         {std::pair(&moved, quantity), std::pair(&raw, of_raw_units(quantity))}) {
+      row.cells.push_back(value(*result, of));
       row.cells.push_back(result->measures.transit_count);
       row.cells.push_back(result->request.settings.dynamics.damping_ratio);
       row.cells.push_back(energy_ratio(result->measures));
@@ -105,7 +100,7 @@ TablePlan plan_dynamics_table() {
   TablePlan plan{.make = [](std::span<const CaseResult> results, MeshStore&) {
     return filled(results);
   }};
-  for (const auto& [printed, figure] : figures())
+  for (const auto& [quantity, figure] : figures())
     for (CaseSettings& settings : cases_of(figure))
       plan.requests.push_back({.settings = std::move(settings)});
   return plan;

@@ -17,7 +17,7 @@
 #include "comparisons/system/environment.hpp"
 #include "comparisons/system/memory.hpp"
 #include "comparisons/tables/plans/planned_requests.hpp"
-#include "meshing/stopwatch.hpp"
+#include "meshing/basics/stopwatch.hpp"
 
 namespace springcheck {
 namespace {

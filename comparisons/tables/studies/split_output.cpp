@@ -88,7 +88,7 @@ std::string split_text(const Split& split) {
     const Measure& measure = *find_measure(quantity.name);
     const double factor = shown_factor(measure);
     rows.push_back(
-        {fmt::format("{} {}", measure.label, shown_unit(measure)),
+        {heading_of(measure),
          quantity.springs ? fmt::format("{:.5g}", factor * *quantity.springs) : "-",
          with_order(quantity.cauchy_born.converged, factor),
          with_order(quantity.reference.converged, factor),

@@ -16,11 +16,11 @@ namespace {
 /// for deviations, which are from it.
 void set_reference_value(ComparisonRow& row, const Quantity& quantity,
                          std::span<const CaseResult> runs) {
-  if (runs.size() == 1) row.reference_value = quantity.of(runs.front().measures);
+  if (runs.size() == 1) row.reference_value = value_of(quantity, runs.front().measures);
   if (runs.size() != 3) return;
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::optional<double> value = quantity.of(runs[i].measures);
+    const std::optional<double> value = value_of(quantity, runs[i].measures);
     if (!value) return;
     values[i] = *value;
   }
@@ -41,13 +41,14 @@ std::vector<Request> requests_of(const PlannedRow& row) {
 
 }  // namespace
 
-Quantity scaled(std::string name, std::string unit, std::string format,
-                Measures::Value Measures::*measure, double factor) {
-  return {std::move(name), std::move(unit), std::move(format),
-          [measure, factor](const Measures& m) -> std::optional<double> {
-            if (!(m.*measure)) return std::nullopt;
-            return factor * *(m.*measure);
-          }};
+std::optional<double> value_of(const Quantity& quantity, const Measures& measures) {
+  const Measures::Value& value = measures.*quantity.measure;
+  return value ? std::optional(quantity.factor * *value) : std::nullopt;
+}
+
+std::string heading(const Quantity& quantity) {
+  return quantity.unit == "-" ? std::string(quantity.name)
+                              : fmt::format("{} [{}]", quantity.name, quantity.unit);
 }
 
 Comparison compare(ComparisonPlan plan, std::span<const CaseResult> results) {
@@ -57,10 +58,10 @@ Comparison compare(ComparisonPlan plan, std::span<const CaseResult> results) {
     ComparisonRow row{.plan = planned, .result = results.front()};
     set_reference_value(row, comparison.plan.quantity, results.subspan(1, references));
     results = results.subspan(1 + references);
-    row.ours = comparison.plan.quantity.of(row.result.measures);
+    row.ours = value_of(comparison.plan.quantity, row.result.measures);
     if (row.ours && planned.printed) row.difference = *row.ours - *planned.printed;
     for (const Quantity& quantity : comparison.plan.further)
-      row.further.push_back(quantity.of(row.result.measures));
+      row.further.push_back(value_of(quantity, row.result.measures));
     if (std::ranges::count(row.result.flags, Status::wrinkled) > 0)
       row.plan.notes.emplace_back(table_notes::wrinkled);
     if (!row.result.revision.empty())

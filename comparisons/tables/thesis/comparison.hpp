@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "comparisons/tables/plans/table_plan.hpp"
@@ -11,15 +11,18 @@ namespace springcheck {
 
 /// What is compared: a measure in a table's unit.
 struct Quantity {
-  std::string name;    // "e"
-  std::string unit;    // "%"
-  std::string format;  // fmt's, for one double
-  std::function<std::optional<double>(const Measures&)> of;
+  std::string_view name;    // "e"
+  std::string_view unit;    // "%"; "-" of what has none
+  std::string_view format;  // fmt's, for one double
+  Measures::Value Measures::*measure;
+  double factor;  // from SI to the unit
 };
 
-/// A measure times a factor.
-Quantity scaled(std::string name, std::string unit, std::string format,
-                Measures::Value Measures::*measure, double factor);
+/// In its unit.
+std::optional<double> value_of(const Quantity& quantity, const Measures& measures);
+
+/// "e [%]".
+std::string heading(const Quantity& quantity);
 
 /// One row before it is computed.
 struct PlannedRow {

@@ -12,11 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string heading(const Quantity& quantity) {
-  return quantity.unit == "-" ? quantity.name
-                              : fmt::format("{} [{}]", quantity.name, quantity.unit);
-}
-
 /// What stands where a value is missing: the status and how far the load was carried.
 std::string instead_of_value(const CaseResult& result) {
   const double fraction = result.solution.load_fraction;
@@ -81,7 +76,7 @@ std::string against_thesis(const Comparison& comparison) {
 
 std::vector<Column> columns_of(const ComparisonPlan& plan) {
   const auto& [labels, quantity, further, rows, notes] = plan;
-  const std::string shown = heading(quantity), &format = quantity.format;
+  const std::string shown = heading(quantity), format(quantity.format);
   const std::string unit =
       quantity.unit == "-"
           ? ""
@@ -104,7 +99,7 @@ std::vector<Column> columns_of(const ComparisonPlan& plan) {
   for (const Quantity& one : further)
     columns.push_back({.key = heading(one),
                        .heading = heading(one),
-                       .format = one.format,
+                       .format = std::string(one.format),
                        .in_print = !is_printed});
   return columns;
 }

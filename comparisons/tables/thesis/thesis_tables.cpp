@@ -3,26 +3,41 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <stdexcept>
+#include <utility>
+
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/tables/thesis/table_notes.hpp"
 
 namespace springcheck {
 namespace {
 
+constexpr std::pair<std::string_view, Quantity> printed_quantities[]{
+    {"5.1", {"e", "%", "{:.3f}", &Measures::volume_error, 100}},
+    {"5.2", {"e", "%", "{:.3f}", &Measures::volume_error, 100}},
+    {"5.3", {"resultant", "1e-4 N", "{:.0f}", &Measures::plate_force_norm, 1e4}},
+    {"5.4", {"torque", "1e-6 N m", "{:.0f}", &Measures::plate_torque, 1e6}}};
+
 /// Table 5.1 or 5.2.
 ComparisonPlan volume_comparison(const std::string& name, const Reference& reference) {
   return {.label_headings = {"nu", "deformation", "method"},
-          .quantity = scaled("e", "%", "{:.3f}", &Measures::volume_error, 100),
-          .further = {scaled("smallest V/V0 of a cell", "-", "{:.4f}",
-                             &Measures::cell_volume_ratio_min, 1),
-                      scaled("largest V/V0 of a cell", "-", "{:.4f}",
-                             &Measures::cell_volume_ratio_max, 1),
-                      scaled("plate force", "N", "{:.6g}", &Measures::plate_force, 1)},
+          .quantity = printed_quantity(name),
+          .further = {{"smallest V/V0 of a cell", "-", "{:.4f}",
+                       &Measures::cell_volume_ratio_min, 1},
+                      {"largest V/V0 of a cell", "-", "{:.4f}",
+                       &Measures::cell_volume_ratio_max, 1},
+                      {"plate force", "N", "{:.6g}", &Measures::plate_force, 1}},
           .rows = printed_rows(name, reference),
           .notes = {table_notes::exact_volume, table_notes::law_of_springs}};
 }
 
 }  // namespace
+
+Quantity printed_quantity(std::string_view table) {
+  for (const auto& [name, quantity] : printed_quantities)
+    if (name == table) return quantity;
+  throw std::logic_error("a table of the thesis that is none");
+}
 
 ComparisonPlan plan_compression(const Reference& reference) {
   return volume_comparison("5.1", reference);
@@ -33,38 +48,34 @@ ComparisonPlan plan_tension(const Reference& reference) {
 }
 
 ComparisonPlan plan_shearing(const Reference& reference) {
-  return {.label_headings = {"nu", "deformation", "method"},
-          .quantity =
-              scaled("resultant", "1e-4 N", "{:.0f}", &Measures::plate_force_norm, 1e4),
-          .further = {scaled("sideways force", "1e-4 N", "{:.0f}", &Measures::plate_force,
-                             1e4)},
-          .rows = printed_rows("5.3", reference),
-          .notes = {table_notes::units, table_notes::law_of_springs}};
+  return {
+      .label_headings = {"nu", "deformation", "method"},
+      .quantity = printed_quantity("5.3"),
+      .further = {{"sideways force", "1e-4 N", "{:.0f}", &Measures::plate_force, 1e4}},
+      .rows = printed_rows("5.3", reference),
+      .notes = {table_notes::units, table_notes::law_of_springs}};
 }
 
 ComparisonPlan plan_torsion(const Reference& reference) {
-  return {
-      .label_headings = {"nu", "deformation", "method"},
-      .quantity = scaled("torque", "1e-6 N m", "{:.0f}", &Measures::plate_torque, 1e6),
-      .rows = printed_rows("5.4", reference),
-      .notes = {table_notes::units, table_notes::torsion_angle,
-                table_notes::law_of_springs}};
+  return {.label_headings = {"nu", "deformation", "method"},
+          .quantity = printed_quantity("5.4"),
+          .rows = printed_rows("5.4", reference),
+          .notes = {table_notes::units, table_notes::torsion_angle,
+                    table_notes::law_of_springs}};
 }
 
 ComparisonPlan plan_deviation(const Reference& reference) {
   ComparisonPlan plan{
       .label_headings = {"test", "nu", "deformation", "method"},
-      .quantity = scaled("mean on the middle layer", "cm", "{:.4f}",
-                         &Measures::middle_layer_deviation, 100),
-      .further = {scaled("mean over all nodes", "cm", "{:.4f}", &Measures::mean_deviation,
-                         100),
-                  scaled("largest", "cm", "{:.4f}", &Measures::max_deviation, 100),
-                  scaled("relative L2", "%", "{:.2f}", &Measures::deviation_l2_relative,
-                         100),
-                  scaled("relative largest", "%", "{:.2f}",
-                         &Measures::deviation_max_relative, 100),
-                  scaled("rms difference of cells' V/V0", "-", "{:.4f}",
-                         &Measures::cell_volume_ratio_rms_difference, 1)},
+      .quantity = {"mean on the middle layer", "cm", "{:.4f}",
+                   &Measures::middle_layer_deviation, 100},
+      .further = {{"mean over all nodes", "cm", "{:.4f}", &Measures::mean_deviation, 100},
+                  {"largest", "cm", "{:.4f}", &Measures::max_deviation, 100},
+                  {"relative L2", "%", "{:.2f}", &Measures::deviation_l2_relative, 100},
+                  {"relative largest", "%", "{:.2f}", &Measures::deviation_max_relative,
+                   100},
+                  {"rms difference of cells' V/V0", "-", "{:.4f}",
+                   &Measures::cell_volume_ratio_rms_difference, 1}},
       .notes = {
           "The relative measures are volume-weighted over the free nodes and divided "
           "by the largest imposed displacement.",
@@ -84,15 +95,15 @@ ComparisonPlan plan_deviation(const Reference& reference) {
 ComparisonPlan plan_bending(const Reference& reference) {
   ComparisonPlan plan{
       .label_headings = {"scene", "E [MPa]", "cells", "method"},
-      .quantity = scaled("tip deflection", "m", "{:.5g}", &Measures::tip_deflection, 1),
-      .further =
-          {scaled("Euler-Bernoulli", "m", "{:.5g}", &Measures::tip_euler_bernoulli, 1),
-           scaled("Timoshenko", "m", "{:.5g}", &Measures::tip_timoshenko, 1),
-           scaled("elastica", "m", "{:.5g}", &Measures::tip_elastica, 1),
-           scaled("centre line off Euler-Bernoulli", "m", "{:.3g}",
-                  &Measures::centre_line_euler_bernoulli, 1),
-           scaled("off Timoshenko", "m", "{:.3g}", &Measures::centre_line_timoshenko, 1),
-           scaled("off the elastica", "m", "{:.3g}", &Measures::centre_line_elastica, 1)},
+      .quantity = {"tip deflection", "m", "{:.5g}", &Measures::tip_deflection, 1},
+      .further = {{"Euler-Bernoulli", "m", "{:.5g}", &Measures::tip_euler_bernoulli, 1},
+                  {"Timoshenko", "m", "{:.5g}", &Measures::tip_timoshenko, 1},
+                  {"elastica", "m", "{:.5g}", &Measures::tip_elastica, 1},
+                  {"centre line off Euler-Bernoulli", "m", "{:.3g}",
+                   &Measures::centre_line_euler_bernoulli, 1},
+                  {"off Timoshenko", "m", "{:.3g}", &Measures::centre_line_timoshenko, 1},
+                  {"off the elastica", "m", "{:.3g}", &Measures::centre_line_elastica,
+                   1}},
       .notes = {table_notes::figures_only,
                 "The distances are the largest between a node of the centre line and the "
                 "theory's point of the same arc length. The elastica is inextensible and "

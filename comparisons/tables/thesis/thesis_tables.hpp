@@ -1,8 +1,13 @@
 #pragma once
 
+#include <string_view>
+
 #include "comparisons/tables/thesis/printed_rows.hpp"
 
 namespace springcheck {
+
+/// What Golec 2018 printed in one of tables 5.1 to 5.4.
+Quantity printed_quantity(std::string_view table);
 
 // What Golec 2018 printed of comparisons, and ours beside it. Tables 5.1 to 5.4:
 ComparisonPlan plan_compression(const Reference& reference);

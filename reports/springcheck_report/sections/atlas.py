@@ -1,5 +1,6 @@
 """The stability atlas: maps of how methods fail over two settings."""
 
+import measures
 import numpy as np
 from case_words import counts_text, load_text, mesh_text
 from content import Figure, Section, file_name, paragraph, table
@@ -144,7 +145,7 @@ def axis_label(axis, case, settings):
         label = settings[key]["label"]
         unit = (unit or settings[key]["si_unit"]).replace("^3", "³").replace("^2", "²")
         return label if settings[key]["kind"] == "string" or settings[key]["most"] != 1 else f"{label} [{unit}]"
-    if case.test == "torsion":
+    if measures.turns(case.test):
         return "angle of torsion [°]" if unit == "deg" else "angle of torsion [rad]"
     return "deformation [%]" if unit == "%" else "deformation [-]"
 

@@ -35,7 +35,7 @@ def failing_sentences(study):
             first = of_status.loc[of_status.strain.fillna(np.inf).idxmin()]
             tests = ", ".join(dict.fromkeys(of_status.test))
             parts.append(
-                f"{_WORDS[status]} in {len(of_status)} of {len(covered)} cases ({tests}; "
+                f"{_WORDS.get(status, f'ended {status}')} in {len(of_status)} of {len(covered)} cases ({tests}; "
                 f"mildest: {case_text(first)})"
             )
         others = with_any.drop(of_method.index)

@@ -11,6 +11,8 @@ from method_style import colour, shades
 
 _MOST_CURVES = 8
 _DASHES = ["-", "--", ":", "-."]
+# What forces and torques on bodies of different size are divided by, by their unit.
+_SCALES = {"N": "E A", "N m": "E V"}
 
 
 def histories(study):
@@ -40,14 +42,13 @@ def _figure(study, name, cases, of_test):
     """Over E and the size where bodies differ in them, so that one equilibrium is one."""
     group = cases.sort_values(["scene", "method", "solver", "damping"]).iloc[:_MOST_CURVES]
     test, is_scaled = group.test.iloc[0], group.whole_problem.nunique() > 1
-    force, strain, ratio = [], [], []
+    answers, strain, ratio = [], [], []
     for (key, case), style in zip(group.iterrows(), _styles(group)):
         history = study.history(key)
         label, time = _label(case, group), history.time.to_numpy()
-        force_unit, energy_unit = _units(case) if is_scaled else (1, 1e-3)
-        answer = answer_along(test, history, case.whole_deformation)
-        if answer is not None:
-            force.append(curves.Curve(label, time, answer / force_unit, style=style))
+        answer_unit, energy_unit = _units(case) if is_scaled else (1, 1e-3)
+        if "answer" in history and history.answer.notna().any():  # files of before 0.3.0 have none
+            answers.append(curves.Curve(label, time, history.answer.to_numpy() / answer_unit, style=style))
         energy = history.strain_energy.to_numpy()
         with np.errstate(divide="ignore", invalid="ignore"):
             share = history.kinetic_energy.to_numpy() / energy
@@ -58,12 +59,12 @@ def _figure(study, name, cases, of_test):
     panels = [curves.Panel("Strain energy", "time [s]", energy_label, strain)]
     if ratio:
         panels.append(curves.Panel("Kinetic over strain energy", "time [s]", "ratio", ratio, log_y=True))
-    if force:
-        _, answer, unit = measures.answer(test)
-        scale = ("E V" if test == "torsion" else "E A") if is_scaled else None
-        y_label = f"{answer} / ({scale})" if scale else f"{answer} [{unit}]"
-        force += _statics(study, group, is_scaled)
-        panels.insert(0, curves.Panel(answer.capitalize(), "time [s]", y_label, force))
+    if answers:
+        measure = measures.answer_name(test)
+        label, unit = measures.label(measure), measures.unit(measure)
+        y_label = f"{label} / ({_SCALES[unit]})" if is_scaled else f"{label} [{unit}]"
+        answers += _statics(study, group, is_scaled)
+        panels.insert(0, curves.Panel(label.capitalize(), "time [s]", y_label, answers))
     first = group.iloc[0].copy()
     first["load"] = first.whole_load
     text = case_text(first).removeprefix(f"{first.scene}, ")
@@ -75,24 +76,11 @@ def _figure(study, name, cases, of_test):
     return Figure(name, caption, curves.draw, (panels,))
 
 
-def answer_along(test, history, deformation):
-    """The test's answer at every moment as an array, None of tests without a
-    plate."""
-    along = {
-        "compression": -history.force_z,
-        "tension": history.force_z,
-        "uniaxial": np.sign(deformation) * history.force_z,
-        "shearing": np.sqrt(history.force_x**2 + history.force_y**2 + history.force_z**2),
-        "torsion": history.torque_z,
-    }
-    return along[test].to_numpy() if test in along else None
-
-
 def _units(case):
-    """What force (torque) and energy are divided by: E A (E V) and E V."""
+    """What the answer and the energy are divided by, see _SCALES: the energy by E V."""
     area = case["size.x"] * case["size.y"]
-    volume = area * case["size.z"]
-    return case.young * (volume if case.test == "torsion" else area), case.young * volume
+    scales = {"E A": case.young * area, "E V": case.young * area * case["size.z"]}
+    return scales[_SCALES[measures.unit(measures.answer_name(case.test))]], scales["E V"]
 
 
 def _styles(group):
@@ -141,7 +129,7 @@ def _statics(study, group, is_scaled):
         ring = {"linestyle": "none", "marker": "o", "markersize": 5, "markerfacecolor": "none"}
         ring["color"] = colour(case["name"])
         answer = np.array([case.answer / (_units(case)[0] if is_scaled else 1)])
-        if measures.answer(case.test).column == "plate_force":  # it is positive whichever way a path has gone
+        if measures.answer_name(case.test) == "plate_force":  # it is positive whichever way a path has gone
             answer *= np.sign(case.deformation * moved.whole_deformation.iloc[0])
         found.append(curves.Curve(f"{case['name']} at rest", end, answer, style=ring))
     return found

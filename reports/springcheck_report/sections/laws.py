@@ -33,7 +33,7 @@ def spring_constants(study):
             np.array([case["kappa_over_young"] for case in used]),
             style=dots,
         )
-        panel = curves.Panel("", "Poisson's ratio", "κ/E", [formula, of_cases], symmetric_log_y=True)
+        panel = curves.Panel("", study.settings["nu"]["label"], "κ/E", [formula, of_cases], symmetric_log_y=True)
         caption = (
             f"The modulus of the volume correction over Young's modulus ({modulus['source']}). "
             "It is zero at nu = 1/4, where springs alone are right, negative below, and without "

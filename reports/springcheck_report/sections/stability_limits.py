@@ -1,5 +1,6 @@
 """Limits of the equilibrium path: where bodies lose their stability, beside theory."""
 
+import measures
 import methods
 import numpy as np
 from case_words import case_text, mesh_text, method_name
@@ -51,13 +52,13 @@ def _figures(study):
             continue  # all paths held
         if test == "compression":
             drawn += _theory(study, set(cases.method))
-        label = "angle [°]" if test == "torsion" else "deformation [%]"
+        label = "angle [°]" if measures.turns(test) else "deformation [%]"
         caption = (
             f"Where the path ends in {test}, {mesh_text(cases.iloc[0])}. Methods without a marker "
             "held to the largest load that was tried. Dashed: the infinite lattice in uniaxial "
             "compression, by its plane waves, which no glued plate holds."
         )
-        panel = curves.Panel(f"Limit in {test}", "Poisson's ratio", label, drawn, from_zero=True)
+        panel = curves.Panel(f"Limit in {test}", study.settings["nu"]["label"], label, drawn, from_zero=True)
         figures.append(Figure(f"limits_{test}", caption, curves.draw, ([panel],)))
     return figures
 
@@ -73,7 +74,7 @@ def _curve(name, cases):
 
 
 def _scale(case):
-    return np.degrees(1) if case.test == "torsion" else 100
+    return np.degrees(1) if measures.turns(case.test) else 100
 
 
 def _theory(study, names):

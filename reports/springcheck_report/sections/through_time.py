@@ -84,7 +84,7 @@ def _panels(document):
 
 
 def _is_percent(row):
-    return "%" in row["measure"]
+    return row["unit"] == "%"
 
 
 def _off_statics(row, key):

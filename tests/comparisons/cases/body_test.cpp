@@ -6,9 +6,9 @@
 #include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/running/case_result.hpp"
 #include "comparisons/settings/case_json.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
 #include "tests/own_folder.hpp"
 
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_plate_that_is_missing_or_upside_down_is_refused) {
   BOOST_CHECK_EXCEPTION(
       scene_with("foot", "nose"), InputError, [&](const InputError& error) {
         BOOST_TEST(error.what() ==
-                   file + ": region: expected one of foot, head, got 'nose'");
+                   file + ": moved: unknown surface 'nose', expected one of foot, head");
         return true;
       });
   BOOST_CHECK_EXCEPTION(

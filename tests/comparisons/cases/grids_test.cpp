@@ -3,8 +3,8 @@
 #include <tuple>
 
 #include "comparisons/cases/grids.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/input_error.hpp"
 
 using namespace springcheck;
 

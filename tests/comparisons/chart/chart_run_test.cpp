@@ -10,7 +10,7 @@
 #include "comparisons/chart/chart_json.hpp"
 #include "comparisons/chart/chart_tables.hpp"
 #include "comparisons/methods/methods.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/own_folder.hpp"
 
 using namespace springcheck;

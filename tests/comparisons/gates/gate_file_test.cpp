@@ -6,7 +6,7 @@
 
 #include "comparisons/gates/gate_check.hpp"
 #include "comparisons/shipped/shipped.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/comparisons/gates/example_gates.hpp"
 
 using namespace springcheck;

@@ -1,7 +1,7 @@
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
-#include "comparisons/commands/result_json.hpp"
+#include "comparisons/commands/output/result_json.hpp"
 #include "comparisons/imported/imported_case.hpp"
 #include "comparisons/imported/nodal_csv.hpp"
 #include "comparisons/results/result_file.hpp"

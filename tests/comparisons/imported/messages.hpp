@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 namespace springcheck {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "comparisons/measures/measure_list.hpp"
-#include "meshing/traction.hpp"
+#include "meshing/loads/traction.hpp"
 #include "tests/comparisons/measures/solutions.hpp"
 
 using namespace springcheck;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "meshing/scene.hpp"
+#include "meshing/loads/scene.hpp"
 #include "tests/comparisons/settings.hpp"
 
 namespace springcheck {

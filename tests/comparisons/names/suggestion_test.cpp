@@ -6,7 +6,7 @@
 
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/settings/setting.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 using namespace springcheck;
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "comparisons/results/result_file.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
 #include "tests/own_folder.hpp"
 

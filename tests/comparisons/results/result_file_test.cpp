@@ -13,8 +13,8 @@
 
 #include "comparisons/results/kept_results.hpp"
 #include "comparisons/store/hdf5.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/input_error.hpp"
 #include "tests/comparisons/results/small_study.hpp"
 #include "tests/comparisons/settings.hpp"
 #include "tests/own_folder.hpp"
@@ -110,6 +110,36 @@ BOOST_AUTO_TEST_CASE(fields_without_an_equilibrium_are_partial) {
   read_fields(file, meshes.mesh(read.request.settings.body), read);
   BOOST_TEST((read.solution.spring_strains == written.front().solution.spring_strains));
   BOOST_TEST(read.deviation.empty());
+}
+
+// What was computed with fields is not computed again for them, whether it has any or
+// not.
+BOOST_AUTO_TEST_CASE(a_file_holds_what_it_is_asked_for) {
+  const OwnFolder own;
+  const auto file = own.path / "bare.h5";
+  MeshStore meshes;
+  std::vector<Request> asked =
+      requests(run_of("compression", {"cells=2,2,2", "method=mss-cf"}));
+  asked.push_back(
+      requests(run_of("tension", {"method=mss-cf", "nu=0", "deformation=0.3"})).front());
+  const auto results = study(asked, meshes);
+  ResultFile(file).put(results, false, meshes);
+  const StoredKeys bare = stored_keys(file);
+  BOOST_TEST(holds(bare, results[0].key, false));
+  BOOST_TEST(!holds(bare, results[0].key, true));
+  BOOST_TEST(!holds(bare, results[1].key, true));
+  BOOST_TEST(!holds(bare, "another", false));
+  CaseResult broken = results[1];
+  broken.solution.displacements.clear();
+  write_results(file, std::array{results[0], broken}, meshes);
+  BOOST_TEST(holds(stored_keys(file), results[0].key, true));
+  BOOST_TEST(holds(stored_keys(file), broken.key, true));
+  CaseResult read = broken;
+  read_fields(file, meshes.mesh(read.request.settings.body), read);
+  BOOST_TEST(read.solution.displacements.empty());
+  const std::string xdmf = text_of(own.path / "bare.xdmf");
+  BOOST_TEST(xdmf.find(results[0].key.substr(0, 8)) != std::string::npos);
+  BOOST_TEST(xdmf.find(broken.key.substr(0, 8)) == std::string::npos);
 }
 
 // Each item names a dataset of the HDF5 file and its shape; topology is 8 wide, points 3.

@@ -7,7 +7,7 @@
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/stored_columns.hpp"
-#include "meshing/sha256.hpp"
+#include "meshing/basics/sha256.hpp"
 #include "tests/comparisons/settings.hpp"
 #include "tests/own_folder.hpp"
 

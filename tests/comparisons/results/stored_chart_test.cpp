@@ -4,9 +4,9 @@
 
 #include "comparisons/build_info/build_info.hpp"
 #include "comparisons/results/result_file.hpp"
-#include "comparisons/store/stored_columns.hpp"
 #include "comparisons/store/hdf5.hpp"
-#include "meshing/input_error.hpp"
+#include "comparisons/store/stored_columns.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/comparisons/chart/example_chart.hpp"
 #include "tests/own_folder.hpp"
 

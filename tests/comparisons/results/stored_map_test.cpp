@@ -8,7 +8,7 @@
 #include "comparisons/stability/atlas_json.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/open_result_file.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/own_folder.hpp"
 
 using namespace springcheck;

@@ -1,5 +1,6 @@
 #include "comparisons/running/checkpoint_file.hpp"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <boost/test/unit_test.hpp>
@@ -14,7 +15,7 @@
 #include "comparisons/running/simulate.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/lock_file.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
 #include "tests/own_folder.hpp"
 
@@ -203,6 +204,23 @@ BOOST_AUTO_TEST_CASE(what_is_no_checkpoint_of_this_case_is_refused) {
     hdf5::write_attribute(root, "identity", std::string("identity of ours"));
   }
   expect_refused(foreign, "ours", nodes, {"foreign.h5", "'layout'"});
+}
+
+// As of a program whose histories had another column.
+BOOST_AUTO_TEST_CASE(rows_of_another_width_are_refused) {
+  const OwnFolder folder;
+  const fs::path file = folder.path / "run.h5";
+  write_checkpoint(file, owner("ours"), checkpoint_at(5));
+  {
+    const hdf5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
+                            "run");
+    constexpr std::size_t columns = history_columns.size() - 1;
+    hdf5::remove_link(root, "history");
+    hdf5::write_table(root, "history", std::vector<double>(3 * columns), columns);
+  }
+  expect_refused(file, "ours", nodes,
+                 {"run.h5", "table 'history'",
+                  fmt::format("rows of {} numbers", history_columns.size())});
 }
 
 // The case is the same, computed until then by other formulas: that must be asked for.

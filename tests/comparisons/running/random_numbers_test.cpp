@@ -1,4 +1,4 @@
-#include "meshing/random_numbers.hpp"
+#include "meshing/basics/random_numbers.hpp"
 
 #include <dlfcn.h>
 

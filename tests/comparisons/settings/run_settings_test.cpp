@@ -5,7 +5,7 @@
 #include "comparisons/cases/mechanical_scene.hpp"
 #include "comparisons/methods/families.hpp"
 #include "comparisons/settings/case_json.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
 
 using namespace springcheck;

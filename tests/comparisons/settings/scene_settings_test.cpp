@@ -5,7 +5,7 @@
 
 #include "comparisons/settings/run_settings.hpp"
 #include "comparisons/settings/scene_file.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/own_folder.hpp"
 
 using namespace springcheck;

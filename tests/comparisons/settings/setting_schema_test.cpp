@@ -8,7 +8,7 @@
 
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/settings/toml_values.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/json_schema.hpp"
 
 using namespace springcheck;

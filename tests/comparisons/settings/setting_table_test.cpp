@@ -9,7 +9,7 @@
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/shipped/shipped.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 using namespace springcheck;
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "comparisons/settings/given.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 using namespace springcheck;
 

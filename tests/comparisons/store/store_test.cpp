@@ -9,12 +9,12 @@
 #include <random>
 #include <thread>
 
-#include "comparisons/store/stored_columns.hpp"
 #include "comparisons/store/hdf5.hpp"
 #include "comparisons/store/lock_file.hpp"
 #include "comparisons/store/overlay_file.hpp"
-#include "meshing/input_error.hpp"
-#include "meshing/sha256.hpp"
+#include "comparisons/store/stored_columns.hpp"
+#include "meshing/basics/input_error.hpp"
+#include "meshing/basics/sha256.hpp"
 #include "tests/own_folder.hpp"
 
 using namespace springcheck;

@@ -2,7 +2,7 @@
 
 #include "comparisons/cases/grids.hpp"
 #include "comparisons/studies/converged.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
 
 using namespace springcheck;
@@ -238,11 +238,13 @@ BOOST_AUTO_TEST_CASE(cells_of_a_reference_must_refine_the_case_s) {
   BOOST_TEST(refusal_of("fem-stvk@8,6,24") ==
              "--reference: cells of the reference: expected whole multiples of the "
              "case's 4,4,24, got 8,6,24");
-  for (const char* grid : {"@", "@0", "@-4", "@8,8", "@fine", "@8,", "@Converged", "@8x"})
+  for (const char* grid : {"@", "@0", "@-4", "@8,8", "@fine", "@8,", "@8x"})
     BOOST_TEST(
         refusal_of(std::string("fem-stvk") + grid).find("@NX,NY,NZ, @N or @converged") !=
             std::string::npos,
         grid);
+  BOOST_TEST(refusal_of("fem-stvk@Converged").find("did you mean 'converged'?") !=
+             std::string::npos);
 }
 
 // A reference that fails leaves no deviations, as one on the same mesh does.

@@ -6,7 +6,7 @@
 #include "comparisons/studies/split.hpp"
 #include "comparisons/tables/studies/split_output.hpp"
 #include "comparisons/tables/studies/split_table.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
 
 using namespace springcheck;

@@ -9,8 +9,8 @@
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/results/result_file.hpp"
 #include "comparisons/running/memory.hpp"
-#include "meshing/breakdown.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/breakdown.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
 
 using namespace springcheck;

@@ -11,7 +11,7 @@
 
 #include "comparisons/shipped/shipped.hpp"
 #include "comparisons/sweeps/planned_cases.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/comparisons/settings.hpp"
 #include "tests/comparisons/sweeps/sweep_of.hpp"
 #include "tests/own_folder.hpp"

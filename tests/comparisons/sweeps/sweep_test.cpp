@@ -13,9 +13,9 @@
 #include "comparisons/running/cost.hpp"
 #include "comparisons/sweeps/sweep_run.hpp"
 #include "comparisons/system/memory.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/input_error.hpp"
 #include "tests/comparisons/sweeps/sweep_of.hpp"
 #include "tests/own_folder.hpp"
 

@@ -16,7 +16,7 @@
 #include "comparisons/shipped/shipped.hpp"
 #include "comparisons/sweeps/sweep_file.hpp"
 #include "comparisons/tables/catalogue.hpp"
-#include "meshing/sha256.hpp"
+#include "meshing/basics/sha256.hpp"
 #include "tests/comparisons/settings.hpp"
 
 using namespace springcheck;

@@ -9,7 +9,7 @@
 #include "comparisons/formats/text_table.hpp"
 #include "comparisons/studies/study.hpp"
 #include "comparisons/tables/catalogue.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/comparisons/tables/rectangular.hpp"
 #include "tests/referee/figures.hpp"
 

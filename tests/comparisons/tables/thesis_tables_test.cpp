@@ -138,8 +138,8 @@ BOOST_AUTO_TEST_CASE(st_venants_change_of_volume_is_said_where_it_shows) {
   for (const auto& [name, expected] : {std::pair("5.1", 10), std::pair("5.3", 0)}) {
     int noted = 0;
     for (const PlannedRow& row : plan_comparison(name, std::nullopt).rows)
-      if (std::ranges::count(row.notes, std::string(table_notes::text("st-venants-volume"))) >
-          0) {
+      if (std::ranges::count(row.notes,
+                             std::string(table_notes::text("st-venants-volume"))) > 0) {
         ++noted;
         BOOST_TEST(row.request.settings.material.poisson_ratio == 0.499);
       }
@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(rows_and_their_references_are_of_one_revision) {
       {&entry, 1}, std::nullopt, meshes, 2, known,
       [&](const CaseResult& result) { computed.insert(result.key); }, Revisions::all);
   const Comparison table = compare(plan_comparison("5.4"), tables.results);
-  const double theirs = table.plan.quantity.of({.plate_torque = 1}).value();
+  const double theirs = value_of(table.plan.quantity, {.plate_torque = 1}).value();
   std::size_t own = 0;
   for (const ComparisonRow& row : table.rows) {
     const bool is_own = row.result.revision.empty();

@@ -1,12 +1,12 @@
 #include "meshing/files/mesh_files.hpp"
-#include "meshing/output_file.hpp"
+#include "meshing/basics/output_file.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <sstream>
 #include <system_error>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/own_folder.hpp"
 
 using namespace springcheck;

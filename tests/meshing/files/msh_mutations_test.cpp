@@ -5,12 +5,12 @@
 #include <chrono>
 #include <sstream>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/conformity.hpp"
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/files/msh_reader.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "meshing/generators/uniform_number.hpp"
-#include "meshing/input_error.hpp"
 #include "tests/own_folder.hpp"
 
 using namespace springcheck;

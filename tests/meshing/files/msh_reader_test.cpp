@@ -4,9 +4,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/files/mesh_files.hpp"
 #include "meshing/generators/generate_block.hpp"
-#include "meshing/input_error.hpp"
 #include "tests/own_folder.hpp"
 
 using namespace springcheck;

@@ -1,8 +1,8 @@
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/files/msh_reader.hpp"
-#include "meshing/input_error.hpp"
 #include "tests/own_folder.hpp"
 
 using namespace springcheck;

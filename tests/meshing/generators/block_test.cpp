@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
-#include "meshing/input_error.hpp"
+#include "meshing/basics/input_error.hpp"
 
 using namespace springcheck;
 

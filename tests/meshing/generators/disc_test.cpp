@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/cell_geometry.hpp"
 #include "meshing/conformity.hpp"
-#include "meshing/input_error.hpp"
 #include "meshing/quality.hpp"
 
 using namespace springcheck;

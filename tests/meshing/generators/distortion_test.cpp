@@ -1,9 +1,9 @@
 #include <boost/test/unit_test.hpp>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/cell_geometry.hpp"
 #include "meshing/generators/generate_block.hpp"
 #include "meshing/generators/uniform_number.hpp"
-#include "meshing/input_error.hpp"
 
 using namespace springcheck;
 

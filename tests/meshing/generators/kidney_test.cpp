@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/conformity.hpp"
-#include "meshing/input_error.hpp"
+#include "meshing/loads/traction.hpp"
 #include "meshing/quality.hpp"
-#include "meshing/traction.hpp"
 #include "tests/referee/figures.hpp"
 
 using namespace springcheck;

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "meshing/cell_geometry.hpp"
-#include "meshing/traction.hpp"
+#include "meshing/loads/traction.hpp"
 #include "mss/statics/equilibrium.hpp"
 #include "tests/mss/blocks.hpp"
 

@@ -61,7 +61,7 @@ def _answer(study, test, by_name):
         )
         for name, cases in by_name.items()
     ]
-    panel = curves.Panel("", "Poisson's ratio", f"{answer} off elements [%]", lines, log_y=True)
+    panel = curves.Panel("", study.settings["nu"]["label"], f"{answer} off elements [%]", lines, log_y=True)
     caption = (
         f"How far the {answer} of springs is from that of finite elements of their own law, or of Hencky's where "
         f"they follow none ({', '.join(judges)}), {mesh_text(first)}, {first.load}, against Poisson's ratio: the "
