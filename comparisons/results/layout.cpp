@@ -14,11 +14,11 @@ const std::vector<Described>& file_layout() {
       "spring_strain (of springs, the strain of largest size); named partial_... when "
       "the case ended without an equilibrium; empty where it was computed with fields "
       "and has none. Through time with `history` also history, a row for each sample of "
-      "{} (stress is mean_stress, in affine; answer "
-      "the measure that answers the test's load), columns that the attribute "
-      "history_columns names with spaces between, and the body at up to 24 of these "
-      "samples (fewer of large bodies), one after the other: frame_sample (its row of "
-      "history, from 0), frame_displacement [m], frame_cell_volume_ratio",
+      "{} (stress is mean_stress, in affine; answer the measure that answers the test's "
+      "load), columns that the attribute history_columns names with spaces between, and "
+      "the body at up to 24 of these samples (fewer of large bodies), one after the "
+      "other: frame_sample (its row of history, from 0), frame_displacement [m], "
+      "frame_cell_volume_ratio",
       fmt::join(history_columns, ", "));
   static const std::vector<Described> parts{
       {"/", "attribute layout: 2"},
