@@ -87,11 +87,11 @@ void check_surface(const Mesh& mesh, const char* key, const std::string& name) {
   const std::string there =
       names.empty() ? "a surface with the name"
                     : fmt::format("one of {}, or the name", fmt::join(names, ", "));
-  throw InputError(place, "",
-                   fmt::format("{} '{}'; in gmsh, Physical Surface(\"{}\") = {{...}}; "
-                               "gives it, before meshing",
-                               there, name, name),
-                   names.empty() ? "none with a name" : fmt::format("'{}'", name));
+  throw InputError(
+      place, "", fmt::format("{} '{}'", there, name),
+      fmt::format("{} (in gmsh, before meshing, Physical Surface(\"{}\") = "
+                  "{{...}}; gives it)",
+                  names.empty() ? "none with a name" : "'" + name + "'", name));
 }
 
 }  // namespace

@@ -100,9 +100,10 @@ struct Method {
   bool locks = false;             // too stiff near nu = 1/2
   bool belongs_to_cells = false;  // its constants are those of the case's own cells
   bool corrects_volume = false;   // by Golec 2018, Eq. 5.36, always
-  int foremost = 0;               // its place among those of its family that people want
-                                  // to see first, from 1; 0: behind them
-  bool of_thesis = false;         // Golec's own springs, or the law he compares them with
+  std::vector<std::string_view> refused_elements{};  // on cells of any type
+  int foremost = 0;        // its place among those of its family that people want
+                           // to see first, from 1; 0: behind them
+  bool of_thesis = false;  // Golec's own springs, or the law he compares them with
   BarLimit bar_limit{};
   FixedSprings fixed{};  // settings of other springs that it has fixed
   // For a method that steps, the label of the other method that is its statics; without

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "comparisons/names/named.hpp"
 
 namespace springcheck {
@@ -19,32 +22,49 @@ enum class Status {
   extrapolated
 };
 
+/// A status by its name.
+struct StatusName {
+  Status value;
+  std::string_view name;
+  std::string_view description;
+  std::string_view
+      said{};  // of a method that ends so, behind its name: "blew up in time"
+};
+
 template <>
 inline constexpr std::array value_names<Status>{
-    Named{
+    StatusName{
         Status::ok, "ok",
         "equilibrium, and stable: its tangent is positive definite. In dynamics: the end "
-        "was reached"},
-    Named{Status::wrinkled, "wrinkled",
-          "equilibrium whose free faces zigzag from cell to cell"},
-    Named{Status::inverted, "inverted",
-          "equilibrium with a cell turned inside out at a corner; or a motion in which "
-          "the body "
-          "went through itself, so that it shows another turn than its plates"},
-    Named{Status::indefinite, "indefinite", "equilibrium that is not stable"},
-    Named{Status::no_equilibrium, "no_equilibrium",
-          "the path of equilibria from rest ends before the full load; the fraction "
-          "reached is reported"},
-    Named{Status::diverged, "diverged", "the dynamics blew up"},
-    Named{Status::not_converged, "not_converged",
-          "the solver gave up before the full load"},
-    Named{Status::refused, "refused",
-          "the method does not cover this mesh, material or time step"},
-    Named{
+        "was reached",
+        "holds to the full load"},
+    StatusName{Status::wrinkled, "wrinkled",
+               "equilibrium whose free faces zigzag from cell to cell",
+               "wrinkles: free faces zigzag from cell to cell"},
+    StatusName{
+        Status::inverted, "inverted",
+        "equilibrium with a cell turned inside out at a corner; or a motion in which "
+        "the body "
+        "went through itself, so that it shows another turn than its plates",
+        "turns cells inside out"},
+    StatusName{Status::indefinite, "indefinite", "equilibrium that is not stable",
+               "ends in an equilibrium that is not stable"},
+    StatusName{Status::no_equilibrium, "no_equilibrium",
+               "the path of equilibria from rest ends before the full load; the fraction "
+               "reached is reported",
+               "has no equilibrium at the full load"},
+    StatusName{Status::diverged, "diverged", "the dynamics blew up", "blew up in time"},
+    StatusName{Status::not_converged, "not_converged",
+               "the solver gave up before the full load", "was given up by the solver"},
+    StatusName{Status::refused, "refused",
+               "the method does not cover this mesh, material or time step",
+               "does not cover the mesh, material or time step"},
+    StatusName{
         Status::error, "error",
         "the program failed, not the body, as where memory ends: nothing is stored, and "
-        "the case is computed again when it is next asked for"},
-    Named{
+        "the case is computed again when it is next asked for",
+        "was ended by a failure of the program"},
+    StatusName{
         Status::extrapolated, "extrapolated",
         "never alone, a flag beside one of the others: strains or rates leave the range "
         "to which the law of tissue was fitted"}};

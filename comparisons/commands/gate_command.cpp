@@ -19,32 +19,30 @@
 namespace springcheck {
 namespace {
 
-using namespace gates;
-
 Colour colour_of_verdicts(std::string_view head, std::string_view cell) {
   if (head != "verdict") return Colour::usual;
-  const auto* const verdict = find_value<Judgement>(cell);
+  const auto* const verdict = find_value<gates::Judgement>(cell);
   if (verdict == nullptr) return Colour::usual;
-  return verdict->value == Judgement::pass      ? Colour::good
-         : verdict->value == Judgement::no_case ? Colour::doubtful
-                                                : Colour::bad;
+  return verdict->value == gates::Judgement::pass      ? Colour::good
+         : verdict->value == gates::Judgement::no_case ? Colour::doubtful
+                                                       : Colour::bad;
 }
 
-std::vector<Outcome> judged(const std::vector<Gate>& gates, const Columns& cases,
-                            const std::string& results) {
-  std::vector<Outcome> outcomes;
-  for (const Gate& gate : gates) outcomes.push_back(check(gate, cases, results));
+std::vector<gates::Outcome> judged(const std::vector<gates::Gate>& all,
+                                   const Columns& cases, const std::string& results) {
+  std::vector<gates::Outcome> outcomes;
+  for (const gates::Gate& gate : all) outcomes.push_back(check(gate, cases, results));
   return outcomes;
 }
 
 /// Replaces stored values in the gate file and judges again by the new ones.
-void bless_values(Report& report, const TomlFile& toml, const Columns& cases) {
+void bless_values(gates::Report& report, const TomlFile& toml, const Columns& cases) {
   report.blessed = to_bless(report.gates, report.outcomes);
   if (report.blessed.empty()) return;
   const std::string text =
       with_blessed(toml.text, toml.file, report.gates, report.blessed);
   write_whole_stream(toml.file, [&](std::ostream& out) { out << text; });
-  report.gates = parse_gates(text, toml.file);
+  report.gates = gates::parse_gates(text, toml.file);
   report.outcomes = judged(report.gates, cases, report.results_file);
 }
 
@@ -63,7 +61,7 @@ ExitStatus judge(const GateOptions& options) {
     throw InputError("--bless", "", "a path to a gate file",
                      "'" + options.gates + "', which is part of the program");
   const TomlFile toml = toml_file(options.gates, a_gate_file);
-  const std::vector<Gate> parsed = parse_gates(toml.text, toml.file);
+  const std::vector<gates::Gate> parsed = gates::parse_gates(toml.text, toml.file);
   if (options.blesses) check_writable(toml.file);
   if (options.junit) {
     check_writable(*options.junit);
@@ -79,14 +77,14 @@ ExitStatus judge(const GateOptions& options) {
   const Columns cases = read_cases(options.results, options.revisions);
   const StoredKeys stored = stored_keys(options.results);
 
-  Report report{.gates_name = toml.name,
-                .gates_file = toml.file,
-                .results_file = options.results.string(),
-                .gates = parsed,
-                .outcomes = judged(parsed, cases, options.results.string()),
-                .others = stored.others,
-                .revisions = options.revisions,
-                .note = note_of_other_revisions(stored, options.revisions)};
+  gates::Report report{.gates_name = toml.name,
+                       .gates_file = toml.file,
+                       .results_file = options.results.string(),
+                       .gates = parsed,
+                       .outcomes = judged(parsed, cases, options.results.string()),
+                       .others = stored.others,
+                       .revisions = options.revisions,
+                       .note = note_of_other_revisions(stored, options.revisions)};
   if (options.blesses) bless_values(report, toml, cases);
   if (options.junit)
     write_whole_stream(*options.junit,
@@ -99,9 +97,9 @@ ExitStatus judge(const GateOptions& options) {
   else
     fmt::print("{}", report_text(report, screen_of_output(colour_of_verdicts)));
 
-  if (count(report, Judgement::no_case) > 0) return ExitStatus::bad_input;
-  return count(report, Judgement::falls_short) > 0 ? ExitStatus::fell_short
-                                                   : ExitStatus::done;
+  if (count(report, gates::Judgement::no_case) > 0) return ExitStatus::bad_input;
+  return count(report, gates::Judgement::falls_short) > 0 ? ExitStatus::fell_short
+                                                          : ExitStatus::done;
 }
 
 Action declare_gate(CLI::App& parser) {

@@ -21,8 +21,8 @@ ExitStatus merge(const std::filesystem::path& out,
   bool conflicts = false;
   for (const std::filesystem::path& file : from) {
     const auto absorbed = results.absorb(file);
-    fmt::print("{}: {} cases added, {} already there\n", file.string(), absorbed.added,
-               absorbed.already_there);
+    fmt::print("{}: {} {} added, {} already there\n", file.string(), absorbed.added,
+               absorbed.added == 1 ? "case" : "cases", absorbed.already_there);
     if (!absorbed.roundings.empty())
       fmt::print("{} differ by rounding, kept as they were; the first: {}\n",
                  absorbed.roundings.size(), absorbed.roundings.front());

@@ -202,9 +202,10 @@ ExitStatus run(const RunOptions& options) {
   MeshStore meshes;
   std::optional<KeptResults> kept;
   if (options.out) kept.emplace(*options.out, meshes);
-  const BeforeInterruption told = options.watch.checkpoint
-                                      ? tell_that_it_goes_on(options.watch.checkpoint)
-                                      : tell_what_is_kept(options.out);
+  const BeforeInterruption told =
+      options.watch.checkpoint
+          ? tell_that_it_goes_on(options.watch.checkpoint)
+          : tell_what_is_kept(options.out, "The same command computes all again.");
   compute(all, options, kept, meshes);
   if (all.failure) {
     const std::vector<std::optional<Split>> none(all.results.size());

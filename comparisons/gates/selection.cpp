@@ -184,6 +184,15 @@ std::string differences_text(const Columns& cases, const std::vector<std::size_t
   return fmt::format("{}", fmt::join(columns, ", "));
 }
 
+/// The one of the values that a text was meant to be, in a message.
+std::string meant_by(const Condition& condition, const std::set<std::string>& values) {
+  if (condition.values.size() != 1 || condition.values[0].size() != 1) return {};
+  const auto* text = std::get_if<std::string>(&condition.values[0][0]);
+  if (text == nullptr) return {};
+  const std::string_view meant = nearest(*text, {values.begin(), values.end()});
+  return meant.empty() ? "" : fmt::format("did you mean '{}'? ", meant);
+}
+
 std::string why_not_one(const Columns& cases, const Selection& selection,
                         const std::vector<std::size_t>& rows) {
   if (rows.size() > 1)
@@ -197,8 +206,9 @@ std::string why_not_one(const Columns& cases, const Selection& selection,
     for (const std::size_t row : matching(cases, others))
       values.insert(cell_text(cases, selection[i].column, row));
     if (!values.empty())
-      return text + fmt::format("; the others have {} = {}", selection[i].column,
-                                fmt::join(values, " or "));
+      return text + "; " + meant_by(selection[i], values) +
+             fmt::format("the others have {} = {}", selection[i].column,
+                         fmt::join(values, " or "));
   }
   return text;
 }

@@ -73,6 +73,7 @@ Method elements_that_step(Law law, Method own) {
     }
   own.description = "finite elements stepped explicitly, " + own.description;
   own.reads.push_back("element");
+  own.refused_elements = {"q2"};
   own.cells = {all_cell_types.begin(), all_cell_types.end()};
   own.covers =
       "cells of any shape, q1, q1-sri and q1-nodal; motions alone, by explicit "

@@ -38,7 +38,7 @@ std::vector<double> numbers_of(const Eigen::Matrix3d& value) {
 }
 
 /// Puts a value into the row under its name; puts nothing where there is none.
-void put(Row& row, std::string_view name, const auto& value) {
+void put_numbers(Row& row, std::string_view name, const auto& value) {
   if (value) row[std::string(name)] = numbers_of(*value);
 }
 
@@ -144,7 +144,7 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
   row["flags"] = joined(result.flags);
   row["reason"] = result.reason;
   for_each_measure(result.measures, [&](const Measure& measure, const auto& value) {
-    put(row, measure.name, value);
+    put_numbers(row, measure.name, value);
   });
   const auto number = [&](const char* name, double value) {
     row[name] = std::vector{value};
@@ -157,8 +157,8 @@ Row row_of(const CaseResult& result, const Mesh& mesh, std::size_t provenance) {
   if (solution.linear_iterations)
     number("linear_iterations", *solution.linear_iterations);
   if (solution.factorisations) number("factorisations", *solution.factorisations);
-  put(row, "dt_used", solution.dt);
-  put(row, "dt_limit", solution.dt_limit);
+  put_numbers(row, "dt_used", solution.dt);
+  put_numbers(row, "dt_limit", solution.dt_limit);
   number("provenance", static_cast<double>(provenance));
   return row;
 }

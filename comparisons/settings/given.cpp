@@ -185,10 +185,10 @@ std::vector<double> Given::any_numbers(const std::string& expected) const {
 
 std::array<std::int64_t, 3> Given::three_integers() const {
   std::array<std::int64_t, 3> integers{};
-  if (values_.size() != 3) refuse("three integers");
+  if (values_.size() != 3) refuse("three integers such as 4,4,4");
   for (std::size_t i = 0; i < 3; ++i) {
     const auto* value = std::get_if<std::int64_t>(&values_[i]);
-    if (value == nullptr) refuse("three integers");
+    if (value == nullptr) refuse("three integers such as 4,4,4");
     integers[i] = *value;
   }
   return integers;

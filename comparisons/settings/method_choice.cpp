@@ -41,7 +41,8 @@ std::vector<std::string_view> all_names<MethodChoice>() {
       all.push_back(method.name);
       if (reads(method, "element"))
         for (const ElementName& element : elements())
-          all.push_back(method.name + ":" + std::string(element.name));
+          if (std::ranges::count(method.refused_elements, element.name) == 0)
+            all.push_back(method.name + ":" + std::string(element.name));
     }
     return all;
   }();

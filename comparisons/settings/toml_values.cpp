@@ -123,8 +123,9 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    throw InputError(place(file, error.source()), "", "TOML",
-                     std::string(error.description()));
+    std::string found(error.description());
+    if (found.starts_with("Error while")) found = "an e" + found.substr(1);
+    throw InputError(place(file, error.source()), "", "TOML", found);
   }
 }
 

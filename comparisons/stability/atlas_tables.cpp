@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 
+#include "comparisons/measures/measure_list.hpp"
 #include "comparisons/settings/value_range.hpp"
 
 namespace springcheck {
@@ -42,17 +45,18 @@ Table points_table(const Atlas& atlas, const AtlasPlan& plan) {
               .title = fmt::format("Where methods fail in {}", plan.scene),
               .columns = {{"method", "method"}}};
   for (const Axis& axis : plan.axes) table.columns.push_back({axis.key, axis.key});
-  for (const Column& column : std::initializer_list<Column>{
-           {"failure", "failure"},
-           {"status", "status"},
-           {"wrinkle_alternation", "alternation", "{:.3f}"},
-           {"wrinkle_amplitude", "amplitude", "{:.3g}"},
-           {"hourglass_alternation", "hourglass alternation", "{:.3f}"},
-           {"hourglass_amplitude", "hourglass amplitude", "{:.3g}"},
-           {"corner_jacobian_ratio_min", "least Jacobian", "{:.3g}"},
-           {"definite_up_to_deformation", "definite up to", "{:.4g}"},
-           {"dt_limit", "step limit [s]", "{:.4g}"}})
-    table.columns.push_back(column);
+  table.columns.push_back({"failure", "failure"});
+  table.columns.push_back({"status", "status"});
+  for (const auto& [name, format] :
+       std::initializer_list<std::pair<const char*, const char*>>{
+           {"wrinkle_alternation", "{:.3f}"},
+           {"wrinkle_amplitude", "{:.3g}"},
+           {"hourglass_alternation", "{:.3f}"},
+           {"hourglass_amplitude", "{:.3g}"},
+           {"corner_jacobian_ratio_min", "{:.3g}"},
+           {"definite_up_to_deformation", "{:.4g}"}})
+    table.columns.push_back({name, heading_of(*find_measure(name)), format});
+  table.columns.push_back({"dt_limit", "step limit [s]", "{:.4g}"});
   for (const AtlasPoint& point : atlas.points) {
     const Measures& m = point.result.measures;
     TableRow row{.cells = {point.method}, .cases = {point.result.key}};

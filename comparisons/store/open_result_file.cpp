@@ -60,10 +60,11 @@ void refuse_as_unreadable(const std::filesystem::path& file) {
   } catch (const std::bad_alloc&) {  // says nothing about the file
     throw;
   } catch (const std::exception& error) {
-    const bool is_hdf5 = H5Fis_hdf5(file.c_str()) > 0;
+    const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (opened >= 0) H5Fclose(opened);
     throw InputError(
         file.string(), "", "a readable springcheck result file",
-        is_hdf5 ? error.what() : "what is no HDF5 file, or one that was cut off");
+        opened >= 0 ? error.what() : "what is no HDF5 file, or one that was cut off");
   }
 }
 

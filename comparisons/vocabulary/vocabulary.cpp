@@ -108,6 +108,7 @@ Json list_of_tests() {
   Json entries;
   for (const TestName& test : value_names<Test>)
     entries[std::string(test.name)] = {{"answer", test.answer},
+                                       {"passive", test.passive},
                                        {"turns", test.turns},
                                        {"description", test.description}};
   return entries;
@@ -117,16 +118,32 @@ Json list_of_statuses() {
   Json entries;
   for (const auto& status : value_names<Status>)
     entries[std::string(status.name)] = {{"equilibrium", has_equilibrium(status.value)},
+                                         {"said", status.said},
                                          {"description", status.description}};
   return entries;
 }
 
-/// Shipped TOML files by their names; the first comment line describes each.
+/// The first sentence of the comment that a TOML file begins with, without its full stop.
+std::string first_sentence(std::string_view text) {
+  std::string comment;
+  while (text.starts_with("# ")) {
+    const std::size_t end = text.find('\n');
+    comment += fmt::format("{}{}", comment.empty() ? "" : " ", text.substr(2, end - 2));
+    text.remove_prefix(end + 1);
+  }
+  std::size_t stop = comment.find(". ");
+  while (stop != std::string::npos &&
+         !(comment[stop + 2] >= 'A' && comment[stop + 2] <= 'Z'))
+    stop = comment.find(". ", stop + 1);
+  if (stop == std::string::npos && comment.ends_with('.')) stop = comment.size() - 1;
+  return comment.substr(0, stop);
+}
+
+/// Shipped TOML files by their names, each with what describes it.
 Json shipped(const std::vector<ShippedFile>& files) {
   Json entries;
   for (const ShippedFile& file : files)
-    entries[std::filesystem::path(file.name).stem().string()] =
-        file.text.substr(2, file.text.find('\n') - 2);
+    entries[std::filesystem::path(file.name).stem().string()] = first_sentence(file.text);
   return entries;
 }
 

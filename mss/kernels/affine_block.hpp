@@ -50,7 +50,7 @@ struct AffineBlock {
   // [Pa]: mu times their weight, see Axis. In squared lengths the first is mu, and the
   // second is not read.
   Real axis_modulus, dual_axis_modulus;
-  Real volume_modulus;  // kappa [Pa]
+  Real volume_modulus;  // kappa [Pa]; 0: without a volume correction
   // With the volume correction on nodal patches, the factor of each element that makes of
   // the nodal sum of V (det F - 1) over cells the node's part, an eighth of p_n, of a
   // cell's pressure.
@@ -59,13 +59,11 @@ struct AffineBlock {
   std::vector<Real> dashpots{};
 };
 
-enum class Correction { none, of_cells, of_patches };
-
 /// What a kernel is compiled for, so that it does nothing a block has no need of.
 struct AffineKind {
   bool in_grid;
-  bool alike;  // all cells the same parallelepiped of a grid
-  Correction correction;
+  bool alike;    // all cells the same parallelepiped of a grid
+  bool patches;  // the volume correction on nodal patches, else on cells
   bool squared;  // by Green's strain, else by engineering strain
   bool dashpots;
 };

@@ -1,4 +1,5 @@
 // Compiled once per instruction set.
+#include <array>
 #include <limits>
 
 #include "dynamics/blocks/cell_packs.hpp"
@@ -20,8 +21,7 @@ class CellForces {
   /// The first fields of the velocities and of the pressures among those that the cells
   /// read, which begin with the displacements, and the number of all.
   static constexpr std::size_t velocity = 3, pressure = kind.dashpots ? 6 : 3,
-                               read =
-                                   pressure + (kind.correction == Correction::of_patches);
+                               read = pressure + (kind.patches ? 1 : 0);
 
   template <class Cells>
   [[gnu::always_inline]] void operator()(std::size_t cell, Cells& cells) const {
@@ -37,11 +37,11 @@ class CellForces {
       add_st_venant_stress<Real>(h, volume * block_.axis_modulus, stress);
     else
       add_axis_stress<Real>(h, volume, block_, stress);
-    if constexpr (kind.correction != Correction::none) {
+    if (kind.patches || block_.volume_modulus != 0) {
       const auto [cofactor, change] =
           kind.squared ? trace_of<Real>(h) : volume_of<Real>(h);
       P push{};
-      if constexpr (kind.correction == Correction::of_patches) {
+      if constexpr (kind.patches) {
         for (const P part : cells.at_corners(pressure)) push += part;
       } else {
         push = block_.volume_modulus * change;
@@ -116,7 +116,7 @@ void forces(const AffineBlock<Real>& block, const dynamics::BlockArrays<Real>& a
     fields.from[i] = arrays.displacement[i];
     if constexpr (kind.dashpots) fields.from[Cells::velocity + i] = arrays.velocity[i];
   }
-  if constexpr (kind.correction == Correction::of_patches) {
+  if constexpr (kind.patches) {
     for (std::size_t s = 0; s < arrays.rows * arrays.lanes; s += width<Real>)
       store(arrays.nodal_sum + s,
             load(arrays.nodal_sum + s) * load(block.pressure_per_sum.data() + s));
@@ -143,50 +143,35 @@ void volume_sums(const AffineBlock<Real>& block,
   });
 }
 
-template <class Real, bool in_grid, bool alike, Correction correction, bool squared>
-AffineFunctions<Real> chosen(bool dashpots) {
-  return {.forces =
-              dashpots
-                  ? forces<Real, AffineKind{in_grid, alike, correction, squared, true}>
-                  : forces<Real, AffineKind{in_grid, alike, correction, squared, false}>,
-          .volume_sums = correction == Correction::of_patches
-                             ? volume_sums<Real, in_grid, alike, squared>
-                             : nullptr};
-}
-
-template <class Real, bool in_grid, bool alike, Correction correction>
-AffineFunctions<Real> chosen(const AffineKind& kind) {
-  return kind.squared ? chosen<Real, in_grid, alike, correction, true>(kind.dashpots)
-                      : chosen<Real, in_grid, alike, correction, false>(kind.dashpots);
-}
-
-template <class Real, bool in_grid, bool alike>
-AffineFunctions<Real> chosen(const AffineKind& kind) {
-  switch (kind.correction) {
-    case Correction::none:
-      return chosen<Real, in_grid, alike, Correction::none>(kind);
-    case Correction::of_cells:
-      return chosen<Real, in_grid, alike, Correction::of_cells>(kind);
-    case Correction::of_patches:
-      break;
+/// The functions compiled for `kind`: the flags in turn become template arguments.
+template <class Real, bool... flags>
+AffineFunctions<Real> choose(const AffineKind& kind) {
+  constexpr std::size_t count = sizeof...(flags);
+  if constexpr (count == 5) {
+    constexpr std::array<bool, 5> all_flags{flags...};
+    constexpr AffineKind known{all_flags[0], all_flags[0] && all_flags[1], all_flags[2],
+                               all_flags[3], all_flags[4]};  // only grids have alike ones
+    AffineFunctions<Real> functions{.forces = forces<Real, known>,
+                                    .volume_sums = nullptr};
+    if constexpr (known.patches)
+      functions.volume_sums =
+          volume_sums<Real, known.in_grid, known.alike, known.squared>;
+    return functions;
+  } else {
+    const std::array<bool, 5> wanted{kind.in_grid, kind.alike, kind.patches, kind.squared,
+                                     kind.dashpots};
+    return wanted[count] ? choose<Real, flags..., true>(kind)
+                         : choose<Real, flags..., false>(kind);
   }
-  return chosen<Real, in_grid, alike, Correction::of_patches>(kind);
-}
-
-template <class Real>
-AffineFunctions<Real> chosen(const AffineKind& kind) {
-  if (kind.alike) return chosen<Real, true, true>(kind);
-  return kind.in_grid ? chosen<Real, true, false>(kind)
-                      : chosen<Real, false, false>(kind);
 }
 
 }  // namespace
 
 AffineFunctions<double> affine_functions(const AffineKind& kind, double) {
-  return chosen<double>(kind);
+  return choose<double>(kind);
 }
 AffineFunctions<float> affine_functions(const AffineKind& kind, float) {
-  return chosen<float>(kind);
+  return choose<float>(kind);
 }
 
 }  // namespace springcheck::mss::SPRINGCHECK_PATH

@@ -151,10 +151,8 @@ struct AffineKernel {
   AffineFunctions<Real> functions;
 };
 
-Correction correction_of(const Network& network) {
-  if (network.volume_moduli.kappa == 0) return Correction::none;
-  return network.volume_patches.size() > 0 ? Correction::of_patches
-                                           : Correction::of_cells;
+bool has_patches(const Network& network) {
+  return network.volume_moduli.kappa != 0 && network.volume_patches.size() > 0;
 }
 
 /// The weights of the icosahedron's axes and of the dodecahedron's, see AffineBlock.
@@ -183,7 +181,7 @@ dynamics::BlockForces<Real> affine_kernel(const Network& network,
                                           dynamics::InstructionSet set) {
   const std::size_t lanes = dynamics::lane_count<Real>(set);
   const double rounding = dynamics::rounding_of(network.rest_positions);
-  const Correction correction = correction_of(network);
+  const bool patches = has_patches(network);
   Dashpots dashpots(network, damping_ratio);
   const std::array weights = axis_weights(network);
   const auto kernels = std::make_shared<std::vector<AffineKernel<Real>>>();
@@ -195,12 +193,11 @@ dynamics::BlockForces<Real> affine_kernel(const Network& network,
         .volume_modulus = static_cast<Real>(network.volume_moduli.kappa)};
     const auto edges = dynamics::common_edges(block, network.rest_positions, rounding);
     add_constants(affine, network, block, edges, lanes);
-    if (correction == Correction::of_patches)
-      add_pressures(affine, network, block, lanes);
+    if (patches) add_pressures(affine, network, block, lanes);
     if (damping_ratio > 0) dashpots.add_to(affine, block, lanes);
     const AffineKind kind{.in_grid = block.is_grid(),
                           .alike = edges.has_value(),
-                          .correction = correction,
+                          .patches = patches,
                           .squared = is_squared(network),
                           .dashpots = damping_ratio > 0};
     kernels->push_back(
@@ -214,8 +211,7 @@ dynamics::BlockForces<Real> affine_kernel(const Network& network,
   };
   dynamics::BlockForces<Real> forces{.lanes = lanes,
                                      .add = on_block(&AffineFunctions<Real>::forces)};
-  if (correction == Correction::of_patches)
-    forces.add_nodal_sums = on_block(&AffineFunctions<Real>::volume_sums);
+  if (patches) forces.add_nodal_sums = on_block(&AffineFunctions<Real>::volume_sums);
   return forces;
 }
 

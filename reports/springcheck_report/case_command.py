@@ -11,8 +11,8 @@ _WITH_A_DURATION = ("load-times", "angular-frequency")  # of their own
 
 
 def case_command(case, settings, scenes):
-    """"springcheck run compression --method mss-cf --nu 0.49": the case's own settings where its scene
-    has others. A case that was measured has no command: "". settings, scenes: of the vocabulary. What a
+    """The command, such as "springcheck run compression --method mss-cf --nu 0.49", with the case's own
+    settings where its scene has others; "" of a case that was measured. settings, scenes: of the vocabulary. What a
     scene or mesh of a user's own is called is not in the file but for its name: it stands for the path."""
     if case.kind == "measured":
         return ""

@@ -108,6 +108,27 @@ def turns(test):
     return _tests.get(test, {}).get("turns", False)
 
 
+def passive(test):
+    """What a body went through in a test, before its load: "pressed by"; None of tests that have no such words."""
+    return _tests[test]["passive"] or None
+
+
+def told_tests():
+    """Tests that have such words, in the program's order."""
+    return [test for test in _tests if passive(test)]
+
+
+def description(test):
+    """What happens in a test, a sentence."""
+    text = _tests[test]["description"]
+    return text[0].upper() + text[1:] + "."
+
+
+def said(status):
+    """What is said of a method whose case ended so, behind its name."""
+    return _statuses.get(status, {}).get("said") or f"ended {status}"
+
+
 def equilibria():
     """Statuses of cases that ended in an equilibrium, stable or not."""
     return [name for name, entry in _statuses.items() if entry["equilibrium"]]

@@ -11,7 +11,7 @@ _CELL_FIELDS = ["cell_volume_ratio", "spring_strain"]
 
 
 def vtu_name(study, key):
-    """"compression-mss-cf-nu-0.25-5-0123abcd.vtu"."""
+    """The name of a case's file: "compression-mss-cf-nu-0.25-5-0123abcd.vtu"."""
     case = study.cases.loc[key]
     text = file_name(f"{case.scene} {case['name']} nu {case.nu:g} {case.load}")[:60].strip("-.")
     return f"{text}-{key[:8]}.vtu"

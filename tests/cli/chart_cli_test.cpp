@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(a_chart_prints_truths_fronts_and_claims) {
     BOOST_TEST(holds(run.out, part), run.out);
 }
 
-BOOST_AUTO_TEST_CASE(a_chart_comes_back_from_its_file) {
+BOOST_AUTO_TEST_CASE(a_chart_comes_back_from_its_file, *boost::unit_test::label("slow")) {
   charted();
   const std::string command =
       "chart compression --sizes 2 --on-threads 1 --out chart.h5 --format json" + quick;
@@ -144,7 +144,8 @@ BOOST_AUTO_TEST_CASE(a_model_of_another_poisson_ratio_is_no_candidate) {
 
 // By Hooke's law the force of a sheared cube is .1, 2, 2.7 and 3.1 % off on 2, 3, 4 and 6
 // cells across.
-BOOST_AUTO_TEST_CASE(a_crossing_is_told_and_not_chosen) {
+BOOST_AUTO_TEST_CASE(a_crossing_is_told_and_not_chosen,
+                     *boost::unit_test::label("slow")) {
   const Run run = run_springcheck(
       "advise shearing --nu .31 --deformation 13% --tolerance 2.3% --converged-across 2 "
       "--budget 1 "
@@ -166,7 +167,8 @@ void take_in_a_chart_of(const std::string& sizes) {
   BOOST_TEST(run.status == 0, run.out + run.err);
 }
 
-BOOST_AUTO_TEST_CASE(a_chart_of_fewer_cells_than_are_tried_is_taken_in) {
+BOOST_AUTO_TEST_CASE(a_chart_of_fewer_cells_than_are_tried_is_taken_in,
+                     *boost::unit_test::label("slow")) {
   take_in_a_chart_of("1,3");
 }
 
@@ -201,7 +203,7 @@ BOOST_AUTO_TEST_CASE(near_a_half_the_usual_law_is_cautioned_against) {
   BOOST_TEST(!holds(hencky.out, "lets volume change"), hencky.out);
 }
 
-BOOST_AUTO_TEST_CASE(truths_are_kept_for_other_scenes) {
+BOOST_AUTO_TEST_CASE(truths_are_kept_for_other_scenes, *boost::unit_test::label("slow")) {
   const std::string cache = (folder / "kept").string();
   const std::string command =
       "advise compression --nu .2 --tolerance 25% --measure force" + quick;

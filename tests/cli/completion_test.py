@@ -118,6 +118,8 @@ class Completion(unittest.TestCase):
             line = f"springcheck run compression {before}fem-stvk:"
             self.assertEqual(self.bash(line), elements, line)
             self.assertEqual(self.bash(line + "q1-"), ["q1-sri", "q1-nodal"], line)
+        self.assertEqual(self.bash("springcheck run torsion --method fem-explicit-hooke:"),
+                         ["q1", "q1-sri", "q1-nodal"])
         self.assertEqual(self.bash("springcheck run torsion --method fem-stvk:q2,mss-baud"),
                          ["q2,mss-baudet"])
         self.interactive_bash("springcheck run x --method fem-stvk:q1-n", "fem-stvk:q1-nodal")

@@ -94,8 +94,8 @@ BOOST_AUTO_TEST_CASE(surfaces_without_a_name_go_by_their_numbers) {
   };
   const std::string run = "run compression --method mss-cf --mesh numbered.msh ";
   expect_bad_input(run,
-                   "or the name 'bottom'; in gmsh, Physical Surface(\"bottom\") = "
-                   "{...}; gives it, before meshing, got 'bottom'");
+                   "or the name 'bottom', got 'bottom' (in gmsh, before meshing, "
+                   "Physical Surface(\"bottom\") = {...}; gives it)");
   const std::string plates =
       "--fixed " + number_of("bottom") + " --moved " + number_of("top");
   BOOST_TEST(run_springcheck(run + plates).status == 0);

@@ -54,8 +54,9 @@ BOOST_AUTO_TEST_CASE(gates_end_with_the_status_that_ci_reads) {
   expect_bad_input("gate pass.toml none.h5", "none.h5: expected a result file");
   expect_bad_input("gate speed gated.h5",
                    "unknown gate 'speed', expected one of accuracy, thesis");
-  expect_bad_input("gate nu kept.h5", "expected a gate file, got 'nu', a sweep, which springcheck "
-                                      "sweep takes");
+  expect_bad_input("gate nu kept.h5",
+                   "expected a gate file, got 'nu', a sweep, which springcheck "
+                   "sweep takes");
   expect_bad_input("gate accuracy gated.h5 --bless", "part of the program");
   expect_bad_input("gate pass.toml gated.h5 --junit none/junit.xml", "none/junit.xml");
   BOOST_TEST(run_springcheck("gate thesis gated.h5").status == 2);  // none of its cases
@@ -175,16 +176,26 @@ BOOST_AUTO_TEST_CASE(bad_sweeps_and_files_are_refused) {
   expect_bad_input("sweep nn --out a.h5",
                    "one of accuracy, beam-diagonal-ratio, deformation");
   expect_bad_input("sweep one.toml", "--out");
-  expect_bad_input("sweep kidney --out a.h5",
-                   "expected a sweep file, got 'kidney', a scene, which springcheck run takes");
-  expect_bad_input("run one.toml",
-                   ": expected a scene file, got a sweep file, which springcheck sweep takes");
+  expect_bad_input(
+      "sweep kidney --out a.h5",
+      "expected a sweep file, got 'kidney', a scene, which springcheck run takes");
+  expect_bad_input(
+      "run one.toml",
+      ": expected a scene file, got a sweep file, which springcheck sweep takes");
   expect_bad_input("sweep one.toml --out a.h5 --shard 3/2", "I/N with 1 <= I <= N");
   expect_bad_input("sweep one.toml --out nowhere/a.h5", "nowhere/a.h5");
   expect_bad_input("merge a.h5 text.h5", "text.h5");
   expect_bad_input("sweep one.toml --out a.xdmf", "beside it");
   expect_bad_input("merge a.h5 nowhere.h5", "no such file");
   BOOST_TEST(!fs::exists(folder / "a.h5"));
+}
+
+// The beginning of a file has the signature of HDF5.
+BOOST_AUTO_TEST_CASE(a_file_that_was_cut_off_is_called_so) {
+  BOOST_TEST(run_springcheck("run compression --method mss-cf --cells 2,2,2 --out cut.h5")
+                 .status == 0);
+  fs::resize_file(folder / "cut.h5", 5000);
+  expect_bad_input("export cut.h5 --out cut.csv", "one that was cut off");
 }
 
 // No input is written over, and permissions stay.
@@ -282,7 +293,8 @@ BOOST_AUTO_TEST_CASE(figures_of_other_revisions_are_told) {
 }
 
 // What was taken from another revision is not stored as this program's own either.
-BOOST_AUTO_TEST_CASE(what_is_taken_of_other_revisions_stays_theirs) {
+BOOST_AUTO_TEST_CASE(what_is_taken_of_other_revisions_stays_theirs,
+                     *boost::unit_test::label("slow")) {
   const std::string accept = " --accept-other-revisions ",
                     table = "table 5.4 --format md ",
                     map =

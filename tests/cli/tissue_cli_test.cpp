@@ -166,7 +166,8 @@ BOOST_AUTO_TEST_CASE(a_column_s_loss_of_stability_is_told) {
 
 // Steps so short that in none of them the tissue gives way: to a long step, 1 % of
 // strain.
-BOOST_AUTO_TEST_CASE(stability_is_judged_alike_in_steps_of_any_length) {
+BOOST_AUTO_TEST_CASE(stability_is_judged_alike_in_steps_of_any_length,
+                     *boost::unit_test::label("slow")) {
   const auto definite_up_to = [](const std::string& steps) -> double {
     const Json result = json_of(
         "run tissue-compression --organ liver --method mss-tissue --cells 2,2,20 "

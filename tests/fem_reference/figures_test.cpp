@@ -177,7 +177,8 @@ BOOST_AUTO_TEST_CASE(centimetre_beams_drop_as_the_referee_s,
 // Volumetric locking: at nu = .4999 full integration pushes 14 times as hard as selective
 // (both are the referee's too), while q2 stays within 2 % of that. The volume error
 // hardly shows it.
-BOOST_AUTO_TEST_CASE(selective_integration_and_q2_free_the_locked_body) {
+BOOST_AUTO_TEST_CASE(selective_integration_and_q2_free_the_locked_body,
+                     *boost::unit_test::label("slow")) {
   for (const double nu : {0.49, 0.499, 0.4999}) {
     const double free = compressed(0.05, nu, hooke_sri).force.z();
     check(compressed(0.05, nu, hooke_q2).force.z() / free, 1.01, 0.01);

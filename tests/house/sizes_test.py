@@ -1,4 +1,5 @@
-"""No file of the repository has more than 350 lines, and no function more than 80."""
+"""No file of the repository has more than 350 lines, and no function more than 80. Left out are data and
+pictures; and in scripts for browsers the function around a whole file, which keeps its names to itself."""
 
 import ast
 import re
@@ -6,7 +7,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-KINDS = {".cpp", ".hpp", ".cmake", ".css", ".html", ".js", ".md", ".py", ".sh", ".toml", ".txt", ".yml"}
+DATA = {".csv", ".h5", ".json", ".lock", ".msh", ".pdf", ".png", ".pyc", ".svg"}
 LONGEST_FILE, LONGEST_FUNCTION = 350, 80
 NO_FUNCTION = re.compile(r"\s*(namespace|struct|class|enum|union|template|using|extern|public|private|requires)\b")
 
@@ -14,8 +15,8 @@ NO_FUNCTION = re.compile(r"\s*(namespace|struct|class|enum|union|template|using|
 def files():
     for path in sorted(ROOT.rglob("*")):
         parts = path.relative_to(ROOT).parts
-        is_ours = parts[0] not in ("build", ".git") and parts[:2] != ("tests", "data")
-        if is_ours and path.is_file() and path.suffix in KINDS:
+        is_ours = parts[0] not in ("build", ".git", "LICENSE") and parts[:2] != ("tests", "data")
+        if is_ours and path.is_file() and path.suffix not in DATA:
             yield path
 
 
@@ -25,13 +26,13 @@ def python_functions(text):
             yield node.name, node.end_lineno - node.lineno + 1
 
 
-def braced_functions(text, starts):
+def braced_functions(text, starts, ends=("}",)):
     """Of text whose blocks are indented: from a line that begins what is in braces to the
     brace of the same indentation."""
     begun = {}
     for number, line in enumerate(text.splitlines()):
         indent = len(line) - len(line.lstrip())
-        if line.strip() == "}" and indent in begun:
+        if line.strip() in ends and indent in begun:
             name, first = begun.pop(indent)
             yield name, number - first + 1
         elif starts(line) and indent <= 2:
@@ -43,7 +44,11 @@ def begins_in_cpp(line):
 
 
 def begins_in_javascript(line):
-    return re.match(r"\s*(async )?function \w", line)
+    return re.match(r"\s*(async )?function \w", line) or re.match(r"\s*(const|let) \w+ = .*(=>|function.*) \{$", line)
+
+
+def begins_in_shell(line):
+    return re.match(r"\w+\(\) \{$", line)
 
 
 def functions(path):
@@ -52,7 +57,9 @@ def functions(path):
         return python_functions(text)
     if path.suffix in (".cpp", ".hpp"):
         return braced_functions(text, begins_in_cpp)
-    return braced_functions(text, begins_in_javascript) if path.suffix == ".js" else ()
+    if path.suffix == ".sh":
+        return braced_functions(text, begins_in_shell)
+    return braced_functions(text, begins_in_javascript, ("}", "};")) if path.suffix == ".js" else ()
 
 
 class Sizes(unittest.TestCase):

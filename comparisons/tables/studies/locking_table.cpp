@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "comparisons/measures/measure_list.hpp"
 #include "comparisons/settings/scene_file.hpp"
 
 namespace springcheck {
@@ -24,7 +25,7 @@ Table locking_table(std::span<const CaseResult> results) {
       .columns = {{"law", "law"},
                   {"nu", "nu", "{}"},
                   {"element", "element"},
-                  {"plate_force", "plate force [N]", "{:.6g}"},
+                  {"plate_force", heading_of(*find_measure("plate_force")), "{:.6g}"},
                   {"over_q1_sri", "over q1-sri's", "{:.3f}"},
                   {"over_q2", "over q2's", "{:.3f}"},
                   {"volume_error", "e [%]", "{:.4f}"},

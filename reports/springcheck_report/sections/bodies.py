@@ -14,13 +14,7 @@ from sections.cross_sections import cross_section
 from sections.slices import explorer_links
 from surface import outside
 
-_TESTS = {
-    "compression": "A body between two glued plates is pressed: the upper plate moves down.",
-    "tension": "A body between two glued plates is pulled: the upper plate moves up.",
-    "shearing": "The upper plate on a body moves sideways, its height kept.",
-    "torsion": "The upper plate on a body turns about the vertical axis, its height kept.",
-    "bending": "A beam clamped at one end bends under its own weight.",
-}
+_OWN = ("compression", "tension", "shearing", "torsion", "bending")  # tests that have a section each
 
 
 def compression(study):
@@ -53,7 +47,7 @@ def bending(study):
 def other_tests(study):
     """Whatever else the file has fields of."""
     section = Section("other-tests", "Other tests")
-    for test in sorted(set(study.cases.test) - set(_TESTS)):
+    for test in sorted(set(study.cases.test) - set(_OWN)):
         blocks = _views(study, test)
         if blocks:
             section.blocks += [Markup("<h3>{}</h3>").format(test), *blocks]
@@ -65,7 +59,7 @@ def _test(study, test, further=()):
     if not blocks:
         return None
     title = test.capitalize()
-    return Section(test, title, [paragraph(_TESTS[test]), *_verdicts(study, test), *blocks])
+    return Section(test, title, [paragraph(measures.description(test)), *_verdicts(study, test), *blocks])
 
 
 def _verdicts(study, test):

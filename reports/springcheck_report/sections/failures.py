@@ -1,5 +1,6 @@
 """Where methods fail."""
 
+import measures
 import numpy as np
 from case_words import case_text, is_variant
 from content import Figure, Section, bullets, paragraph, table
@@ -7,15 +8,6 @@ from figures import statuses
 from markupsafe import Markup
 from numbers_shown import significant
 
-_WORDS = {
-    "wrinkled": "wrinkles: free faces zigzag from cell to cell",
-    "inverted": "turns cells inside out",
-    "indefinite": "ends in an equilibrium that is not stable",
-    "no_equilibrium": "has no equilibrium at the full load",
-    "not_converged": "was given up by the solver",
-    "diverged": "blew up in time",
-    "refused": "does not cover the mesh, material or time step",
-}
 _MOST_ROWS = 300
 
 
@@ -35,7 +27,7 @@ def failing_sentences(study):
             first = of_status.loc[of_status.strain.fillna(np.inf).idxmin()]
             tests = ", ".join(dict.fromkeys(of_status.test))
             parts.append(
-                f"{_WORDS.get(status, f'ended {status}')} in {len(of_status)} of {len(covered)} cases ({tests}; "
+                f"{measures.said(status)} in {len(of_status)} of {len(covered)} cases ({tests}; "
                 f"mildest: {case_text(first)})"
             )
         others = with_any.drop(of_method.index)

@@ -11,14 +11,6 @@ from method_style import line
 from numbers_shown import data, significant
 
 _MOST_ROWS = 200
-_BY = {
-    "indefinite": "loses its stability",
-    "no_equilibrium": "turns back: no equilibrium beyond",
-    "inverted": "a cell is turned inside out",
-    "not_converged": "the solver gave up",
-    "ok": "holds to the full load",
-}
-
 
 def stability_limits(study):
     if study.limits.empty:
@@ -100,7 +92,7 @@ def _table(study):
     for key, case in study.limits.sort_values(["test", "method", "nu"]).iterrows():
         limit = _number(case, key, "definite_up_to_deformation", _scale(case), 4)
         mode = _number(case, key, "critical_wavelength", 1, 3)
-        rows.append([_name(case), case_text(case), limit, _BY.get(case.status, case.status), mode, (key[:8], "key")])
+        rows.append([_name(case), case_text(case), limit, measures.said(case.status), mode, (key[:8], "key")])
     heads = ["method", "case, tried up to", "limit [%, °]", "there it", "mode [edges]", "case's key"]
     return Markup("<h3>All limits</h3>") + table(heads, rows, name="stability-limits", limit=_MOST_ROWS)
 

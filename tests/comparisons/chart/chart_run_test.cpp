@@ -161,7 +161,8 @@ BOOST_AUTO_TEST_CASE(a_chart_is_measured_once_and_kept) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(models_beyond_the_budget_are_of_different_names_and_never_fail) {
+BOOST_AUTO_TEST_CASE(models_beyond_the_budget_are_of_different_names_and_never_fail,
+                     *boost::unit_test::label("slow")) {
   const OwnFolder own;
   const ChartPlan plan{.scene = "compression",
                        .options = {{"deformation", Given::from_text("test", "0.35")}},

@@ -114,7 +114,9 @@ const std::vector<Example> examples{
      Judgement::no_case, "their status is ok or wrinkled"},
     // What is not there, or there several times
     {"where = { method = 'mss-cf', nu = 0.3 }\nmeasure = 'plate_force'\nat_least = 0",
-     Judgement::no_case, "the others have nu = 0.1 or 0.25 or 0.4"},
+     Judgement::no_case, "; the others have nu = 0.1 or 0.25 or 0.4"},
+    {"where = { method = 'mss-cff', nu = 0.25 }\nmeasure = 'plate_force'\nat_least = 0",
+     Judgement::no_case, "; did you mean 'mss-cf'? the others have method = "},
     {"where = { method = 'fem' }\nmeasure = 'plate_force'\nat_least = 0",
      Judgement::no_case,
      "cases match method = 'fem'; they differ in cells (2,2,2 or 4,4,4 or 8,8,8)"},

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+
+#include "tests/comparisons/measures/solutions.hpp"
 
 using namespace springcheck;
 
@@ -40,6 +44,38 @@ BOOST_AUTO_TEST_CASE(frames_are_samples_evenly_apart) {
 BOOST_AUTO_TEST_CASE(large_bodies_keep_fewer) {
   BOOST_TEST(frames_after(100, 100'000).size() <= 5U);
   BOOST_TEST(frames_after(100, 1'000'000).size() == 2U);
+}
+
+// Half of the load the other way: the measure is positive along the load that acted last,
+// its history along the whole load.
+BOOST_AUTO_TEST_CASE(answers_turn_their_sign_with_the_load,
+                     *boost::unit_test::tolerance(1e-12)) {
+  for (const std::string scene : {"compression", "shearing", "torsion", "bending"}) {
+    BOOST_TEST_CONTEXT(scene) {
+      const CaseSettings settings = small_block(scene);
+      const Mesh mesh = build_mesh(settings.body);
+      const auto answer_at = [&](double fraction) {
+        // Every node is moved and pulled, upper ones more: turned, along x and down.
+        dynamics::Moment moment{.time = 1,
+                                .load_fraction = fraction,
+                                .step = 1,
+                                .reactions = {},
+                                .lever_arms = LeverArms::undeformed,
+                                .kinetic_energy = 0,
+                                .strain_energy = 1};
+        for (const Vector3& x : mesh.nodes()) {
+          const Vector3 way(1 - 2 * x.y(), 2 * x.x(), -1);
+          moment.displacements.push_back(fraction * 0.01 * x.z() * way);
+          moment.reactions.push_back(fraction * x.z() * way);
+        }
+        return history_sample(settings, mesh, moment).back();
+      };
+      const double whole = answer_at(1);
+      BOOST_TEST(std::abs(whole) > 1e-3);
+      BOOST_TEST(answer_at(-0.5) ==
+                 (scene == "shearing" ? 0.5 : -0.5) * whole);  // a length has no sign
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

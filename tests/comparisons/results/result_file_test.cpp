@@ -124,7 +124,12 @@ BOOST_AUTO_TEST_CASE(a_file_holds_what_it_is_asked_for) {
       requests(run_of("tension", {"method=mss-cf", "nu=0", "deformation=0.3"})).front());
   const auto results = study(asked, meshes);
   ResultFile(file).put(results, false, meshes);
+  const CaseResult refused = study(
+      requests(run_of("compression", {"cells=2,2,12", "method=mss-cf"})), meshes)[0];
+  BOOST_TEST_REQUIRE((refused.status == Status::refused));
+  ResultFile(file).put({&refused, 1}, false, meshes);
   const StoredKeys bare = stored_keys(file);
+  BOOST_TEST(holds(bare, refused.key, true));
   BOOST_TEST(holds(bare, results[0].key, false));
   BOOST_TEST(!holds(bare, results[0].key, true));
   BOOST_TEST(!holds(bare, results[1].key, true));

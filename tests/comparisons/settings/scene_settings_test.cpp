@@ -90,7 +90,7 @@ const std::vector<Bad> bad_scenes{
      "scene.toml:3:9: cells: expected three counts of at least 1"},
     {with("[2, 2, 2]", "[2, 2.5, 2]"), "scene.toml:3:9: cells: expected three integers"},
     {with("[2, 2, 2]", "[2, 4.0, 2]"),
-     "scene.toml:3:9: cells: expected three integers, got [2, 4.0, 2]"},
+     "scene.toml:3:9: cells: expected three integers such as 4,4,4, got [2, 4.0, 2]"},
     {with("nu = 0.25", "nu = [0.25]"),
      "scene.toml:5:6: nu: expected a finite number, got [0.25]"},
     {with("deformation = 0.05", "deformation = 1e200"),

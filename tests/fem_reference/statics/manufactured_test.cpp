@@ -170,7 +170,8 @@ BOOST_AUTO_TEST_CASE(gradients_of_the_manufactured_fields_are_right) {
       }
 }
 
-BOOST_AUTO_TEST_CASE(hooke_converges_with_the_orders_of_its_elements) {
+BOOST_AUTO_TEST_CASE(hooke_converges_with_the_orders_of_its_elements,
+                     *boost::unit_test::label("slow")) {
   for (const CellPattern pattern : patterns) check_orders(pattern, Law::hooke, waves, 16);
 }
 

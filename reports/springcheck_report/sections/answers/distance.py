@@ -7,7 +7,7 @@ from case_words import mesh_text
 from content import Answer, Figure
 from figures import curves
 from markupsafe import Markup
-from sections.answers.words import SIZE, TESTS, bold, case_number, first_and_nearest, foremost_springs
+from sections.answers.words import SIZE, bold, case_number, first_and_nearest, foremost_springs, gone_through
 from sections.slices import longest_slices
 from study import USABLE
 
@@ -19,7 +19,7 @@ _FEW = 4  # springs, up to which others than the foremost join
 
 def distance_over_nu(study):
     """Of the plate force, torque or drop, in the first test that has it over Poisson's ratio."""
-    for test in TESTS:
+    for test in measures.told_tests():
         for group in longest_slices(study, test, "nu", _LEAST_VALUES):
             by_name = _comparable(group)
             if by_name:
@@ -76,7 +76,7 @@ def _answer(study, test, by_name):
     sentence = Markup(
         "{} ({}): the {} of {} off finite elements on the same mesh, over Poisson's ratios from {:g} to {:g}."
     ).format(
-        TESTS[test].format(first.load),
+        gone_through(test, first.load),
         mesh_text(first),
         answer,
         Markup(", of ").join(_range(name, by_name[name], distances[name]) for name in named),
@@ -89,7 +89,7 @@ def _answer(study, test, by_name):
 
 
 def _range(name, cases, sizes):
-    """"mss-cf is 3.1 to 11 % (2 of its 11 cases failed)"."""
+    """How far a method's cases are off: "mss-cf is 3.1 to 11 % (2 of its 11 cases failed)"."""
     ends = [case_number(sizes[key], key) for key in (sizes.idxmin(), sizes.idxmax())]
     text = Markup("{} is {} to {} %").format(bold(name), *ends)
     failed = (cases.status != USABLE).sum()

@@ -1,12 +1,13 @@
 """Up to which deformation methods stay stable, over another setting."""
 
+import measures
 import numpy as np
 from case_words import mesh_text
 from content import Answer, Figure
 from figures import curves
 from markupsafe import Markup
 from method_style import NEUTRAL
-from sections.answers.words import SIZE, TESTS, bold, case_number
+from sections.answers.words import SIZE, bold, case_number
 from sections.atlas import axis_label, case_of_map, conditions
 
 _NO_LIMITS = ("not covered", "solver failure")  # which say nothing of the body
@@ -46,7 +47,7 @@ def _answer(study, one, by_method):
     parts = [_least(method, limits, unit) for method, limits in by_method.items()]
     covered = "" if all(len(own) == len(numbers) for own in by_method.values()) else " that it covers"
     sentence = Markup("{} further and further ({}), at every {}{} from {} to {} these stay stable: {}.").format(
-        TESTS[case.test].removesuffix(" by {}") if case.test in TESTS else one["scene"].capitalize(),
+        (measures.passive(case.test) or one["scene"]).removesuffix(" by").capitalize(),
         mesh_text(case),
         labels[0],
         covered,
@@ -70,7 +71,7 @@ def _unit(label):
 
 
 def _least(method, limits, unit):
-    """"mss-cf to 36 % (then wrinkling)"; "at least to 60 %" where nothing failed."""
+    """Where a method's lowest limit is: "mss-cf to 36 % (then wrinkling)"; "at least to 60 %" where nothing failed."""
     weakest = min(limits, key=lambda limit: limit["low"] or 0)
     if weakest["low"] is None:
         return Markup("{} nowhere ({})").format(bold(method), weakest["failure"])

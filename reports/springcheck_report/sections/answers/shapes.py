@@ -5,7 +5,7 @@ import numpy as np
 from content import Answer, Figure
 from figures import bodies as body_figures
 from markupsafe import Markup
-from sections.answers.words import SIZE, TESTS, bold, case_number, first_and_nearest, foremost_springs
+from sections.answers.words import SIZE, bold, case_number, first_and_nearest, foremost_springs, gone_through
 from study import USABLE
 from surface import outside
 
@@ -15,7 +15,7 @@ _ORDER = ["torsion", "shearing", "compression", "tension", "bending"]  # what sh
 
 def look_of_bodies(study):
     """Of the first test in which springs stand beside finite elements that judge them."""
-    for test in sorted(TESTS, key=_ORDER.index):
+    for test in _ORDER:
         for group in bodies.groups(study, test)[:1]:
             cases = study.cases.loc[group.cases]
             springs = cases[~cases.is_repeated & cases.is_judged & (cases.status == USABLE)]
@@ -43,7 +43,7 @@ def _answer(study, test, group, judge, keys):
     ]
     moved = np.linalg.norm(study.field(judge, "displacement")[surface.nodes], axis=1).max()
     sentence = Markup("{}: points of {} from those of {}, which move by up to {} mm.").format(
-        TESTS[test].format(study.cases.loc[judge].load),
+        gone_through(test, study.cases.loc[judge].load),
         Markup(", of ").join(parts),
         bold(law),
         case_number(1000 * moved, judge),

@@ -38,7 +38,8 @@ BOOST_AUTO_TEST_CASE(stress_relaxes_as_the_laws_does) {
 }
 
 // The bands are 2 % of G' and 5 % of G''.
-BOOST_AUTO_TEST_CASE(moduli_are_the_laws_from_a_tenth_to_100_radians_a_second) {
+BOOST_AUTO_TEST_CASE(moduli_are_the_laws_from_a_tenth_to_100_radians_a_second,
+                     *boost::unit_test::label("slow")) {
   const Table table = table_of("tissue-oscillation");
   BOOST_TEST(table.rows.size() == 12U);
   for (const TableRow& row : table.rows) {
