@@ -27,8 +27,7 @@ struct StatusName {
   Status value;
   std::string_view name;
   std::string_view description;
-  std::string_view
-      said{};  // of a method that ends so, behind its name: "blew up in time"
+  std::string_view said{};  // of a method, behind its name: "blew up in time"
 };
 
 template <>

@@ -62,9 +62,11 @@ void refuse_as_unreadable(const std::filesystem::path& file) {
   } catch (const std::exception& error) {
     const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     if (opened >= 0) H5Fclose(opened);
-    throw InputError(
-        file.string(), "", "a readable springcheck result file",
-        opened >= 0 ? error.what() : "what is no HDF5 file, or one that was cut off");
+    const std::string got = opened >= 0 ? error.what()
+                            : H5Fis_hdf5(file.c_str()) <= 0
+                                ? "what is no HDF5 file, or one that was cut off"
+                                : "one that was cut off, or that HDF5 cannot open";
+    throw InputError(file.string(), "", "a readable springcheck result file", got);
   }
 }
 

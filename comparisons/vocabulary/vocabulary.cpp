@@ -129,7 +129,7 @@ std::string first_sentence(std::string_view text) {
   while (text.starts_with("# ")) {
     const std::size_t end = text.find('\n');
     comment += fmt::format("{}{}", comment.empty() ? "" : " ", text.substr(2, end - 2));
-    text.remove_prefix(end + 1);
+    text.remove_prefix(std::min(end, text.size() - 1) + 1);
   }
   std::size_t stop = comment.find(". ");
   while (stop != std::string::npos &&

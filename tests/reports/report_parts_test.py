@@ -23,6 +23,7 @@ from matplotlib.colors import to_rgb  # noqa: E402
 from numbers_shown import data, formatted, significant, with_bar  # noqa: E402
 from program import springcheck  # noqa: E402
 from sections import laws  # noqa: E402
+from sections.answers.words import gone_through  # noqa: E402
 from surface import edges_in_plane, outside  # noqa: E402
 
 
@@ -119,6 +120,18 @@ class LawParts(unittest.TestCase):
 
     def test_one_method_alone_has_no_figure(self):
         self.assertEqual(laws._law_parts({"rows": [split_row("mss-cf", "fem-hencky", 0, -39, 0.1)]}), [])
+
+
+class Words(unittest.TestCase):
+    def test_tests_and_statuses_are_told_in_the_programs_words(self):
+        measures.learn(json.loads(springcheck("list", "--json").stdout))
+        self.assertEqual(gone_through("bending", "E = 2 MPa"), "Bent by its weight, E = 2 MPa")
+        self.assertEqual(gone_through("torsion", "45°"), "Turned by 45°")
+        self.assertIsNone(measures.passive("affine"))
+        self.assertEqual(measures.description("torsion"),
+                         "The upper plate turns about the vertical through its centre.")
+        self.assertEqual(measures.said("diverged"), "blew up in time")
+        self.assertEqual(measures.said("of tomorrow"), "ended of tomorrow")
 
 
 class Html(unittest.TestCase):

@@ -9,7 +9,8 @@ SIZE = 3.6, 2.05  # inches of a picture: half a page
 
 def gone_through(test, load):
     """"Pressed by 5 %"."""
-    return f"{measures.passive(test)} {load}".capitalize()
+    words = measures.passive(test)
+    return f"{words[0].upper()}{words[1:]} {load}"
 
 
 def case_number(value, key, digits=2):
