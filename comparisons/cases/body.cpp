@@ -1,11 +1,14 @@
 #include "comparisons/cases/body.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
 
+#include "meshing/basics/input_error.hpp"
 #include "meshing/files/msh_reader.hpp"
 #include "meshing/generators/disc.hpp"
 #include "meshing/generators/generate_block.hpp"
@@ -31,13 +34,19 @@ bool has_nodes_in_layers(const Body& body) {
   constexpr std::array of_gmsh{CellPattern::free_tetrahedron, CellPattern::free_prism,
                                CellPattern::free_hexahedron, CellPattern::transition};
   return body.shape == BodyShape::block && body.block.distortion == 0 &&
-         std::ranges::count(of_gmsh, body.block.pattern) == 0;
+         body.cuts.empty() && std::ranges::count(of_gmsh, body.block.pattern) == 0;
 }
 
 bool is_grid_of_cubes(const Body& body) {
   std::array<double, 3> edges = body.block.size;
   for (std::size_t i = 0; i < 3; ++i) edges[i] /= body.block.cells[i];
   return is_grid_of_hexahedra(body) && mss::is_cube(edges);
+}
+
+void check_not_cut(const Body& body, const std::string& what) {
+  if (!body.cuts.empty())
+    throw InputError(body.cuts.front().place, "", "no cut where there is " + what,
+                     "cut '" + body.cuts.front().name + "'");
 }
 
 Body on_hexahedra(Body body, const std::array<int, 3>& cells) {
@@ -104,7 +113,9 @@ double estimated_cells(const Body& body) {
   return cells;
 }
 
-Mesh build_mesh(const Body& body) {
+namespace {
+
+Mesh whole_mesh(const Body& body) {
   switch (body.shape) {
     case BodyShape::block:
       break;
@@ -121,6 +132,40 @@ Mesh build_mesh(const Body& body) {
       return read_msh(body.file, body.unit.metres);
   }
   return generate_block(body.block);
+}
+
+/// Refuses a cut that takes a part of a plate's surface: but for blocks its centre says
+/// where the plate is, and about what it turns.
+void check_plate(const Mesh& before, const Mesh& after, const WantedCut& cut,
+                 const std::string& plate) {
+  if (!before.regions().contains(plate) || !after.regions().contains(plate)) return;
+  const std::size_t all = before.region(plate).faces.size(),
+                    left = after.region(plate).faces.size();
+  if (left < all)
+    throw InputError(cut.place, fmt::format("cut '{}'", cut.name),
+                     fmt::format("all {} faces of '{}' left, whose centre is the plate's "
+                                 "of a body that is no block",
+                                 all, plate),
+                     std::to_string(left));
+}
+
+}  // namespace
+
+BuiltBody build_body(const Body& body) {
+  BuiltBody built{.mesh = whole_mesh(body), .cuts = {}};
+  for (const WantedCut& wanted : body.cuts) {
+    MadeCut made = make_cut(built.mesh, wanted);
+    if (body.shape != BodyShape::block)
+      for (const std::string& plate : {body.fixed, body.moved})
+        check_plate(built.mesh, made.body.mesh, wanted, plate);
+    built.mesh = std::move(made.body.mesh);
+    built.cuts.push_back(made.figures);
+  }
+  return built;
+}
+
+Mesh build_mesh(const Body& body) {
+  return build_body(body).mesh;
 }
 
 const Mesh& MeshStore::mesh(const Body& body) {

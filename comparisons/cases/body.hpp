@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "comparisons/names/named.hpp"
+#include "meshing/cutting/wanted_cut.hpp"
 #include "meshing/generators/generate_block.hpp"
 
 namespace springcheck {
@@ -20,6 +21,10 @@ template <>
 inline constexpr std::array value_names<BodyShape>{
     Named{BodyShape::block, "block"}, Named{BodyShape::kidney, "kidney"},
     Named{BodyShape::disc, "disc"}, Named{BodyShape::file, "file"}};
+
+template <>
+inline constexpr std::array value_names<CutKind>{Named{CutKind::split, "split"},
+                                                 Named{CutKind::remove, "remove"}};
 
 /// A length unit of mesh files.
 struct MeshUnit {
@@ -42,6 +47,7 @@ struct Body {
   // Regions on the lower, fixed and on the upper, moved or loaded plate:
   std::string fixed = "bottom";
   std::string moved = "top";
+  std::vector<WantedCut> cuts{};  // in the order in which they are made
 
   friend bool operator==(const Body&, const Body&) = default;
 };
@@ -53,12 +59,15 @@ bool reads_seed(const Block& block);
 bool is_grid_of_hexahedra(const Body& body);
 
 /// Whether its nodes are those of a regular grid and the centres of its cells, without
-/// cells of gmsh's and not distorted. Only then do whole layers and lines of nodes lie in
-/// the middle.
+/// cells of gmsh's, not distorted and not cut. Only then do whole layers and lines of
+/// nodes lie in the middle.
 bool has_nodes_in_layers(const Body& body);
 
 /// Whether it is a grid of cubes, to 1e-6 of their edge, before they are distorted.
 bool is_grid_of_cubes(const Body& body);
+
+/// Throws InputError where a body is cut: `what` needs one that is whole.
+void check_not_cut(const Body& body, const std::string& what);
 
 /// The body on a regular grid of so many hexahedra. It must be a block.
 Body on_hexahedra(Body body, const std::array<int, 3>& cells);
@@ -79,8 +88,15 @@ std::array<double, 3> equivalent_grid(const Body& body);
 double estimated_cells(const Body& body);
 
 /// Builds the mesh of a body. Throws InputError as generate_block, generate_kidney,
-/// generate_disc and read_msh do.
+/// generate_disc, read_msh and make_cut do.
 Mesh build_mesh(const Body& body);
+
+/// The same, and what each of its cuts did to it.
+struct BuiltBody {
+  Mesh mesh;
+  std::vector<CutFigures> cuts;
+};
+BuiltBody build_body(const Body& body);
 
 /// Meshes of bodies, each built once. They may be asked for from any thread.
 class MeshStore {

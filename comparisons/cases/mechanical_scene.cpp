@@ -72,10 +72,39 @@ PlateGeometry plate_geometry(const CaseSettings& settings, const Mesh& mesh) {
   return {.centre = upper, .distance = distance};
 }
 
+/// The cut that took the last faces of a surface; nullptr where the whole body has none.
+const WantedCut* cut_that_took(const Body& body, const std::string& surface) {
+  const auto has = [&](std::size_t cuts) {
+    Body before = body;
+    before.cuts.resize(cuts);
+    return build_mesh(before).regions().contains(surface);
+  };
+  for (std::size_t i = body.cuts.size(); i-- > 0;)
+    if (has(i)) return &body.cuts[i];
+  return nullptr;
+}
+
+/// Pins hold corners of a block, which a cut may take away or part.
+void check_pins(const Scene& scene, const Body& body, const Mesh& mesh) {
+  if (body.cuts.empty()) return;
+  for (const Pin& pin : scene.pins)
+    if (std::ranges::count(mesh.nodes(), pin.point) != 1)
+      throw InputError(body.cuts.front().place, "",
+                       fmt::format("a corner left whole at ({:.6g}, {:.6g}, {:.6g}) m, "
+                                   "where a pin holds the body",
+                                   pin.point.x(), pin.point.y(), pin.point.z()),
+                       "one that is parted or gone");
+}
+
 /// Refuses a plate's surface that the mesh does not have. gmsh's surfaces without a name
 /// have their number as one.
-void check_surface(const Mesh& mesh, const char* key, const std::string& name) {
+void check_surface(const Mesh& mesh, const Body& body, const char* key,
+                   const std::string& name) {
   if (mesh.regions().contains(name) || mesh.surfaces_elsewhere().contains(name)) return;
+  if (const WantedCut* cut = cut_that_took(body, name))
+    throw InputError(cut->place, fmt::format("cut '{}'", cut->name),
+                     fmt::format("faces left on '{}', which is held or moved", name),
+                     "none");
   std::vector<std::string_view> names;
   for (const auto& [known, region] : mesh.regions()) names.push_back(known);
   const std::string place = fmt::format("{}: {}", mesh.source(), key);
@@ -98,8 +127,8 @@ void check_surface(const Mesh& mesh, const char* key, const std::string& name) {
 
 Scene mechanical_scene(const CaseSettings& settings, const Mesh& mesh) {
   const Body& body = settings.body;
-  if (entry_of(settings.test).lower_plate) check_surface(mesh, "fixed", body.fixed);
-  if (entry_of(settings.test).upper_plate) check_surface(mesh, "moved", body.moved);
+  if (entry_of(settings.test).lower_plate) check_surface(mesh, body, "fixed", body.fixed);
+  if (entry_of(settings.test).upper_plate) check_surface(mesh, body, "moved", body.moved);
   const PlateGeometry plates = plate_geometry(settings, mesh);
   const double height = plates.distance;
   const bool slides =
@@ -119,6 +148,7 @@ Scene mechanical_scene(const CaseSettings& settings, const Mesh& mesh) {
     scene.pins = {
         {.point = Vector3::Zero(), .held = {true, true, false}},
         {.point = Vector3(body.block.size[0], 0, 0), .held = {false, true, false}}};
+  check_pins(scene, body, mesh);
 
   switch (settings.test) {
     case Test::compression:

@@ -48,6 +48,18 @@ std::vector<std::string> notes_on(const Mesh& mesh, const std::string& name) {
   return notes;
 }
 
+std::string note_on(const WantedCut& cut, const CutFigures& figures) {
+  if (cut.kind == CutKind::remove)
+    return fmt::format("cut '{}': {} cells removed, {:.6g} m^3, {} nodes added", cut.name,
+                       figures.cells_removed, figures.volume_removed,
+                       figures.nodes_added);
+  return fmt::format(
+      "cut '{}': {} faces split, {:.6g} m^2, {} nodes added, the faces' nodes up to "
+      "{:.3g} m "
+      "off the surface",
+      cut.name, figures.faces_split, figures.area, figures.nodes_added, figures.farthest);
+}
+
 ExitStatus write_scene_mesh(const MeshOptions& options) {
   const auto& file = options.file;
   if (!file && !options.quality)
@@ -58,10 +70,12 @@ ExitStatus write_scene_mesh(const MeshOptions& options) {
   const RunSettings run = read_run(options.scene, options.settings.given());
   check_mesh_memory(run.cells_place, run.common.body);
   if (file) check_writable(*file);
-  const Mesh mesh = build_mesh(run.common.body);
+  const BuiltBody built = build_body(run.common.body);
+  const Mesh& mesh = built.mesh;
   if (file) write_mesh(mesh, *file);
-  const std::vector<std::string> notes =
-      notes_on(mesh, file ? file->string() : mesh.source());
+  std::vector<std::string> notes = notes_on(mesh, file ? file->string() : mesh.source());
+  for (std::size_t i = 0; i < built.cuts.size(); ++i)
+    notes.push_back(note_on(run.common.body.cuts[i], built.cuts[i]));
   if (options.format) {
     Table table = quality_table(quality_of(mesh));
     table.notes = notes;

@@ -28,13 +28,15 @@ Condition condition_of(std::string_view column, const toml::node& node,
   const auto value_of = [&](const toml::node& one) {
     std::vector<Given::Scalar> numbers;
     if (const toml::array* list = one.as_array())
-      for (const toml::node& number : *list) numbers.push_back(scalar(number));
+      for (const toml::node& number : *list) numbers.push_back(scalar(number, file));
     else
-      numbers.push_back(scalar(one));
+      numbers.push_back(scalar(one, file));
     for (const Given::Scalar& number : numbers)
-      if (const auto* other = std::get_if<Given::Unreadable>(&number))
+      if (std::holds_alternative<Given::Table>(number) ||
+          std::holds_alternative<Given::Unreadable>(number))
         throw InputError(condition.place, "",
-                         "a number, text, truth value or list of them", other->text);
+                         "a number, text, truth value or list of them",
+                         described(number));
     return numbers;
   };
   const toml::array* list = node.as_array();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <ranges>
 #include <span>
 
@@ -46,8 +47,16 @@ double number_of(const Condition& condition, const Scalar& value) {
   return given.in(is_angle ? Dimension::angle : Dimension::fraction);
 }
 
-/// A text as a column of texts holds it.
-std::string text_in(const Scalar& value) {
+/// A text as a column of texts holds it: of a setting that may be written in several
+/// ways, as cases tell it.
+std::string text_in(const Condition& condition, const Scalar& value) {
+  const Setting* setting = find_setting(condition.column);
+  if (setting != nullptr && setting->access.type.kind == ValueType::Kind::table) {
+    RunSettings run{};
+    setting->access.read(run, Given(condition.place, value));
+    const nlohmann::json told = setting->access.told(run.common);
+    return told.is_string() ? told.get<std::string>() : std::string();
+  }
   const auto* text = std::get_if<std::string>(&value);
   return text != nullptr ? *text : described(value);
 }
@@ -86,7 +95,7 @@ bool matches(const Columns& cases, const Condition& condition, std::size_t row) 
     return number_matches(condition, numbers->second, row);
   const std::string& cell = cases.texts.at(condition.column)[row];
   return std::ranges::any_of(values_of(condition, 1), [&](const auto& value) {
-    return value.size() == 1 && text_in(value[0]) == cell;
+    return value.size() == 1 && text_in(condition, value[0]) == cell;
   });
 }
 

@@ -56,7 +56,8 @@ std::optional<Vector3> on_face(const Mesh& mesh, const Region& region,
 
 std::optional<double> tip_deflection(const CaseSettings& settings, const Mesh& mesh,
                                      std::span<const Vector3> displacements) {
-  if (settings.body.shape != BodyShape::block || settings.gravity.isZero(0))
+  if (settings.body.shape != BodyShape::block || settings.gravity.isZero(0) ||
+      !mesh.regions().contains(settings.body.moved))  // a cut has taken it
     return std::nullopt;
   const auto [width, depth, height] = settings.body.block.size;
   const auto tip = on_face(mesh, mesh.region(settings.body.moved), displacements,
@@ -81,7 +82,9 @@ std::optional<Cantilever> cantilever(const std::array<double, 3>& size,
 
 void measure_theory(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
                     std::span<const Vector3> displacements) {
-  if (settings.gravity.isZero(0) || settings.body.shape != BodyShape::block) return;
+  if (settings.gravity.isZero(0) || settings.body.shape != BodyShape::block ||
+      !settings.body.cuts.empty())
+    return;
   if (!settings.method.is_elastic) return;  // it has no modulus for a theory
   const auto of_settings =
       cantilever(settings.body.block.size, settings.material, settings.gravity);

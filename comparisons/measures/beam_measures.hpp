@@ -10,7 +10,7 @@
 namespace springcheck {
 
 /// Displacement along gravity of the centre of the end face [m], see Measures; none where
-/// the body is no block, and without gravity.
+/// the body is no block or has lost that face, and without gravity.
 std::optional<double> tip_deflection(const CaseSettings& settings, const Mesh& mesh,
                                      std::span<const Vector3> displacements);
 
@@ -19,8 +19,8 @@ std::optional<double> tip_deflection(const CaseSettings& settings, const Mesh& m
 std::optional<Cantilever> cantilever(const std::array<double, 3>& size,
                                      const Material& material, const Vector3& gravity);
 
-/// Fills in what beam theories say of a block that the settings' gravity bends, and how
-/// far its centre line is from there.
+/// Fills in what beam theories say of a whole block that the settings' gravity bends, and
+/// how far its centre line is from there.
 void measure_theory(Measures& measures, const CaseSettings& settings, const Mesh& mesh,
                     std::span<const Vector3> displacements);
 

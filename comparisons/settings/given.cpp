@@ -65,6 +65,7 @@ std::string described(const Given::Scalar& value) {
     std::string operator()(const std::string& s) const {
       return fmt::format("'{}'", clipped(s));
     }
+    std::string operator()(const Given::Table&) const { return "a table"; }
     std::string operator()(const Given::Unreadable& u) const { return u.text; }
   } describe;
   return std::visit(describe, value);
@@ -155,13 +156,33 @@ std::vector<std::string> Given::texts() const {
 }
 
 std::string Given::toml() const {
-  const auto of_value = [](const Scalar& value) {
+  const auto of_entry = [](const GivenSetting& entry) {
+    return fmt::format("{} = {}", entry.key, entry.value.toml());
+  };
+  const auto of_value = [&](const Scalar& value) {
+    if (const auto* table = std::get_if<Table>(&value))
+      return fmt::format(
+          "{{{}}}", fmt::join(*table->entries | std::views::transform(of_entry), ", "));
     const auto* text = std::get_if<std::string>(&value);
     return text == nullptr ? described(value) : toml_text(*text);
   };
   const auto all =
       fmt::format("{}", fmt::join(values_ | std::views::transform(of_value), ", "));
   return values_.size() == 1 && !is_list_ ? all : "[" + all + "]";
+}
+
+bool Given::has_tables() const {
+  return std::ranges::any_of(
+      values_, [](const Scalar& value) { return std::holds_alternative<Table>(value); });
+}
+
+std::vector<Given::Table> Given::tables(const std::string& expected) const {
+  std::vector<Table> all;
+  for (const Scalar& value : values_) {
+    if (!std::holds_alternative<Table>(value)) refuse(expected);
+    all.push_back(std::get<Table>(value));
+  }
+  return all;
 }
 
 std::string Given::joined() const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,15 +15,22 @@
 
 namespace springcheck {
 
+struct GivenSetting;
+
 /// One value as the user wrote it, in a scene file or on the command line, with the place
 /// that error messages name. The readers throw InputError when it is not what they want.
 class Given {
  public:
-  /// A nested list, a table or a date: no setting takes one. The text is for messages.
+  /// Values under keys.
+  struct Table {
+    std::string place;  // where it begins
+    std::shared_ptr<const std::vector<GivenSetting>> entries;
+  };
+  /// A nested list or a date: no setting takes one. The text is for messages.
   struct Unreadable {
     std::string text;
   };
-  using Scalar = std::variant<bool, std::int64_t, double, std::string, Unreadable>;
+  using Scalar = std::variant<bool, std::int64_t, double, std::string, Table, Unreadable>;
 
   /// `place` is as "scene.toml:4:7: nu" or "--nu".
   Given(std::string place, Scalar value)
@@ -68,6 +76,8 @@ class Given {
   [[nodiscard]] std::vector<std::string> texts() const;  // at least one
   [[nodiscard]] std::string joined() const;              // a list's with commas
   [[nodiscard]] std::string toml() const;                // as a scene file writes it
+  [[nodiscard]] bool has_tables() const;                 // one at least
+  [[nodiscard]] std::vector<Table> tables(const std::string& expected) const;
   /// The value's numbers, at least one and all finite.
   [[nodiscard]] std::vector<double> any_numbers(
       const std::string& expected = "finite numbers") const;
@@ -111,6 +121,13 @@ class Given {
   std::vector<Scalar> written_{};  // before a conversion of units, for messages
   bool is_list_ = false;
 };
+
+/// A setting as given, by its key.
+struct GivenSetting {
+  std::string key;
+  Given value;
+};
+using GivenSettings = std::vector<GivenSetting>;
 
 /// A value as the user would write it, text in quotes.
 std::string described(const Given::Scalar& value);

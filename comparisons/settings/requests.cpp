@@ -21,6 +21,8 @@ Body grid_beside(const ReferenceMethod& reference, const Body& body) {
                                  "is its reference's too",
                                  name_of(body.shape)),
                      "'" + reference.text + "'");
+  check_not_cut(body,
+                fmt::format("the reference '{}', on cells of its own", reference.text));
   const Cells& cells = body.block.cells;
   if (reference.cells.empty()) return on_hexahedra(body, cells);
   const auto refuse = [&](const std::string& expected) {

@@ -26,13 +26,6 @@ struct RunSettings {
 /// Whether a method of the run, or its reference, is one of those.
 bool runs(const RunSettings& run, const std::function<bool(const CaseSettings&)>& is_one);
 
-/// A setting as given, by its key.
-struct GivenSetting {
-  std::string key;
-  Given value;
-};
-using GivenSettings = std::vector<GivenSetting>;
-
 /// Both lists, in which the second's values replace the first's.
 inline GivenSettings operator+(GivenSettings all, const GivenSettings& more) {
   all.insert(all.end(), more.begin(), more.end());

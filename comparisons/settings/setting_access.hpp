@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <ranges>
 
+#include "comparisons/settings/cut_keys.hpp"
 #include "comparisons/settings/reference_method.hpp"
 #include "comparisons/settings/setting.hpp"
 #include "comparisons/settings/setting_values.hpp"
@@ -113,6 +114,8 @@ constexpr Access in_digits(Access access) {
   return of_type(access, {.kind = ValueType::Kind::integer, .names = all_names<T>});
 }
 
+constexpr ValueType list_of_tables{
+    .kind = ValueType::Kind::table, .least = 1, .most = ValueType::any_number};
 constexpr ValueType text = type_of<std::string>(),
                     texts = type_of<std::vector<std::string>>(),
                     number = type_of<double>(), numbers = type_of<std::vector<double>>();
@@ -142,6 +145,14 @@ inline nlohmann::json method_told(const CaseSettings& c) {
 
 inline void read_reference(RunSettings& run, const Given& given) {
   run.reference = reference_named(given);
+}
+
+inline void read_cuts(RunSettings& run, const Given& given) {
+  run.common.body.cuts = cuts_of(given);
+}
+
+inline nlohmann::json cuts_told(const CaseSettings& c) {
+  return c.body.cuts.empty() ? nlohmann::json() : nlohmann::json(text_of(c.body.cuts));
 }
 
 inline nlohmann::json seed_told(const CaseSettings& c) {

@@ -24,6 +24,10 @@ inline bool deforms(Test test) {
   return entry_of(test).deforms;
 }
 
+inline bool leaves_surfaces_free(Test test) {
+  return test != Test::affine;
+}
+
 inline bool at_rest(const CaseSettings& c) {
   return solver_of(c) == Solver::static_equilibrium;
 }

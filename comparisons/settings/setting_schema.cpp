@@ -2,13 +2,20 @@
 
 #include <nlohmann/json.hpp>
 
+#include "comparisons/settings/cut_keys.hpp"
+
 namespace springcheck {
 
 using Json = nlohmann::ordered_json;
 
+nlohmann::json schema_of_value(const Setting& setting) {
+  if (setting.access.type.kind == ValueType::Kind::table) return cuts_schema();
+  return schema_of(setting.access.type, setting.dimension);
+}
+
 Json schema_of(const Setting& setting) {
   Json schema{{"description", help_of(setting)}};
-  schema.update(schema_of(setting.access.type, setting.dimension));
+  schema.update(schema_of_value(setting));
   return schema;
 }
 

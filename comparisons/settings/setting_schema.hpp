@@ -11,6 +11,9 @@ namespace springcheck {
 /// what it is.
 nlohmann::ordered_json schema_of(const Setting& setting);
 
+/// Without what it is.
+nlohmann::json schema_of_value(const Setting& setting);
+
 /// An object of these properties and no others.
 nlohmann::ordered_json schema_of_object(const nlohmann::ordered_json& properties);
 

@@ -78,6 +78,10 @@ constexpr Setting table[] = {
      "cell edge",
      {.dimension = Dimension::fraction, .label = "distortion over the cell edge",
       .usual_axis = "0:0.3:7", .instead = "mesh"}},
+    {"cut", body, taken, all, {read_cuts, cuts_told, list_of_tables}, {},
+     "what is cut before the body is loaded: split, or remove cells, along a plane, box, "
+     "cylinder or polyline, as split,plane=0,0,1,0.025,within=0,0,0,0.025,0.05,0.05; in "
+     "scene files a [[cut]] each", {.has = leaves_surfaces_free}},
     {"seed", body, taken, of_chance, {read_seed, seed_told, type_of<int>()}, "1",
      "of distorted and mixed meshes, of noise, and of the choice between equal "
      "directions out of an unstable state", {.counts = true}},

@@ -49,7 +49,6 @@ std::string text_of_file(const std::string& file, const TomlKind& kind) {
 
 /// What is no scalar, on one line.
 std::string written(const toml::node& node) {
-  if (node.is_table()) return "a table";
   if (const auto number = node.value_exact<double>()) return fmt::to_string(*number);
   if (const toml::array* list = node.as_array()) {
     std::vector<std::string> items;
@@ -133,20 +132,44 @@ std::string place(const std::string& file, const toml::source_region& source) {
   return fmt::format("{}:{}:{}", file, source.begin.line, source.begin.column);
 }
 
-Given::Scalar scalar(const toml::node& node) {
+/// The values of a list and of the lists in it, in order.
+static void append_flat(const toml::node& node, const std::string& file,
+                        std::vector<Given::Scalar>& values) {
+  if (const toml::array* list = node.as_array())
+    for (const toml::node& element : *list) append_flat(element, file, values);
+  else
+    values.push_back(scalar(node, file));
+}
+
+static Given::Table table_of(const toml::table& table, const std::string& file) {
+  GivenSettings entries;
+  for (const auto& [key, node] : table) {
+    const std::string where = fmt::format("{}: {}", place(file, key.source()), key.str());
+    std::vector<Given::Scalar> values;
+    append_flat(node, file, values);
+    entries.push_back({std::string(key.str()), node.is_array()
+                                                   ? Given(where, std::move(values))
+                                                   : Given(where, values.front())});
+  }
+  return {.place = place(file, table.source()),
+          .entries = std::make_shared<const GivenSettings>(std::move(entries))};
+}
+
+Given::Scalar scalar(const toml::node& node, const std::string& file) {
   if (const auto value = node.value_exact<bool>()) return *value;
   if (const auto value = node.value_exact<std::int64_t>()) return *value;
   if (const auto value = node.value_exact<double>()) return *value;
   if (const auto value = node.value_exact<std::string>()) return *value;
+  if (const toml::table* table = node.as_table()) return table_of(*table, file);
   return Given::Unreadable{written(node)};
 }
 
 Given given(const toml::node& node, const std::string& file, std::string_view key) {
   const std::string where = fmt::format("{}: {}", place(file, node.source()), key);
   const toml::array* list = node.as_array();
-  if (list == nullptr) return {where, scalar(node)};
+  if (list == nullptr) return {where, scalar(node, file)};
   std::vector<Given::Scalar> values;
-  for (const toml::node& element : *list) values.push_back(scalar(element));
+  for (const toml::node& element : *list) values.push_back(scalar(element, file));
   return {where, values};
 }
 

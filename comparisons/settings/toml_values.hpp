@@ -47,9 +47,9 @@ toml::table parse_toml(std::string_view text, const std::string& file);
 /// "scene.toml:4:7"
 std::string place(const std::string& file, const toml::source_region& source);
 
-/// A number, text or truth value; others are kept unreadable, for the message of who
-/// reads them.
-Given::Scalar scalar(const toml::node& node);
+/// A number, text, truth value, or a table of them and of lists, which may be lists of
+/// lists; others are kept unreadable, for the message of who reads them.
+Given::Scalar scalar(const toml::node& node, const std::string& file);
 
 /// A scalar or a list of them, whose place is "scene.toml:4:7: key".
 Given given(const toml::node& node, const std::string& file, std::string_view key);

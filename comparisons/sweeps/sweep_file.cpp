@@ -26,6 +26,12 @@ bool is_list_valued(std::string_view key) {
   return setting != nullptr && is_list_of_numbers(setting->access.type);
 }
 
+/// Keys whose one value is a list of tables.
+bool is_list_of_tables(std::string_view key) {
+  const Setting* setting = find_setting(key);
+  return setting != nullptr && setting->access.type.kind == ValueType::Kind::table;
+}
+
 /// Keys of sweeps: scene, fields, cases and the options of `run`.
 std::vector<std::string_view> sweep_keys() {
   std::vector<std::string_view> keys = option_keys();
@@ -94,8 +100,10 @@ std::vector<Given> values_of(const std::string& key, const toml::node& node,
   if (list == nullptr) return one_or_range(given(node, file, key), key, where);
   if (list->empty()) throw InputError(where, "", "at least one value", "an empty list");
   const bool one_value =
-      is_list_valued(key) &&
-      std::ranges::none_of(*list, [](const toml::node& n) { return n.is_array(); });
+      (is_list_valued(key) &&
+       std::ranges::none_of(*list, [](const toml::node& n) { return n.is_array(); })) ||
+      (is_list_of_tables(key) &&
+       std::ranges::all_of(*list, [](const toml::node& n) { return n.is_table(); }));
   if (one_value) return {given(node, file, key)};
   std::vector<Given> values;
   for (const toml::node& element : *list)

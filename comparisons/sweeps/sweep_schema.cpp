@@ -32,7 +32,7 @@ Json sweep_schema() {
     if (!is_option(setting)) continue;
     const ValueType& type = setting.access.type;
     Json& choices = definitions[std::string(setting.key)] =
-        choices_schema(help_of(setting), schema_of(type, setting.dimension));
+        choices_schema(help_of(setting), schema_of_value(setting));
     if (is_number(type)) choices["anyOf"].push_back(range_schema(setting));
   }
   Json properties;  // of the file and of each of its cases

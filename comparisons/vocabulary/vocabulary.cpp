@@ -14,6 +14,7 @@
 #include "comparisons/methods/methods.hpp"
 #include "comparisons/results/layout.hpp"
 #include "comparisons/settings/case_json.hpp"
+#include "comparisons/settings/cut_keys.hpp"
 #include "comparisons/settings/scene_file.hpp"
 #include "comparisons/settings/setting_schema.hpp"
 #include "comparisons/shipped/shipped.hpp"
@@ -242,6 +243,7 @@ constexpr std::array lists{
     List{"compared", [] { return described(value_names<Compared>); }},
     List{"statuses", list_of_statuses},
     List{"failures", failures},
+    List{"cut-keys", [] { return described(cut_keys()); }},
     List{"gate-keys", [] { return described(gates::gate_keys()); }},
     List{"result-file", [] { return described(file_layout()); }},
     List{"columns", [] { return with_units(case_columns()); }},

@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("SPRINGCHECK", str(ROOT / "build/release/springcheck"))
 HEADS = {"methods": "method", "scenes": "scene", "sweeps": "sweep", "settings": "setting",
          "tables": "table", "measures": "measure", "statuses": "status",
-         "failures": "failure", "gate-keys": "key", "result-file": "group",
+         "failures": "failure", "gate-keys": "key", "cut-keys": "key", "result-file": "group",
          "columns": "column", "exit-statuses": "exit status", "elements": "element",
          "cell-types": "cell type", "materials": "law", "tests": "test", "compared": "compared"}
 

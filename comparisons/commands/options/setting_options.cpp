@@ -31,7 +31,8 @@ GivenSettings SettingOptions::given() const {
     const ValueType& type = find_setting(name)->access.type;
     if (!texts_.contains(name))
       settings.push_back({name, Given::from_text(place, "true")});
-    else if (type.kind == ValueType::Kind::text && type.names == nullptr)
+    else if ((type.kind == ValueType::Kind::text && type.names == nullptr) ||
+             type.kind == ValueType::Kind::table)
       settings.push_back({name, Given(place, texts_.at(name))});  // commas and all
     else
       settings.push_back({name, Given::from_text(place, texts_.at(name))});
@@ -64,6 +65,7 @@ std::string shown_type_of(const Setting& setting) {
     return type.most > 1                           ? "NUMBERS"
            : type.kind == ValueType::Kind::integer ? "COUNT"
                                                    : "NUMBER";
+  if (type.kind == ValueType::Kind::table) return in_capitals(setting.key);
   if (type.names == nullptr) return "NAME";
   const std::string names = alternatives(type.names());
   if (names.size() <= short_enough) return names;

@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(no_line_of_a_manual_page_is_an_unknown_macro) {
 BOOST_AUTO_TEST_CASE(types_in_capitals_are_known) {
   const std::set<std::string> free{"NUMBER",  "NUMBERS",    "COUNT",    "COUNTS",
                                    "SECONDS", "KEY=VALUES", "FRACTION", "NAME",
-                                   "FILE",    "FOLDER",     "I/N"};
+                                   "FILE",    "FOLDER",     "I/N",      "CUT"};
   for (const CommandText& text : all().commands)
     for (const OptionText& option : text.options)
       BOOST_TEST(

@@ -4,6 +4,7 @@
 
 #include "comparisons/gates/gate_check.hpp"
 #include "comparisons/gates/gate_file.hpp"
+#include "meshing/basics/input_error.hpp"
 #include "tests/comparisons/gates/example_gates.hpp"
 
 using namespace springcheck;
@@ -213,6 +214,22 @@ BOOST_AUTO_TEST_CASE(conditions_of_the_file_are_every_gate_s) {
   BOOST_TEST((verdict("where.method = 'mss-cf'\nexpect = 'ok'") == Judgement::pass));
   BOOST_TEST((verdict(cf + "expect = 'ok'") == Judgement::pass));
   BOOST_TEST((verdict("where = " + fine + "expect = 'ok'") == Judgement::no_case));
+}
+
+BOOST_AUTO_TEST_CASE(cuts_are_found_however_they_are_written) {
+  Columns cases = table();
+  cases.texts["cut"] = std::vector<std::string>(7, "");
+  cases.texts["cut"][1] = "split,name=cut,plane=0,0,1,0.025";
+  const auto verdict_of = [&](const std::string& cut) {
+    return outcome_of("where = { cut = '" + cut +
+                          "' }\nmeasure = 'plate_force'\n"
+                          "equals = 1.3\nrelative = 1e-3\n",
+                      cases)
+        .verdict;
+  };
+  BOOST_TEST((verdict_of("split, plane = 0, 0, 2, 5cm") == Judgement::pass));
+  BOOST_TEST((verdict_of("split,plane=0,0,1,0.02") == Judgement::no_case));
+  BOOST_CHECK_THROW(verdict_of("splitt,plane=0,0,1,0.02"), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -52,6 +52,10 @@ std::vector<std::string> values_of_all_types() {
                                "[true]",
                                "[]",
                                "[[1]]",
+                               "\"split,plane=0,0,1,0.5\"",
+                               "[\"remove,box=0,0,0,1,1,1\"]",
+                               "[{kind = \"split\", plane = [0, 0, 1, 0.5]}]",
+                               "{kind = \"split\", plane = [0, 0, 1, 0.5]}",
                                "1979-05-27"};
   for (const Setting& setting : all_settings())
     if (setting.access.type.names != nullptr)

@@ -64,6 +64,26 @@ deformation = "5%"
   BOOST_TEST(cases == expected, boost::test_tools::per_element());
 }
 
+// As in a scene, tables are all made in one body; of texts each case has one.
+BOOST_AUTO_TEST_CASE(tables_of_cuts_are_one_value_and_texts_are_choices) {
+  const std::string common = "scene = \"compression\"\nmethod = \"mss-cf\"\n";
+  const auto cuts_of_each = [](const Sweep& sweep) {
+    std::vector<std::size_t> counts;
+    for (const Request& request : all_requests(sweep))
+      counts.push_back(request.settings.body.cuts.size());
+    return counts;
+  };
+  const std::string one = "[[cut]]\nkind = \"split\"\nplane = [0, 0, 1, 0.025]\n",
+                    other = "[[cut]]\nkind = \"split\"\nplane = [1, 0, 0, 0.025]\n";
+  BOOST_TEST(cuts_of_each(sweep_of(common + one + other)) == std::vector<std::size_t>{2},
+             boost::test_tools::per_element());
+  BOOST_TEST(cuts_of_each(sweep_of(
+                 common + "cut = [\"\", \"split,plane=0,0,1,0.025\", "
+                          "\"split,plane=0,0,1,0.025,split,plane=1,0,0,0.025\"]\n")) ==
+                 (std::vector<std::size_t>{0, 1, 2}),
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(each_of_the_cases_has_its_own_keys) {
   const Sweep sweep = sweep_of(R"(
 method = ["mss-cf", "fem-hooke"]
