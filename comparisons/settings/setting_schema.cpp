@@ -8,6 +8,7 @@ namespace springcheck {
 
 using Json = nlohmann::ordered_json;
 
+// The only setting of tables is that of cuts.
 nlohmann::json schema_of_value(const Setting& setting) {
   if (setting.access.type.kind == ValueType::Kind::table) return cuts_schema();
   return schema_of(setting.access.type, setting.dimension);

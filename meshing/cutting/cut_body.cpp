@@ -23,8 +23,8 @@ auto repeated_in(List& list) {
   return std::ranges::adjacent_find(list);
 }
 
-void check(const std::string& source, const CellComplex& cells, const Cut& cut) {
-  const std::string place = fmt::format("cut '{}'", cut.name);
+void check(const std::string& source, const std::string& place, const CellComplex& cells,
+           const Cut& cut) {
   std::vector<CellSide> sides;
   for (const CellSide& face : cut.parted) {
     if (face.cell >= cells.cell_count() || face.face >= cells.face_count(face.cell))
@@ -126,7 +126,7 @@ CutBody body_of(const Mesh& before, const CellComplex& cells,
 CutBody cut(const std::string& source, const Mesh& body, CellComplex cells,
             const Cut& cut) {
   const std::string place = fmt::format("cut '{}'", cut.name);
-  check(source, cells, cut);
+  check(source, place, cells, cut);
   FacesByRegion regions = faces_of_regions(body, cells);
   FacesByRegion made = faces_of_cut(cells, cut);
   cells.part(cut.parted);

@@ -11,7 +11,7 @@
 namespace springcheck {
 namespace {
 
-constexpr double rounding = 1e-9;  // of the way between two centres
+constexpr double rounding = 1e-9;  // of a cell's size
 
 template <class Nodes>
 Vector3 mean(const Nodes& nodes, std::span<const Vector3> positions) {
@@ -132,7 +132,8 @@ std::vector<std::uint32_t> cells_within(const std::string& source,
     const Vector3 centre = mean(cells.nodes_of(c), positions);
     const double height = height_over(where.surface, centre);
     const double off = outside(where.within, centre) + past_end(where.surface, centre);
-    if (height < 0 && off == 0)
+    const double tolerance = rounding * (positions[cells.nodes_of(c)[0]] - centre).norm();
+    if (height < -tolerance && off <= tolerance)
       chosen.push_back(c);
     else
       nearest.look_at({.rank = std::max(height, 0.) + off,

@@ -34,7 +34,8 @@ FaceChoice faces_along(const std::string& source, const std::string& place,
                        const CutPlace& where);
 
 /// The cells whose centres are within the surface, which must enclose a part of space,
-/// and within the box.
+/// and within the box. A centre on the surface, to 1e-9 of its distance from the cell's
+/// nodes, is outside; one on the box is inside.
 ///
 /// Throws InputError, with place `place`, when there is none; it tells the cell that is
 /// nearest.

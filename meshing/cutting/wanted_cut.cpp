@@ -2,21 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
 #include <utility>
 
+#include "meshing/loads/traction.hpp"
+
 namespace springcheck {
-namespace {
-
-/// The norm of the area vector [m^2]: of a plane face its area.
-double area(const FaceNodes& face, const std::vector<Vector3>& nodes) {
-  Vector3 twice = Vector3::Zero();
-  for (std::size_t i = 1; i + 1 < face.size(); ++i)
-    twice += (nodes[face[i]] - nodes[face[0]]).cross(nodes[face[i + 1]] - nodes[face[0]]);
-  return twice.norm() / 2;
-}
-
-}  // namespace
-
 MadeCut make_cut(const Mesh& body, const WantedCut& wanted) {
   CellComplex cells(body);
   const std::string place = fmt::format("cut '{}'", wanted.name);
@@ -37,8 +28,8 @@ MadeCut make_cut(const Mesh& body, const WantedCut& wanted) {
   if (wanted.kind == CutKind::split) {
     const Region& side = made.body.mesh.region(wanted.name + "-below");
     made.figures.faces_split = side.faces.size();
-    for (const FaceNodes& face : side.faces)
-      made.figures.area += area(face, made.body.mesh.nodes());
+    const std::vector<double> areas = nodal_areas(made.body.mesh, side);
+    made.figures.area = std::accumulate(areas.begin(), areas.end(), 0.);
   }
   std::vector<char> is_there(body.nodes().size(), 0);
   for (const NodeIndex origin : made.body.node_origin)

@@ -119,6 +119,16 @@ BOOST_AUTO_TEST_CASE(cells_within_a_box) {
                  .size() == 16);
 }
 
+// Rounding must not decide about centres on the walls.
+BOOST_AUTO_TEST_CASE(centres_on_a_wall_are_outside) {
+  const Mesh mesh = cube(5);
+  BOOST_TEST(within(mesh, {.surface = box({0.015, 0.015, 0.015}, {0.035, 0.035, 0.035})})
+                 .size() == 1);
+  BOOST_TEST(within(mesh, {.surface = box({0, 0, 0}, {0.05, 0.05, 0.05}),
+                           .within = box({0.015, 0.015, 0.015}, {0.035, 0.035, 0.035})})
+                 .size() == 27);
+}
+
 // Where the body is now, not where it was.
 BOOST_AUTO_TEST_CASE(positions_may_be_deformed) {
   const Mesh mesh = cube(10);
