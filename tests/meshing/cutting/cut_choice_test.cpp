@@ -1,6 +1,7 @@
 #include "meshing/cutting/cut_choice.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 
 #include "meshing/basics/input_error.hpp"
 #include "meshing/generators/generate_block.hpp"
@@ -121,6 +122,18 @@ BOOST_AUTO_TEST_CASE(cells_within_a_box) {
 
 // Rounding must not decide about centres on the walls.
 BOOST_AUTO_TEST_CASE(centres_on_a_wall_are_outside) {
+  for (int n = 5; n < 14; ++n) {
+    const double low = 1.5 / n * 0.05, high = (n - 1.5) / n * 0.05;
+    const Box inner = box(Vector3::Constant(low), Vector3::Constant(high));
+    BOOST_TEST(within(cube(n), {.surface = inner}).size() == std::pow(n - 4, 3));
+    BOOST_TEST(within(cube(n), {.surface = box({-1, -1, -1}, {1, 1, 1}), .within = inner})
+                   .size() == std::pow(n - 2, 3));
+    BOOST_TEST(along(cube(n), {.surface = Plane{.normal = {0, 0, 1}, .offset = low}})
+                   .faces.size() == static_cast<std::size_t>(n * n));
+    BOOST_TEST(along(cube(n), {.surface = Plane{.normal = {0, 0, 1}, .offset = low},
+                               .within = box({low, low, 0}, {high, high, 1})})
+                   .faces.size() == static_cast<std::size_t>((n - 2) * (n - 2)));
+  }
   const Mesh mesh = cube(5);
   BOOST_TEST(within(mesh, {.surface = box({0.015, 0.015, 0.015}, {0.035, 0.035, 0.035})})
                  .size() == 1);
